@@ -44,6 +44,15 @@ impl Point {
             PointSlot::Timing { input, done } => Value::Bool(memory.bit(input) && !memory.bit(done)),
         }
     }
+
+    /// Whether it holds in a memory what another point holds in another one.
+    pub(crate) fn is_as(&self, memory: &Memory, (other, there): (&Point, &Memory)) -> bool {
+        match (self.slot, other.slot) {
+            // Reading a text makes a copy of it.
+            (PointSlot::Text(slot), PointSlot::Text(other)) => memory.text(slot) == there.text(other),
+            _ => self.read(memory) == other.read(there),
+        }
+    }
 }
 
 /// Where a point lives.

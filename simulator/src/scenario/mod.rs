@@ -15,6 +15,7 @@ mod draw;
 mod layout;
 mod parse;
 mod play;
+mod played;
 mod record;
 mod run;
 #[cfg(test)]

@@ -4,7 +4,9 @@
 //! expects: so it passes, also where the program was changed meanwhile or tags were forced. Where what was seen was
 //! something else, that is said.
 
-use crate::session::Session;
+use super::played::{Played, Track, divisor};
+use super::run::MOST_BLOCKS;
+use crate::session::{MOST_GIVEN, NotKnown, Session};
 use crate::simulation::{Simulation, Status};
 use crate::tags::Point;
 use crate::value_text;
@@ -23,28 +25,21 @@ pub struct Recorded {
     pub notes: Vec<String>,
 }
 
-/// With more rows than this only outputs are looked at.
-const MOST_ROWS: usize = 8;
-
-/// So many columns can be read; with more a step takes no account of what the outputs do in between.
-const READABLE: u64 = 200;
+/// So many values are written at most: a file of about as many bytes.
+const MOST_CELLS: u64 = 10_000_000;
 
 /// A session up to where it is as a scenario of this name; `program` is the program's file, as the scenario file
 /// names it.
 ///
 /// # Errors
-/// Nothing has run, the beginning is not kept any more, or nothing comes out of the program: why there is no scenario.
+/// Nothing has run, what was given is not known, nothing comes out of the program, or it would be too long: why there is no
+/// scenario, and what to do.
 pub fn record(session: &Session, program: &str, name: &str) -> Result<Recorded, String> {
     let scans = session.simulation().scans();
     if scans == 0 {
         return Err("nothing has run yet: run some scans, and record then".into());
     }
-    let Some(given) = session.given() else {
-        return Err(
-            "a scenario starts cold, and the first scans are not kept any more: restart, do it again, and record then"
-                .into(),
-        );
-    };
+    let given = session.given().map_err(not_known)?;
     let mut notes = Vec::new();
     let options = session.simulation().options();
     let mut simulation =
@@ -52,48 +47,50 @@ pub fn record(session: &Session, program: &str, name: &str) -> Result<Recorded, 
     let mut rows: BTreeMap<String, Row> = BTreeMap::new();
     let mut order: Vec<String> = Vec::new();
     let mut moments = BTreeSet::new();
-    for before in given.iter().filter(|before| before.scan < scans) {
-        for (point, value) in &before.values {
-            let found = simulation.resolve(&point.name).ok();
-            let Some(found) = found.filter(|found| found.ty == point.ty && !found.read_only) else {
-                push_once(
-                    &mut notes,
-                    format!(
-                        "{} is not in it: the program has no such tag any more",
-                        point.name
-                    ),
-                );
-                continue;
-            };
-            let Some(text) = written(value, found.ty) else {
-                continue;
-            };
-            let row = rows.entry(found.name.clone()).or_insert_with(|| {
-                order.push(found.name.clone());
-                Row {
-                    before: simulation.value(&found),
-                    point: found,
-                    cells: BTreeMap::new(),
-                    is_overwritten: false,
-                }
-            });
-            row.cells.insert(before.scan, (value.clone(), text));
-            moments.insert(before.scan);
-        }
+    for (scan, point, value) in given.values().filter(|(scan, ..)| *scan < scans) {
+        let found = simulation.resolve(&point.name).ok();
+        let Some(found) = found.filter(|found| found.ty == point.ty && !found.read_only) else {
+            push_once(
+                &mut notes,
+                format!(
+                    "{} is not in it: the program has no such tag any more",
+                    point.name
+                ),
+            );
+            continue;
+        };
+        let Some(text) = written(value, found.ty) else {
+            continue;
+        };
+        let row = rows.entry(found.name.clone()).or_insert_with(|| {
+            order.push(found.name.clone());
+            Row {
+                before: simulation.value(&found),
+                point: found,
+                cells: BTreeMap::new(),
+                is_overwritten: false,
+            }
+        });
+        row.cells.insert(scan, (value.clone(), text));
+        moments.insert(scan);
     }
-    let mut outputs = outputs(&simulation);
+    let outputs = outputs(&simulation);
     if outputs.is_empty() {
         return Err("the program writes no tag that a scenario could look at".into());
     }
-    let cold: Vec<Value> = outputs.iter().map(|point| simulation.value(point)).collect();
-    let mut played = play(&mut simulation, &mut rows, &outputs, scans);
-    if played.len() < scans as usize {
+    let columns = scans / moments.iter().fold(scans, |step, &moment| divisor(step, moment));
+    let of_outputs = outputs.iter().filter(|point| point.role == Role::Output).count();
+    fits(columns, rows.len() + of_outputs.max(1), options.interval)?;
+    let mut played = Played::new(&simulation, outputs, &moments, scans);
+    play(&mut simulation, &mut rows, &mut played, scans)?;
+    if played.scans < scans {
         push_once(&mut notes, "the program stops in the midst of it".into());
     }
     if session.simulation().has_serial() {
         push_once(&mut notes, "what came in at the serial port is not in it".into());
     }
-    if differs(session, &outputs, &played) {
+    played.leave_out_what_rests();
+    if differs(session, &played) {
         push_once(
             &mut notes,
             "the program was changed, or tags were forced, while this was recorded: what is expected is what the program \
@@ -101,13 +98,12 @@ pub fn record(session: &Session, program: &str, name: &str) -> Result<Recorded, 
                 .into(),
         );
     }
-    leave_out_what_rests(&mut outputs, &mut played, &cold);
-    let scans = played.len() as u64;
-    let step = step(&moments, &outputs_change(&played), scans);
-    let steps = scans / step;
+    let step = played.step();
+    let steps = played.scans / step;
     if steps == 0 {
         return Err("the program stops in its first scan".into());
     }
+    fits(steps, rows.len() + played.tracks.len(), options.interval)?;
     let mut text = format!(
         "program {}\nstep {}\ninterval {}\n\nscenario \"{}\"\n",
         quoted(program),
@@ -115,7 +111,9 @@ pub fn record(session: &Session, program: &str, name: &str) -> Result<Recorded, 
         duration(options.interval),
         name.replace('"', "'")
     );
-    let width = order.iter().chain(outputs.iter().map(|point| &point.name));
+    let width = order
+        .iter()
+        .chain(played.tracks.iter().map(|track| &track.point.name));
     let width = width.map(|name| name.chars().count()).max().unwrap_or(0);
     for name in &order {
         let row = &rows[name];
@@ -131,11 +129,45 @@ pub fn record(session: &Session, program: &str, name: &str) -> Result<Recorded, 
         });
         let _ = writeln!(text, "{name:width$}    {}", line(row.point.ty, cells));
     }
-    for (index, point) in outputs.iter().enumerate() {
-        let cells = (1..=steps).map(|column| written(&played[(column * step - 1) as usize][index], point.ty));
+    for track in &played.tracks {
+        let Track { point, .. } = track;
+        let values = track.at((1..=steps).map(|column| column * step - 1));
+        let cells = values.map(|value| written(value, point.ty));
         let _ = writeln!(text, "{:width$} => {}", point.name, line(point.ty, cells));
     }
     Ok(Recorded { text, notes })
+}
+
+/// Why there is no scenario where it is not known what was given.
+fn not_known(why: NotKnown) -> String {
+    match why {
+        NotKnown::NoHistory => {
+            "what was given is only known where scans are kept: let `history` in ladder.toml be more than 0, and start again"
+                .into()
+        }
+        NotKnown::LateStart => {
+            "a scenario starts cold, and this session began behind the first scan: restart, do it again, and record then"
+                .into()
+        }
+        NotKnown::TooMany => format!(
+            "more than {MOST_GIVEN} values were given since the start, and no more are kept: restart, do it again in a shorter \
+             time, and record then"
+        ),
+    }
+}
+
+/// Whether a file of so many columns and rows is one that can be read.
+fn fits(columns: u64, rows: usize, interval: i64) -> Result<(), String> {
+    let cells = columns.saturating_mul(rows as u64);
+    if cells <= MOST_CELLS {
+        return Ok(());
+    }
+    let most = (MOST_CELLS / rows as u64).saturating_mul(interval as u64);
+    Err(format!(
+        "a column for each moment in which something was given makes {columns} columns in {rows} rows, and a scenario has at \
+         most {MOST_CELLS} values: restart, do it again within {}, and record then",
+        duration(i64::try_from(most).unwrap_or(i64::MAX) / 60_000_000_000 * 60_000_000_000)
+    ))
 }
 
 /// How the file of a recorded scenario may be called that is beside a program: `motor-recorded.ladder-test`.
@@ -169,43 +201,14 @@ fn outputs(simulation: &Simulation) -> Vec<Point> {
     outputs.into_iter().chain(others).cloned().collect()
 }
 
-/// Beside the outputs only a few other tags are looked at, and only those that change: BOOLs, or whatever there is where
-/// nothing else comes out of the program.
-/// `cold` is what they hold in a cold start.
-fn leave_out_what_rests(points: &mut Vec<Point>, played: &mut [Vec<Value>], cold: &[Value]) {
-    let changes = |index: usize| played.iter().any(|values| values[index] != cold[index]);
-    let changes: Vec<bool> = (0..points.len()).map(changes).collect();
-    let is_output = |point: &Point| point.role == Role::Output;
-    let is_level = |point: &Point, changes: bool| changes && !is_output(point) && point.ty == Scalar::Bool;
-    let kinds = || points.iter().zip(changes.iter().copied());
-    let outputs = kinds().filter(|(point, _)| is_output(point)).count();
-    let levels = kinds()
-        .filter(|(point, changes)| is_level(point, *changes))
-        .count();
-    let rests = changes.iter().all(|changes| !changes);
-    let keep: Vec<bool> = kinds()
-        .map(|(point, changes)| {
-            is_output(point)
-                || (outputs + levels <= MOST_ROWS && is_level(point, changes))
-                || (outputs == 0 && (changes || rests))
-        })
-        .collect();
-    let mut kept = keep.iter();
-    points.retain(|_| kept.next().copied().unwrap_or_default());
-    for values in played {
-        let mut kept = keep.iter();
-        values.retain(|_| kept.next().copied().unwrap_or_default());
-    }
-}
-
-/// What the outputs hold after each scan, as far as the program runs.
+/// Plays what was given, and notes what the outputs hold after each scan, as far as the program runs.
 fn play(
     simulation: &mut Simulation,
     rows: &mut BTreeMap<String, Row>,
-    outputs: &[Point],
+    played: &mut Played,
     scans: u64,
-) -> Vec<Vec<Value>> {
-    let mut played = Vec::new();
+) -> Result<(), String> {
+    let begun = simulation.work();
     for scan in 0..scans {
         for row in rows.values() {
             if let Some((value, _)) = row.cells.get(&scan) {
@@ -216,53 +219,44 @@ fn play(
         if simulation.status() != Status::Ready || !simulation.scan() {
             break;
         }
+        if simulation.work() - begun > MOST_BLOCKS {
+            return Err(format!(
+                "{scans} scans of this program take too long to be played again, as every run of the scenario would: restart, do \
+                 it again in a shorter time, and record then"
+            ));
+        }
         for row in rows.values_mut() {
             let given = row.cells.range(..=scan).next_back();
             let given = given.map_or(&row.before, |(_, (value, _))| value);
             row.is_overwritten |= simulation.value(&row.point) != *given;
         }
-        played.push(outputs.iter().map(|point| simulation.value(point)).collect());
+        played.note(simulation);
     }
-    played
+    Ok(())
 }
 
 /// Whether the session saw anything else, as far as it is kept.
-fn differs(session: &Session, outputs: &[Point], played: &[Vec<Value>]) -> bool {
-    let seen: Vec<Point> = outputs
+fn differs(session: &Session, played: &Played) -> bool {
+    let seen: Vec<Point> = played
+        .tracks
         .iter()
-        .filter_map(|point| session.simulation().resolve(&point.name).ok())
+        .filter_map(|track| session.simulation().resolve(&track.point.name).ok())
         .collect();
-    if seen.len() < outputs.len() {
+    if seen.len() < played.tracks.len() {
         return true;
     }
-    let past = session.past(&seen, played.len());
-    past.iter().enumerate().any(|(index, values)| {
-        values.len() != played.len() || values.iter().zip(played).any(|(a, b)| *a != b[index])
-    })
-}
-
-/// The scans that change an output.
-fn outputs_change(played: &[Vec<Value>]) -> BTreeSet<u64> {
-    let pairs = played.windows(2).zip(1u64..);
-    pairs
-        .filter(|(pair, _)| pair[0] != pair[1])
-        .map(|(_, scan)| scan)
-        .collect()
-}
-
-/// How many scans a column stands for: as many as all that happens is a multiple of.
-fn step(given: &BTreeSet<u64>, changes: &BTreeSet<u64>, scans: u64) -> u64 {
-    let common =
-        |moments: &mut dyn Iterator<Item = &u64>| moments.fold(scans, |step, &moment| divisor(step, moment));
-    let exact = common(&mut given.iter().chain(changes));
-    if scans / exact <= READABLE {
-        return exact;
+    let past = session.past(&seen, usize::try_from(played.scans).unwrap_or(usize::MAX));
+    let kept = past.first().map_or(0, Vec::len) as u64;
+    // What an earlier program did that is no longer kept is not known to have been the same.
+    if kept < played.scans && session.newest_generation() > 0 {
+        return true;
     }
-    common(&mut given.iter())
-}
-
-fn divisor(a: u64, b: u64) -> u64 {
-    if b == 0 { a } else { divisor(b, a % b) }
+    let first = played.scans - kept;
+    let noted = || (first..played.scans).filter(|scan| played.is_noted(*scan));
+    played.tracks.iter().zip(&past).any(|(track, past)| {
+        let seen = noted().map(|scan| &past[(scan - first) as usize]);
+        track.at(noted()).ne(seen)
+    })
 }
 
 /// A value as a scenario has it; none if it could not be read back.
@@ -296,5 +290,18 @@ fn quoted(name: &str) -> String {
         format!("\"{name}\"")
     } else {
         name.to_owned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::fits;
+
+    #[test]
+    fn a_file_that_nobody_could_open_is_refused_with_what_to_do() {
+        assert_eq!(fits(360_000, 20, 10_000_000), Ok(()));
+        let refused = fits(3_600_000, 20, 10_000_000).unwrap_err();
+        assert!(refused.contains("3600000 columns in 20 rows"), "{refused}");
+        assert!(refused.contains("do it again within 1h23m"), "{refused}");
     }
 }

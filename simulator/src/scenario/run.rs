@@ -8,7 +8,7 @@ use ladder_analysis::value::Value;
 use ladder_syntax::TextRange;
 
 /// A scenario may do the work of so many blocks.
-const MOST_BLOCKS: u64 = 10_000_000_000;
+pub(super) const MOST_BLOCKS: u64 = 10_000_000_000;
 
 /// What came of a scenario.
 #[derive(Debug, Clone, PartialEq)]

@@ -133,6 +133,7 @@ impl Session {
         self.history.forget_ahead();
         self.forget_faults_ahead();
         let (lost, moved) = carry::carry(&self.simulation, &mut new);
+        self.note_given_at_change(&new);
         let mut history = History::new(&new, self.history.limits());
         history.follow_serial(&self.history);
         history.is_from_the_start &= self.history.kept() == 0;

@@ -1,7 +1,8 @@
-//! What was given from outside, scan by scan, since the program began.
+//! What was given from outside, scan by scan, since the program began: for as long as the session lasts, since somebody
+//! presses much more seldom than scans run.
 
 use super::Session;
-use super::history::History;
+use crate::memory::Memory;
 use crate::simulation::Simulation;
 use crate::tags::Point;
 use ladder_analysis::program::{Program, Role};
@@ -9,53 +10,148 @@ use ladder_analysis::value::Value;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// What was given before a scan.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct GivenBefore {
-    pub(crate) scan: u64,
-    pub(crate) values: Vec<(Point, Value)>,
+/// So many values are kept at most.
+pub(crate) const MOST_GIVEN: usize = 100_000;
+
+/// A value that was given.
+#[derive(Debug)]
+struct One {
+    /// Before this scan.
+    scan: u64,
+    /// While the program was changed, before anything ran with the new one.
+    at_change: bool,
+    /// Among the points that anything was given to.
+    point: usize,
+    value: Value,
+}
+
+/// Why it is not known what was given.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum NotKnown {
+    /// No scans are kept, so nothing is held against anything.
+    NoHistory,
+    /// The session began behind the first scan.
+    LateStart,
+    /// More than [`MOST_GIVEN`] values.
+    TooMany,
+}
+
+/// All that was given since the start.
+#[derive(Debug)]
+pub(crate) struct AllGiven {
+    points: Vec<Point>,
+    /// The newest point of each name.
+    by_name: HashMap<String, usize>,
+    /// The oldest first.
+    values: Vec<One>,
+    not_known: Option<NotKnown>,
+}
+
+impl AllGiven {
+    /// What a program holds before its first scan that is not its initial value was given to it.
+    pub(super) fn at_start(simulation: &Simulation, has_history: bool) -> AllGiven {
+        let mut all = AllGiven {
+            points: Vec::new(),
+            by_name: HashMap::new(),
+            values: Vec::new(),
+            not_known: match () {
+                () if !has_history => Some(NotKnown::NoHistory),
+                () if simulation.machine.scan != 0 => Some(NotKnown::LateStart),
+                () => None,
+            },
+        };
+        all.take(simulation, true, |point| {
+            Some((point, &simulation.compiled.initial))
+        });
+        all
+    }
+
+    /// Before which scans what was given to which points, the oldest first.
+    pub(crate) fn values(&self) -> impl Iterator<Item = (u64, &Point, &Value)> {
+        self.values
+            .iter()
+            .map(|one| (one.scan, &self.points[one.point], &one.value))
+    }
+
+    /// A scan begins: what is known of it and of later ones happened on a way that is not gone any more.
+    fn forget_from(&mut self, scan: u64) {
+        let is_gone = |last: &One| last.scan > scan || (last.scan == scan && !last.at_change);
+        while self.values.last().is_some_and(is_gone) {
+            self.values.pop();
+        }
+    }
+
+    /// Takes what a simulation holds before its next scan that differs from what was there before: what each point was, and
+    /// where, if it is known.
+    fn take<'a>(
+        &mut self,
+        simulation: &'a Simulation,
+        at_change: bool,
+        before: impl Fn(&'a Point) -> Option<(&'a Point, &'a Memory)>,
+    ) {
+        let memory = &simulation.machine.memory;
+        if self.not_known.is_some() {
+            return;
+        }
+        for point in simulation.points() {
+            if before(point).is_none_or(|before| point.is_as(memory, before)) {
+                continue;
+            }
+            if self.values.len() == MOST_GIVEN {
+                self.not_known = Some(NotKnown::TooMany);
+                self.values = Vec::new();
+                return;
+            }
+            let index = self.index_of(point);
+            self.values.push(One {
+                scan: simulation.machine.scan as u64,
+                at_change,
+                point: index,
+                value: point.read(memory),
+            });
+        }
+    }
+
+    fn index_of(&mut self, point: &Point) -> usize {
+        if let Some(&index) = self.by_name.get(&point.name)
+            && self.points[index] == *point
+        {
+            return index;
+        }
+        self.points.push(point.clone());
+        let index = self.points.len() - 1;
+        self.by_name.insert(point.name.clone(), index);
+        index
+    }
 }
 
 impl Session {
-    /// What was given before each of the scans up to here, the oldest first. None if the first of them are not kept any
-    /// more.
-    pub(crate) fn given(&self) -> Option<Vec<GivenBefore>> {
-        let eras = self.earlier.iter().map(super::change::Era::parts);
-        let eras: Vec<_> = eras.chain([(&self.simulation, &self.history)]).collect();
-        let (first, first_history) = eras.first()?;
-        if !first_history.is_on() || !first_history.is_from_the_start || first_history.base.scan != 0 {
-            return None;
+    /// What was given since the start, also before scans that were stepped back from.
+    pub(crate) fn given(&self) -> Result<&AllGiven, NotKnown> {
+        self.given.not_known.map_or(Ok(&self.given), Err)
+    }
+
+    /// A scan begins, for which something was given or not.
+    pub(super) fn note_given(&mut self) {
+        self.given.forget_from(self.simulation.machine.scan as u64);
+        if self.changed {
+            let before = &self.history.banks.memory;
+            self.given
+                .take(&self.simulation, false, |point| Some((point, before)));
         }
-        let mut all = Vec::new();
-        let initial = |point: &Point| point.read(&first.compiled.initial);
-        let mut before: HashMap<String, Value> = first
-            .points()
-            .iter()
-            .map(|point| (point.name.clone(), initial(point)))
-            .collect();
-        for (simulation, history) in eras {
-            let points = simulation.points();
-            let base = history.values_at_base(simulation, points);
-            // What the world gave while the program was changed; the rest the change has carried over.
-            let since = points.iter().zip(&base).filter(|(point, value)| {
-                let is_first = history.base.scan == 0;
-                (is_first || point.role == Role::Input)
-                    && before.get(&point.name).is_some_and(|before| before != *value)
-            });
-            let values: Vec<_> = since
-                .map(|(point, value)| (point.clone(), value.clone()))
-                .collect();
-            if !values.is_empty() {
-                all.push(GivenBefore {
-                    scan: history.base.scan as u64,
-                    values,
-                });
-            }
-            all.extend(history.given_by_scan(simulation, points));
-            before = history.values_at_end(simulation, points);
-        }
-        all.retain(|given| !given.values.is_empty());
-        Some(all)
+    }
+
+    /// Another program goes on: what the world gave that no scan has run with. The rest the change carries over.
+    pub(super) fn note_given_at_change(&mut self, new: &Simulation) {
+        self.given.forget_from(new.machine.scan as u64);
+        let is_input = |point: &&Point| point.role == Role::Input;
+        let before = self.simulation.points().iter().filter(is_input);
+        let before: HashMap<&str, &Point> = before.map(|point| (point.name.as_str(), point)).collect();
+        let memory = &self.history.banks.memory;
+        self.given.take(new, true, |point| {
+            let before = before.get(point.name.as_str()).filter(|_| is_input(&point));
+            before.map(|before| (*before, memory))
+        });
     }
 
     /// The newest program, wherever the session was stepped back to.
@@ -64,51 +160,5 @@ impl Session {
         newest
             .map_or(&self.simulation, |(simulation, _)| simulation)
             .program()
-    }
-}
-
-impl History {
-    /// What points held before the oldest scan, and before anything was given for it.
-    fn values_at_base(&self, simulation: &Simulation, points: &[Point]) -> Vec<Value> {
-        let mut rewind = self.rewind(simulation);
-        loop {
-            rewind.undo_given();
-            if !rewind.undo_scan() {
-                return points.iter().map(|point| rewind.value(point)).collect();
-            }
-        }
-    }
-
-    /// What they hold after the last scan.
-    fn values_at_end(&self, simulation: &Simulation, points: &[Point]) -> HashMap<String, Value> {
-        let mut rewind = self.rewind(simulation);
-        rewind.undo_given();
-        let values = points
-            .iter()
-            .map(|point| (point.name.clone(), rewind.value(point)));
-        values.collect()
-    }
-
-    /// What was given before each scan.
-    fn given_by_scan(&self, simulation: &Simulation, points: &[Point]) -> Vec<GivenBefore> {
-        let mut all = Vec::new();
-        let mut rewind = self.rewind(simulation);
-        rewind.undo_given();
-        while rewind.undo_scan() {
-            if !rewind.has_given() {
-                rewind.undo_given();
-                continue;
-            }
-            let after: Vec<Value> = points.iter().map(|point| rewind.value(point)).collect();
-            rewind.undo_given();
-            let pairs = points.iter().zip(after);
-            let given = pairs.filter(|(point, after)| rewind.value(point) != *after);
-            all.push(GivenBefore {
-                scan: self.clock_before(rewind.entry()).0,
-                values: given.map(|(point, after)| (point.clone(), after)).collect(),
-            });
-        }
-        all.reverse();
-        all
     }
 }

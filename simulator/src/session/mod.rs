@@ -26,6 +26,8 @@ use crate::tags::Point;
 use crate::work::Brake;
 pub use breakpoints::{Breakpoint, Hit, StepBy};
 use change::Era;
+use given::AllGiven;
+pub(crate) use given::{MOST_GIVEN, NotKnown};
 use history::History;
 pub use history::HistoryLimits;
 use ladder_analysis::program::{Location, Program, Role};
@@ -63,6 +65,7 @@ pub struct Session {
     history: History,
     /// Something was given since the last scan.
     changed: bool,
+    given: AllGiven,
     /// The scan that is open was stepped back from and is run again.
     repeats: bool,
     faults: VecDeque<FaultRecord>,
@@ -99,6 +102,7 @@ impl Session {
         let mut history = History::new(&simulation, limits);
         history.take_serial(&mut simulation);
         Session {
+            given: AllGiven::at_start(&simulation, history.is_on()),
             history,
             simulation,
             changed: false,
@@ -315,6 +319,7 @@ impl Session {
         self.changed = false;
         self.repeats = false;
         self.history.clear(&self.simulation);
+        self.given = AllGiven::at_start(&self.simulation, self.history.is_on());
         self.earlier.clear();
     }
 

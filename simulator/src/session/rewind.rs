@@ -70,11 +70,6 @@ impl<'h> Rewind<'h> {
         self.entry
     }
 
-    /// Whether anything was given for the scan at whose start it is.
-    pub(super) fn has_given(&self) -> bool {
-        self.given > 0
-    }
-
     /// Goes to the end of the scan before.
     pub(super) fn undo_given(&mut self) {
         if let Some((banks, forces)) = self.before_present.take() {

@@ -125,6 +125,7 @@ impl Session {
     }
 
     fn begin(&mut self) {
+        self.note_given();
         self.history.begin(&self.simulation, self.changed);
         self.changed = false;
     }

@@ -179,13 +179,93 @@ fn what_cannot_be_recorded_is_said() {
     );
     scan(&mut nothing, 1);
     assert!(record(&nothing, "m", "n").is_ok());
-    let mut short = Session::of(simulation(MOTOR), HistoryLimits::of_scans(3));
-    scan(&mut short, 4);
+    let mut unkept = Session::of(simulation(MOTOR), HistoryLimits::of_scans(0));
+    scan(&mut unkept, 4);
     assert!(
-        record(&short, "m", "n")
+        record(&unkept, "m", "n")
             .unwrap_err()
-            .contains("not kept any more")
+            .contains("let `history` in ladder.toml be more than 0")
     );
+    let mut begun = simulation(MOTOR);
+    begun.scan();
+    let mut late = Session::of(begun, HistoryLimits::default());
+    scan(&mut late, 4);
+    assert!(
+        record(&late, "m", "n")
+            .unwrap_err()
+            .contains("began behind the first scan")
+    );
+}
+
+#[test]
+fn more_values_than_are_kept_cannot_be_recorded_until_the_program_begins_again() {
+    let mut session = Session::of(simulation(MOTOR), HistoryLimits::of_scans(3));
+    for press in 0..=100_000 {
+        set(&mut session, "start", if press % 2 == 0 { "1" } else { "0" });
+        session.scan();
+    }
+    assert!(
+        record(&session, "m", "n")
+            .unwrap_err()
+            .contains("more than 100000 values were given")
+    );
+    session.reset();
+    scan(&mut session, 1);
+    assert!(record(&session, "m", "n").is_ok());
+}
+
+#[test]
+fn what_was_pressed_is_known_for_as_long_as_the_session_lasts() {
+    let mut session = Session::of(simulation(MOTOR), HistoryLimits::of_scans(3));
+    scan(&mut session, 1000);
+    set(&mut session, "start", "1");
+    scan(&mut session, 1000);
+    set(&mut session, "start", "0");
+    scan(&mut session, 3000);
+    check(
+        &session,
+        MOTOR,
+        expect![[r#"
+            program motor.clad
+            step 10s
+            interval 10ms
+
+            scenario "what was done"
+            start    _-___
+            warm  => _----
+            run   => _----
+        "#]],
+    );
+    // On another way what was given on the first one was not given.
+    set(&mut session, "stop", "1");
+    scan(&mut session, 2);
+    session.step_back(2);
+    set(&mut session, "start", "1");
+    scan(&mut session, 5000);
+    check(
+        &session,
+        MOTOR,
+        expect![[r#"
+            program motor.clad
+            step 10s
+            interval 10ms
+
+            scenario "what was done"
+            start    _-___-----
+            warm  => _---------
+            run   => _---------
+        "#]],
+    );
+    let mut hour = Session::of(simulation(MOTOR), HistoryLimits::of_scans(3));
+    scan(&mut hour, 7);
+    set(&mut hour, "start", "1");
+    scan(&mut hour, 60_000);
+    let recorded = record(&hour, "motor.clad", "what was done").unwrap();
+    assert_eq!(
+        recorded.text.lines().last().unwrap().len(),
+        "run   => ".len() + 60_007
+    );
+    passes(&recorded, MOTOR);
 }
 
 #[test]
