@@ -3,9 +3,11 @@
 use super::banks::Banks;
 use super::delta::{Bytes, Way};
 use super::history::{Forces, History};
+use super::touched::{Cells, SPAN};
 use crate::simulation::Simulation;
 use crate::tags::Point;
 use ladder_analysis::value::Value;
+use std::ops::Range;
 
 /// A moment of the past. It is at the start of a scan, with what was given for it; from there
 /// [`Rewind::undo_given`] leads to the end of the scan before, and [`Rewind::undo_scan`] to that one's start.
@@ -94,6 +96,26 @@ impl<'h> Rewind<'h> {
         self.given = self.history.entries[self.entry].given as usize;
         self.banks.go(Bytes(&self.bytes[self.given..]), Way::Back);
         true
+    }
+
+    /// From the end of the scan before, behind [`Rewind::undo_given`]: goes back over whole spans of scans that nothing is
+    /// looked for in, to the end of the scan before those. How many spans it were.
+    pub(super) fn undo_spans(&mut self, passes: impl Fn(&Cells, Range<usize>) -> bool) -> usize {
+        let mut count = 0;
+        while let Some(span) = self.history.span_before(self.entry) {
+            let first = self.entry - SPAN as usize;
+            if !passes(&span.touched, first..self.entry) {
+                break;
+            }
+            self.banks.go(Bytes(&span.bytes), Way::Back);
+            if let Some(forces) = &span.forces {
+                self.forces.clone_from(forces);
+            }
+            self.entry = first;
+            self.end -= span.of_scans;
+            count += 1;
+        }
+        count
     }
 
     /// What a point holds here.

@@ -6,7 +6,7 @@ use crate::tags::{Point, PointSlot};
 use std::ops::Range;
 
 /// So many scans have one mark.
-const SPAN: i64 = 256;
+pub(super) const SPAN: i64 = 256;
 
 /// A mark for each cell of the memory of tags: 0 if it has never changed.
 #[derive(Debug)]
@@ -34,7 +34,7 @@ impl Touched {
         }
     }
 
-    /// What is marked from here on has changed in this scan, or the one before it.
+    /// What is marked from here on has changed in this scan.
     pub(super) fn is_at(&mut self, scan: i64) {
         self.now = mark_of(scan);
     }
@@ -61,6 +61,17 @@ impl Touched {
         self.last(point) >= mark_of(scan)
     }
 
+    /// What has the mark of now: what has changed in the scans that have it, and maybe what had in those that took place
+    /// instead before somebody went back.
+    pub(super) fn in_this_span(&self) -> Cells {
+        let cells = |marks: &[u32]| Set::of(marks.iter().map(|mark| *mark == self.now));
+        Cells {
+            bits: cells(&self.bits),
+            words: cells(&self.words),
+            texts: cells(&self.texts),
+        }
+    }
+
     fn last(&self, point: &Point) -> u32 {
         match point.slot {
             PointSlot::Bit(slot) => self.bits[slot.0 as usize],
@@ -68,5 +79,51 @@ impl Touched {
             PointSlot::Text(slot) => self.texts[slot.0 as usize],
             PointSlot::Timing { input, done } => self.bits[input.0 as usize].max(self.bits[done.0 as usize]),
         }
+    }
+}
+
+/// Some cells of the memory of tags.
+#[derive(Debug)]
+pub(super) struct Cells {
+    bits: Set,
+    words: Set,
+    texts: Set,
+}
+
+impl Cells {
+    /// Whether what a point shows is among them.
+    pub(super) fn hold(&self, point: &Point) -> bool {
+        match point.slot {
+            PointSlot::Bit(slot) => self.bits.has(slot.0),
+            PointSlot::Word(slot) | PointSlot::BitOf { word: slot, .. } => self.words.has(slot.0),
+            PointSlot::Text(slot) => self.texts.has(slot.0),
+            PointSlot::Timing { input, done } => self.bits.has(input.0) || self.bits.has(done.0),
+        }
+    }
+
+    /// How many bytes they take.
+    pub(super) fn size(&self) -> usize {
+        [&self.bits, &self.words, &self.texts]
+            .iter()
+            .map(|set| set.0.len())
+            .sum()
+    }
+}
+
+/// A bit for each cell of a bank.
+#[derive(Debug)]
+struct Set(Box<[u8]>);
+
+impl Set {
+    fn of(cells: impl ExactSizeIterator<Item = bool>) -> Set {
+        let mut bytes = vec![0; cells.len().div_ceil(8)];
+        for (at, is_in) in cells.enumerate() {
+            bytes[at / 8] |= u8::from(is_in) << (at % 8);
+        }
+        Set(bytes.into())
+    }
+
+    fn has(&self, cell: u32) -> bool {
+        self.0[cell as usize / 8] >> (cell % 8) & 1 != 0
     }
 }

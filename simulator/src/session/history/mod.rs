@@ -9,6 +9,7 @@
 //! that the simulation is at.
 
 mod entry;
+mod spans;
 mod travel;
 
 use super::banks::Banks;
@@ -19,6 +20,7 @@ use super::touched::Touched;
 use crate::simulation::Simulation;
 pub use entry::HistoryLimits;
 pub(super) use entry::{Entry, Forces, Given, Moment};
+use spans::{Span, Spans};
 use std::collections::VecDeque;
 
 /// The kept scans.
@@ -45,6 +47,9 @@ pub(super) struct History {
     scratch: Vec<u8>,
     /// What has changed since this began, in scans that are no longer kept too, and roughly when.
     pub(super) touched: Touched,
+    spans: Spans,
+    #[cfg(test)]
+    pub(super) are_spans_passed: bool,
     /// It began before the first scan.
     pub(super) is_from_the_start: bool,
 }
@@ -66,6 +71,9 @@ impl History {
             waiting: Given::default(),
             scratch: Vec::new(),
             touched: Touched::nothing(&simulation.machine.memory),
+            spans: Spans::default(),
+            #[cfg(test)]
+            are_spans_passed: true,
             is_from_the_start: simulation.machine.scan == 0,
         }
     }
@@ -101,7 +109,7 @@ impl History {
 
     /// How many bytes are in use.
     pub(super) fn size(&self) -> usize {
-        self.bytes.len() + self.serial.size() + self.entries.len() * size_of::<Entry>()
+        self.bytes.len() + self.serial.size() + self.entries.len() * size_of::<Entry>() + self.spans.size()
     }
 
     /// What was sent through the serial port.
@@ -128,6 +136,7 @@ impl History {
         self.here -= 1;
         self.serial.forget_oldest(oldest.sent);
         self.base = oldest.after;
+        self.spans.forget_before(self.base.scan);
         true
     }
 
@@ -148,6 +157,9 @@ impl History {
 
     /// What lies ahead will not be gone to any more: something else happens from here on.
     pub(super) fn forget_ahead(&mut self) {
+        if self.ahead() > 0 {
+            self.spans.forget_from(self.moment().scan);
+        }
         self.entries.truncate(self.here);
         self.bytes.truncate(self.bytes_here);
         self.serial.forget_ahead();
@@ -193,7 +205,8 @@ impl History {
         }
         let mut ran = std::mem::take(&mut self.scratch);
         ran.clear();
-        self.touched.is_at(simulation.machine.scan);
+        let scan = self.moment().scan;
+        self.touched.is_at(scan);
         self.banks
             .follow(&simulation.machine, &mut self.touched, &mut ran);
         self.bytes.extend(&self.given.bytes);
@@ -207,6 +220,10 @@ impl History {
         });
         self.scratch = ran;
         self.given.bytes.clear();
+        if simulation.machine.scan > scan {
+            self.spans
+                .is_at(scan + 1, &self.banks, &mut self.touched, &self.entries);
+        }
         while self.entries.len() > self.limits.scans || self.size() > self.limits.bytes {
             let Some(oldest) = self.entries.pop_front() else {
                 break;
@@ -214,6 +231,7 @@ impl History {
             self.bytes.drain(..oldest.bytes());
             self.serial.forget_oldest(oldest.sent);
             self.base = oldest.after;
+            self.spans.forget_before(self.base.scan);
         }
         (self.here, self.bytes_here) = (self.entries.len(), self.bytes.len());
     }
@@ -258,6 +276,15 @@ impl History {
     /// The state from which one can go back scan by scan, without moving the history.
     pub(super) fn rewind(&self, simulation: &Simulation) -> Rewind<'_> {
         Rewind::new(self, simulation)
+    }
+
+    /// The span of scans right before an entry, if there is one.
+    pub(super) fn span_before(&self, entry: usize) -> Option<&Span> {
+        #[cfg(test)]
+        if !self.are_spans_passed {
+            return None;
+        }
+        self.spans.before(self.moment_before(entry).scan)
     }
 
     /// Where the bytes of the entries before here end.

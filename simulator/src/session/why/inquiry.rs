@@ -17,11 +17,13 @@ use super::{Cause, Why, place};
 use crate::places::BlockAt;
 use crate::session::history::History;
 use crate::session::rewind::Rewind;
+use crate::session::touched::Cells;
 use crate::simulation::Simulation;
 use crate::tags::Point;
 use ladder_analysis::program::{Network, Role};
 use ladder_analysis::types::Scalar;
 use ladder_analysis::value::Value;
+use std::ops::Range;
 
 /// So many scans are run again at most for one question.
 const MOST_TRACES: usize = 60;
@@ -49,7 +51,7 @@ pub(super) struct Inquiry<'s> {
     history: &'s History,
     writers: &'s Writers,
     traces: usize,
-    /// So many kept scans were gone back over.
+    /// So many kept scans, and spans of such, were gone back over.
     scans: usize,
     questions: Vec<Question>,
     /// Those whose last change is looked for on this way back.
@@ -112,7 +114,11 @@ impl Inquiry<'_> {
             self.at_start(rewind);
             rewind.undo_given();
             self.at_end_before(rewind);
-            if self.is_done_before(rewind.entry()) || !rewind.undo_scan() {
+            if self.is_done_before(rewind.entry()) {
+                break;
+            }
+            self.scans += rewind.undo_spans(|cells, entries| self.passes(cells, &entries));
+            if !rewind.undo_scan() {
                 break;
             }
             self.scans += 1;
@@ -125,6 +131,13 @@ impl Inquiry<'_> {
             };
             self.has_not_changed(question, change);
         }
+    }
+
+    /// Whether nothing is to be found in a span of scans that has changed these cells.
+    fn passes(&self, cells: &Cells, entries: &Range<usize>) -> bool {
+        let is_touched = |question: &usize| cells.hold(&self.questions[*question].point);
+        let is_looked_at = |job: &Job| entries.contains(&job.when.entry);
+        !self.open.iter().any(is_touched) && !self.jobs.iter().any(is_looked_at)
     }
 
     /// The start of a scan, with what was given for it: what was another value here has changed in this scan.
