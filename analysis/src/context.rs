@@ -17,6 +17,7 @@ use crate::networks::{BlockAt, NetworkAt, Networks};
 use crate::others::{Import, Others};
 use crate::profile;
 use crate::program::Role;
+use crate::rare::Rare;
 use crate::reading::Reading;
 use crate::scope::{Origin, Scope, TagFacts, Use, UseRef, Uses};
 use crate::shared;
@@ -223,7 +224,8 @@ impl Context {
 
     /// The tag in whose scope more is known of one that several scopes share; else the tag itself.
     pub fn shared<'c>(&'c self, tag: &'c TagFacts) -> &'c TagFacts {
-        tag.shared
+        tag.rare
+            .shared
             .map_or(tag, |(scope, tag)| &self.scopes[scope].tags[tag])
     }
 
@@ -245,7 +247,7 @@ impl Context {
     /// The tags of all scopes, each once.
     pub(crate) fn own_tags(&self) -> impl Iterator<Item = &TagFacts> {
         let tags = self.scopes.iter().flat_map(|scope| &scope.tags);
-        tags.filter(|tag| tag.shared.is_none())
+        tags.filter(|tag| tag.rare.shared.is_none())
     }
 
     /// The network that a jump from `network` to a label goes to: the nearest behind it, else the nearest
@@ -465,12 +467,9 @@ fn implicit(name: &str, at: TextRange) -> TagFacts {
         origin: Origin::Implicit,
         retain: false,
         constant: false,
-        initial: Box::default(),
-        address: None,
+        rare: Rare::default(),
         declared_at: DeclaredAt::in_file(at),
         uses: Uses::default(),
-        shared: None,
-        foreign: None,
         mistyped: false,
         by_company: false,
     }

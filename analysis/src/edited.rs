@@ -37,7 +37,10 @@ pub(crate) fn may_settle(context: &Context) -> bool {
             tag.origin,
             Origin::Shared | Origin::Declared(SectionKind::Global | SectionKind::External)
         );
-        origin || tag.shared.is_some() || tag.foreign.is_some() || (tag.mistyped && !tag.is_declared())
+        origin
+            || tag.rare.shared.is_some()
+            || tag.rare.foreign.is_some()
+            || (tag.mistyped && !tag.is_declared())
     };
     let [file, bodies @ ..] = context.scopes.as_slice() else {
         return false;
@@ -518,7 +521,11 @@ fn respelled(context: &mut Context, scope: usize, tag: usize) {
     if *facts.name != *name {
         let spelled = uses::undeclared(name, context.profile.law());
         let facts = &mut context.scopes[scope].tags[tag];
-        (facts.name, facts.address) = (spelled.name, spelled.address);
+        facts.name = spelled.name;
+        // To write it makes room for it.
+        if facts.rare.address != spelled.rare.address {
+            facts.rare.address.clone_from(&spelled.rare.address);
+        }
     }
 }
 

@@ -75,7 +75,7 @@ pub(crate) fn enter(context: &mut Context, before: &Context, lines: &Lines) -> O
             return None;
         }
     }
-    let plain = |tag: &TagFacts| tag.address.is_none() && tag.shared.is_none();
+    let plain = |tag: &TagFacts| tag.rare.address.is_none() && tag.rare.shared.is_none();
     let is_plain = found.is_empty()
         && tags.clone().all(|tag| plain(&before.scopes[0].tags[tag]))
         && now.tags.iter().all(plain);
@@ -186,7 +186,7 @@ fn exchange(context: &mut Context, tags: Range<usize>, new: Vec<TagFacts>) -> Op
         if new.ty.is_none() {
             new.ty = infer::answer(context, &new);
         }
-        let says = |tag: &TagFacts| (tag.name.clone(), tag.ty, tag.mistyped, tag.initial.clone());
+        let says = |tag: &TagFacts| (tag.name.clone(), tag.ty, tag.mistyped, tag.rare.initial.clone());
         if old.as_ref().map(says) != Some(says(&new)) {
             edited.touched(&name);
             fresh.push((0, name.clone()));

@@ -52,7 +52,7 @@ pub(crate) use names::{
     company, declarations, declare, declaring, did_you_mean, infer, joined, numbering, operand_value,
     renamed, shared, uses,
 };
-pub use names::{scope, system_tag, tags};
+pub use names::{rare, scope, system_tag, tags};
 pub(crate) use networks::{
     chunked, control_flow, kept, known_blocks, order_table, outward_jumps, reading, unread_line,
 };

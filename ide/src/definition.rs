@@ -186,7 +186,12 @@ fn surroundings(context: &Context, symbol: &Symbol, at: TextRange) -> Option<Tex
 fn at_address(file: &Context, address: &Name) -> Vec<Target> {
     let tags = file.scopes.iter().flat_map(|scope| &scope.tags);
     tags.filter(|tag| tag.is_declared() && tag.origin != Origin::Declared(SectionKind::External))
-        .filter(|tag| tag.address.as_ref().is_some_and(|it| Name::new(it) == *address))
+        .filter(|tag| {
+            tag.rare
+                .address
+                .as_ref()
+                .is_some_and(|it| Name::new(it) == *address)
+        })
         .map(|tag| Target {
             file: Arc::clone(&file.name),
             range: file.place_of(tag),

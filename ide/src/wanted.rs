@@ -218,7 +218,8 @@ pub(crate) fn tag_of<'c>(context: &'c Context, scope: usize, name: &str) -> Opti
     let scope = context.scopes.get(scope)?;
     let tag = &scope.tags[scope.find(&Name::new(name))?];
     Some(
-        tag.shared
+        tag.rare
+            .shared
             .map_or(tag, |(scope, tag)| &context.scopes[scope].tags[tag]),
     )
 }

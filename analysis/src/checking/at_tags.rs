@@ -102,7 +102,7 @@ impl AtTags {
     ) -> Option<usize> {
         self.undeclared = UndeclaredTags::of(context, around.declares);
         for (scope, facts) in context.scopes.iter().enumerate() {
-            for tag in facts.tags.iter().filter(|tag| tag.shared.is_none()) {
+            for tag in facts.tags.iter().filter(|tag| tag.rare.shared.is_none()) {
                 wanted.one_more()?;
                 self.look_at(context, (scope, tag), around);
             }
@@ -125,7 +125,7 @@ impl AtTags {
             tags.remove(&key);
         }
         self.undeclared.forget(&key);
-        if let Some(tag) = context.find_tag(&key).filter(|tag| tag.shared.is_none()) {
+        if let Some(tag) = context.find_tag(&key).filter(|tag| tag.rare.shared.is_none()) {
             self.look_at(context, (key.0, tag), around);
         }
     }
@@ -136,7 +136,7 @@ impl AtTags {
         rules::of_tag(context, scope, tag, (around, &undeclaring), &mut found);
         let latch = rules::set_and_reset::is_latch(context, tag);
         let read_above = rules::read_before_write::is_read_above(context, tag);
-        let addressed = tag.address.is_some();
+        let addressed = tag.rare.address.is_some();
         if found.is_empty() && !latch && !read_above && !addressed {
             return;
         }

@@ -19,7 +19,7 @@ pub(crate) fn of_network(context: &Context, network: NetworkAt<'_>) -> u64 {
         };
         let mut facts = &scope.tags[tag];
         // A tag of another scope adds both what it is here and what it is there.
-        while let Some((scope, tag)) = facts.shared {
+        while let Some((scope, tag)) = facts.rare.shared {
             sum = sum.wrapping_add(hash((stamp(facts), number)));
             facts = &context.scopes[scope].tags[tag];
         }
@@ -41,7 +41,7 @@ fn stamp(tag: &TagFacts) -> u64 {
     let undeclared = tag.origin == Origin::Undeclared;
     (&tag.name, tag.ty, tag.constant, tag.mistyped, undeclared).hash(&mut hasher);
     if tag.constant {
-        for value in &tag.initial {
+        for value in &tag.rare.initial {
             match value {
                 Value::Bool(on) => on.hash(&mut hasher),
                 Value::Int(n) => n.hash(&mut hasher),

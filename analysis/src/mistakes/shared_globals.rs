@@ -22,7 +22,7 @@ pub(crate) fn check_declared(
 ) {
     if let Some(&(scope, index)) = first {
         let first = &context.scopes[scope].tags[index];
-        if !agree(tag, first.ty, &first.initial) && !first.mistyped {
+        if !agree(tag, first.ty, &first.rare.initial) && !first.mistyped {
             let message = format!(
                 "`{}` is declared otherwise before, as {}",
                 tag.name,
@@ -48,7 +48,7 @@ pub(crate) fn check_declared(
 }
 
 fn agree(tag: &TagFacts, ty: Option<Type>, initial: &[crate::value::Value]) -> bool {
-    tag.mistyped || (tag.ty == ty && *tag.initial == *initial)
+    tag.mistyped || (tag.ty == ty && *tag.rare.initial == *initial)
 }
 
 fn shown(ty: Option<Type>) -> String {
@@ -131,7 +131,7 @@ pub(crate) fn check_external(
     );
     let found = Diagnostic::new(Rule::BadDeclaration, context.declared_at(tag), message)
         .help("write the type of the global");
-    out.push(match &global.foreign {
+    out.push(match &global.rare.foreign {
         Some(_) => found,
         None => found.related(context.declared_at(global), "the global is declared here"),
     });

@@ -7,6 +7,7 @@ use crate::did_you_mean;
 use crate::facts;
 use crate::mistakes::{bad_declaration, duplicate_declaration};
 use crate::program::Role;
+use crate::rare::{Rare, RareFacts};
 use crate::rule::Rule;
 use crate::scope::{Origin, Scope, SectionKind, TagFacts, Uses, type_by_form};
 use crate::types::{Scalar, Type};
@@ -175,15 +176,16 @@ fn declaration(
             origin: Origin::Declared(context.kind),
             retain: context.retain,
             constant: context.constant,
-            initial: initial.as_slice().into(),
-            address: address.as_ref().map(|token| token.text().into()),
+            rare: Rare::from(RareFacts {
+                initial: initial.clone(),
+                address: address.as_ref().map(|token| token.text().into()),
+                ..RareFacts::NONE
+            }),
             declared_at: DeclaredAt {
                 line: Some(line),
                 range: name.text_range(),
             },
             uses: Uses::default(),
-            shared: None,
-            foreign: None,
         };
         let index = scope.declare(key, tag);
         // An address is one tag of the file; what a body declares belongs to each place of the block.

@@ -17,6 +17,7 @@ mod infer_tests;
 pub(crate) mod joined;
 pub(crate) mod numbering;
 pub(crate) mod operand_value;
+pub mod rare;
 pub(crate) mod renamed;
 pub mod scope;
 pub(crate) mod shared;

@@ -41,7 +41,7 @@ pub(crate) fn tag<'c>(
 ) -> Option<((usize, usize), &'c TagFacts)> {
     let index = context.scopes[scope].find(&Name::new(name))?;
     let facts = &context.scopes[scope].tags[index];
-    let place = facts.shared.unwrap_or((scope, index));
+    let place = facts.rare.shared.unwrap_or((scope, index));
     Some((place, &context.scopes[place.0].tags[place.1]))
 }
 
@@ -56,7 +56,7 @@ pub(crate) fn number(context: &Context, scope: usize, node: &Node) -> Option<Num
         }),
         NodeKind::Name(name) => {
             let (_, facts) = tag(context, scope, name)?;
-            match &*facts.initial {
+            match &*facts.rare.initial {
                 [Value::Int(n)] if facts.constant => match facts.ty {
                     Some(Type::Scalar(Scalar::Ulint | Scalar::Lword)) => {
                         Some(Number::Int(i128::from(*n as u64)))

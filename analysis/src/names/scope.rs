@@ -5,10 +5,10 @@ use crate::declarations::DeclaredAt;
 use crate::network::BoundBlock;
 use crate::numbering::Numbering;
 use crate::program::Role;
+use crate::rare::Rare;
 use crate::renamed::Renamed;
 use crate::tags::Tags;
 use crate::types::{Scalar, Type};
-use crate::value::Value;
 use ladder_syntax::{Name, TextRange};
 use smallvec::SmallVec;
 use smol_str::SmolStr;
@@ -194,18 +194,12 @@ pub struct TagFacts {
     pub retain: bool,
     /// Declared CONSTANT.
     pub constant: bool,
-    /// Initial values; empty for the type's own.
-    pub initial: Box<[Value]>,
-    /// The address behind AT, or the address itself.
-    pub address: Option<Box<str>>,
     /// Where it is declared; for one without a declaration see [`Context::place_of`].
     pub(crate) declared_at: DeclaredAt,
     /// Where it is used. A shared tag counts the uses in all scopes.
     pub uses: Uses,
-    /// The scope and tag that this entry leads to, if it is one of another scope.
-    pub shared: Option<(usize, usize)>,
-    /// The file that declares it, if it is a VAR_GLOBAL tag of another one.
-    pub foreign: Option<Arc<str>>,
+    /// Initial values, an address, where it leads to.
+    pub rare: Rare,
 }
 
 impl TagFacts {
@@ -283,7 +277,7 @@ impl Scope {
         let plain = |tag: &TagFacts| {
             let common = Origin::Declared(SectionKind::Global) == tag.origin
                 || Origin::Declared(SectionKind::External) == tag.origin;
-            !common && tag.shared.is_none() && !tag.mistyped
+            !common && tag.rare.shared.is_none() && !tag.mistyped
         };
         let declared = self.tags.iter().take(self.declared);
         if !declared.clone().all(plain) {
@@ -291,10 +285,8 @@ impl Scope {
         }
         let declared = declared.map(|tag| TagFacts {
             name: tag.name.clone(),
-            initial: tag.initial.clone(),
-            address: tag.address.clone(),
+            rare: tag.rare.clone(),
             uses: Uses(SmallVec::with_capacity(tag.uses.len())),
-            foreign: None,
             ..*tag
         });
         let mut tags = Tags::default();

@@ -8,6 +8,7 @@ use crate::declarations::DeclaredAt;
 use crate::diagnostic::Diagnostic;
 use crate::exports::{Exports, Global};
 use crate::mistakes::shared_globals;
+use crate::rare::{Rare, RareFacts};
 use crate::scope::{Origin, SectionKind, TagFacts, Uses};
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;
@@ -44,7 +45,9 @@ pub(crate) fn share(context: &mut Context, out: &mut Vec<Diagnostic>) {
             let key = Name::new(&facts.name);
             let target = match facts.origin {
                 // An address is one tag for the whole file.
-                Origin::Form if facts.address.is_some() => (scope > 0).then(|| of_file(context, scope, tag)),
+                Origin::Form if facts.rare.address.is_some() => {
+                    (scope > 0).then(|| of_file(context, scope, tag))
+                }
                 // A block may introduce a tag that the file declares as well.
                 Origin::Declared(SectionKind::Global) => globals.get(&key).copied(),
                 Origin::Undeclared | Origin::Form | Origin::Declared(SectionKind::External) => {
@@ -97,12 +100,13 @@ fn import(
         by_company: false,
         retain: global.retain,
         constant: global.constant,
-        initial: global.initial.as_slice().into(),
-        address: None,
+        rare: Rare::from(RareFacts {
+            initial: global.initial.clone(),
+            foreign: Some(Arc::clone(&file.file)),
+            ..RareFacts::NONE
+        }),
         declared_at: DeclaredAt::in_file(context.place_of(used)),
         uses: Uses::default(),
-        shared: None,
-        foreign: Some(Arc::clone(&file.file)),
     };
     let entry = if scope == 0 && !used.is_declared() {
         let uses = used.uses.clone();
@@ -139,9 +143,9 @@ fn lead(context: &mut Context, from: Entry, to: Entry) {
         context.place_of(target),
         target.mistyped,
     );
-    let foreign = target.foreign.clone();
+    let foreign = target.rare.foreign.clone();
     let entry = &mut context.scopes[from.0].tags[from.1];
-    entry.shared = Some(to);
+    entry.rare.shared = Some(to);
     if !entry.is_declared() {
         entry.origin = Origin::Shared;
         entry.declared_at = DeclaredAt::in_file(at);
@@ -152,7 +156,7 @@ fn lead(context: &mut Context, from: Entry, to: Entry) {
         entry.constant,
         entry.retain,
         entry.mistyped,
-        entry.foreign,
+        entry.rare.foreign,
     ) = (ty, role, constant, retain, mistyped, foreign);
     let uses = entry.uses.clone();
     context.scopes[to.0].tags[to.1].uses.0.extend(uses.0);

@@ -8,6 +8,7 @@ use crate::joined::Joined;
 use crate::network::{BoundBlock, Formal, NetworkFacts};
 use crate::networks::{NetworkAt, Networks};
 use crate::program::{ParameterKind, Role};
+use crate::rare::{Rare, RareFacts};
 use crate::scope::{Access, Origin, Scope, TagFacts, Use, UseRef, Uses, type_by_form};
 use crate::types::{Scalar, Type};
 use crate::user_block::UserBlockFacts;
@@ -219,12 +220,12 @@ pub(crate) fn undeclared(name: &str, law: &Law) -> TagFacts {
         },
         retain: false,
         constant: false,
-        initial: Box::default(),
-        address: is_address.then(|| name.into()),
+        rare: Rare::from(RareFacts {
+            address: is_address.then(|| name.into()),
+            ..RareFacts::NONE
+        }),
         declared_at: DeclaredAt::in_file(TextRange::default()),
         uses: Uses::default(),
-        shared: None,
-        foreign: None,
         mistyped: false,
         by_company: false,
     }

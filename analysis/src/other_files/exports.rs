@@ -220,7 +220,7 @@ fn globals(context: &Context) -> Vec<Global> {
             role: tag.role,
             constant: tag.constant,
             retain: tag.retain,
-            initial: tag.initial.to_vec(),
+            initial: tag.rare.initial.clone(),
             at: context.declared_at(tag),
         });
     }

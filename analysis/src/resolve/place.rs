@@ -291,7 +291,7 @@ impl Resolver<'_, '_> {
         };
         let tag = self.context.shared(&self.scope.tags[tag]);
         let name = Name::new(&tag.name);
-        let elsewhere = match &tag.foreign {
+        let elsewhere = match &tag.rare.foreign {
             Some(_) => self.context.others.globals(&name).next(),
             None => None,
         };

@@ -29,7 +29,7 @@ pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program)
                     || context
                         .uses(tag)
                         .any(|place| unit.reaches(context.bodies[place.network]));
-                if tag.shared.is_some() || !reached {
+                if tag.rare.shared.is_some() || !reached {
                     return NOWHERE;
                 }
                 if !is_common(tag) {
@@ -39,7 +39,7 @@ pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program)
                         program.tags[id.0 as usize].name = format!("{prefix}.{}", tag.name);
                     }
                     // Files that use the address itself mean this tag.
-                    if let Some(address) = tag.address.as_deref().filter(|_| block.is_none()) {
+                    if let Some(address) = tag.rare.address.as_deref().filter(|_| block.is_none()) {
                         common.entry(Name::new(address)).or_insert(id);
                     }
                     return id;
@@ -59,7 +59,7 @@ pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program)
         }
         for (scope, facts) in context.scopes.iter().enumerate() {
             for (tag, facts) in facts.tags.iter().enumerate() {
-                if let Some((shared_scope, shared_tag)) = facts.shared {
+                if let Some((shared_scope, shared_tag)) = facts.rare.shared {
                     ids[scope][tag] = ids[shared_scope][shared_tag];
                 }
             }
@@ -87,9 +87,9 @@ fn prefixes(units: &[Unit<'_>]) -> Vec<Option<String>> {
 
 /// Whether a tag is the same in all files.
 fn is_common(tag: &TagFacts) -> bool {
-    tag.foreign.is_some()
+    tag.rare.foreign.is_some()
         || tag.origin == Origin::Declared(SectionKind::Global)
-        || (tag.origin == Origin::Form && tag.address.is_some())
+        || (tag.origin == Origin::Form && tag.rare.address.is_some())
 }
 
 /// Where a tag is declared or first used; a global of another file there.
@@ -98,7 +98,7 @@ fn place(unit: &Unit<'_>, index: usize, tag: &TagFacts, program: &mut Program) -
         file: index as u32,
         range: unit.context.place_of(tag),
     };
-    if tag.foreign.is_none() {
+    if tag.rare.foreign.is_none() {
         return own;
     }
     let Some((file, global)) = unit.context.others.globals(&Name::new(&tag.name)).next() else {
@@ -127,8 +127,8 @@ fn add(program: &mut Program, tag: &TagFacts, block: Option<usize>, location: Lo
         role: tag.role,
         retain: tag.retain,
         constant: tag.constant,
-        initial: tag.initial.to_vec(),
-        address: tag.address.as_deref().map(str::to_owned),
+        initial: tag.rare.initial.clone(),
+        address: tag.rare.address.as_deref().map(str::to_owned),
         block,
         location,
     });

@@ -28,7 +28,7 @@ pub(super) fn check(context: &Context, tag: &TagFacts, out: &mut Vec<Diagnostic>
     let owners = tag.uses.0.iter().filter(|place| owns(context, **place, state));
     let mut owners = owners.map(|place| context.networks.use_of(*place));
     let Some(first) = owners.next() else { return };
-    if tag.foreign.is_some() || tag.origin == Origin::Declared(SectionKind::Global) {
+    if tag.rare.foreign.is_some() || tag.origin == Origin::Declared(SectionKind::Global) {
         out.extend(in_another_file(context, rule, tag, state, &first));
     }
     out.extend(owners.map(|second| second_block(rule, tag, state, &first, &second)));

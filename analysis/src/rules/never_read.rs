@@ -18,7 +18,9 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
             "read it where it is meant to act, or remove its declaration",
         ),
         // What is retained, or lies at an address, may be read by a panel.
-        Origin::Declared(SectionKind::Var | SectionKind::Global) if tag.retain || tag.address.is_some() => {
+        Origin::Declared(SectionKind::Var | SectionKind::Global)
+            if tag.retain || tag.rare.address.is_some() =>
+        {
             return;
         }
         Origin::Declared(SectionKind::Global) if !summary.is_written() => (
@@ -37,7 +39,7 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
             format!("`{name}` is written, and nothing reads it"),
             "read it where it is meant to act; declare it in VAR_OUTPUT if it is for the outside; or remove it",
         ),
-        Origin::Form if tag.role == Role::Internal && tag.address.is_none() => (
+        Origin::Form if tag.role == Role::Internal && tag.rare.address.is_none() => (
             format!("`{name}` is an internal tag: it is written, and nothing reads it"),
             "read it where it is meant to act, or use an output (Q and a number) if it is for the outside",
         ),

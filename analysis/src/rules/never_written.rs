@@ -9,7 +9,7 @@ use crate::types::{Scalar, Type};
 
 pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
     let tag = summary.tag;
-    if summary.is_written() || tag.constant || tag.role == Role::Input || !tag.initial.is_empty() {
+    if summary.is_written() || tag.constant || tag.role == Role::Input || !tag.rare.initial.is_empty() {
         return;
     }
     let name = &tag.name;
@@ -29,15 +29,15 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
             "put the block with this tag onto a rung",
         ),
         // A panel may write what lies at an address.
-        (Origin::Declared(SectionKind::Var), _) if tag.address.is_none() => (
+        (Origin::Declared(SectionKind::Var), _) if tag.rare.address.is_none() => (
             format!("`{name}` is read, and nothing writes it: it stays {stays}"),
             "write it; declare it in VAR_INPUT if it comes from outside; or give it a value and declare it CONSTANT",
         ),
-        (Origin::Declared(SectionKind::Global), _) if tag.address.is_none() => (
+        (Origin::Declared(SectionKind::Global), _) if tag.rare.address.is_none() => (
             format!("the global `{name}` is read, and no file of the workspace writes it: it stays {stays}"),
             "write it; or give it a value and declare it CONSTANT",
         ),
-        (Origin::Form, _) if tag.address.is_none() => (
+        (Origin::Form, _) if tag.rare.address.is_none() => (
             format!("`{name}` is read, and nothing writes it: it stays {stays}"),
             "write it, or use an input (I and a number) if it comes from outside",
         ),

@@ -41,7 +41,7 @@ struct Area<'c> {
 impl<'c> Area<'c> {
     /// None for addresses of more levels, and for single bits without their byte: systems differ there.
     fn of(tag: &'c TagFacts) -> Option<Area<'c>> {
-        let address = tag.address.as_deref()?;
+        let address = tag.rare.address.as_deref()?;
         let mut letters = address.strip_prefix('%')?.bytes();
         let letter = letters.next()?.to_ascii_uppercase();
         let size = letters.next()?.to_ascii_uppercase();

@@ -72,7 +72,7 @@ impl<'c> Late<'c> {
             Origin::Shared
                 | Origin::Declared(SectionKind::Global | SectionKind::External | SectionKind::InOut)
         );
-        if shared || tag.role == Role::Input || tag.retain || tag.constant || !tag.initial.is_empty() {
+        if shared || tag.role == Role::Input || tag.retain || tag.constant || !tag.rare.initial.is_empty() {
             return None;
         }
         let network = |place: &UseRef| context.networks.index_of(place.network);

@@ -19,7 +19,7 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
             format!("`{name}` is set, and nothing resets it: once on, it stays on"),
             format!("reset it with (R)( {name} ); or write ( )( {name} ) if it should follow the power"),
         )
-    } else if tag.initial.is_empty() {
+    } else if tag.rare.initial.is_empty() {
         (
             Rule::ResetWithoutSet,
             format!("`{name}` is reset, and nothing sets it: it is never on"),

@@ -90,7 +90,7 @@ fn is_clear(context: &Context, tag: &TagFacts, place: &Use) -> bool {
 fn is_undeclared(tag: &TagFacts, scope: usize) -> bool {
     match tag.origin {
         Origin::Undeclared => true,
-        Origin::Form => scope > 0 && tag.address.is_none(),
+        Origin::Form => scope > 0 && tag.rare.address.is_none(),
         _ => false,
     }
 }
@@ -151,7 +151,7 @@ fn in_body(context: &Context, scope: usize, tag: &TagFacts, range: TextRange) ->
     .help("a block sees its own tags and VAR_GLOBAL tags only: declare it in the block");
     if let Some(outside) = context.scopes[0].find(&Name::new(name)) {
         let outside = &context.scopes[0].tags[outside];
-        if outside.shared.is_none() {
+        if outside.rare.shared.is_none() {
             found = found.related(
                 context.place_of(outside),
                 "a tag of this name is in the program: the block does not see it",

@@ -46,6 +46,7 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
         .filter(|tag| out.may_be(&tag.name) && !is_being_written(typing, tag))
         .filter_map(|tag| {
             let known = tag
+                .rare
                 .shared
                 .map_or(tag, |(scope, tag)| &typing.context.scopes[scope].tags[tag]);
             let fits = match rank(law, wanted, known.ty?)? {

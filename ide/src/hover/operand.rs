@@ -127,10 +127,12 @@ fn describe(
 pub(crate) fn tag_card(context: &Context, tag: &TagFacts, here: Option<TextSize>) -> String {
     // What several scopes share is shown where it is declared.
     let tag = tag
+        .rare
         .shared
         .map_or(tag, |(scope, tag)| &context.scopes[scope].tags[tag]);
     let ty = tag.ty.map(|ty| ty.to_string()).unwrap_or_default();
     let address = tag
+        .rare
         .address
         .as_ref()
         .filter(|a| ***a != *tag.name)
@@ -150,7 +152,7 @@ pub(crate) fn tag_card(context: &Context, tag: &TagFacts, here: Option<TextSize>
         ),
         Origin::Form => "its name gives its type".to_owned(),
         Origin::Implicit => "every block has it".to_owned(),
-        Origin::Shared => match &tag.foreign {
+        Origin::Shared => match &tag.rare.foreign {
             Some(file) => format!("declared in VAR_GLOBAL in {file}"),
             None => "shared by the whole file".to_owned(),
         },

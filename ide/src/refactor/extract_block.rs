@@ -155,13 +155,13 @@ fn uses_in<'c>(context: &'c Context, tag: &'c TagFacts) -> impl Iterator<Item = 
 
 /// Global tags and direct addresses are the same in every body.
 fn is_seen_everywhere(tag: &TagFacts) -> bool {
-    tag.shared.is_some()
-        || tag.foreign.is_some()
+    tag.rare.shared.is_some()
+        || tag.rare.foreign.is_some()
         || matches!(
             tag.origin,
             Origin::Declared(SectionKind::Global | SectionKind::External) | Origin::Shared
         )
-        || (tag.origin == Origin::Form && tag.address.is_some())
+        || (tag.origin == Origin::Form && tag.rare.address.is_some())
 }
 
 /// Whether the tag is all that a plain coil writes, which it does in every scan: what the block hands out at its end is

@@ -261,7 +261,7 @@ impl Words<'_> {
     /// A tag that the block keeps to itself becomes a new one.
     fn own(&mut self, tag: &TagFacts) -> Result<String, String> {
         let name = &tag.name;
-        if !tag.initial.is_empty() || tag.retain || tag.constant {
+        if !tag.rare.initial.is_empty() || tag.retain || tag.constant {
             return Err(format!(
                 "`{name}` in the body has an initial value, or is retentive"
             ));
@@ -342,9 +342,9 @@ impl Words<'_> {
 
 /// Whether a tag is one of another scope, or the same in all.
 fn is_outside(tag: &TagFacts) -> bool {
-    tag.shared.is_some()
-        || tag.foreign.is_some()
-        || tag.address.is_some() && tag.origin != Origin::Declared(SectionKind::Var)
+    tag.rare.shared.is_some()
+        || tag.rare.foreign.is_some()
+        || tag.rare.address.is_some() && tag.origin != Origin::Declared(SectionKind::Var)
         || matches!(
             tag.origin,
             Origin::Shared | Origin::Declared(SectionKind::Global | SectionKind::External)

@@ -177,15 +177,15 @@ fn obstacle(context: &Context, output: &Output<'_>, count: usize) -> Option<Stri
 }
 
 fn is_shared(context: &Context, tag: &TagFacts) -> bool {
-    tag.shared.is_some()
-        || tag.foreign.is_some()
+    tag.rare.shared.is_some()
+        || tag.rare.foreign.is_some()
         || matches!(
             tag.origin,
             Origin::Shared
                 | Origin::Implicit
                 | Origin::Declared(SectionKind::Global | SectionKind::External | SectionKind::InOut)
         )
-        || (tag.address.is_some() && context.others.have_files())
+        || (tag.rare.address.is_some() && context.others.have_files())
 }
 
 fn action(title: String, why: Option<String>, edits: Vec<Edit>) -> Action {

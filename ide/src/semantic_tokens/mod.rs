@@ -419,6 +419,7 @@ impl Walk<'_> {
             modifiers = modifiers.and(Modifiers::STATIC);
         }
         let tag = own
+            .rare
             .shared
             .map_or(own, |(scope, tag)| &self.context.scopes[scope].tags[tag]);
         match tag.role {

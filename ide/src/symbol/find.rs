@@ -51,15 +51,15 @@ pub(crate) fn find(file: &Context, offset: TextSize) -> Option<Found> {
 pub(crate) fn tag_of(file: &Context, scope: usize, name: &Name) -> Option<Symbol> {
     let scopes = &file.scopes;
     let mut entry = (scope, scopes[scope].find(name)?);
-    while let Some(leads_to) = scopes[entry.0].tags[entry.1].shared {
+    while let Some(leads_to) = scopes[entry.0].tags[entry.1].rare.shared {
         entry = leads_to;
     }
     let tag = &scopes[entry.0].tags[entry.1];
     let name = Name::new(&tag.name);
     Some(match tag.origin {
         Origin::Declared(SectionKind::Global | SectionKind::External) => Symbol::Global(name),
-        _ if tag.foreign.is_some() => Symbol::Global(name),
-        Origin::Form if tag.address.is_some() => Symbol::Address(name),
+        _ if tag.rare.foreign.is_some() => Symbol::Global(name),
+        Origin::Form if tag.rare.address.is_some() => Symbol::Address(name),
         _ => Symbol::Tag {
             file: Arc::clone(&file.name),
             scope: entry.0,

@@ -175,8 +175,8 @@ fn tags(context: &Context) -> Vec<String> {
         let tags = scope.tags.iter().map(|tag| {
             let uses: Vec<Use> = context.uses(tag).collect();
             let what = (&tag.name, tag.ty, tag.role, tag.origin, tag.mistyped);
-            let declared = (tag.retain, tag.constant, &tag.initial, &tag.address);
-            let elsewhere = (tag.shared, &tag.foreign);
+            let declared = (tag.retain, tag.constant, &tag.rare.initial, &tag.rare.address);
+            let elsewhere = (tag.rare.shared, &tag.rare.foreign);
             let place = context.place_of(tag);
             format!("{what:?} {declared:?} {elsewhere:?} {place:?} {uses:?}")
         });

@@ -1,0 +1,82 @@
+//! What few tags have.
+//!
+//! A program of ten thousand rungs has twenty thousand tags and more, and nearly all of them are a name with a type: for
+//! those the rest takes one word.
+
+use crate::value::Value;
+use std::ops::{Deref, DerefMut};
+use std::sync::Arc;
+
+/// What few tags have: it is read through [`Rare`].
+#[derive(Debug, Clone)]
+pub struct RareFacts {
+    /// Initial values; empty for the type's own.
+    pub initial: Vec<Value>,
+    /// The address behind AT, or the address itself.
+    pub address: Option<Box<str>>,
+    /// The scope and tag that this entry leads to, if it is one of another scope.
+    pub shared: Option<(usize, usize)>,
+    /// The file that declares it, if it is a VAR_GLOBAL tag of another one.
+    pub foreign: Option<Arc<str>>,
+}
+
+/// Of most tags.
+static NONE: RareFacts = RareFacts::NONE;
+
+impl RareFacts {
+    /// Nothing of it.
+    pub(crate) const NONE: RareFacts = RareFacts {
+        initial: Vec::new(),
+        address: None,
+        shared: None,
+        foreign: None,
+    };
+}
+
+/// [`RareFacts`] of a tag, which takes memory only where there are some.
+#[derive(Debug, Clone, Default)]
+pub struct Rare(Option<Box<RareFacts>>);
+
+impl From<RareFacts> for Rare {
+    fn from(facts: RareFacts) -> Rare {
+        let is_any = !facts.initial.is_empty()
+            || facts.address.is_some()
+            || facts.shared.is_some()
+            || facts.foreign.is_some();
+        Rare(is_any.then(|| Box::new(facts)))
+    }
+}
+
+impl Deref for Rare {
+    type Target = RareFacts;
+
+    fn deref(&self) -> &RareFacts {
+        self.0.as_deref().unwrap_or(&NONE)
+    }
+}
+
+impl DerefMut for Rare {
+    fn deref_mut(&mut self) -> &mut RareFacts {
+        self.0.get_or_insert_with(|| Box::new(RareFacts::NONE))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scope::TagFacts;
+
+    /// With the two counts before it a tag takes what the allocator gives for 128 bytes.
+    #[test]
+    fn a_tag_is_small() {
+        assert!(size_of::<TagFacts>() <= 112, "{}", size_of::<TagFacts>());
+    }
+
+    #[test]
+    fn nothing_takes_nothing() {
+        assert!(Rare::from(RareFacts::NONE).0.is_none());
+        let mut rare = Rare::from(RareFacts::NONE);
+        rare.shared = Some((1, 2));
+        assert_eq!(rare.shared, Some((1, 2)));
+    }
+}
