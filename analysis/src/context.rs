@@ -1,11 +1,13 @@
 //! All that is known of a file before its program is put together: what rules and the editor's features read.
 
+use crate::by_name::ByName;
 use crate::control_flow::ControlFlow;
 use crate::declarations::{Declarations, DeclaredAt};
 use crate::declare;
 use crate::declaring::PlacesOfScopes;
 use crate::diagnostic::Diagnostic;
 use crate::edited;
+use crate::exports::{self, Global};
 use crate::facts::NodeKind;
 use crate::foreign_comment::ForeignComments;
 use crate::infer;
@@ -15,6 +17,7 @@ use crate::known_blocks::KnownBlocks;
 use crate::network::{self, Formal};
 use crate::networks::{BlockAt, NetworkAt, Networks};
 use crate::others::{Import, Others};
+use crate::outward::{self, TagUse};
 use crate::profile;
 use crate::program::Role;
 use crate::rare::Rare;
@@ -63,8 +66,12 @@ pub struct Context {
     pub(crate) settled: bool,
     /// If it is settled: the tags whose declared type is open, by scope and name.
     pub(crate) mistyped: Vec<(usize, Name)>,
-    /// If it is settled: the tags that no declaration names and on which a block keeps its state.
-    pub(crate) undeclared_states: BTreeSet<Name>,
+    /// If it is settled: the tags on which a block keeps its state and that may be those of other files too.
+    pub(crate) outward_states: BTreeSet<Name>,
+    /// Its VAR_GLOBAL tags, once somebody asks.
+    pub(crate) globals: OnceLock<Arc<Vec<Global>>>,
+    /// How it uses tags that it does not declare for itself, once somebody asks.
+    pub(crate) outward_tags: OnceLock<ByName<TagUse>>,
     /// Without it no network calls a function.
     pub(crate) may_call: bool,
     /// Without it no network jumps.
@@ -208,8 +215,21 @@ impl Context {
             Origin::Undeclared | Origin::Form => {
                 first().map_or_else(|| self.declared_at(tag), |place| place.range)
             }
+            Origin::Shared if tag.is_imported_by_use() => {
+                first().map_or_else(|| self.declared_at(tag), |place| place.range)
+            }
             Origin::Declared(_) | Origin::Implicit | Origin::Shared => self.declared_at(tag),
         }
+    }
+
+    /// Its VAR_GLOBAL tags; of one name only the first.
+    pub(crate) fn globals(&self) -> &Arc<Vec<Global>> {
+        self.globals.get_or_init(|| Arc::new(exports::globals(self)))
+    }
+
+    /// How it uses tags that it does not declare for itself.
+    pub(crate) fn outward_tags(&self) -> &ByName<TagUse> {
+        self.outward_tags.get_or_init(|| outward::tags(self))
     }
 
     /// Where a tag is declared, of one that is.
@@ -307,12 +327,9 @@ pub fn context_after(before: Option<&Context>, parse: &Arc<Parse>, name: &str, o
         context.mistyped = mistyped
             .map(|(scope, tag)| (scope, Name::new(&tag.name)))
             .collect();
-        let found = context
-            .scopes
-            .iter()
-            .flat_map(|scope| scope.tags.from(scope.declared));
-        let states = found.filter(|tag| keeps_state(&context.networks, tag));
-        context.undeclared_states = states.map(|tag| Name::new(&tag.name)).collect();
+        let outward = context.scopes[0].tags.iter().filter(|tag| tag.is_outward());
+        let states = outward.filter(|tag| keeps_state(&context.networks, tag));
+        context.outward_states = states.map(|tag| Name::new(&tag.name)).collect();
     }
     context.found = found;
     context
@@ -384,7 +401,9 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
         declared_to: declared_to(structure),
         settled: false,
         mistyped: Vec::new(),
-        undeclared_states: BTreeSet::new(),
+        outward_states: BTreeSet::new(),
+        globals: OnceLock::new(),
+        outward_tags: OnceLock::new(),
         may_call,
         may_jump,
         is_framed: parse.frame().is_whole(),

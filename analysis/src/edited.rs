@@ -16,9 +16,11 @@ use crate::known_blocks::KnownBlocks;
 use crate::network::{self, NetworkFacts, UserBlocks};
 use crate::networks::{Networks, Spliced};
 use crate::others::Others;
+use crate::outward;
 use crate::program::Role;
 use crate::reading::Reading;
 use crate::scope::{MOST_EXCHANGED, Origin, Scope, SectionKind, TagFacts, UseRef};
+use crate::shared;
 use crate::types::Type;
 use crate::user_block::UserBlockFacts;
 use crate::uses;
@@ -29,29 +31,25 @@ use smol_str::SmolStr;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
-/// Whether a context of a whole text can be the beginning: no tag is shared with another scope or file, no block comes
-/// from another file, and what is declared is all that a body names.
+/// Whether a context of a whole text can be the beginning: no tag is shared with another scope, no block comes
+/// from another file, and what is declared is all that a body names. Tags of other files that the file names are followed.
 pub(crate) fn may_settle(context: &Context) -> bool {
-    let common = |tag: &TagFacts| {
-        let origin = matches!(
-            tag.origin,
-            Origin::Shared | Origin::Declared(SectionKind::Global | SectionKind::External)
-        );
-        origin
-            || tag.rare.shared.is_some()
-            || tag.rare.foreign.is_some()
-            || (tag.mistyped && !tag.is_declared())
+    let followed = |tag: &TagFacts| {
+        let origin = match tag.origin {
+            Origin::Declared(SectionKind::External) => false,
+            Origin::Shared => tag.is_imported_by_use(),
+            _ => true,
+        };
+        origin && tag.rare.shared.is_none() && (!tag.mistyped || tag.is_declared())
     };
+    let own = |tag: &TagFacts| followed(tag) && !tag.is_outward();
     let [file, bodies @ ..] = context.scopes.as_slice() else {
         return false;
     };
-    let own_only = bodies.iter().all(|body| body.tags.len() == body.declared);
-    let alone = |scope: &Scope| !scope.tags.iter().any(common);
-    own_only
+    let of_body = |body: &Scope| body.tags.len() == body.declared && body.tags.iter().all(own);
+    file.tags.iter().all(followed)
+        && bodies.iter().all(of_body)
         && context.user_blocks.len() == context.own_blocks
-        && !context.others.have_globals()
-        && alone(file)
-        && bodies.iter().all(alone)
         && (!context.others.have_files() || !context.networks.iter().any(|network| is_strange(&network)))
 }
 
@@ -59,7 +57,16 @@ pub(crate) fn may_settle(context: &Context) -> bool {
 pub(crate) fn edited(before: &Context, parse: &Arc<Parse>, name: &str, others: &Others) -> Option<Context> {
     // A block that nobody knows may be one of a file that has come.
     let has_company = others.have_files() && !before.others.have_files();
-    if !before.settled || !before.is_called(name) || others.have_globals() || has_company {
+    if !before.settled || !before.is_called(name) || has_company {
+        return None;
+    }
+    let news = others.news_since(&before.others)?;
+    let is_outward = |name: &Name| {
+        before
+            .find_tag(&(0, name.clone()))
+            .is_some_and(TagFacts::is_outward)
+    };
+    if news.declared.iter().any(is_outward) {
         return None;
     }
     let change = change(before, parse)?;
@@ -67,14 +74,16 @@ pub(crate) fn edited(before: &Context, parse: &Arc<Parse>, name: &str, others: &
     let mut next = Edited::networks(before, parse, lines)?;
     next.context.others = others.clone();
     next.places(before);
-    let tags = match &change {
+    let mut tags = match &change {
         Change::Networks(lines) => {
             edited_declarations::move_declared(&mut next.context, before, lines)?;
             next.names()?
         }
         Change::Declarations(lines) => edited_declarations::enter(&mut next.context, before, lines)?,
     };
-    next.note_states(&tags);
+    next.note_outward(&tags);
+    let told = news.used.into_iter().filter(is_outward);
+    tags.used.extend(told.map(|name| (0, name)));
     let networks = next.looked_at(before);
     let Edited {
         mut context, removed, ..
@@ -338,23 +347,27 @@ impl Edited {
         again
     }
 
-    /// Notes on which undeclared tags a block keeps its state.
-    fn note_states(&mut self, tags: &EditedTags) {
+    /// Notes how tags are used that may be those of other files, and on which of these a block keeps its state.
+    fn note_outward(&mut self, tags: &EditedTags) {
         let context = &mut self.context;
-        for (scope, name) in &tags.used {
-            let facts = &context.scopes[*scope];
-            let found = facts.find(name).filter(|tag| *tag >= facts.declared);
-            if found.is_some_and(|tag| context::keeps_state(&context.networks, &facts.tags[tag])) {
-                context.undeclared_states.insert(name.clone());
+        let mut outward = context.outward_tags.take();
+        for key in tags.used.iter().filter(|(scope, _)| *scope == 0) {
+            let (_, name) = key;
+            let tag = context.find_tag(key).filter(|tag| tag.is_outward());
+            if tag.is_some_and(|tag| context::keeps_state(&context.networks, tag)) {
+                context.outward_states.insert(name.clone());
             } else {
-                context.undeclared_states.remove(name);
+                context.outward_states.remove(name);
+            }
+            if let Some(outward) = &mut outward {
+                outward.set(name.clone(), outward::tag(context, name));
             }
         }
+        context.outward_tags = outward.map(OnceLock::from).unwrap_or_default();
     }
 
     /// Enters what the new networks name, and takes out what the others did. Gives the tags that this concerns.
     fn names(&mut self) -> Option<EditedTags> {
-        let law = self.context.profile.law();
         let gone: FxHashSet<u32> = self.removed.iter().map(|network| network.id).collect();
         let mut touched: FxHashMap<(usize, usize), Vec<UseRef>> = FxHashMap::default();
         for removed in &self.removed {
@@ -378,10 +391,15 @@ impl Edited {
                 if network.scope > 0 {
                     return None;
                 }
-                let at = *new_names.entry(named.key.clone()).or_insert_with(|| {
-                    new.push(uses::undeclared(uses::spelling(network.facts(), named), law));
-                    new.len() - 1
-                });
+                let at = match new_names.get(&named.key) {
+                    Some(at) => *at,
+                    None => {
+                        let spelled = uses::spelling(network.facts(), named);
+                        new.push(shared::brought_in(&self.context, spelled)?);
+                        new_names.insert(named.key.clone(), new.len() - 1);
+                        new.len() - 1
+                    }
+                };
                 new[at].uses.0.push(place);
             }
         }
@@ -517,6 +535,9 @@ pub(crate) fn spelled_at(context: &Context, place: UseRef) -> &str {
 fn respelled(context: &mut Context, scope: usize, tag: usize) {
     let facts = &context.scopes[scope].tags[tag];
     let Some(place) = facts.uses.0.first() else { return };
+    if facts.rare.foreign.is_some() {
+        return;
+    }
     let name = spelled_at(context, *place);
     if *facts.name != *name {
         let spelled = uses::undeclared(name, context.profile.law());

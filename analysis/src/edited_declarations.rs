@@ -10,11 +10,11 @@ use crate::edited::{EditedTags, place_found, spelled_at, typed};
 use crate::edited_lines::Lines;
 use crate::infer;
 use crate::scope::{Origin, Scope, SectionKind, TagFacts};
-use crate::uses;
+use crate::shared;
 use ladder_syntax::{Line, LineKind, Mode, Name, TextRange, TextSize, Trees};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// An edit of more lines is not followed one by one.
 const MOST_LINES: usize = 64;
@@ -51,7 +51,7 @@ pub(crate) fn enter(context: &mut Context, before: &Context, lines: &Lines) -> O
     let around = declare::around(parse, section)?;
     let is_plain_section = matches!(
         around.kind,
-        SectionKind::Var | SectionKind::Input | SectionKind::Output
+        SectionKind::Var | SectionKind::Input | SectionKind::Output | SectionKind::Global
     );
     if !is_plain_section || around.constant || section.block.is_some() {
         return None;
@@ -81,6 +81,15 @@ pub(crate) fn enter(context: &mut Context, before: &Context, lines: &Lines) -> O
         && now.tags.iter().all(plain);
     if !is_plain {
         return None;
+    }
+    if around.kind == SectionKind::Global {
+        // All files that declare such a tag must agree.
+        let elsewhere = |tag: &TagFacts| context.others.globals(&Name::new(&tag.name)).next().is_some();
+        let old = tags.clone().map(|tag| &before.scopes[0].tags[tag]);
+        if old.chain(now.tags.iter()).any(elsewhere) {
+            return None;
+        }
+        context.globals = OnceLock::new();
     }
     context.declarations = Arc::new(declarations);
     context.declared_to = context.declared_to.wrapping_add_signed(lines.added);
@@ -151,7 +160,6 @@ fn tags_on(scope: &Scope, declarations: &Declarations, lines: Range<usize>) -> R
 
 /// Puts the new tags in the place of the old ones.
 fn exchange(context: &mut Context, tags: Range<usize>, new: Vec<TagFacts>) -> Option<EditedTags> {
-    let law = context.profile.law();
     let scope = &context.scopes[0];
     let mut edited = EditedTags::default();
     // The old ones, as long as no new one has their names.
@@ -198,7 +206,7 @@ fn exchange(context: &mut Context, tags: Range<usize>, new: Vec<TagFacts>) -> Op
         edited.touched(&name);
         if let Some(first) = old.uses.0.first() {
             fresh.push((0, name));
-            let tag = uses::undeclared(spelled_at(context, *first), law);
+            let tag = shared::brought_in(context, spelled_at(context, *first))?;
             let tag = TagFacts {
                 uses: old.uses.clone(),
                 ..tag

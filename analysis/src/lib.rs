@@ -49,8 +49,8 @@ mod values;
 pub(crate) use findings::{article, excerpt, foreign_comment, lint, stamp, verdict};
 pub use findings::{diagnostic, fix, rule, rule_settings};
 pub(crate) use names::{
-    company, declarations, declare, declaring, did_you_mean, infer, joined, numbering, operand_value,
-    renamed, shared, uses,
+    by_name, company, declarations, declare, declaring, did_you_mean, infer, joined, numbering,
+    operand_value, shared, uses,
 };
 pub use names::{rare, scope, system_tag, tags};
 pub(crate) use networks::{

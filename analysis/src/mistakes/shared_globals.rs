@@ -65,7 +65,7 @@ fn otherwise(context: &Context, tag: &TagFacts, file: &Exports, global: &Global)
         .help(HELP)
         .related_in(
             &file.file,
-            global.at,
+            file.place_of(global),
             format!("`{}` is declared here as well", global.name),
         )
 }
@@ -96,10 +96,10 @@ pub(crate) fn check_others(
             .help(HELP)
             .related_in(
                 &first.file,
-                global.at,
+                first.place_of(global),
                 format!("`{}` is declared here", global.name),
             )
-            .related_in(&file.file, other.at, "and here"),
+            .related_in(&file.file, file.place_of(other), "and here"),
     );
     false
 }

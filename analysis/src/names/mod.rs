@@ -6,6 +6,7 @@
 //!          --infer----> the types of undeclared ones
 //! ```
 
+pub(crate) mod by_name;
 pub(crate) mod company;
 pub(crate) mod declarations;
 pub(crate) mod declare;
@@ -18,7 +19,6 @@ pub(crate) mod joined;
 pub(crate) mod numbering;
 pub(crate) mod operand_value;
 pub mod rare;
-pub(crate) mod renamed;
 pub mod scope;
 pub(crate) mod shared;
 pub mod system_tag;

@@ -1,12 +1,12 @@
 //! The tags that a file, or the body of a user-defined block, knows.
 
+use crate::by_name::ByName;
 use crate::context::Context;
 use crate::declarations::DeclaredAt;
 use crate::network::BoundBlock;
 use crate::numbering::Numbering;
 use crate::program::Role;
 use crate::rare::Rare;
-use crate::renamed::Renamed;
 use crate::tags::Tags;
 use crate::types::{Scalar, Type};
 use ladder_syntax::{Name, TextRange};
@@ -217,6 +217,23 @@ impl TagFacts {
         self.by_company || self.ty.is_none()
     }
 
+    /// Whether the same name in another file may mean this tag: then it is not the file's alone.
+    pub(crate) const fn is_outward(&self) -> bool {
+        !matches!(
+            self.origin,
+            Origin::Implicit
+                | Origin::Declared(
+                    SectionKind::Var | SectionKind::Input | SectionKind::Output | SectionKind::InOut
+                )
+        )
+    }
+
+    /// Whether it is a tag of another file that this file names without a declaration: then it is where it is first used.
+    pub(crate) fn is_imported_by_use(&self) -> bool {
+        let nowhere = DeclaredAt::in_file(TextRange::default());
+        self.rare.foreign.is_some() && self.rare.shared.is_none() && self.declared_at == nowhere
+    }
+
     /// Whether it has a declaration.
     pub const fn is_declared(&self) -> bool {
         matches!(self.origin, Origin::Declared(_))
@@ -232,11 +249,11 @@ pub struct Scope {
     /// In the order of declaration, then of first use.
     pub tags: Tags,
     /// The tags that were there before any use was looked at, by name, and by the address at which they are declared.
-    declared_names: Renamed,
+    declared_names: ByName<u32>,
     /// By which numbers those names lead to the tags.
     numbering: Arc<Numbering>,
     /// Those that a use has brought in, by name.
-    found_names: Renamed,
+    found_names: ByName<u32>,
     /// By which numbers those names lead to the tags, counted from the first of them.
     found_numbering: Arc<Numbering>,
     /// So many of the tags were there before any use was looked at.
@@ -295,7 +312,7 @@ impl Scope {
             tags,
             declared_names: self.declared_names.clone(),
             numbering: Arc::clone(&self.numbering),
-            found_names: Renamed::default(),
+            found_names: ByName::default(),
             found_numbering: Arc::default(),
             declared: self.declared,
             block: self.block,
@@ -337,7 +354,7 @@ impl Scope {
             all.extend(new);
             all.retain(|tag| !tag.uses.is_empty());
             all.sort_by_cached_key(|tag| key(tag));
-            self.found_names = Renamed::default();
+            self.found_names = ByName::default();
             self.found_numbering = Arc::default();
             for tag in all {
                 self.add_found(tag);

@@ -10,7 +10,8 @@ use crate::exports::{Exports, Global};
 use crate::mistakes::shared_globals;
 use crate::rare::{Rare, RareFacts};
 use crate::scope::{Origin, SectionKind, TagFacts, Uses};
-use ladder_syntax::Name;
+use crate::uses;
+use ladder_syntax::{Name, TextRange};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
@@ -91,7 +92,26 @@ fn import(
         return entry;
     }
     let used = &context.scopes[scope].tags[tag];
-    let facts = TagFacts {
+    let facts = imported_tag(file, global);
+    let entry = if scope == 0 && !used.is_declared() {
+        let uses = used.uses.clone();
+        context.scopes[0].tags[tag] = TagFacts { uses, ..facts };
+        (0, tag)
+    } else {
+        let facts = TagFacts {
+            declared_at: DeclaredAt::in_file(context.place_of(used)),
+            ..facts
+        };
+        // A tag of the file's own may have the name: it is still found by it.
+        (0, context.scopes[0].add(facts))
+    };
+    imported.insert(global.key.clone(), entry);
+    entry
+}
+
+/// A global of another file, before any use of it. It is where the file first uses it.
+fn imported_tag(file: &Exports, global: &Global) -> TagFacts {
+    TagFacts {
         name: global.name.as_str().into(),
         ty: global.ty,
         role: global.role,
@@ -105,19 +125,25 @@ fn import(
             foreign: Some(Arc::clone(&file.file)),
             ..RareFacts::NONE
         }),
-        declared_at: DeclaredAt::in_file(context.place_of(used)),
+        declared_at: DeclaredAt::in_file(TextRange::default()),
         uses: Uses::default(),
+    }
+}
+
+/// A tag of the file that a name brings in which no declaration names: one of the file's own, or a global of another file.
+/// None if files do not agree on it.
+pub(crate) fn brought_in(context: &Context, name: &str) -> Option<TagFacts> {
+    let tag = uses::undeclared(name, context.profile.law());
+    if tag.rare.address.is_some() {
+        return Some(tag);
+    }
+    let key = Name::new(name);
+    let mut globals = context.others.globals(&key);
+    let Some((file, global)) = globals.next() else {
+        return Some(tag);
     };
-    let entry = if scope == 0 && !used.is_declared() {
-        let uses = used.uses.clone();
-        context.scopes[0].tags[tag] = TagFacts { uses, ..facts };
-        (0, tag)
-    } else {
-        // A tag of the file's own may have the name: it is still found by it.
-        (0, context.scopes[0].add(facts))
-    };
-    imported.insert(global.key.clone(), entry);
-    entry
+    let agree = global.ty.is_some() && globals.all(|(_, other)| global.agrees(other));
+    agree.then(|| imported_tag(file, global))
 }
 
 /// The file's entry for an address that a body uses.

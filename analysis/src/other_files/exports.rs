@@ -3,19 +3,21 @@
 //! file.
 
 use crate::context::{Body, Context, skeleton};
-use crate::facts::NodeKind;
+use crate::declarations::{Declarations, DeclaredAt};
+use crate::facts::{Node, NodeKind};
 use crate::network::Formal;
 use crate::others::Others;
 use crate::outward::Outward;
 use crate::outward_jumps::outward_jumps;
 use crate::program::Role;
-use crate::scope::{Origin, SectionKind};
+use crate::scope::{Origin, Scope, SectionKind};
 use crate::types::Type;
 use crate::user_block::UserBlockFacts;
 use crate::uses;
 use crate::value::Value;
 use ladder_instructions::Accepts;
 use ladder_syntax::{Name, Parse, TextRange};
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::sync::Arc;
 
 /// The summary of a file.
@@ -28,7 +30,9 @@ pub struct Exports {
     /// Its user-defined blocks in the order of the text.
     pub blocks: Vec<ExportedBlock>,
     /// Its VAR_GLOBAL tags; of one name only the first.
-    pub globals: Vec<Global>,
+    pub globals: Arc<Vec<Global>>,
+    /// Where the lines are that declare them.
+    declarations: Arc<Declarations>,
     /// Tags that it does not declare for itself and on which a block keeps its state.
     pub states: Vec<(Name, TextRange)>,
     /// What it does with names that it does not hold.
@@ -81,10 +85,29 @@ pub struct Global {
     /// Initial values; empty for the type's own.
     pub initial: Vec<Value>,
     /// Where its name is.
-    pub at: TextRange,
+    declared_at: DeclaredAt,
 }
 
 impl Global {
+    /// Whether it is declared in the same way.
+    fn is_same(&self, other: &Global) -> bool {
+        (
+            &self.name,
+            self.ty,
+            self.role,
+            self.constant,
+            self.retain,
+            &self.initial,
+        ) == (
+            &other.name,
+            other.ty,
+            other.role,
+            other.constant,
+            other.retain,
+            &other.initial,
+        )
+    }
+
     /// Whether two declarations are of one tag: they agree in type and initial value.
     pub fn agrees(&self, other: &Global) -> bool {
         // One that cannot be read is a mistake of its own.
@@ -113,7 +136,12 @@ impl Exports {
             file: Arc::from(file),
             functions: functions(context),
             blocks: blocks(context),
-            globals: globals(context),
+            declarations: if context.globals().is_empty() {
+                Arc::default()
+            } else {
+                Arc::clone(&context.declarations)
+            },
+            globals: Arc::clone(context.globals()),
             states: states(context),
             outward: Arc::new(outward),
         }
@@ -127,6 +155,32 @@ impl Exports {
     /// The same, said at once: of two texts that say the same it may be denied.
     pub fn surely_says_the_same(&self, other: &Exports) -> bool {
         self.offers_the_same(other) && self.outward.is_surely(&other.outward)
+    }
+
+    /// Where the name of one of its VAR_GLOBAL tags is.
+    pub fn place_of(&self, global: &Global) -> TextRange {
+        self.declarations.range(global.declared_at)
+    }
+
+    /// The names of the tags on which its blocks keep their states and that may be those of other files.
+    pub(crate) fn names_of_states(&self) -> impl Iterator<Item = &Name> {
+        self.states.iter().map(|(name, _)| name)
+    }
+
+    /// The names of VAR_GLOBAL tags that another text of the file declares otherwise, or does not.
+    pub(crate) fn differing_globals<'e>(&'e self, other: &'e Exports) -> Vec<&'e Name> {
+        if Arc::ptr_eq(&self.globals, &other.globals) {
+            return Vec::new();
+        }
+        let mut own: FxHashMap<&Name, &Global> = self.globals.iter().map(|it| (&it.key, it)).collect();
+        let mut differing = Vec::new();
+        for global in other.globals.iter() {
+            if own.remove(&global.key).is_none_or(|own| !own.is_same(global)) {
+                differing.push(&global.key);
+            }
+        }
+        differing.extend(own.into_keys());
+        differing
     }
 
     /// Whether the same functions, blocks, tags and states are seen, whatever the file does with those of others.
@@ -146,10 +200,8 @@ impl Exports {
                     && same(&a.labels, &b.labels, name)
                     && a.own_labels == b.own_labels
             })
-            && same(&self.globals, &other.globals, |a, b| {
-                (&a.name, a.ty, a.role, a.constant, a.retain, &a.initial)
-                    == (&b.name, b.ty, b.role, b.constant, b.retain, &b.initial)
-            })
+            && (Arc::ptr_eq(&self.globals, &other.globals)
+                || same(&self.globals, &other.globals, Global::is_same))
             && same(&self.states, &other.states, name)
     }
 }
@@ -202,12 +254,9 @@ fn blocks(context: &Context) -> Vec<ExportedBlock> {
     blocks
 }
 
-fn globals(context: &Context) -> Vec<Global> {
+/// The VAR_GLOBAL tags of a file.
+pub(crate) fn globals(context: &Context) -> Vec<Global> {
     let mut globals: Vec<Global> = Vec::new();
-    // Then there are none.
-    if context.settled {
-        return globals;
-    }
     for tag in context.scopes.iter().flat_map(|scope| &scope.tags) {
         if tag.origin != Origin::Declared(SectionKind::Global) {
             continue;
@@ -221,50 +270,72 @@ fn globals(context: &Context) -> Vec<Global> {
             constant: tag.constant,
             retain: tag.retain,
             initial: tag.rare.initial.clone(),
-            at: context.declared_at(tag),
+            declared_at: tag.declared_at,
         });
     }
     // Two scopes of the file may introduce one tag.
     if context.scopes.len() > 1 {
-        let mut seen = std::collections::HashSet::new();
+        let mut seen = FxHashSet::default();
         globals.retain(|global| seen.insert(global.key.clone()));
     }
     globals
 }
 
 fn states(context: &Context) -> Vec<(Name, TextRange)> {
-    let mut states = Vec::new();
-    // Then every tag is the file's own but those that uses have brought in: nearly always none of these keeps a state.
-    if context.settled && context.undeclared_states.is_empty() {
-        return states;
+    if context.settled {
+        return states_of_tags(context);
     }
+    let mut states = Vec::new();
     for network in context.networks.iter().filter(|network| network.keeps_state) {
         let scope = &context.scopes[network.scope];
         for bound in network.blocks() {
             for (operand, formal) in bound.facts.operands.iter().zip(bound.formals.iter()) {
-                let (Formal::Operand(row), NodeKind::Name(name)) = (formal, &operand.value.kind) else {
+                let Some(name) = state_in(&operand.value, *formal) else {
                     continue;
                 };
-                if !matches!(row.accepts, Accepts::State(_)) {
-                    continue;
-                }
                 let key = Name::new(name);
-                let origin = match scope.find(&key) {
-                    Some(tag) => scope.tags[tag].origin,
-                    // Before uses are looked at.
-                    None => uses::undeclared(name, context.profile.law()).origin,
-                };
-                let shared = matches!(
-                    origin,
-                    Origin::Declared(SectionKind::Global | SectionKind::External)
-                        | Origin::Undeclared
-                        | Origin::Shared
-                );
-                if shared {
+                if may_be_shared(context, scope, &key) {
                     states.push((key, bound.absolute(operand.value.range)));
                 }
             }
         }
     }
     states
+}
+
+/// The same by the tags of which it is known that a block keeps its state on them.
+fn states_of_tags(context: &Context) -> Vec<(Name, TextRange)> {
+    let mut states = Vec::new();
+    let file = &context.scopes[0];
+    for name in &context.outward_states {
+        let tag = file.find(name).map(|tag| &file.tags[tag]);
+        for place in tag.iter().flat_map(|tag| context.uses(tag)) {
+            let bound = context.networks.at(place.network).block(place.block);
+            let operand = &bound.facts.operands[place.operand].value;
+            let written = state_in(operand, bound.formals[place.operand]);
+            if written.is_some_and(|written| may_be_shared(context, file, &Name::new(written))) {
+                states.push((name.clone(), bound.absolute(operand.range)));
+            }
+        }
+    }
+    states.sort_by_key(|(_, at)| at.start());
+    states
+}
+
+/// The name of the tag on which a block keeps its state, if the operand is that.
+fn state_in(operand: &Node, formal: Formal) -> Option<&str> {
+    match (formal, &operand.kind) {
+        (Formal::Operand(row), NodeKind::Name(name)) if matches!(row.accepts, Accepts::State(_)) => {
+            Some(name)
+        }
+        _ => None,
+    }
+}
+
+/// Whether a name may be that of a tag of another file: without a declaration one that says its type is not.
+fn may_be_shared(context: &Context, scope: &Scope, name: &Name) -> bool {
+    match scope.find(name).map(|tag| &scope.tags[tag]) {
+        Some(tag) if tag.is_declared() || tag.origin == Origin::Implicit => tag.is_outward(),
+        _ => uses::undeclared(name.as_str(), context.profile.law()).origin == Origin::Undeclared,
+    }
 }

@@ -4,14 +4,14 @@
 //! Like all that a file shows to others it follows from the file's own text. Where that cannot be read, every word
 //! counts as read, written and called: better no finding than a wrong one.
 
+use crate::by_name::ByName;
 use crate::context::Context;
 use crate::control_flow::ControlFlow;
 use crate::facts::NodeKind;
 use crate::network::Meaning;
 use crate::networks::NetworkAt;
-use crate::scope::{Access, Origin, SectionKind};
+use crate::scope::{Access, TagFacts, UseRef};
 use crate::unread_line::identifiers;
-use crate::uses::Named;
 use ladder_instructions::Op;
 use ladder_syntax::{LineKind, Name, Part};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -51,50 +51,73 @@ impl TagUse {
 #[derive(Debug, Default)]
 pub struct Outward {
     /// Tags that it does not declare for itself, once somebody asks.
-    tags: OnceLock<FxHashMap<Name, TagUse>>,
+    tags: OnceLock<ByName<TagUse>>,
     /// What says which they are, until then.
     context: Mutex<Option<Arc<Context>>>,
+    /// The words on lines that cannot be read: tags of these names may be used in any way.
+    unread: FxHashSet<Name>,
     /// Functions that it calls and does not hold.
     pub calls: FxHashSet<Name>,
 }
 
 impl Outward {
     pub(crate) fn of(context: &Context) -> Outward {
-        let (tags, calls) = all(context);
-        Outward {
-            tags: OnceLock::from(tags),
-            context: Mutex::default(),
-            calls,
-        }
+        let outward = Outward::but_tags(context);
+        let _ = outward.tags.set(context.outward_tags().clone());
+        outward
     }
 
     /// The same, of a file in which somebody types: as long as no file has VAR_GLOBAL tags nobody asks for its tags.
     pub(crate) fn later_of(context: &Arc<Context>) -> Outward {
-        if !context.settled {
-            return Outward::of(context);
-        }
-        let mut found = Found::default();
-        found.calls(context);
-        found.unread_words(context);
         Outward {
-            tags: OnceLock::new(),
             context: Mutex::new(Some(Arc::clone(context))),
-            calls: found.calls,
+            ..Outward::but_tags(context)
         }
     }
 
-    /// Tags that the file does not declare for itself.
-    pub fn tags(&self) -> &FxHashMap<Name, TagUse> {
+    fn but_tags(context: &Context) -> Outward {
+        let unread = unread_words(context);
+        let mut calls = calls(context);
+        calls.extend(unread.iter().cloned());
+        Outward {
+            unread,
+            calls,
+            ..Outward::default()
+        }
+    }
+
+    fn named(&self) -> &ByName<TagUse> {
         self.tags.get_or_init(|| {
             let context = self.context.lock().unwrap_or_else(PoisonError::into_inner).take();
-            context.map(|context| all(&context).0).unwrap_or_default()
+            context.map_or_else(ByName::default, |context| context.outward_tags().clone())
         })
+    }
+
+    /// Tags that the file does not declare for itself.
+    pub(crate) fn tags(&self) -> impl Iterator<Item = (&Name, TagUse)> {
+        let named = self.named().iter();
+        let read = named.filter(|(name, _)| !self.unread.contains(*name));
+        read.chain(self.unread.iter().map(|name| (name, TagUse::BOTH)))
+    }
+
+    /// How the file uses a tag that it does not declare for itself.
+    fn tag(&self, name: &Name) -> Option<TagUse> {
+        if self.unread.contains(name) {
+            return Some(TagUse::BOTH);
+        }
+        self.named().get(name)
+    }
+
+    /// The tags that two texts of a file do not use alike.
+    pub(crate) fn differing_tags<'o>(&'o self, other: &'o Outward) -> impl Iterator<Item = &'o Name> {
+        let mut names = self.named().differing(other.named());
+        names.extend(self.unread.symmetric_difference(&other.unread));
+        names.into_iter().filter(|name| self.tag(name) != other.tag(name))
     }
 
     /// Whether two texts of a file surely use all names alike: said without a look at tags that nobody has asked for.
     pub(crate) fn is_surely(&self, other: &Outward) -> bool {
-        let tags = self.tags.get().zip(other.tags.get());
-        self.calls == other.calls && tags.is_some_and(|(tags, others)| tags == others)
+        self.tags.get().is_some() && other.tags.get().is_some() && self == other
     }
 
     /// The functions that two texts of a file do not call alike.
@@ -105,121 +128,105 @@ impl Outward {
 
 impl PartialEq for Outward {
     fn eq(&self, other: &Outward) -> bool {
-        self.calls == other.calls && self.tags() == other.tags()
+        self.calls == other.calls && self.differing_tags(other).next().is_none()
     }
 }
 
-/// The tags and the functions.
-fn all(context: &Context) -> (FxHashMap<Name, TagUse>, FxHashSet<Name>) {
-    let mut found = Found::default();
-    found.calls(context);
+/// How the file uses the tags that it does not declare for itself.
+pub(crate) fn tags(context: &Context) -> ByName<TagUse> {
+    let mut tags: FxHashMap<Name, TagUse> = FxHashMap::default();
     if context.settled {
-        found.found(context);
+        for tag in context.scopes.iter().flat_map(|scope| &scope.tags) {
+            if let Some(used) = use_of(context, tag) {
+                tags.insert(Name::new(&tag.name), used);
+            }
+        }
     } else {
         for network in &context.networks {
-            found.names(context, network, &network.named);
+            names(context, network, &mut tags);
         }
     }
-    found.unread_words(context);
-    (found.tags, found.calls)
+    ByName::from(tags)
 }
 
-/// What is being gathered.
-#[derive(Default)]
-struct Found {
-    tags: FxHashMap<Name, TagUse>,
-    calls: FxHashSet<Name>,
+/// How the file uses a tag, where an edit has just concerned it. None: it does not, or declares the tag for itself.
+pub(crate) fn tag(context: &Context, name: &Name) -> Option<TagUse> {
+    use_of(context, context.find_tag(&(0, name.clone()))?)
 }
 
-impl Found {
-    fn calls(&mut self, context: &Context) {
-        let calls = |network: &NetworkAt<'_>| network.control_flow.has(ControlFlow::CALL);
-        if context.may_call {
-            for network in context.networks.iter().filter(calls) {
-                self.blocks(context, network);
+/// The same of a tag that is there.
+fn use_of(context: &Context, tag: &TagFacts) -> Option<TagUse> {
+    if !tag.is_outward() || tag.name.starts_with('%') {
+        return None;
+    }
+    // What is declared at an address can be named by it.
+    let by_name = |place: &&UseRef| {
+        tag.rare.address.is_none() || {
+            let network = context.networks.at(context.networks.index_of(place.network));
+            let named = &network.facts().named[place.named() as usize];
+            !named.key.as_str().starts_with('%')
+        }
+    };
+    let used = tag.uses.0.iter().filter(by_name).map(|place| {
+        let bound = context.networks.block_of(*place);
+        at(context, bound.meaning, place.access())
+    });
+    used.reduce(TagUse::with)
+}
+
+/// What the names of a network add.
+fn names(context: &Context, network: NetworkAt<'_>, tags: &mut FxHashMap<Name, TagUse>) {
+    let scope = &context.scopes[network.scope];
+    for named in &network.named {
+        let own = scope
+            .find(&named.key)
+            .is_some_and(|tag| !scope.tags[tag].is_outward());
+        if own || named.key.as_str().starts_with('%') {
+            continue;
+        }
+        let meaning = network.blocks[named.block as usize].meaning;
+        let used = at(context, meaning, named.access);
+        let entry = tags.entry(named.key.clone()).or_default();
+        *entry = entry.with(used);
+    }
+}
+
+/// How a place uses its tag. What a block of another file does with its operands that file says.
+fn at(context: &Context, meaning: Meaning, access: Access) -> TagUse {
+    let known = match meaning {
+        Meaning::Instruction(_) => true,
+        Meaning::User(block) => context.user_blocks[block].import.is_none(),
+        Meaning::Unknown | Meaning::UnknownUser => false,
+    };
+    if known { TagUse::of(access) } else { TagUse::BOTH }
+}
+
+/// The functions that it calls and does not hold.
+fn calls(context: &Context) -> FxHashSet<Name> {
+    let mut calls = FxHashSet::default();
+    let may_call = |network: &NetworkAt<'_>| network.control_flow.has(ControlFlow::CALL);
+    if !context.may_call {
+        return calls;
+    }
+    let networks = context.networks.iter().filter(may_call);
+    for bound in networks.flat_map(NetworkAt::blocks) {
+        let name = bound.facts.operands.first().map(|operand| &operand.value.kind);
+        if let (Some(Op::Call), Some(NodeKind::Name(name))) = (bound.op(), name) {
+            let key = Name::new(name);
+            if context.function(&key).is_none() {
+                calls.insert(key);
             }
         }
     }
+    calls
+}
 
-    fn unread_words(&mut self, context: &Context) {
-        let unread = |line: &&ladder_syntax::Line| !line.errors.is_empty() || line.kind == LineKind::Stray;
-        let faulty = context.parse.lines().of_parts_that(Part::is_faulty);
-        for line in faulty.map(|(_, line)| line).filter(unread) {
-            for word in identifiers(line.text()) {
-                self.anything(Name::new(word));
-            }
-        }
-    }
-
-    /// As [`Found::names`] of all networks, where every tag is the file's own but those that uses have brought in.
-    fn found(&mut self, context: &Context) {
-        let found = context
-            .scopes
-            .iter()
-            .flat_map(|scope| scope.tags.from(scope.declared));
-        for tag in found.filter(|tag| !tag.name.starts_with('%')) {
-            let used = tag.uses.0.iter().map(|place| {
-                let known = match context.networks.block_of(*place).meaning {
-                    Meaning::Instruction(_) => true,
-                    Meaning::User(block) => context.user_blocks[block].import.is_none(),
-                    Meaning::Unknown | Meaning::UnknownUser => false,
-                };
-                if known {
-                    TagUse::of(place.access())
-                } else {
-                    TagUse::BOTH
-                }
-            });
-            self.tags
-                .insert(Name::new(&tag.name), used.fold(TagUse::default(), TagUse::with));
-        }
-    }
-
-    fn names(&mut self, context: &Context, network: NetworkAt<'_>, named: &[Named]) {
-        let scope = &context.scopes[network.scope];
-        for named in named {
-            let own = scope.find(&named.key).is_some_and(|tag| {
-                matches!(
-                    scope.tags[tag].origin,
-                    Origin::Implicit
-                        | Origin::Declared(
-                            SectionKind::Var | SectionKind::Input | SectionKind::Output | SectionKind::InOut
-                        )
-                )
-            });
-            if own || named.key.as_str().starts_with('%') {
-                continue;
-            }
-            // What a block of another file does with its operands that file says.
-            let is_known = match network.blocks[named.block as usize].meaning {
-                Meaning::Instruction(_) => true,
-                Meaning::User(block) => context.user_blocks[block].import.is_none(),
-                Meaning::Unknown | Meaning::UnknownUser => false,
-            };
-            let used = if is_known {
-                TagUse::of(named.access)
-            } else {
-                TagUse::BOTH
-            };
-            let entry = self.tags.entry(named.key.clone()).or_default();
-            *entry = entry.with(used);
-        }
-    }
-
-    fn blocks(&mut self, context: &Context, network: NetworkAt<'_>) {
-        for bound in network.blocks() {
-            let name = bound.facts.operands.first().map(|operand| &operand.value.kind);
-            if let (Some(Op::Call), Some(NodeKind::Name(name))) = (bound.op(), name) {
-                let key = Name::new(name);
-                if context.function(&key).is_none() {
-                    self.calls.insert(key);
-                }
-            }
-        }
-    }
-
-    fn anything(&mut self, word: Name) {
-        self.tags.insert(word.clone(), TagUse::BOTH);
-        self.calls.insert(word);
-    }
+/// The words on lines that cannot be read.
+fn unread_words(context: &Context) -> FxHashSet<Name> {
+    let unread = |line: &&ladder_syntax::Line| !line.errors.is_empty() || line.kind == LineKind::Stray;
+    let faulty = context.parse.lines().of_parts_that(Part::is_faulty);
+    let lines = faulty.map(|(_, line)| line).filter(unread);
+    lines
+        .flat_map(|line| identifiers(line.text()).map(Name::new))
+        .collect()
 }

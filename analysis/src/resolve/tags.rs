@@ -101,17 +101,17 @@ fn place(unit: &Unit<'_>, index: usize, tag: &TagFacts, program: &mut Program) -
     if tag.rare.foreign.is_none() {
         return own;
     }
-    let Some((file, global)) = unit.context.others.globals(&Name::new(&tag.name)).next() else {
+    let Some((exports, global)) = unit.context.others.globals(&Name::new(&tag.name)).next() else {
         return own;
     };
-    let known = program.files.iter().position(|name| **name == *file.file);
+    let known = program.files.iter().position(|name| **name == *exports.file);
     let file = known.unwrap_or_else(|| {
-        program.files.push(file.file.to_string());
+        program.files.push(exports.file.to_string());
         program.files.len() - 1
     });
     Location {
         file: file as u32,
-        range: global.at,
+        range: exports.place_of(global),
     }
 }
 

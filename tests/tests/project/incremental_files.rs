@@ -20,14 +20,14 @@ struct Open {
 
 /// Files of one workspace. As in the server, an edit has the others looked at again if it concerns them.
 #[derive(Default)]
-struct Files {
+pub(crate) struct Files {
     open: BTreeMap<&'static str, Open>,
     exported: Arc<Exported>,
 }
 
 impl Files {
     /// A file is opened, or its text becomes another.
-    fn becomes(&mut self, name: &'static str, text: String) {
+    pub(crate) fn becomes(&mut self, name: &'static str, text: String) {
         let others = self.others_of(name);
         let before = self.open.remove(name);
         let parsed = Arc::new(match &before {
@@ -52,10 +52,15 @@ impl Files {
     }
 
     /// A file is closed, and there is none on the disk.
-    fn close(&mut self, name: &'static str) {
+    pub(crate) fn close(&mut self, name: &'static str) {
         self.open.remove(name);
         self.look_again();
         self.check();
+    }
+
+    /// The text of a file that is open.
+    pub(crate) fn text(&self, name: &str) -> &str {
+        &self.open[name].text
     }
 
     fn look_again(&mut self) {
@@ -93,6 +98,13 @@ impl Files {
             };
             let (shown, wanted) = (show(&open.analysis), show(&fresh));
             assert_eq!(here(&shown), here(&wanted), "{name} of\n{}", texts());
+            let alone = exports(&parsed[name], name);
+            assert!(
+                open.exports.says_the_same(&alone),
+                "{name} of\n{}\n{:#?}\n{alone:#?}",
+                texts(),
+                open.exports
+            );
         }
     }
 }

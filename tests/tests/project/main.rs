@@ -9,6 +9,7 @@ mod every_feature;
 mod incremental;
 mod incremental_declarations;
 mod incremental_files;
+mod incremental_globals;
 mod incremental_types;
 mod incremental_undeclared;
 mod instruction_reference;

@@ -1,0 +1,212 @@
+//! The same with tags for all files: declared here, used by name, used by way of VAR_EXTERNAL. Somebody types in their uses and
+//! declarations, now in one file, now in another.
+
+use crate::incremental::{asked, type_in_an_operand};
+use crate::incremental_files::Files;
+use ladder_tests::generator::Dice;
+
+/// What a file may begin with.
+const SECTIONS: [&str; 14] = [
+    "VAR_GLOBAL\n    ready, done : BOOL;\n    total : DINT := 3;\nEND_VAR\n",
+    "VAR_GLOBAL\n    wait : TON;\n    unused : BOOL;\nEND_VAR\n",
+    "VAR_GLOBAL\n    level AT %MW3 : INT;\n    open AT %QX0.1 : BOOL;\nEND_VAR\n",
+    "VAR_GLOBAL CONSTANT\n    most : DINT := 5;\nEND_VAR\n",
+    "VAR_GLOBAL RETAIN\n    kept : REAL;\nEND_VAR\n",
+    "VAR_GLOBAL\n    done : INT;\nEND_VAR\n",
+    "VAR_EXTERNAL\n    ready : BOOL;\n    total : DINT;\nEND_VAR\n",
+    "VAR_EXTERNAL\n    wait : TON;\nEND_VAR\n",
+    "VAR_INPUT\n    go, off : BOOL;\nEND_VAR\n",
+    "VAR_OUTPUT\n    lamp, beep : BOOL;\nEND_VAR\n",
+    "VAR\n    own, done : BOOL;\n    count : DINT;\nEND_VAR\n",
+    "VAR\n    wait, pause : TON;\nEND_VAR\n",
+    "FUNCTION_BLOCK [$Hold]\nVAR_INPUT\n    a : BOOL;\nEND_VAR\nVAR_OUTPUT\n    q : BOOL;\nEND_VAR\n\
+     +--[ ]( a )--( )( q )--+\nEND_FUNCTION_BLOCK\n",
+    "FUNCTION_BLOCK [$Sum]\nVAR_EXTERNAL\n    total : DINT;\nEND_VAR\n\
+     +--[ ]( EN )--[ADD]( total, 1, total )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n",
+];
+
+const RUNGS: [&str; 16] = [
+    "+--[ ]( go )--( )( ready )--+\n\n",
+    "+--[ ]( ready )--( )( done )--+\n\n",
+    "+--[ ]( Done )--[/]( own )--( )( lamp )--+\n\n",
+    "+--[ ]( done )--(S)( own )--+\n\n",
+    "+--[ ]( off )--[TON]( wait, T#1s )--( )( beep )--+\n\n",
+    "+--[ ]( wait.Q )--( )( lamp )--+\n\n",
+    "+--[ ]( off )--[TON]( pause, T#1s )--( )( wait )--+\n\n",
+    "+--[GT]( total, most )--( )( beep )--+\n\n",
+    "+--[MOV]( 70000, level )--[EQ]( %MW3, 7 )--( )( open )--+\n\n",
+    "+--[MOV]( total, most )--[MOV]( 7, total )--+\n\n",
+    "+--[GT]( kept, 2.5 )--[MOV]( kept, count )--( )( %QX0.1 )--+\n\n",
+    "+--[MOV]( fresh, kept )--[LT]( fresh, other )--( )( lamp )--+\n\n",
+    "+--[$Hold]( ready, done )--+\n\n",
+    "+--[$Sum]()--( )( lamp )--+\n\n",
+    "+--[ ]( M1 )--( )( M2 )--+\n\n",
+    "+--[ ]( ready )--[ ]( \n\n",
+];
+
+/// What is typed behind the first letter of an operand.
+const LETTERS: [&str; 5] = ["x", "5", "_", ".Q", "e"];
+
+/// Lines of declarations that come.
+const LINES: [&str; 7] = [
+    "    fresh : BOOL;\n",
+    "    total : INT;\n",
+    "    done, ready : BOOL;\n",
+    "    done\n",
+    "    level : INT := 4;\n",
+    "    M1 : TON;\n",
+    "\n",
+];
+
+/// One edit of a text, as somebody makes it who types.
+fn next(text: &str, dice: &mut Dice) -> String {
+    let mut lines: Vec<String> = text.split_inclusive('\n').map(str::to_owned).collect();
+    let place = |dice: &mut Dice, lines: &[String], wanted: &dyn Fn(&str) -> bool| {
+        let all: Vec<usize> = (0..lines.len()).filter(|line| wanted(&lines[*line])).collect();
+        (!all.is_empty()).then(|| dice.of(&all))
+    };
+    let is_rung = |line: &str| line.starts_with('+');
+    let is_declaration = |line: &str| line.starts_with("    ");
+    match dice.below(8) {
+        0..=2 => {
+            if let Some(line) = place(dice, &lines, &is_rung) {
+                type_in_an_operand(&mut lines[line], &LETTERS, dice);
+            }
+        }
+        3 => lines.push(dice.of(&RUNGS).to_owned()),
+        4 => {
+            if let Some(line) = place(dice, &lines, &is_rung) {
+                lines.remove(line);
+            }
+        }
+        5 => {
+            if let Some(line) = place(dice, &lines, &is_declaration) {
+                lines.insert(line, dice.of(&LINES).to_owned());
+            }
+        }
+        6 => {
+            if let Some(line) = place(dice, &lines, &is_declaration) {
+                lines.remove(line);
+            }
+        }
+        _ => {
+            if let Some(line) = place(dice, &lines, &is_declaration) {
+                let at = 4 + dice.below(3);
+                if lines[line].is_char_boundary(at) {
+                    lines[line].insert_str(at, dice.of(&LETTERS));
+                }
+            }
+        }
+    }
+    lines.concat()
+}
+
+fn program(dice: &mut Dice, sections: &[&str]) -> String {
+    let mut head: Vec<&str> = (0..dice.below(4)).map(|_| dice.of(sections)).collect();
+    head.dedup();
+    let drawn: String = (0..=dice.below(8)).map(|_| dice.of(&RUNGS)).collect();
+    format!("{}\n{drawn}", head.concat())
+}
+
+/// Edits of files that declare and use each other's tags.
+#[test]
+fn typing_where_tags_are_for_all_files() {
+    for seed in 0..asked(60) {
+        let mut dice = Dice::new(seed);
+        // In some workspaces no file has a definition, in some nobody writes VAR_EXTERNAL.
+        let sections = match seed % 4 {
+            0 => &SECTIONS[..],
+            1 => &SECTIONS[..12],
+            _ => &[&SECTIONS[..6], &SECTIONS[8..12]].concat(),
+        };
+        let mut files = Files::default();
+        for name in ["line", "panel", "plant"] {
+            let text = program(&mut dice, sections);
+            files.becomes(name, text);
+        }
+        for _ in 0..15 {
+            let name = dice.of(&["line", "line", "panel", "plant"]);
+            let before = files.text(name).to_owned();
+            let after = next(&before, &mut dice);
+            files.becomes(name, after);
+            if dice.one_in(3) {
+                files.becomes(name, before);
+            }
+        }
+    }
+}
+
+/// Of what other files do with a tag, and how they declare it, each change is followed.
+#[test]
+fn what_others_say_of_a_tag() {
+    let declares = |ty: &str| format!("VAR_GLOBAL\n    all : {ty};\nEND_VAR\n\n+--[ ]( I1 )--( )( Q1 )--+\n");
+    let uses =
+        |drawn: &str| format!("VAR_OUTPUT\n    y : BOOL;\nEND_VAR\n\n+--[ ]( I2 )--( )( y )--+\n\n{drawn}\n");
+    let (reads, writes) = ("+--[ ]( all )--( )( Q2 )--+", "+--[ ]( I3 )--( )( all )--+");
+    let (times, asks) = (
+        "+--[ ]( I4 )--[TON]( all, T#1s )--+",
+        "+--[ ]( all.Q )--( )( Q2 )--+",
+    );
+    for (first, second) in [("a", "b"), ("b", "a")] {
+        let mut files = Files::default();
+        files.becomes(first, declares("BOOL"));
+        files.becomes(second, uses(""));
+        for text in [
+            uses(reads),
+            uses(writes),
+            uses(&[reads, writes].join("\n\n")),
+            uses(""),
+        ] {
+            files.becomes(second, text);
+        }
+        files.becomes(second, uses(reads));
+        for ty in ["BOOL := TRUE", "DINT", "BOOL", "TON", "BOOL"] {
+            files.becomes(first, declares(ty));
+        }
+        files.becomes(first, declares("TON"));
+        for (here, there) in [
+            (times, ""),
+            (times, asks),
+            (times, times),
+            ("", times),
+            (asks, ""),
+            ("", ""),
+        ] {
+            files.becomes(first, format!("{}\n{here}\n", declares("TON")));
+            files.becomes(second, uses(there));
+        }
+        // A reset reads and writes it as its block does, and keeps no state in it.
+        let resets = "+--[ ]( I5 )--(R)( all )--+";
+        files.becomes(first, format!("{}\n{times}\n", declares("TON")));
+        for there in [
+            &[asks, resets].join("\n\n"),
+            &[asks, resets, times].join("\n\n"),
+            resets,
+        ] {
+            files.becomes(second, uses(there));
+        }
+        files.becomes(first, declares("TON").replace("all", "al"));
+        files.becomes(second, uses(asks));
+        files.becomes(first, declares("TON"));
+        files.close(first);
+        files.close(second);
+    }
+}
+
+/// Another file may have used a name before this one declares it for all.
+#[test]
+fn a_tag_that_others_name_already() {
+    let declares = |name: &str| {
+        format!(
+            "VAR_GLOBAL\n    {name}, x : BOOL;\nEND_VAR\n\n+--[ ]( I1 )--( )( x )--+\n\n+--[ ]( x )--( )( Q1 )--+\n"
+        )
+    };
+    for drawn in ["+--[ ]( all )--( )( Q2 )--+\n", "+--[ ]( I2 )--( )( all )--+\n"] {
+        let mut files = Files::default();
+        files.becomes("a", declares("al"));
+        files.becomes("b", drawn.to_owned());
+        for name in ["all", "alll", "all", "al"] {
+            files.becomes("a", declares(name));
+        }
+    }
+}
