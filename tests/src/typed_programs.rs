@@ -19,10 +19,12 @@ pub enum Kind {
     Undeclared,
     /// Every other network names numbers that have their types from what they are compared with.
     Inferred,
+    /// Every network names a tag for all files, half of which another file declares.
+    Globals,
 }
 
 /// All of them, by the names that people give.
-pub const KINDS: [(&str, Kind); 7] = [
+pub const KINDS: [(&str, Kind); 8] = [
     ("clean", Kind::Clean),
     ("warned", Kind::Warned),
     ("shared", Kind::Shared),
@@ -30,12 +32,15 @@ pub const KINDS: [(&str, Kind); 7] = [
     ("blocks", Kind::UserBlocks),
     ("undeclared", Kind::Undeclared),
     ("inferred", Kind::Inferred),
+    ("globals", Kind::Globals),
 ];
 
 /// A program.
 pub struct Program {
     /// Its text, laid out.
     pub text: String,
+    /// The text of a file beside it, if there is one.
+    pub beside: Option<String>,
 }
 
 /// A letter that comes and goes.
@@ -52,17 +57,22 @@ pub struct Spot {
 impl Program {
     /// About so many rungs, aligned.
     pub fn new(kind: Kind, rungs: usize) -> Program {
-        let mut sections = [String::new(), String::new(), String::new()];
+        let mut sections: [String; 4] = Default::default();
+        let mut beside = String::new();
         let mut drawn = String::new();
         let networks = rungs / 2;
         for n in 0..networks {
             let next = (n + 1) % networks;
-            let [inputs, outputs, inner] = &mut sections;
+            let [inputs, outputs, inner, globals] = &mut sections;
             let _ = writeln!(inputs, "    start_{n}, stop_{n} : BOOL;");
             let _ = writeln!(outputs, "    run_{n}, ready_{n} : BOOL;");
             let _ = writeln!(inner, "    timer_{n} : TON;");
             if kind == Kind::Warned {
                 let _ = writeln!(inner, "    drive_{n} : BOOL;");
+            }
+            if kind == Kind::Globals {
+                let here = if n % 2 == 0 { &mut *globals } else { &mut beside };
+                let _ = writeln!(here, "    enable_{n} : BOOL;");
             }
             let _ = match kind {
                 Kind::Clean => writeln!(
@@ -98,6 +108,11 @@ impl Program {
                     "+--[GT]( start_{n}_level, 2.5 )--[MOV]( last_{n}, start_{n}_level )--[TON]( timer_{n}, T#5s )--( )( run_{n} )--+\n\n\
                      +--[ ]( start_{n} )--[/]( stop_{n} )--[LT]( last_{n}, least_{n} )--( )( ready_{n} )--+\n"
                 ),
+                Kind::Globals => writeln!(
+                    drawn,
+                    "+--[ ]( start_{n} )--[/]( stop_{n} )--[TON]( timer_{n}, T#5s )--( )( enable_{n} )--+\n\n\
+                     +--[ ]( enable_{n} )--[P]( timer_{n}.Q )--( )( run_{n} )--( )( ready_{n} )--+\n"
+                ),
                 Kind::Undeclared => writeln!(
                     drawn,
                     "+--[ ]( start_{n} )--[/]( stop_{n} )--[TON]( timer_{n}, T#5s )--( )( drive_{n} )--+\n\n\
@@ -105,7 +120,12 @@ impl Program {
                 ),
             };
         }
-        let [inputs, outputs, inner] = sections;
+        let [inputs, outputs, inner, globals] = sections;
+        let globals = if kind == Kind::Globals {
+            format!("VAR_GLOBAL\n{globals}END_VAR\n")
+        } else {
+            globals
+        };
         let blocks = if kind == Kind::UserBlocks {
             "FUNCTION_BLOCK [$LATCH]\nVAR_INPUT\n    off : BOOL;\nEND_VAR\nVAR_IN_OUT\n    held : BOOL;\nEND_VAR\n\
              +--\\--[ ]( EN )----\\--[/]( off )--( )( held )--+\n|  /--[ ]( held )--/                           |\nEND_FUNCTION_BLOCK\n\n"
@@ -113,9 +133,11 @@ impl Program {
             ""
         };
         let text = format!(
-            "{blocks}VAR_INPUT\n{inputs}END_VAR\nVAR_OUTPUT\n{outputs}END_VAR\nVAR\n{inner}END_VAR\n\n{drawn}"
+            "{blocks}{globals}VAR_INPUT\n{inputs}END_VAR\nVAR_OUTPUT\n{outputs}END_VAR\nVAR\n{inner}END_VAR\n\n{drawn}"
         );
+        let beside = format!("VAR_GLOBAL\n{beside}END_VAR\n\n+--[ ]( enable_0 )--( )( enable_1 )--+\n");
         Program {
+            beside: (kind == Kind::Globals).then_some(beside),
             text: ladder_format::format_text(&text, &ladder_format::Options::default()),
         }
     }
@@ -144,6 +166,17 @@ impl Program {
         } else {
             self.in_a_name()
         }
+    }
+
+    /// In the name of a tag for all files, which then is another tag.
+    pub fn in_a_global(&self) -> Spot {
+        let is_it = |line: &str| line.starts_with('+') && line.contains("( enable_");
+        self.behind("( enable_", is_it)
+    }
+
+    /// In the name of a declaration for all files.
+    pub fn in_a_declaration_for_all(&self) -> Spot {
+        self.behind("    enable_", |line| line.starts_with("    enable_"))
     }
 
     /// In the number of a preset: the program stays clean.

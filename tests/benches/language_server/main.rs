@@ -1,14 +1,15 @@
 //! What an editor waits for: from a keystroke to its diagnostics, and from a request to its answer, over the real
 //! program and real pipes.
 //!
-//! Seven kinds of programs are opened in `ladder lsp`. A letter is typed in the middle again and again, in a number, in the
+//! Eight kinds of programs are opened in `ladder lsp`. A letter is typed in the middle again and again, in a number, in the
 //! name of an operand and in a declaration, and lines of declarations and networks come and go; each time until the diagnostics of that very version arrive. Then everything
 //! else is asked, some of it at once behind the edit, as an editor does, some once the diagnostics are there. Beside it
 //! is the bare limit: the round trip of a request that the server does not know, which has the same framing, pipes and
 //! scheduling, and no work.
 //!
 //! Run with `cargo build --release -p ladder-cli --bins && cargo bench -p ladder-tests --bench language_server`. Numbers
-//! of rungs and kinds of programs (clean, warned, shared, twice, blocks, undeclared, inferred) may follow as arguments.
+//! of rungs and kinds of programs (clean, warned, shared, twice, blocks, undeclared, inferred,
+//! globals) may follow as arguments.
 
 use ladder_tests::client::Server;
 use ladder_tests::typed_programs::{KINDS, Kind, Program, Spot};
@@ -104,6 +105,9 @@ fn measure(name: &str, kind: Kind, rungs: usize) {
     let file = folder.path().join("bench.clad");
     std::fs::write(folder.path().join("ladder.toml"), "").expect("the folder can be written");
     std::fs::write(&file, text).expect("the folder can be written");
+    if let Some(beside) = &program.beside {
+        std::fs::write(folder.path().join("beside.clad"), beside).expect("the folder can be written");
+    }
     let uri = format!("file://{}", file.display());
     let mut server = Server::start();
     let idle = server.memory();
@@ -121,7 +125,7 @@ fn measure(name: &str, kind: Kind, rungs: usize) {
         uri,
     };
     let count = (2_000_000 / rungs).clamp(100, 400);
-    for (what, spot) in [
+    let mut spots = vec![
         ("edit of a number", program.in_a_number()),
         ("edit of a name", program.in_a_name()),
         ("edit of a name without a type", program.in_a_name_without_type()),
@@ -134,7 +138,15 @@ fn measure(name: &str, kind: Kind, rungs: usize) {
         ),
         ("edit of the first network", program.in_the_first_network()),
         ("a network with a label", program.with_a_label()),
-    ] {
+    ];
+    if kind == Kind::Globals {
+        spots.push(("edit of a tag for all files", program.in_a_global()));
+        spots.push((
+            "edit of a declaration for all files",
+            program.in_a_declaration_for_all(),
+        ));
+    }
+    for (what, spot) in spots {
         typing.spot = spot;
         let before = typing.server.processor_time();
         show(what, typing.edits(count));

@@ -1,6 +1,6 @@
 //! What is looked at after an edit does not grow with the file.
 
-use ladder_analysis::{Analysis, Others, RuleSettings, Work, analyze_after, analyze_with};
+use ladder_analysis::{Analysis, Exported, Others, RuleSettings, Work, analyze_after, analyze_with, exports};
 use ladder_syntax::{Parse, parse};
 use ladder_tests::typed_programs::{KINDS, Kind, Program, Spot};
 use std::sync::Arc;
@@ -20,8 +20,8 @@ fn work(kind: Kind, rungs: usize, spot: Place) -> [(Work, usize); 2] {
         .sum();
     let mut typed = program.text.clone();
     typed.insert_str(line + spot.column, spot.letter);
-    let (others, settings) = (Others::default(), RuleSettings::default());
     let parsed = Arc::new(parse(&program.text));
+    let (others, settings) = (others_of(&program, &parsed), RuleSettings::default());
     let first = analyze_with(&parsed, "main", &others, &settings);
     let next = |before: &Analysis, parse: &Parse, old: &str, new: &str| {
         let parsed = Arc::new(parse.updated(old, new));
@@ -34,6 +34,16 @@ fn work(kind: Kind, rungs: usize, spot: Place) -> [(Work, usize); 2] {
         (second.work, with.bytes_read()),
         (third.work, without.bytes_read()),
     ]
+}
+
+/// What the program sees of the file beside it.
+fn others_of(program: &Program, parsed: &Arc<Parse>) -> Others {
+    let Some(beside) = &program.beside else {
+        return Others::default();
+    };
+    let beside = exports(&Arc::new(parse(beside)), "beside");
+    let exported = Exported::new(vec![Arc::new(beside), Arc::new(exports(parsed, "main"))]);
+    Arc::new(exported).others_of("main")
 }
 
 #[test]
@@ -49,8 +59,13 @@ fn does_not_grow_with_the_file() {
         ("the first network", Program::in_the_first_network),
         ("a label", Program::with_a_label),
     ];
+    let of_globals: [(&str, Place); 2] = [
+        ("a tag for all files", Program::in_a_global),
+        ("a declaration for all files", Program::in_a_declaration_for_all),
+    ];
     for (name, kind) in KINDS {
-        for (what, spot) in spots {
+        let of_kind = of_globals.iter().filter(|_| kind == Kind::Globals);
+        for &(what, spot) in spots.iter().chain(of_kind) {
             let (small, large) = (work(kind, 200, spot), work(kind, 2_000, spot));
             let looked_at = |all: [(Work, usize); 2]| all.map(|(work, _)| work);
             assert_eq!(

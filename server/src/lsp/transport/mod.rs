@@ -10,7 +10,6 @@ pub(crate) mod decodable;
 pub(crate) mod frames;
 pub(crate) mod guard;
 pub(crate) mod inlet;
-pub(crate) mod long_texts;
 pub(crate) mod outbox;
 pub(crate) mod parent;
 pub(crate) mod prepared;
