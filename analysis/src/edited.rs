@@ -36,7 +36,7 @@ use std::sync::{Arc, OnceLock};
 pub(crate) fn may_settle(context: &Context) -> bool {
     let followed = |tag: &TagFacts| {
         let origin = match tag.origin {
-            Origin::Declared(SectionKind::External) => false,
+            Origin::Declared(SectionKind::External) => tag.rare.foreign.is_some() && !tag.mistyped,
             Origin::Shared => tag.is_imported_by_use(),
             _ => true,
         };

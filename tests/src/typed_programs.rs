@@ -19,7 +19,7 @@ pub enum Kind {
     Undeclared,
     /// Every other network names numbers that have their types from what they are compared with.
     Inferred,
-    /// Every network names a tag for all files, half of which another file declares.
+    /// Every network names a tag for all files. Another file declares half of them, and of these half are in VAR_EXTERNAL.
     Globals,
 }
 
@@ -57,13 +57,13 @@ pub struct Spot {
 impl Program {
     /// About so many rungs, aligned.
     pub fn new(kind: Kind, rungs: usize) -> Program {
-        let mut sections: [String; 4] = Default::default();
+        let mut sections: [String; 5] = Default::default();
         let mut beside = String::new();
         let mut drawn = String::new();
         let networks = rungs / 2;
         for n in 0..networks {
             let next = (n + 1) % networks;
-            let [inputs, outputs, inner, globals] = &mut sections;
+            let [inputs, outputs, inner, globals, external] = &mut sections;
             let _ = writeln!(inputs, "    start_{n}, stop_{n} : BOOL;");
             let _ = writeln!(outputs, "    run_{n}, ready_{n} : BOOL;");
             let _ = writeln!(inner, "    timer_{n} : TON;");
@@ -73,6 +73,9 @@ impl Program {
             if kind == Kind::Globals {
                 let here = if n % 2 == 0 { &mut *globals } else { &mut beside };
                 let _ = writeln!(here, "    enable_{n} : BOOL;");
+                if n % 4 == 1 {
+                    let _ = writeln!(external, "    enable_{n} : BOOL;");
+                }
             }
             let _ = match kind {
                 Kind::Clean => writeln!(
@@ -120,9 +123,9 @@ impl Program {
                 ),
             };
         }
-        let [inputs, outputs, inner, globals] = sections;
+        let [inputs, outputs, inner, globals, external] = sections;
         let globals = if kind == Kind::Globals {
-            format!("VAR_GLOBAL\n{globals}END_VAR\n")
+            format!("VAR_GLOBAL\n{globals}END_VAR\nVAR_EXTERNAL\n{external}END_VAR\n")
         } else {
             globals
         };
@@ -176,7 +179,12 @@ impl Program {
 
     /// In the name of a declaration for all files.
     pub fn in_a_declaration_for_all(&self) -> Spot {
-        self.behind("    enable_", |line| line.starts_with("    enable_"))
+        // Every other one is declared here.
+        let is_here = |name: &str| name.ends_with(['0', '2', '4', '6', '8']);
+        self.behind("    enable_", |line| {
+            let name = line.trim_start().split([' ', ':']).next();
+            line.starts_with("    enable_") && name.is_some_and(is_here)
+        })
     }
 
     /// In the number of a preset: the program stays clean.

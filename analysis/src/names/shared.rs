@@ -44,6 +44,8 @@ pub(crate) fn share(context: &mut Context, out: &mut Vec<Diagnostic>) {
         for tag in 0..context.scopes[scope].tags.len() {
             let facts = &context.scopes[scope].tags[tag];
             let key = Name::new(&facts.name);
+            let is_external = facts.origin == Origin::Declared(SectionKind::External);
+            let external = is_external.then(|| facts.clone());
             let target = match facts.origin {
                 // An address is one tag for the whole file.
                 Origin::Form if facts.rare.address.is_some() => {
@@ -67,10 +69,9 @@ pub(crate) fn share(context: &mut Context, out: &mut Vec<Diagnostic>) {
                 _ => None,
             };
             let mut agrees = true;
-            if context.scopes[scope].tags[tag].origin == Origin::Declared(SectionKind::External) {
-                let tag = &context.scopes[scope].tags[tag];
+            if let Some(external) = external {
                 let global = target.map(|(scope, tag)| &context.scopes[scope].tags[tag]);
-                agrees = shared_globals::check_external(context, tag, global, out);
+                agrees = shared_globals::check_external(context, &external, global, out);
             }
             if let Some(target) = target.filter(|target| *target != (scope, tag)) {
                 lead(context, (scope, tag), target);
@@ -93,7 +94,16 @@ fn import(
     }
     let used = &context.scopes[scope].tags[tag];
     let facts = imported_tag(file, global);
-    let entry = if scope == 0 && !used.is_declared() {
+    let entry = if scope == 0 && used.is_declared() {
+        // What it is declares the other file; where this one does it in VAR_EXTERNAL.
+        context.scopes[0].tags[tag] = TagFacts {
+            origin: used.origin,
+            declared_at: used.declared_at,
+            uses: used.uses.clone(),
+            ..facts
+        };
+        (0, tag)
+    } else if scope == 0 {
         let uses = used.uses.clone();
         context.scopes[0].tags[tag] = TagFacts { uses, ..facts };
         (0, tag)

@@ -144,19 +144,17 @@ pub(crate) fn tag_card(context: &Context, tag: &TagFacts, here: Option<TextSize>
         Role::Output => "output",
         Role::Internal => "internal tag",
     };
-    let origin = match tag.origin {
-        Origin::Declared(section) => format!(
+    let origin = match (tag.origin, &tag.rare.foreign) {
+        (_, Some(file)) => format!("declared in VAR_GLOBAL in {file}"),
+        (Origin::Declared(section), None) => format!(
             "declared in {} on line {}",
             section.keyword(),
             line_link(context.line_number(context.place_of(tag).start()))
         ),
-        Origin::Form => "its name gives its type".to_owned(),
-        Origin::Implicit => "every block has it".to_owned(),
-        Origin::Shared => match &tag.rare.foreign {
-            Some(file) => format!("declared in VAR_GLOBAL in {file}"),
-            None => "shared by the whole file".to_owned(),
-        },
-        Origin::Undeclared => "not declared; its type follows from its use".to_owned(),
+        (Origin::Form, None) => "its name gives its type".to_owned(),
+        (Origin::Implicit, None) => "every block has it".to_owned(),
+        (Origin::Shared, None) => "shared by the whole file".to_owned(),
+        (Origin::Undeclared, None) => "not declared; its type follows from its use".to_owned(),
     };
     let _ = write!(card, "{} ({origin})", capitalised(role));
     card.push_str(&uses::card(context, tag, here));
