@@ -73,7 +73,7 @@ fn add(
         if let Some(score) = likeness(&item.name, wanted) {
             let named = Named {
                 file: Arc::clone(file),
-                name: item.name.clone(),
+                name: item.name.to_string(),
                 kind: item.kind,
                 range: item.focus,
                 container: container.map(str::to_owned),

@@ -10,14 +10,15 @@ use ladder_analysis::program::ParameterKind;
 use ladder_analysis::scope::SectionKind;
 use ladder_instructions::{Accepts, Direction};
 use ladder_syntax::{Item, LineKind, Name, Parse, SyntaxKind, TextRange};
+use smol_str::{SmolStr, ToSmolStr, format_smolstr};
 
 /// A part of a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Outlined {
     /// What it is called.
-    pub name: String,
+    pub name: SmolStr,
     /// A few words more.
-    pub detail: Option<String>,
+    pub detail: Option<SmolStr>,
     /// What it is.
     pub kind: OutlineKind,
     /// All of it, with the comments above it.
@@ -147,8 +148,8 @@ impl Outline<'_> {
             // One that was interrupted by a block definition goes on without its head.
             if facts.network == network {
                 let head = Outlined {
-                    name: facts.name.clone(),
-                    detail: comments::title(context, context.networks.at(network).line(0)),
+                    name: facts.name.as_str().into(),
+                    detail: comments::title(context, context.networks.at(network).line(0)).map(SmolStr::from),
                     kind: OutlineKind::Function,
                     range: item.range,
                     focus: facts.at,
@@ -180,8 +181,8 @@ fn section_item(context: &Context, section: usize) -> Outlined {
                 SectionKind::Input | SectionKind::Output | SectionKind::InOut
             );
         Outlined {
-            name: text_of(parse, declared.at),
-            detail: tag.and_then(|tag| tag.ty).map(|ty| ty.to_string()),
+            name: parse.text_in(declared.at).into(),
+            detail: tag.and_then(|tag| tag.ty).map(|ty| ty.to_smolstr()),
             kind: match (constant, parameter) {
                 (true, _) => OutlineKind::Constant,
                 (false, true) => OutlineKind::Parameter,
@@ -194,8 +195,8 @@ fn section_item(context: &Context, section: usize) -> Outlined {
         }
     });
     Outlined {
-        name: header,
-        detail: comments::title(context, facts.lines.start),
+        name: header.into(),
+        detail: comments::title(context, facts.lines.start).map(SmolStr::from),
         kind: OutlineKind::Section,
         focus: line_body(parse, facts.lines.start),
         children: children.collect(),
@@ -219,10 +220,10 @@ fn block_item(context: &Context, block: usize) -> Outlined {
     let (open, close) = facts.shape.brackets();
     let name = if facts.name.is_empty() { "?" } else { &facts.name };
     Outlined {
-        name: format!("{open}{name}{close}"),
+        name: format_smolstr!("{open}{name}{close}"),
         detail: Some(match parameters.collect::<Vec<_>>().join(", ") {
-            none if none.is_empty() => "( )".to_owned(),
-            some => format!("( {some} )"),
+            none if none.is_empty() => "( )".into(),
+            some => format_smolstr!("( {some} )"),
         }),
         kind: OutlineKind::Block,
         range: with_comments(context, lines.start, without_line_end(context, range)),
@@ -237,11 +238,12 @@ fn network_item(context: &Context, network: usize) -> Outlined {
     let written = written(context, network);
     let detail = match written.len() {
         0 => None,
-        n if n > NAMED => Some(format!("{}, ...", written[..NAMED].join(", "))),
-        _ => Some(written.join(", ")),
+        n if n > NAMED => Some(format_smolstr!("{}, ...", written[..NAMED].join(", "))),
+        _ => Some(written.join(", ").into()),
     };
     Outlined {
-        name: comments::title(context, first).unwrap_or_else(|| format!("Network {}", network + 1)),
+        name: comments::title(context, first)
+            .map_or_else(|| format_smolstr!("Network {}", network + 1), SmolStr::from),
         detail,
         kind: OutlineKind::Network,
         range: with_comments(context, first, without_line_end(context, facts.range)),
@@ -252,8 +254,8 @@ fn network_item(context: &Context, network: usize) -> Outlined {
 
 fn label_item(label: &LabelFacts) -> Outlined {
     Outlined {
-        name: label.name.clone(),
-        detail: Some("<LBL>".to_owned()),
+        name: label.name.as_str().into(),
+        detail: Some(SmolStr::new_static("<LBL>")),
         kind: OutlineKind::Label,
         range: label.at,
         focus: label.at,
@@ -262,8 +264,8 @@ fn label_item(label: &LabelFacts) -> Outlined {
 }
 
 /// The tags that a network writes, each once, in the order of the text.
-fn written(context: &Context, network: usize) -> Vec<String> {
-    let mut names: Vec<(Name, String)> = Vec::new();
+fn written(context: &Context, network: usize) -> Vec<SmolStr> {
+    let mut names: Vec<(Name, SmolStr)> = Vec::new();
     for block in context.networks.at(network).blocks() {
         for (operand, formal) in block.facts.operands.iter().zip(block.formals.iter()) {
             let writes = match (formal, block.meaning) {
@@ -288,7 +290,7 @@ fn written(context: &Context, network: usize) -> Vec<String> {
             if let (true, NodeKind::Name(name) | NodeKind::Address(name)) = (writes, &node.kind) {
                 let key = Name::new(name);
                 if names.iter().all(|(known, _)| *known != key) {
-                    names.push((key, name.to_string()));
+                    names.push((key, name.clone()));
                 }
             }
         }
