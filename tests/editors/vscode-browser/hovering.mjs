@@ -18,7 +18,7 @@ ${ROW('last')}
 /** So often the pointer comes, once each time. */
 const TIMES = 20;
 
-export async function hovering(page, { step, screenshot }) {
+export async function hovering(page, { step, until, screenshot }) {
     const line = (text) => page.locator('.editor-instance .view-line', { hasText: text }).first();
     const hover = (text) => page.locator('.monaco-hover:visible', { hasText: text }).first();
     /** Where a text is on the page. */
@@ -64,7 +64,26 @@ export async function hovering(page, { step, screenshot }) {
             assert.equal(await shown(name, value), TIMES);
         });
     }
-    await page.getByText('full speed').waitFor({ timeout: 10_000 });
+    await step('what changes with each scan has a dotted line while it runs, and is as it is when it does not', async () => {
+        await page.getByText('full speed').waitFor({ timeout: 10_000 });
+        const parts = () =>
+            line('flip6').evaluate((node) =>
+                [...node.querySelectorAll('span > span')].map((span) => {
+                    const { textDecorationLine, textDecorationStyle, fontWeight } = getComputedStyle(span);
+                    const look = textDecorationLine === 'none' ? '' : `${textDecorationStyle} `;
+                    return `${span.textContent.replaceAll('\u00a0', ' ')} ${look}${Number(fontWeight) >= 600 ? 'bold' : 'thin'}`;
+                }),
+            );
+        const dotted = async () => (await parts()).filter((part) => part.includes('dotted')).map((part) => part.replace(/ dotted.*/, '')).join('');
+        await until('the dotted line', 10, async () => (await dotted()) === '[/]( flip6 )--( )( flip6 )--+');
+        await line('since').click();
+        await page.keyboard.press('F6');
+        await page.getByText('Ladder: paused').waitFor({ timeout: 10_000 });
+        await until('no dotted line', 10, async () => (await dotted()) === '');
+        const isOn = (await page.locator('.monaco-list-row', { hasText: 'flip6' }).first().textContent()).endsWith('1');
+        const coil = (await parts()).at(-1);
+        assert.match(coil, isOn ? /bold$/ : /thin$/, coil);
+    });
     await line('since').click();
     await page.keyboard.press('Shift+F5');
 }

@@ -345,7 +345,7 @@ const parts = (page) => ({
     changing: () => changing(page, { step, until, weights, row, screenshot }),
     access: () => access(page, { step, until, weights, row, screenshot, useTheme }),
     running: () => running(page, { step, until, weights, row, screenshot }),
-    hovering: () => hovering(page, { step, screenshot }),
+    hovering: () => hovering(page, { step, until, screenshot }),
     typing: () => typing(page, { step, until, screenshot }),
     drawing: () => drawing(page, { step, until }),
     book: () => book(page, { step, until, project: join(scratch, 'project') }),
