@@ -1,8 +1,7 @@
 //! What other files of the workspace do with the thing under the pointer.
 
 use crate::neighbour::Workspace;
-use crate::references::in_programs;
-use crate::symbol::{Found, Usage, find};
+use crate::symbol::{Found, Usage, find, in_files_of, occurrences};
 use ladder_analysis::context::Context;
 use ladder_syntax::TextSize;
 use std::collections::BTreeMap;
@@ -18,19 +17,21 @@ pub fn used_elsewhere(context: &Context, offset: TextSize, workspace: &dyn Works
     }
     let mut files: BTreeMap<Arc<str>, [usize; 3]> = BTreeMap::new();
     let Found { symbol, .. } = find(context, offset)?;
-    for reference in in_programs(context, &symbol, workspace) {
-        if reference.file == context.name || reference.usage.declares() {
-            continue;
-        }
-        let count = files.entry(reference.file).or_default();
-        match reference.usage {
-            Usage::Write => count[0] += 1,
-            Usage::Read => count[1] += 1,
-            Usage::ReadWrite => {
-                count[0] += 1;
-                count[1] += 1;
+    // The places in this file, which take a look at all that it declares, are not asked for.
+    let places = |file: &Context| (Arc::clone(&file.name), occurrences(file, &symbol));
+    for (file, places) in in_files_of(context, std::slice::from_ref(&symbol), workspace, places) {
+        let used = places.iter().filter(|place| !place.usage.declares());
+        for place in used.filter(|_| file != context.name) {
+            let count = files.entry(Arc::clone(&file)).or_default();
+            match place.usage {
+                Usage::Write => count[0] += 1,
+                Usage::Read => count[1] += 1,
+                Usage::ReadWrite => {
+                    count[0] += 1;
+                    count[1] += 1;
+                }
+                Usage::Mention | Usage::Definition | Usage::Declaration => count[2] += 1,
             }
-            Usage::Mention | Usage::Definition | Usage::Declaration => count[2] += 1,
         }
     }
     let more = files.len().saturating_sub(MOST);
