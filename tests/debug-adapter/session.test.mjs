@@ -1,66 +1,11 @@
 // Holds `ladder dap` against the client that the makers of the protocol test their own adapters with.
 import assert from 'node:assert/strict';
-import { copyFileSync, existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
-import { afterEach, beforeEach, test } from 'node:test';
+import { test } from 'node:test';
 
-import { DebugClient } from '@vscode/debugadapter-testsupport';
-
-const { LADDER_BIN } = process.env;
-const program = fileURLToPath(new URL('programs/counter.clad', import.meta.url));
-const scenarios = fileURLToPath(new URL('programs/counter.ladder-test', import.meta.url));
-const text = readFileSync(program, 'utf8').split('\n');
-/** The line of a text, from 1. */
-const lineOf = (part) => text.findIndex((line) => line.includes(part)) + 1;
-
-/** @type {DebugClient} */
-let client;
-
-beforeEach(async () => {
-    client = new DebugClient(LADDER_BIN, 'dap', 'ladder');
-    await client.start();
-});
-
-afterEach(() => client.stop());
-
-/** Starts a program that is before its first scan. */
-async function atEntry(more = {}) {
-    await Promise.all([
-        client.configurationSequence(),
-        client.launch({ program, stopOnEntry: true, ...more }),
-        client.assertStoppedLocation('entry', { path: program, line: lineOf('[P]( button )') }),
-    ]);
-}
-
-/** Does something and waits until the program appears again. */
-async function stopsAfter(reason, action) {
-    const [event] = await Promise.all([client.waitForEvent('stopped'), action]);
-    assert.equal(event.body.reason, reason, JSON.stringify(event.body));
-    const stack = await client.stackTraceRequest({ threadId: 1 });
-    return { event: event.body, frames: stack.body.stackFrames, top: stack.body.stackFrames[0] };
-}
-
-/** What is at a place of the program. */
-const textAt = ({ line, column, endColumn }) => text[line - 1].slice(column - 1, endColumn - 1);
-
-async function variables(scope, frameId = 1) {
-    const { body } = await client.scopesRequest({ frameId });
-    const found = body.scopes.find(({ name }) => name === scope);
-    assert.ok(found, `${scope} is none of ${body.scopes.map(({ name }) => name)}`);
-    return list(found.variablesReference);
-}
-
-async function list(variablesReference) {
-    const { body } = await client.variablesRequest({ variablesReference });
-    return Object.fromEntries(body.variables.map((variable) => [variable.name, variable]));
-}
-
-async function value(expression, context = 'watch', frameId = 1) {
-    const { body } = await client.evaluateRequest({ expression, context, frameId });
-    return body.result;
-}
+import { atEntry, client, lineOf, list, program, scenarios, stopsAfter, text, textAt, value, variables } from './client.mjs';
 
 test('capabilities are named, and what comes before them is refused', async () => {
     await assert.rejects(client.threadsRequest(), /initialize/);
@@ -368,67 +313,6 @@ test('a run is paused, started anew and ended', async () => {
     assert.equal(await value('presses'), '0');
     await Promise.all([client.waitForEvent('terminated'), client.terminateRequest()]);
     await assert.rejects(client.continueRequest({ threadId: 1 }), /the program is over/);
-});
-
-test('what is retentive is kept, beside the program only', async () => {
-    const folder = mkdtempSync(join(tmpdir(), 'ladder-dap-'));
-    try {
-        const own = join(folder, 'own.clad');
-        writeFileSync(own, 'VAR RETAIN n : INT; END_VAR\n+--[ADD]( n, n, 1 )--+\n');
-        writeFileSync(join(folder, 'ladder.toml'), '');
-        const launch = (more) => Promise.all([
-            client.configurationSequence(),
-            client.launch({ program: own, stopOnEntry: true, ...more }),
-            client.waitForEvent('stopped'),
-        ]);
-        await launch({ retain: join(folder, 'kept') });
-        await stopsAfter('step', client.stepOutRequest({ threadId: 1 }));
-        await Promise.all([client.waitForEvent('terminated'), client.terminateRequest()]);
-        assert.match(readFileSync(join(folder, 'kept'), 'utf8'), /n\tINT\t1/);
-        await client.stop();
-        client = new DebugClient(LADDER_BIN, 'dap', 'ladder');
-        await client.start();
-        await client.initializeRequest();
-        for (const retain of ['../elsewhere', join(tmpdir(), 'elsewhere')]) {
-            await assert.rejects(client.launchRequest({ program: own, retain }), /outside|out of the workspace/);
-        }
-        assert.equal(existsSync(join(tmpdir(), 'elsewhere')), false);
-        await client.launchRequest({ program: own, stopOnEntry: true, retain: 'kept' });
-        await stopsAfter('entry', client.configurationDoneRequest());
-        assert.equal(await value('n'), '1');
-    } finally {
-        rmSync(folder, { recursive: true });
-    }
-});
-
-test('launches that cannot be are refused in words', async () => {
-    await client.initializeRequest();
-    const folder = mkdtempSync(join(tmpdir(), 'ladder-dap-'));
-    try {
-        const broken = join(folder, 'broken.clad');
-        writeFileSync(broken, '+--[ ]( x --+\n');
-        copyFileSync(program, join(folder, 'counter.txt'));
-        for (const [more, problem] of [
-            [{}, /`program` is missing/],
-            [{ program: 'counter.clad' }, /whole path/],
-            [{ program: join(folder, 'nothing.clad') }, /nothing.clad/],
-            [{ program: join(folder, 'counter.txt') }, /\.clad file/],
-            [{ program: broken }, /broken.clad:1: .*not run/],
-            [{ program, inputs: { nobody: true } }, /nobody/],
-            [{ program, inputs: { button: 7 } }, /button/],
-            [{ program, inputs: '../../../../package.json' }, /inputs: .*package\.json/],
-            [{ program, inputs: 'nothing.csv' }, /inputs: .*nothing\.csv/],
-            [{ program, inputs: 'counter.clad' }, /inputs: .*counter\.clad/],
-            [{ program, cycle: 'soon' }, /cycle/],
-            [{ program, cycle: -5 }, /cycle/],
-            [{ program, speed: 1e9 }, /speed/],
-            [{ program, scenario: 'nobody wrote it' }, /nobody wrote it/],
-        ]) {
-            await assert.rejects(client.launchRequest(more), problem);
-        }
-    } finally {
-        rmSync(folder, { recursive: true });
-    }
 });
 
 test('a scan that takes minutes does not keep a pause waiting', async () => {
