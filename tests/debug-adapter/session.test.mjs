@@ -89,6 +89,36 @@ test('steps by block, by rung, out, and by scan', async () => {
     assert.equal(await value('presses'), '0');
 });
 
+test('a step back goes over what a rung calls, and out of it to the call', async () => {
+    await atEntry({ inputs: { button: true } });
+    const place = async (part) => {
+        const breakpoints = part ? [{ line: lineOf(part), condition: 'SYS.SCAN = 4' }] : [];
+        await client.setBreakpointsRequest({ source: { path: program }, breakpoints });
+    };
+    const back = async () => {
+        const { top, frames } = await stopsAfter('step', client.stepBackRequest({ threadId: 1 }));
+        return [top.line, frames.length];
+    };
+    const calls = [lineOf('[$Tally]( 1'), 1];
+    for (const [from, wanted] of [
+        // Over two places of a user-defined block, and out of one.
+        ['[GE]', calls],
+        ['[ADD]( sum', calls],
+        // Out of a function; the call is the last block of its rung.
+        ['[DIV]', [lineOf('[TON]( hold'), 1]],
+    ]) {
+        await stopsAfter('entry', client.restartRequest({}));
+        await place(from);
+        await stopsAfter('breakpoint', client.continueRequest({ threadId: 1 }));
+        await place(undefined);
+        assert.deepEqual(await back(), wanted, from);
+    }
+    // Over a function: from the scan behind.
+    await stopsAfter('step', client.stepOutRequest({ threadId: 1 }));
+    const seen = [await back(), await back()];
+    assert.deepEqual(seen, [[lineOf('[TON]( hold'), 1], [lineOf('[GE]'), 1]]);
+});
+
 test('the call stack goes through functions', async () => {
     await atEntry({ inputs: { button: true } });
     const breakpoints = [{ line: lineOf('[DIV]') }];

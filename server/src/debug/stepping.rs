@@ -146,6 +146,14 @@ impl<W: Write> Adapter<W> {
     /// Whether there was anything to go back to.
     fn go_back(&mut self, by: BackBy) -> Result<bool, String> {
         let target = self.target()?;
+        // As a step forward by rungs runs through what a rung calls, one back goes over it.
+        let depth = target.activations().len();
+        let is_over = |session: &ladder_simulator::Session| {
+            by == BackBy::Rung && session.simulation().activations().len() > depth
+        };
+        let is_calling = |session: &ladder_simulator::Session| {
+            by == BackBy::Rung && session.simulation().activations().len() < depth
+        };
         let session = &mut target.session;
         let step = |session: &mut ladder_simulator::Session| match by {
             BackBy::Block => session.step_block(),
@@ -162,10 +170,13 @@ impl<W: Write> Adapter<W> {
         let mut last = None;
         while let Stepped::At(_) = step(session) {
             let done = session.simulation().blocks_done();
-            if limit.is_some_and(|limit| done >= limit) {
+            // The rung that calls has done no more in front of its first block than the rung that it calls.
+            if limit.is_some_and(|limit| done > limit || done == limit && !is_calling(session)) {
                 break;
             }
-            last = Some(done);
+            if !is_over(session) {
+                last = Some(done);
+            }
         }
         // The scan may have come to its end here, or is open.
         session.step_back(1);

@@ -72,10 +72,22 @@ return function(t)
     end).body
   end
 
+  --- Its signs in the buffer: each a line, with what `set_breakpoint(condition, hit_condition, log_message)` was given.
+  local function place(session, breakpoints)
+    local placed = answer(session, 'setBreakpoints', {
+      source = { path = vim.api.nvim_buf_get_name(0) },
+      breakpoints = breakpoints,
+    }).breakpoints
+    for _, breakpoint in ipairs(placed) do
+      assert(breakpoint.verified, breakpoint.message)
+    end
+    return placed
+  end
+
   --- As nvim-dap begins a session.
   local function begin(configuration, breakpoints)
     local session = stand_in.start(configuration)
-    answer(session, 'initialize', {
+    local capabilities = answer(session, 'initialize', {
       clientID = 'neovim',
       adapterID = 'nvim-dap',
       pathFormat = 'path',
@@ -85,14 +97,57 @@ return function(t)
     answer(session, 'launch', expanded(configuration))
     event(session, 'initialized')
     if breakpoints then
-      answer(session, 'setBreakpoints', {
-        source = { path = vim.api.nvim_buf_get_name(0) },
-        breakpoints = breakpoints,
-      })
+      place(session, breakpoints)
     end
-    answer(session, 'setExceptionBreakpoints', { filters = { 'faults', 'expectations' } })
+    -- Those that the adapter proposes.
+    local filters = {}
+    for _, filter in ipairs(capabilities.exceptionBreakpointFilters) do
+      if filter.default then
+        table.insert(filters, filter.filter)
+      end
+    end
+    answer(session, 'setExceptionBreakpoints', { filters = filters })
     answer(session, 'configurationDone')
     return session
+  end
+
+  --- Sends what goes on, and waits until the program appears again.
+  --- @return table stopped, table[] frames
+  local function stops_after(session, command)
+    answer(session, command, { threadId = 1 })
+    local stopped = event(session, 'stopped')
+    return stopped, answer(session, 'stackTrace', { threadId = 1 }).stackFrames
+  end
+
+  --- Opens a program of others' tests, which has a user-defined block and a function.
+  local function open_counter()
+    local bufnr = t.open('motor.clad')
+    local file = vim.fs.dirname(vim.api.nvim_buf_get_name(bufnr)) .. '/counter.clad'
+    vim.fn.writefile(vim.fn.readfile(vim.env.LADDER_ROOT .. '/tests/debug-adapter/programs/counter.clad'), file)
+    vim.cmd.edit(file)
+    return function(part)
+      for number, text in ipairs(vim.api.nvim_buf_get_lines(0, 0, -1, false)) do
+        if text:find(part, 1, true) then
+          return number
+        end
+      end
+      error(part .. ' is not in the program', 0)
+    end
+  end
+
+  --- A session in which the button is pressed from the first scan on.
+  local function pressed(breakpoints, more)
+    local configuration = vim.tbl_extend('force', stand_in.configurations.clad[1], {
+      inputs = vim.tbl_extend('force', { button = true }, more or {}),
+      speed = 'max',
+    })
+    local session = begin(configuration, breakpoints)
+    t.equal('why it is', 'entry', event(session, 'stopped').reason)
+    return session
+  end
+
+  local function value(session, expression)
+    return answer(session, 'evaluate', { expression = expression, context = 'repl' }).result
   end
 
   t.step('without nvim-dap nothing is registered', function()
@@ -135,6 +190,79 @@ return function(t)
     local stopped = event(session, 'stopped')
     t.equal('why it is', 'exception', stopped.reason)
     assert(stopped.description:find('run is FALSE, expected TRUE in step 3', 1, true), stopped.description)
+    answer(session, 'disconnect')
+  end)
+
+  t.step('a breakpoint counts its hits, and has a condition', function()
+    local line = open_counter()
+    local session = pressed({ { line = line('[GE]'), hitCondition = '% 3' } })
+    t.equal('why it is', 'breakpoint', stops_after(session, 'continue').reason)
+    t.equal('the scan', '2', value(session, 'SYS.SCAN'))
+    stops_after(session, 'continue')
+    t.equal('the scan', '5', value(session, 'SYS.SCAN'))
+    place(session, { { line = line('[GE]'), condition = 'SYS.SCAN >= 20 AND button' } })
+    stops_after(session, 'continue')
+    t.equal('the scan', '20', value(session, 'SYS.SCAN'))
+    answer(session, 'disconnect')
+  end)
+
+  t.step('a log point writes and does not stop', function()
+    local line = open_counter()
+    local session = pressed({
+      { line = line('[GE]'), logMessage = 'presses are {presses}, twice that {presses * 2}' },
+      { line = line('[TON]( hold'), condition = 'SYS.SCAN = 1' },
+    })
+    stops_after(session, 'continue')
+    t.equal('the scan', '1', value(session, 'SYS.SCAN'))
+    for _ = 1, 2 do
+      local output = event(session, 'output')
+      t.equal('what is written', { 'console', 'presses are 1, twice that 2\n' }, { output.category, output.output })
+    end
+    answer(session, 'disconnect')
+  end)
+
+  t.step('the stack goes through a user-defined block to its place', function()
+    local line = open_counter()
+    local session = pressed({ { line = line('[ADD]( sum') } })
+    local _, frames = stops_after(session, 'continue')
+    local seen = vim.tbl_map(function(frame)
+      return ('%s %d'):format(frame.name:match('^[^,]+'), frame.line)
+    end, frames)
+    t.equal('the stack', { '$Tally#1 ' .. line('[ADD]( sum'), 'main ' .. line('[$Tally]( 1') }, seen)
+    t.equal('its file', vim.api.nvim_buf_get_name(0), frames[2].source.path)
+    answer(session, 'disconnect')
+  end)
+
+  t.step('a fault is an exception, with words', function()
+    local line = open_counter()
+    local session = pressed(nil, { divisor = 0 })
+    local stopped, frames = stops_after(session, 'continue')
+    t.equal('why it is', 'exception', stopped.reason)
+    t.equal('the line', line('[DIV]'), frames[1].line)
+    -- nvim-dap shows the first of these, and asks for the other.
+    assert(stopped.text:find('division by zero', 1, true), stopped.text)
+    local information = answer(session, 'exceptionInfo', { threadId = 1 })
+    assert(information.description:find('division by zero', 1, true), vim.inspect(information))
+    answer(session, 'disconnect')
+  end)
+
+  t.step('the program runs to the cursor, and steps back', function()
+    local line = open_counter()
+    local session = pressed({ { line = line('[ADD]( sum') } })
+    -- nvim-dap takes its breakpoints away, sets one where the cursor is, and restores them at the stop.
+    place(session, { { line = line('( full )--+') } })
+    local _, frames = stops_after(session, 'continue')
+    t.equal('the line', line('( full )--+'), frames[1].line)
+    t.equal('the presses', '1', value(session, 'presses'))
+    _, frames = stops_after(session, 'stepBack')
+    t.equal('the line a rung back', line('[$Tally]( 1'), frames[1].line)
+    t.equal('the presses', '0', value(session, 'presses'))
+    place(session, { { line = line('[ADD]( sum') } })
+    _, frames = stops_after(session, 'continue')
+    t.equal('the line', line('[ADD]( sum'), frames[1].line)
+    local stopped
+    stopped, frames = stops_after(session, 'reverseContinue')
+    t.equal('why it is', 'entry', stopped.reason)
     answer(session, 'disconnect')
   end)
 end
