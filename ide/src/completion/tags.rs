@@ -14,8 +14,12 @@ use ladder_syntax::Name;
 const INPUTS: u8 = 4;
 /// Behind the tags that fit as they are, those that pass, and those of which a member fits.
 const SYSTEM: u8 = 4;
-/// Literals are behind everything that has a name.
+/// Literals are behind everything that has a name,
 const LITERALS: u8 = 5;
+/// and a timer, counter or bistable behind all that its own block may get.
+const ITSELF: u8 = 6;
+/// A duration is written out more often than it is a count of milliseconds or a member of another timer.
+const WRITTEN: (u8, u8) = (0, 9);
 
 /// A tag, and its rank: whether it only holds what is written and does not begin so, how well it fits, and what else
 /// speaks for it.
@@ -51,6 +55,7 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
                 .map_or(tag, |(scope, tag)| &typing.context.scopes[scope].tags[tag]);
             let fits = match rank(law, wanted, known.ty?)? {
                 _ if wanted.writes && known.role == Role::Input => INPUTS,
+                _ if given(known) && matches!(known.ty, Some(Type::State(_))) => ITSELF,
                 fits => fits,
             };
             let second = if given(known) {
@@ -168,26 +173,25 @@ fn system(wanted: &Wanted, out: &mut Proposals<'_>) {
 }
 
 fn literals(wanted: &Wanted, out: &mut Proposals<'_>) {
-    let value = |out: &mut Proposals<'_>, text: &str, words: &'static str| {
-        out.word(
-            (LITERALS, 0),
-            CompletionKind::Value,
-            text,
-            "literal",
-            Topic::Words(words),
-        );
+    let value = |out: &mut Proposals<'_>, order: (u8, u8), text: &str, words: &'static str| {
+        out.word(order, CompletionKind::Value, text, "literal", Topic::Words(words));
     };
     // A contact on TRUE is a wire; where a value is asked for, both are at home.
     let bool_value = matches!(wanted.kind, Kind::To(Scalar::Bool) | Kind::With(Scalar::Bool));
     if bool_value || wanted.expression && scalar_rank(wanted, Scalar::Bool).is_some() {
-        value(out, "TRUE", "High.");
-        value(out, "FALSE", "Low.");
+        value(out, (LITERALS, 0), "TRUE", "High.");
+        value(out, (LITERALS, 0), "FALSE", "Low.");
     }
     let time = matches!(
         wanted.kind,
         Kind::Duration | Kind::To(Scalar::Time) | Kind::With(Scalar::Time)
     );
     if time {
-        value(out, "T#1s", "A duration: T#250ms, T#5s, T#1h30m.");
+        let order = if wanted.kind == Kind::Duration {
+            WRITTEN
+        } else {
+            (LITERALS, 0)
+        };
+        value(out, order, "T#1s", "A duration: T#250ms, T#5s, T#1h30m.");
     }
 }

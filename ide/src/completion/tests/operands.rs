@@ -60,16 +60,16 @@ fn tags_by_type_and_direction() {
     check(
         &in_plant("+--[TON]( warmup, $0"),
         expect![[r#"
-        wait           TIME, VAR
-        level          INT, VAR_INPUT
-        limit          INT, VAR CONSTANT
-        total          DINT, VAR
-        parts          CTU, VAR
-        warmup         TON, VAR
-        SYS.TIME       TIME
-        SYS.SCAN_TIME  TIME
-        T#1s           literal
-    "#]],
+            wait           TIME, VAR
+            T#1s           literal
+            level          INT, VAR_INPUT
+            limit          INT, VAR CONSTANT
+            total          DINT, VAR
+            parts          CTU, VAR
+            SYS.TIME       TIME
+            SYS.SCAN_TIME  TIME
+            warmup         TON, VAR
+        "#]],
     );
     check(
         &in_plant("+--[ADD]( $0"),
@@ -399,7 +399,6 @@ fn named_operands() {
             stop           BOOL, VAR_INPUT
             row            ARRAY[1..8] OF BOOL, VAR
             parts          CTU, VAR
-            warmup         TON, VAR
             flags          WORD, VAR
             level          INT, VAR_INPUT
             limit          INT, VAR CONSTANT
@@ -407,6 +406,7 @@ fn named_operands() {
             SYS.FIRST_SCAN BOOL
             SYS.FAULT      BOOL
             SYS.ON         BOOL
+            SYS.OFF        BOOL
             ... 21 in all
         "#]],
     );
