@@ -128,6 +128,30 @@ impl Stays {
                 self.keep(lines);
             }
         }
+        self.barred_branches(source);
+    }
+
+    /// A branch that is drawn from `|` to `|` below a `\` or above a `/` without a partner is meant to be joined to it: it is
+    /// a part of what is uncertain.
+    fn barred_branches(&mut self, source: Source<'_>) {
+        let networks = &source.lines.structure().networks;
+        let mut join = |own: &Network, neighbour: &Network| {
+            let is_beside = own.lines.start == neighbour.lines.end || own.lines.end == neighbour.lines.start;
+            if is_beside
+                && self.line(neighbour.lines.start)
+                && !self.line(own.lines.start)
+                && is_barred(source, own)
+                && (is_broken(source, neighbour) || is_barred(source, neighbour))
+            {
+                self.keep(own.lines.clone());
+            }
+        };
+        for pair in networks.windows(2) {
+            join(&pair[1], &pair[0]);
+        }
+        for pair in networks.windows(2).rev() {
+            join(&pair[0], &pair[1]);
+        }
     }
 }
 
@@ -166,6 +190,26 @@ fn is_broken(source: Source<'_>, network: &Network) -> bool {
         downs_above = line.downs;
     }
     downs_above != 0
+}
+
+/// Whether a network is one rung without connectors that begins and ends with `|`, where it does not begin at the left.
+fn is_barred(source: Source<'_>, network: &Network) -> bool {
+    if network.lines.len() > 1 {
+        return false;
+    }
+    let rung = network.lines.start;
+    let line = &source.lines.lines()[rung];
+    if line.ups + line.downs > 0 {
+        return false;
+    }
+    let drawn = || {
+        let parts = source.line(rung).children();
+        parts.filter(|part| !part.kind().is_trivia())
+    };
+    let ends = drawn().last().is_some_and(|part| part.kind() == SyntaxKind::RAIL);
+    let bar = drawn().take_while(|part| part.kind() == SyntaxKind::RAIL).last();
+    ends && bar.is_some_and(|bar| bar.start() > source.range(rung).start)
+        && drawn().all(|part| part.kind() != SyntaxKind::RAIL_CONNECTOR)
 }
 
 /// Whether a rung's first drawing is the left rail's `+`, comments aside.

@@ -132,12 +132,17 @@ impl Analysis {
         action.aligned(&self.whole, text, options)
     }
 
-    /// What can be done, of the kinds that are wanted, with what a range selects.
-    pub(crate) fn actions(&self, range: TextRange, wants: impl Fn(ActionKind) -> bool) -> Vec<Action> {
+    /// What can be done, of the kinds that are wanted, with what a range selects, and against the problems in another.
+    pub(crate) fn actions(
+        &self,
+        range: TextRange,
+        problems: TextRange,
+        wants: impl Fn(ActionKind) -> bool,
+    ) -> Vec<Action> {
         use ActionKind::{Extract, FixAll, Inline, QuickFix, Rewrite};
         let mut actions = Vec::new();
         if wants(QuickFix) {
-            actions.extend(quick_fixes(&self.whole, range));
+            actions.extend(quick_fixes(&self.whole, problems));
         }
         if [Extract, Inline, Rewrite].into_iter().any(&wants) {
             actions.extend(refactorings(&self.whole, range));

@@ -5,22 +5,31 @@ use ladder_analysis::{Analysis, Applicability, Diagnostic, Finding, fix};
 use ladder_format::Edit;
 use ladder_syntax::TextRange;
 
+/// So many fixes back a fix is looked for that is the same.
+const NEAR: usize = 16;
+
 /// The fixes of the findings that a range touches, the best of each first. Only a safe one is preferred: editors may
 /// make it unasked.
 pub fn quick_fixes(analysis: &Analysis, range: TextRange) -> Vec<Action> {
     let findings = analysis.findings().iter().enumerate();
     let touched = findings
         .filter(|(_, found)| found.range.start() <= range.end() && range.start() <= found.range.end());
-    touched
-        .flat_map(|(index, found)| {
-            let fixes = found.diagnostic(&analysis.context).fixes;
-            fixes.into_iter().enumerate().map(move |(nth, fix)| Action {
+    let mut fixes: Vec<Action> = Vec::new();
+    for (index, found) in touched {
+        for (nth, fix) in found.diagnostic(&analysis.context).fixes.into_iter().enumerate() {
+            let action = Action {
                 finding: Some(index),
                 preferred: nth == 0 && fix.is_safe(),
                 ..Action::new(ActionKind::QuickFix, fix.title, fix.edits)
-            })
-        })
-        .collect()
+            };
+            // One drawing can put several findings right; they are near to each other.
+            let mut near = fixes.iter().rev().take(NEAR);
+            if !near.any(|known| known.title == action.title && known.work == action.work) {
+                fixes.push(action);
+            }
+        }
+    }
+    fixes
 }
 
 /// The safe fixes of all findings at once, as far as they do not touch each other: the rest is for the next round.

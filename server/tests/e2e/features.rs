@@ -211,6 +211,35 @@ fn asks_later() -> Value {
 }
 
 #[tokio::test]
+async fn the_problems_of_a_line_are_fixed_wherever_on_it_the_cursor_is() {
+    const THREE: &str = "\
++--\\--[ ]( a )--\\--( )( y )--+
+|  |--[ ]( b )--|            |
+|  /--[ ]( c )--/            |
+";
+    for asks in [asks_later(), json!({"general": {"positionEncodings": ["utf-8"]}})] {
+        let mut client = Client::with(asks).await;
+        client.open(THREE).await;
+        let problem = json!({"range": span([0, 3, 0, 4]), "message": "no matter"});
+        let params = json!({
+            "textDocument": {"uri": URI},
+            "range": span([0, 0, 0, 0]),
+            "context": {"diagnostics": [problem], "only": ["quickfix"]},
+        });
+        let offered = client.request("textDocument/codeAction", params).await.unwrap();
+        let mut fix = offered[0].clone();
+        if fix.get("edit").is_none() {
+            fix = client.request("codeAction/resolve", fix).await.unwrap();
+        }
+        let edits = fix["edit"]["documentChanges"]
+            .get(0)
+            .map_or(&fix["edit"]["changes"][URI], |change| &change["edits"]);
+        assert!(edited(THREE, edits).contains("/--\\--[ ]( b )--\\--/"), "{fix}");
+        client.finish().await;
+    }
+}
+
+#[tokio::test]
 async fn a_refactoring_tells_its_edits_when_it_is_chosen() {
     let mut client = Client::with(asks_later()).await;
     client.open(MOTOR).await;

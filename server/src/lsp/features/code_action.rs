@@ -50,10 +50,16 @@ pub(crate) async fn code_action(
     let agreed = shared.agreed();
     blocking(move |_| {
         let analysis = revision.analysis()?;
-        let range = convert::our_range(params.range);
-        let (start, end) = (revision.offset(range.start), revision.offset(range.end));
-        let range = TextRange::new(start.min(end), end.max(start));
-        let offered = analysis.actions(range, |kind| wanted(&params.context, &name(kind)));
+        let place = |range| {
+            let range = convert::our_range(range);
+            let (start, end) = (revision.offset(range.start), revision.offset(range.end));
+            TextRange::new(start.min(end), end.max(start))
+        };
+        let range = place(params.range);
+        // An editor shows the problems of a whole line, and asks about them wherever on it the cursor is.
+        let asked = params.context.diagnostics.iter().map(|it| place(it.range));
+        let problems = asked.fold(range, TextRange::cover);
+        let offered = analysis.actions(range, problems, |kind| wanted(&params.context, &name(kind)));
         // Put together once for all of them; a client that asks for edits later asks for one.
         let text = (!agreed.resolves_edits).then(|| revision.text());
         let shown = offered
@@ -82,7 +88,7 @@ pub(crate) async fn resolve(shared: &Arc<Shared>, mut action: CodeAction) -> Res
     blocking(move |_| {
         let range = within(&revision, &data);
         if let Some(analysis) = revision.analysis() {
-            let offered = analysis.actions(range, |kind| Some(name(kind)) == action.kind);
+            let offered = analysis.actions(range, range, |kind| Some(name(kind)) == action.kind);
             let same = offered.into_iter().find(|offered| offered.title == action.title);
             action.edit = same.and_then(|same| edit(agreed, &revision, analysis, &same, &revision.text()));
         }
@@ -123,6 +129,11 @@ fn offer(
     text: Option<&str>,
 ) -> CodeActionOrCommand {
     let later = text.is_none() && action.disabled.is_none();
+    let finding = action
+        .finding
+        .and_then(|finding| analysis.findings().get(finding));
+    // A fix is found again where its problem is.
+    let range = finding.map_or(range, |finding| finding.range);
     let data = later.then(|| {
         serde_json::to_value(Data {
             uri: revision.uri.to_string(),
@@ -132,9 +143,6 @@ fn offer(
         })
     });
     let now = text.filter(|_| action.disabled.is_none());
-    let finding = action
-        .finding
-        .and_then(|finding| analysis.findings().get(finding));
     CodeActionOrCommand::CodeAction(CodeAction {
         title: action.title.clone(),
         kind: Some(name(action.kind)),
