@@ -2,6 +2,7 @@
 // the edits behind a key that another has overtaken; here they are asked for again, for the text as it is by then.
 import * as vscode from 'vscode';
 
+import { BegunRung } from './begunRung.ts';
 import { LINE_END, Overtaken } from './overtaken.ts';
 
 type Ask = (position: vscode.Position, typed: string, token: vscode.CancellationToken) => Promise<vscode.TextEdit[]>;
@@ -27,6 +28,7 @@ async function make(document: vscode.TextDocument, version: number, edits: vscod
 export class TypedAhead implements vscode.Disposable {
     /** Per document, the lines whose edits are still to be made. */
     readonly #overtaken = new Map<vscode.TextDocument, Overtaken>();
+    readonly #begunRung = new BegunRung();
     readonly #followed: vscode.Disposable;
 
     constructor() {
@@ -51,6 +53,9 @@ export class TypedAhead implements vscode.Disposable {
         // One undo takes back Enter and what it has begun.
         const undoStops = character !== LINE_END;
         const isMade = document.version === version && (edits.length === 0 || (await make(document, version, edits, undoStops)));
+        if (isMade && edits.length > 0 && character === LINE_END) {
+            this.#begunRung.begin(document, position.line);
+        }
         if (isMade || !isAtEnd) {
             waiting.remove(own);
         } else {
@@ -61,6 +66,7 @@ export class TypedAhead implements vscode.Disposable {
 
     dispose(): void {
         this.#followed.dispose();
+        this.#begunRung.dispose();
         this.#overtaken.clear();
     }
 
@@ -89,6 +95,9 @@ export class TypedAhead implements vscode.Disposable {
                 // The typist's step of undo, not one of its own.
                 if (document.version === version && (edits.length === 0 || (await make(document, version, edits, false)))) {
                     waiting.remove(next);
+                    if (edits.length > 0 && next.typed === LINE_END) {
+                        this.#begunRung.begin(document, next.line);
+                    }
                 }
             }
         } finally {

@@ -281,6 +281,32 @@ return function(t)
     keys:close()
   end)
 
+  t.step('a rung that was begun goes when the cursor leaves it, with the undo of Enter', function()
+    local first, last = '+--[ ]( a )------------------( )( y )--+', '+--[ ]( x )------------------( )( z )--+'
+    local keys = typing.open(t, { first, last })
+    typed(keys, {
+      { 'A<CR>', { first, '+--', last } },
+      { '<Down>', { first, '', last } },
+      { '<Esc>u', { first, last } },
+      { 'ggA<CR>', { first, '+--', last } },
+      { '<Up>', { first, '', last } },
+      { '<Esc>u', { first, last } },
+      -- Once more a line further down: what is left there goes, too.
+      { 'ggA<CR>', { first, '+--', last } },
+      { '<CR>', { first, '', '+--', last } },
+      { '<Up>', { first, '', '', last } },
+      { '<Esc>', { first, '', '', last } },
+    })
+    keys:write({ first, last }, 1, 0)
+    -- What was typed into stays.
+    typed(keys, {
+      { 'A<CR>', { first, '+--', last } },
+      { '[ ]( b )', { first, '+--[ ]( b )', last } },
+      { '<Up>', { first, '+--[ ]( b )', last } },
+    })
+    keys:close()
+  end)
+
   t.step('keys draw: each is one step of undo', function()
     local before = { '+--[ ]( a )------------------( )( y )--+' }
     local keys = typing.open(t, before)
@@ -304,6 +330,31 @@ return function(t)
       end
       keys:press('u')
       keys:expect('undone ' .. case[2], before)
+    end
+    keys:close()
+  end)
+
+  t.step('keys move a block along its rung and to another: each is one step of undo', function()
+    local above, below = '+--[ ]( a )--[/]( b )--------( )( y )--+', '+--[ ]( c )------------------( )( z )--+'
+    local keys = typing.open(t, { above, '', below })
+    local function first(line)
+      return (line or ''):gsub('%-+', '-')
+    end
+    for _, case in ipairs({
+      { 'gg04l', 'l', { '+-[/]( b )-[ ]( a )-( )( y )-+', '', '+-[ ]( c )-( )( z )-+' } },
+      { 'gg04l', 'j', { '+-[/]( b )-( )( y )-+', '', '+-[ ]( a )-[ ]( c )-( )( z )-+' } },
+      { 'G04l', 'k', { '+-[ ]( c )-[ ]( a )-[/]( b )-( )( y )-+', '', '+-( )( z )-+' } },
+    }) do
+      keys:press(case[1] .. '\\' .. case[2])
+      local found
+      if not vim.wait(3000, function()
+        found = vim.tbl_map(first, keys:lines())
+        return vim.deep_equal(case[3], found)
+      end, 5) then
+        t.equal(case[2], case[3], found)
+      end
+      keys:press('u')
+      keys:expect('undone ' .. case[2], { above, '', below })
     end
     keys:close()
   end)

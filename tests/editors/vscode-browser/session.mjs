@@ -18,7 +18,7 @@ import { command, open } from './palette.mjs';
 import { PROGRAMS, running } from './running.mjs';
 import { FILE as SCENARIO_FILE, files as SCENARIOS, scenarios } from './scenarios.mjs';
 import { failures, step, tell, whenFailed } from './steps.mjs';
-import { NAME, RUNG, typing, lines } from './typing.mjs';
+import { CROOKED, lines, NAME, RUNG, SAVED, typing } from './typing.mjs';
 
 const { LADDER_BIN, LADDER_FIXTURES, LADDER_PACKAGES, LADDER_PARTS, LADDER_SCREENSHOTS } = process.env;
 /** The parts that are asked for. Only the first of all needs what the probe leaves. */
@@ -45,6 +45,7 @@ function prepare() {
     writeFileSync(join(scratch, 'project', HOVERED), HOVERED_TEXT);
     writeFileSync(join(scratch, 'project', SEEN), SEEN_TEXT);
     writeFileSync(join(scratch, 'project', NAME), `${RUNG}\n`);
+    writeFileSync(join(scratch, 'project', SAVED), `${CROOKED}\n`);
     writeFileSync(join(scratch, 'project/watch.clad'), '+--[TON]( clock, T#1h )--( )( late )--+\n');
     writeFileSync(join(scratch, 'project', DRAWN), DRAWN_TEXT);
     emptyFiles(join(scratch, 'project'));
@@ -346,7 +347,7 @@ const parts = (page) => ({
     access: () => access(page, { step, until, weights, row, screenshot, useTheme }),
     running: () => running(page, { step, until, weights, row, screenshot }),
     hovering: () => hovering(page, { step, until, screenshot }),
-    typing: () => typing(page, { step, until, screenshot }),
+    typing: () => typing(page, { step, until, screenshot, project: join(scratch, 'project') }),
     drawing: () => drawing(page, { step, until }),
     book: () => book(page, { step, until, project: join(scratch, 'project') }),
     debug: () => debug(page, { step, screenshot }),

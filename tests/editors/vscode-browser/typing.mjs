@@ -1,11 +1,18 @@
 // A diagram typed by hand: keys are pressed in the page, and what is in the editor is looked at.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 
 import { open } from './palette.mjs';
 
 /** The program that is typed into: its name in the project, and its text. */
 export const NAME = 'typed.clad';
 export const RUNG = '+--[ ]( first )--[/]( second )--( )( third )--+';
+
+/** What is not aligned, and what a save makes of it. */
+export const SAVED = 'crooked-typed.clad';
+export const CROOKED = '+-[ ]( crooked )-( )( rung )-+';
+const ALIGNED = '+--[ ]( crooked )---------( )( rung )--+';
 
 /** The lines of the editor that is active, as the page shows them. */
 export function lines(page) {
@@ -18,7 +25,7 @@ export function lines(page) {
 
 const place = (page, line, column) => page.getByText(new RegExp(`Ln ${line}, Col ${column}( |$)`)).first().waitFor({ timeout: 5000 });
 
-export async function typing(page, { step, until, screenshot }) {
+export async function typing(page, { step, until, screenshot, project }) {
     const mistakes = page.locator('.editor-group-container.active .monaco-editor .squiggly-error');
     await step('Enter behind a rung begins the next one', async () => {
         await open(page, NAME);
@@ -27,6 +34,40 @@ export async function typing(page, { step, until, screenshot }) {
         await page.keyboard.press('End');
         await page.keyboard.press('Enter');
         await until('the beginning of a rung', 5, async () => (await lines(page)).some((line) => line === '+--'));
+    });
+    await step('a rung that was begun goes when the cursor leaves it', async () => {
+        const begun = async () => (await lines(page)).includes('+--');
+        await page.keyboard.press('ArrowUp');
+        await until('the beginning to go', 5, async () => !(await begun()));
+        assert.equal((await lines(page))[1], '');
+        // One undo brings it back, as a step of the editor's own, and the next one takes back Enter.
+        const takeBack = async () => {
+            await page.keyboard.press('Control+Z');
+            await until('the beginning of a rung again', 5, begun);
+            await page.keyboard.press('Control+Z');
+            await until('the text without Enter', 5, async () => (await lines(page)).join('\n') === `${RUNG}\n`);
+        };
+        const beginAgain = async () => {
+            await page.keyboard.press('Control+Home');
+            await page.keyboard.press('End');
+            await page.keyboard.press('Enter');
+            await until('the beginning of a rung', 5, begun);
+        };
+        await takeBack();
+        // By a click, too; and what was typed into stays.
+        await beginAgain();
+        await page.locator('.editor-group-container.active .view-line', { hasText: 'first' }).click();
+        await until('the beginning to go', 5, async () => !(await begun()));
+        await takeBack();
+        await beginAgain();
+        await page.keyboard.type('--', { delay: 30 });
+        await page.keyboard.press('ArrowUp');
+        await page.waitForTimeout(300);
+        assert.ok((await lines(page)).includes('+----'), (await lines(page)).join('\n'));
+        await page.keyboard.press('ArrowDown');
+        await page.keyboard.press('End');
+        await page.keyboard.press('Backspace');
+        await page.keyboard.press('Backspace');
     });
     await step('a half-typed rung has no mistakes until it is left', async () => {
         await page.keyboard.type('[ ]( fourth )--[TON', { delay: 30 });
@@ -105,5 +146,24 @@ export async function typing(page, { step, until, screenshot }) {
         await page.keyboard.press('Control+Z');
         await until('the rung as it was', 5, async () => (await lines(page))[0] === before[0]);
         await page.keyboard.press('Control+S');
+    });
+    await step('a save aligns the program, and one undo takes that back', async () => {
+        await open(page, SAVED);
+        await page.locator('.editor-group-container.active .view-line', { hasText: 'crooked' }).first().click();
+        await page.keyboard.press('Control+End');
+        await page.keyboard.type('# typed #', { delay: 30 });
+        const typed = await lines(page);
+        assert.equal(typed[0], CROOKED);
+        await page.keyboard.press('Control+S');
+        await until('the program to be aligned', 5, async () => (await lines(page))[0] === ALIGNED);
+        await until('the file to be saved', 5, () => readFileSync(join(project, SAVED), 'utf8').startsWith(`${ALIGNED}\n`));
+        await page.keyboard.press('Control+Z');
+        await until('the program as it was typed', 5, async () => (await lines(page))[0] === CROOKED);
+        assert.deepEqual(await lines(page), typed);
+        // A save of what is aligned changes nothing.
+        await page.keyboard.press('Control+S');
+        await until('the program to be aligned again', 5, async () => (await lines(page))[0] === ALIGNED);
+        await page.keyboard.press('Control+S');
+        assert.equal((await lines(page))[0], ALIGNED);
     });
 }

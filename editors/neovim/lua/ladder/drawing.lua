@@ -42,17 +42,23 @@ local function go_on(client, bufnr, state, typed)
   end
 end
 
---- Draws the networks that were typed in, unless something else is done meanwhile.
-local function draw(client, bufnr, state)
+--- Takes back a rung that was begun and left empty: it was not wanted.
+--- @return boolean whether there was one
+local function give_up(bufnr, state)
   local begun = state.begun
   state.begun = nil
-  -- A rung that was begun and left empty was not wanted.
-  if begun and (vim.api.nvim_buf_get_lines(bufnr, begun - 1, begun, false)[1] or ''):match('^%+%-*$') then
-    pcall(vim.cmd.undojoin)
-    vim.api.nvim_buf_set_lines(bufnr, begun - 1, begun, false, { '' })
-    return
+  if not begun or not (vim.api.nvim_buf_get_lines(bufnr, begun - 1, begun, false)[1] or ''):match('^%+%-*$') then
+    return false
   end
-  if not state.changed then
+  -- One step of undo with the Enter that began it.
+  pcall(vim.cmd.undojoin)
+  vim.api.nvim_buf_set_lines(bufnr, begun - 1, begun, false, { '' })
+  return true
+end
+
+--- Draws the networks that were typed in, unless something else is done meanwhile.
+local function draw(client, bufnr, state)
+  if give_up(bufnr, state) or not state.changed then
     return
   end
   local first, last = vim.fn.line("'["), vim.fn.line("']")
@@ -89,6 +95,10 @@ function M.attach(client, bufnr)
         return true
       end
       state.changed = true
+      -- The line that was begun is at another place, or Enter was pressed in it.
+      if new ~= old then
+        state.begun = nil
+      end
       if new - old ~= 1 or not is_wanted() then
         return
       end
@@ -112,6 +122,11 @@ function M.attach(client, bufnr)
           go_on(client, bufnr, state, typed)
         end
       end)
+    end
+  end)
+  on('CursorMovedI', function()
+    if state.begun and vim.api.nvim_win_get_cursor(0)[1] ~= state.begun then
+      give_up(bufnr, state)
     end
   end)
   on('InsertLeave', function()
