@@ -87,6 +87,11 @@ export class Server implements vscode.Disposable {
         return vscode.workspace.isTrusted ? this.#place().path : undefined;
     }
 
+    /** Whether the server runs, and with it what it finds in all files of the workspace is shown. */
+    isRunning(): boolean {
+        return this.#client?.isRunning() ?? false;
+    }
+
     /** Starts the server. In a workspace that the user does not trust nothing is started, until that changes. */
     async start(): Promise<void> {
         if (!vscode.workspace.isTrusted) {

@@ -41,7 +41,9 @@ class Tasks implements vscode.TaskProvider {
         const args = taskArguments(definition.command, folder.uri.fsPath, definition.path);
         // The shell is passed by, and the program is not started where others may have put libraries.
         const execution = new vscode.ProcessExecution(program, args, { cwd: homedir() });
-        const matchers = { check: '$ladder', test: ['$ladder-test', '$ladder-mistake'], format: [] }[definition.command];
+        // What the check finds the server has found before, in closed files, too: under Problems each would be twice.
+        const ofCheck = this.#server.isRunning() ? [] : ['$ladder'];
+        const matchers = { check: ofCheck, test: ['$ladder-test', '$ladder-mistake'], format: [] }[definition.command];
         const task = new vscode.Task(definition, folder, TITLES[definition.command], TYPE, execution, matchers);
         if (definition.command === 'test') {
             task.group = vscode.TaskGroup.Test;

@@ -49,7 +49,7 @@ export async function scenarios(page, { step, until, screenshot, holdTest }) {
         await editor.locator('.codicon-testing-failed-icon').first().waitFor({ timeout: 15000 });
         assert.equal(await terminal.filter({ hasText: 'Executing task' }).count(), 0);
     });
-    await step('the tasks run in a terminal, and what they find in open files is under Problems once', async () => {
+    await step('the tasks run in a terminal, and what they find is under Problems once, in closed files, too', async () => {
         const problems = async (name) => {
             await command(page, 'Problems: Focus on Problems View');
             const filter = page.locator('.pane-composite-part.panel .viewpane-filter input, .part.panel .viewpane-filter input').first();
@@ -70,14 +70,21 @@ export async function scenarios(page, { step, until, screenshot, holdTest }) {
             await page.locator('.quick-input-list .monaco-list-row', { hasText: name }).first().click();
             await terminal.filter({ hasText: last }).last().waitFor({ timeout: 20000 });
         };
-        // What is found in an open program comes from the server already.
-        await open(page, 'unpaired.clad');
-        await editor.locator('.squiggly-error').first().waitFor({ timeout: 10000 });
+        // What the check finds comes from the server already.
+        const unpairedOnce = async (when) => {
+            const [unpaired, ...more] = await problems('unpaired-connector');
+            assert.match(unpaired, /has no partner/);
+            assert.deepEqual(more, [], when);
+        };
+        await unpairedOnce('before the check');
         await run('Tasks: Run Build Task', 'check', /Checked \d+ files/);
         await screenshot(page, 'task-check');
-        const [unpaired, ...more] = await problems('unpaired-connector');
-        assert.match(unpaired, /has no partner/);
-        assert.deepEqual(more, []);
+        await unpairedOnce('behind the check');
+        await open(page, 'unpaired.clad');
+        await editor.locator('.squiggly-error').first().waitFor({ timeout: 10000 });
+        await unpairedOnce('while it is open');
+        await page.keyboard.press('Control+W');
+        await unpairedOnce('when it is closed again');
         await run('Tasks: Run Test Task', 'test', /\d failed/);
         const failed = await problems('run is FALSE in step 3');
         assert.equal(failed.length, 1, failed.join('\n'));
