@@ -454,6 +454,14 @@ fn what_enter_has_begun_is_typed_once_more() {
             |
         "#]],
     );
+    // Another rung, to whose end the branch comes down.
+    check(
+        &format!("{BRANCH}|  /--+$0"),
+        expect![[r#"
+            +--\--[ ]( a )--\--( )( y )--+
+            +
+        "#]],
+    );
     check(
         &format!("{BRANCH}|  /--  /$0"),
         expect![[r#"

@@ -49,8 +49,8 @@ fn begun_branch(text: &str) -> Option<(usize, usize)> {
     let begun = text.len() - typed.len();
     let blanks = typed.len() - typed.trim_start_matches(' ').len();
     match typed[blanks..].chars().next()? {
-        // All of it, from the rail on.
-        '|' if blanks == 0 => Some((0, begun)),
+        // All of it, from the rail on; or another rung, that a branch further to the right comes down to.
+        '|' | '+' if blanks == 0 => Some((0, begun)),
         // The rail is there, and was not typed again.
         '|' | '/' if blanks > 0 => Some((at, begun + blanks)),
         _ => None,

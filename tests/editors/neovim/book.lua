@@ -1,4 +1,4 @@
--- The programs of the book's first chapters, typed key by key: once by somebody who looks at the screen and goes on behind what
+-- Programs of the book, typed key by key: once by somebody who looks at the screen and goes on behind what
 -- the editor has begun, and once by somebody who looks at the book only, and types every character. Both get the
 -- program that is in the book.
 return function(t)
@@ -58,7 +58,8 @@ return function(t)
   local function type_line(keys, wanted, looks, notes)
     local left = beside(keys)
     local at = looks and there(left, wanted) or 0
-    if looks and at == 0 and vim.trim(left) ~= '' and wanted ~= '' and not wanted:match('^[#EFV]') then
+    -- A rail or another rung is typed over what was begun.
+    if looks and at == 0 and vim.trim(left) ~= '' and wanted ~= '' and not wanted:match('^[#EFV+|]') then
       table.insert(notes, ('"%s" was there before "%s"'):format(left, wanted))
       keys:press('<C-u>')
     end
@@ -69,7 +70,9 @@ return function(t)
         return
       end
       at = at + 1
-      local key = wanted:sub(at, at)
+      -- A letter of several bytes is one key.
+      local key = wanted:match('^[%z\1-\127\194-\244][\128-\191]*', at)
+      at = at + #key - 1
       keys:press(key == '<' and '<lt>' or key)
       if keys:lua('return vim.fn.pumvisible()') == 1 then
         table.insert(notes, 'a list opened at ' .. wanted:sub(1, at))
@@ -108,7 +111,16 @@ return function(t)
     keys:close()
   end
 
-  for _, page in ipairs({ 'first-program.md', 'drawing-rungs.md', 'for-electricians.md', 'for-programmers.md' }) do
+  for _, page in ipairs({
+    'first-program.md',
+    'drawing-rungs.md',
+    'for-electricians.md',
+    'for-programmers.md',
+    'testing.md',
+    '../language/blocks.md',
+    '../language/drawing.md',
+    '../language/layout.md',
+  }) do
     for how, looks in vim.spairs({ ['who looks at the screen'] = true, ['who looks at the book only'] = false }) do
       t.step(('the programs of %s, typed by somebody %s'):format(page, how), function()
         for _, lines in ipairs(programs(page)) do
