@@ -25,6 +25,12 @@ async function make(document: vscode.TextDocument, version: number, edits: vscod
     return editor.edit(write, { undoStopBefore: undoStops, undoStopAfter: undoStops });
 }
 
+/** Whether an edit puts something where the cursor is: it would be pushed away from the word that is being typed. */
+function isAtCursor(document: vscode.TextDocument, { range }: vscode.TextEdit): boolean {
+    const editor = vscode.window.visibleTextEditors.find((candidate) => candidate.document === document);
+    return range.isEmpty && (editor?.selections.some(({ active }) => active.isEqual(range.start)) ?? false);
+}
+
 export class TypedAhead implements vscode.Disposable {
     /** Per document, the lines whose edits are still to be made. */
     readonly #overtaken = new Map<vscode.TextDocument, Overtaken>();
@@ -91,7 +97,8 @@ export class TypedAhead implements vscode.Disposable {
                     waiting.remove(next);
                     continue;
                 }
-                const edits = await ask(line.range.end, next.typed, new vscode.CancellationTokenSource().token);
+                const asked = await ask(line.range.end, next.typed, new vscode.CancellationTokenSource().token);
+                const edits = next.typed === LINE_END ? asked : asked.filter((edit) => !isAtCursor(document, edit));
                 // The typist's step of undo, not one of its own.
                 if (document.version === version && (edits.length === 0 || (await make(document, version, edits, false)))) {
                     waiting.remove(next);

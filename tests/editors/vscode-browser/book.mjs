@@ -1,15 +1,24 @@
-// The programs of the book's first chapters, typed key by key by somebody who looks at the book only: every character, and
+// The programs of the book's chapters, typed key by key by somebody who looks at the book only: every character, and
 // Enter at the end of a line. What is saved is the program that is in the book.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync, statSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 
 import { open } from './palette.mjs';
 
 const { LADDER_BIN, LADDER_ROOT } = process.env;
 
-const PAGES = ['first-program.md', 'for-electricians.md', 'for-programmers.md'];
+const PAGES = [
+    'first-program.md',
+    'drawing-rungs.md',
+    'for-electricians.md',
+    'for-programmers.md',
+    'testing.md',
+    '../language/blocks.md',
+    '../language/drawing.md',
+    '../language/layout.md',
+];
 
 /** Milliseconds behind a key: somebody who types faster than the answers come, whom the editor's own aids can still follow. */
 const KEY = 25;
@@ -35,7 +44,7 @@ export function emptyFiles(folder) {
     }
 }
 
-const fileOf = (page, line) => `book-${page.replace('.md', '')}-${line}.clad`;
+const fileOf = (page, line) => `book-${basename(page, '.md')}-${line}.clad`;
 
 /** @param project the folder that is open */
 export async function book(page, { step, until, project }) {
