@@ -25,10 +25,12 @@ async function make(document: vscode.TextDocument, version: number, edits: vscod
     return editor.edit(write, { undoStopBefore: undoStops, undoStopAfter: undoStops });
 }
 
-/** Whether an edit puts something where the cursor is: it would be pushed away from the word that is being typed. */
-function isAtCursor(document: vscode.TextDocument, { range }: vscode.TextEdit): boolean {
+/** Whether an edit would part a word that is being typed, and push the cursor away from its beginning. The word's end is drawn later. */
+function partsWord(document: vscode.TextDocument, { range }: vscode.TextEdit): boolean {
     const editor = vscode.window.visibleTextEditors.find((candidate) => candidate.document === document);
-    return range.isEmpty && (editor?.selections.some(({ active }) => active.isEqual(range.start)) ?? false);
+    const isCursor = editor?.selections.some(({ active }) => active.isEqual(range.start)) ?? false;
+    const { text } = document.lineAt(range.start);
+    return range.isEmpty && isCursor && /[\p{L}\p{N}_]$/u.test(text.slice(0, range.start.character));
 }
 
 export class TypedAhead implements vscode.Disposable {
@@ -98,7 +100,7 @@ export class TypedAhead implements vscode.Disposable {
                     continue;
                 }
                 const asked = await ask(line.range.end, next.typed, new vscode.CancellationTokenSource().token);
-                const edits = next.typed === LINE_END ? asked : asked.filter((edit) => !isAtCursor(document, edit));
+                const edits = asked.some((edit) => partsWord(document, edit)) ? [] : asked;
                 // The typist's step of undo, not one of its own.
                 if (document.version === version && (edits.length === 0 || (await make(document, version, edits, false)))) {
                     waiting.remove(next);
