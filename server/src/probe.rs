@@ -85,6 +85,6 @@ impl Document {
 /// What the protocol's framework is given to read when the client sends these bytes.
 pub async fn admitted(bytes: &[u8]) -> Vec<u8> {
     let mut out = Vec::new();
-    inlet::feed(Cursor::new(bytes), &mut out).await;
+    inlet::feed(Cursor::new(bytes), &mut out, Arc::default()).await;
     out
 }

@@ -56,6 +56,20 @@ test('a page is sent the lines that it shows, and then of what changes there', (
     assert.deepEqual([second.power, second.tags.map(({ name }) => name)], [[[1, 3, true, 'closed']], ['a1']]);
 });
 
+test('what changes too fast to follow is said once, and as it is when the run is over', () => {
+    const feed = new Feed();
+    const running = source([0], []);
+    const program = { ...running, state: { ...state, status: 'running' } as State };
+    const sent: string[] = [];
+    for (let time = 0; time < 20; time += 1) {
+        (running.power.get(0) as Map<number, Power>).set(12, { range: at(0, 12), on: time % 2 === 1 });
+        sent.push(...feed.news(program, { first: 0, last: 0 }, true, time * 33).power.map(([, character, on, does]) => `${character} ${does ?? on}`));
+    }
+    assert.deepEqual(sent, ['3 open', '12 false', '12 true', '12 false', '12 true', '12 false', '12 true', '12 flickers']);
+    program.state = { ...state, status: 'paused' };
+    assert.deepEqual(feed.news(program, { first: 0, last: 0 }, true, 700).power, [[0, 12, true]]);
+});
+
 test('values may wait, but not those of lines that come into sight', () => {
     const feed = new Feed();
     const program = source([0, 1], [tag('a0', 1), tag('a1', 1)]);
@@ -87,7 +101,7 @@ test('what is known moves with the text', () => {
     live.take(update({ whole: true, power: [[4, 3, true, 'closed']], operands: [[4, 8, ['start'], true]], tags: [tag('Start', true)] }));
     live.edit([{ first: 1, last: 1, count: 3 }]);
     assert.equal(live.power(4, 3), undefined);
-    assert.deepEqual(live.power(6, 3), { on: true, contact: 'closed' });
+    assert.deepEqual(live.power(6, 3), { on: true, does: 'closed' });
     assert.deepEqual(live.tagsOf([[6, 8], [6, 8], [6, 20]]).map(({ value }) => value), [true]);
     live.take(undefined);
     assert.deepEqual([live.power(6, 3), live.tag('start')], [undefined, undefined]);
@@ -105,18 +119,19 @@ test('the contact of an input is a switch; of anything else a click leads to the
 test('elements are said in words', () => {
     const start = { kind: 'contact', name: 'Open contact', operands: ['start'] };
     assert.equal(describe(start, undefined, []), 'Open contact start');
-    const flows = { on: true, contact: 'closed' } as const;
+    const flows = { on: true, does: 'closed' } as const;
     assert.equal(
         describe(start, flows, [tag('start', true, { forced: true })]),
         'Open contact start, lets power through, power flows, start is 1, forced',
     );
-    const words = (contact: 'closed' | 'open' | 'blocks') => describe(start, { on: false, contact }, []).split(', ').slice(1);
+    const words = (does: 'closed' | 'open' | 'blocks' | 'flickers') => describe(start, { on: false, does }, []).split(', ').slice(1);
     assert.deepEqual(words('closed'), ['lets power through', 'no power']);
     assert.deepEqual(words('open'), ['does not let power through', 'no power']);
     assert.deepEqual(words('blocks'), ['blocks the power that comes']);
+    assert.deepEqual(words('flickers'), ['changes faster than can be followed']);
     const timer = { kind: 'block', name: 'On-delay timer', operands: ['warm', 'T#5s'] };
     const tags = [tag('warm.ET', 1500, { type: 'TIME' }), tag('warm.Q', false)];
-    assert.equal(describe(timer, { on: false, contact: undefined }, tags), 'On-delay timer warm T#5s, no power, warm.ET is 1.5s, warm.Q is 0');
+    assert.equal(describe(timer, { on: false, does: undefined }, tags), 'On-delay timer warm T#5s, no power, warm.ET is 1.5s, warm.Q is 0');
 });
 
 test('scan, time and forces are always in sight', () => {

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import type { Tag } from '../src/protocol.ts';
-import { added, atFirst, moved, picked, removed } from '../src/trace/chosenTags.ts';
+import { added, atFirst, moved, picked, removed, renamed } from '../src/trace/chosenTags.ts';
 import type { Column, Traced } from '../src/trace/messages.ts';
 import { page } from '../src/trace/page.ts';
 import { columnAt, Columns, edge, joined } from '../webview/trace/columns.ts';
@@ -153,4 +153,12 @@ test('the page lets in nothing but the script and the style of the extension', (
     assert.equal(policy, "default-src 'none'; style-src https://x; script-src 'nonce-abc'");
     assert.doesNotMatch(html, /unsafe|\son\w+=|style="|<style/);
     assert.equal([...html.matchAll(/<script/g)].length, 1);
+});
+
+test('a tag that was renamed takes its new name, and only then the list is another', () => {
+    const tags = ['start', 'run'];
+    assert.equal(renamed(tags, [{ name: 'Start' }, { name: 'run' }]), tags);
+    assert.equal(renamed(tags, []), tags);
+    assert.deepEqual(renamed(tags, [{ name: 'start' }, { name: 'turns' }]), ['start', 'turns']);
+    assert.deepEqual(renamed(['run', 'turns'], [{ name: 'turns' }, { name: 'turns' }]), ['turns']);
 });

@@ -39,12 +39,11 @@ impl Engine {
     /// Records tags from now on, and says what is drawn of them.
     pub(super) fn trace(&mut self, asked: &Trace) -> Result<Traced, Failure> {
         check(asked)?;
-        let simulation = self.session.simulation();
         let named = asked.tags.iter();
         let mut points = Vec::new();
         let of_names: Vec<Option<usize>> = named
             .map(|name| {
-                let point = simulation.resolve(name).ok()?;
+                let point = self.session.find(name).ok()?;
                 let same = |known: &ladder_simulator::Point| known.name == point.name;
                 Some(points.iter().position(same).unwrap_or_else(|| {
                     points.push(point);

@@ -16,6 +16,7 @@ use crate::simulation::{Simulation, Status};
 use ladder_analysis::program::{BlockKind, Location};
 use ladder_instructions::{Instruction, Op};
 use matching::Matching;
+pub(crate) use renamed::Names;
 use renamed::Renamed;
 use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
@@ -150,6 +151,11 @@ impl Moved {
     /// What a tag, or a part of one, is called now.
     pub(crate) fn name<'n>(&self, was: &'n str) -> Cow<'n, str> {
         self.renamed.name_now(was)
+    }
+
+    /// The tag that has another name now.
+    pub(crate) fn renamed(&self) -> Option<&Names> {
+        self.renamed.names.as_ref()
     }
 
     /// What number a network has now.

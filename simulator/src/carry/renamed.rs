@@ -12,13 +12,29 @@ use std::borrow::Cow;
 /// The tag that has another name now, if there is one.
 #[derive(Debug, Default)]
 pub(super) struct Renamed {
-    names: Option<Names>,
+    pub(super) names: Option<Names>,
 }
 
-#[derive(Debug)]
-struct Names {
+/// Two names of a tag.
+#[derive(Debug, Clone)]
+pub(crate) struct Names {
     was: String,
     is: String,
+}
+
+impl Names {
+    /// What is called so now, or was: the tag or a part of it, by its other name.
+    pub(crate) fn other(&self, name: &str) -> Option<String> {
+        let now = with_tag(name, &self.was, &self.is);
+        now.or_else(|| with_tag(name, &self.is, &self.was))
+    }
+}
+
+/// The name of a tag or a part of it with another tag in the place of this one.
+fn with_tag(name: &str, tag: &str, other: &str) -> Option<String> {
+    let (start, rest) = name.get(..tag.len()).zip(name.get(tag.len()..))?;
+    let is_tag = Name::new(start) == Name::new(tag) && (rest.is_empty() || rest.starts_with(['.', '[']));
+    is_tag.then(|| format!("{other}{rest}"))
 }
 
 impl Renamed {
@@ -41,19 +57,9 @@ impl Renamed {
 
     /// The name that a tag of the old program, or a part of it, has in the new one.
     pub(super) fn name_now<'n>(&self, was: &'n str) -> Cow<'n, str> {
-        let Some(names) = &self.names else {
-            return Cow::Borrowed(was);
-        };
-        let part = was.get(..names.was.len()).zip(was.get(names.was.len()..));
-        match part {
-            Some((tag, rest))
-                if Name::new(tag) == Name::new(&names.was)
-                    && (rest.is_empty() || rest.starts_with(['.', '['])) =>
-            {
-                Cow::Owned(format!("{}{rest}", names.is))
-            }
-            _ => Cow::Borrowed(was),
-        }
+        let names = self.names.as_ref();
+        let now = names.and_then(|names| with_tag(was, &names.was, &names.is));
+        now.map_or(Cow::Borrowed(was), Cow::Owned)
     }
 }
 

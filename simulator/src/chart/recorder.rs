@@ -101,16 +101,15 @@ impl Recorder {
         }
     }
 
-    /// Another program runs: its tags are found by name and type.
+    /// Another program runs: its tags are found by name, also by one that was changed, and type.
     fn follow(&mut self, session: &Session) {
         if self.generation == session.generation() {
             return;
         }
         self.generation = session.generation();
-        let simulation = session.simulation();
         let count = self.tracks.len();
         self.tracks.retain_mut(|track| {
-            let found = simulation.resolve(&track.point.name).ok();
+            let found = session.find(&track.point.name).ok();
             let found = found.filter(|point| point.ty == track.point.ty);
             found.is_some_and(|point| {
                 track.point = point;

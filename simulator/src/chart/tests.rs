@@ -325,6 +325,54 @@ fn an_edited_program_keeps_the_tracks_of_its_tags() {
 }
 
 #[test]
+fn a_tag_that_is_renamed_keeps_its_track_and_its_past() {
+    let named =
+        |name: &str| format!("+--[ADD]( {name}, 1, {name} )--+\n+--[GT]( {name}, 5 )--( )( many )--+\n");
+    let program = |text: &str| {
+        let analysis = ladder_analysis::analyze(&ladder_syntax::parse(text).into(), "test.clad");
+        Arc::clone(analysis.program().unwrap())
+    };
+    let mut session = session(&named("n"), HistoryLimits::default());
+    let mut recorder = Recorder::default();
+    recorder.watch(points(&session, &["n"]), &session);
+    let mut run = |session: &mut Session| {
+        session.scan();
+        recorder.look(session);
+        let track = &recorder.tracks()[0];
+        let last = session.simulation().scans();
+        let values: Vec<_> = (1..=last).map(|scan| track.at(scan).cloned()).collect();
+        let counted: Vec<_> = (1..=last).map(|scan| Some(Value::Int(scan as i64))).collect();
+        assert_eq!(values, counted, "{}", track.point.name);
+        // Who asks only now, by any of its names, has the same past.
+        let mut fresh = Recorder::default();
+        for name in ["n", "count", "total"] {
+            if let Ok(point) = session.find(name) {
+                fresh.watch(vec![point], session);
+                let values: Vec<_> = (1..=last)
+                    .map(|scan| fresh.tracks()[0].at(scan).cloned())
+                    .collect();
+                assert_eq!(values, counted, "{name}");
+            }
+        }
+        track.point.name.clone()
+    };
+    assert_eq!(run(&mut session), "n");
+    session.change(program(&named("count"))).unwrap();
+    assert_eq!(run(&mut session), "count");
+    session.change(program(&named("total"))).unwrap();
+    assert_eq!(run(&mut session), "total");
+    // An undo that nothing ran before.
+    session.change(program(&named("last"))).unwrap();
+    session.change(program(&named("total"))).unwrap();
+    assert_eq!(run(&mut session), "total");
+    assert_eq!(session.find("LAST").unwrap().name, "total");
+    assert_eq!(session.find("n").unwrap().name, "total");
+    session.step_back(4);
+    assert_eq!(session.find("total").unwrap().name, "n");
+    assert!(session.find("other").is_err());
+}
+
+#[test]
 fn words() {
     use ladder_analysis::types::Scalar;
     let says = |from: i64, to: i64, ty| {
@@ -346,13 +394,26 @@ fn words() {
         says(10, 255, Scalar::Byte),
     ];
     expect![[r#"
-        0s 1s500ms +1s500ms
-        1s500ms 20ms -1s480ms
+        0ms 1.5s +1.5s
+        1.5s 20ms -1.48s
         7 7 0
         -9223372036854775808 9223372036854775807 +18446744073709551615
         18446744073709551615 0 -18446744073709551615
         16#0A 16#FF -"#]]
     .assert_eq(&said.join("\n"));
+}
+
+#[test]
+fn durations_are_written_as_editors_write_them() {
+    let shared = concat!(env!("CARGO_MANIFEST_DIR"), "/../editors/shared/values.json");
+    let shared: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(shared).unwrap()).unwrap();
+    let durations = shared["durations"].as_array().unwrap();
+    assert!(durations.len() > 5);
+    for pair in durations {
+        let nanoseconds = pair[0].as_f64().unwrap() * 1e6;
+        assert_eq!(duration(nanoseconds as i64), pair[1].as_str().unwrap());
+    }
+    assert_eq!(duration(i64::MIN), "-106751d23h47m16.854775808s");
 }
 
 #[test]

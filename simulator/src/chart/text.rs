@@ -4,7 +4,7 @@ use crate::value_text;
 use ladder_analysis::types::Scalar;
 use ladder_analysis::value::Value;
 
-/// A value as it is beside a drawing: `1`, `1s500ms`, `16#00FF`.
+/// A value as it is beside a drawing: `1`, `1.5s`, `16#00FF`.
 pub fn reading(value: &Value, ty: Scalar) -> String {
     match value {
         Value::Bool(_) => value_text::cell(value, ty),
@@ -13,19 +13,39 @@ pub fn reading(value: &Value, ty: Scalar) -> String {
     }
 }
 
-/// Nanoseconds as a duration: `1s500ms`.
+/// Nanoseconds as editors show a duration beside its operand: `20ms`, `1m30.5s`. Their own words for it are in
+/// `editors/shared/values.json`, which a test holds this against.
 pub fn duration(nanoseconds: i64) -> String {
-    let text = value_text::display(&Value::Int(nanoseconds), Scalar::Time);
-    match text.strip_prefix("T#") {
-        Some(duration) => duration.to_owned(),
-        None => text,
+    const SECOND: u64 = 1_000_000_000;
+    let mut rest = nanoseconds.unsigned_abs();
+    let sign = if nanoseconds < 0 { "-" } else { "" };
+    if rest < SECOND {
+        return format!("{sign}{}ms", with_decimals(rest, 1_000_000));
     }
+    let mut text = sign.to_owned();
+    for (unit, length) in [("d", 86_400 * SECOND), ("h", 3600 * SECOND), ("m", 60 * SECOND)] {
+        if rest >= length {
+            text.push_str(&format!("{}{unit}", rest / length));
+            rest %= length;
+        }
+    }
+    if rest > 0 {
+        text.push_str(&format!("{}s", with_decimals(rest, SECOND)));
+    }
+    text
+}
+
+/// A number of units, of which `one` are one, with the decimals that it needs.
+fn with_decimals(number: u64, one: u64) -> String {
+    let digits = one.ilog10() as usize;
+    let text = format!("{}.{:0digits$}", number / one, number % one);
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 /// What a value is more than another, with its sign; none of what is no number.
 pub fn difference(from: &Value, to: &Value, ty: Scalar) -> Option<String> {
     let signed = |is_less: bool, text: String| match text.as_str() {
-        "0" | "0.0" | "0s" | "0ms" => text,
+        "0" | "0.0" | "0ms" => text,
         _ if is_less => format!("-{text}"),
         _ => format!("+{text}"),
     };

@@ -48,7 +48,7 @@ pub fn record(session: &Session, program: &str, name: &str) -> Result<Recorded, 
     let mut order: Vec<String> = Vec::new();
     let mut moments = BTreeSet::new();
     for (scan, point, value) in given.values().filter(|(scan, ..)| *scan < scans) {
-        let found = simulation.resolve(&point.name).ok();
+        let found = session.find_in(&simulation, &point.name).ok();
         let Some(found) = found.filter(|found| found.ty == point.ty && !found.read_only) else {
             push_once(
                 &mut notes,
@@ -240,7 +240,7 @@ fn differs(session: &Session, played: &Played) -> bool {
     let seen: Vec<Point> = played
         .tracks
         .iter()
-        .filter_map(|track| session.simulation().resolve(&track.point.name).ok())
+        .filter_map(|track| session.find(&track.point.name).ok())
         .collect();
     if seen.len() < played.tracks.len() {
         return true;

@@ -88,6 +88,7 @@ impl Session {
         let lost = self.begin_era(new, generation);
         if let Some(unused) = unused {
             let moved = carry::moved(&unused.simulation, &self.simulation);
+            self.note_renamed(&moved);
             self.breakpoints = moved_breakpoints(&unused.breakpoints, &self.simulation, &moved);
         }
         Ok(Changeover::Carried { lost })
@@ -134,6 +135,7 @@ impl Session {
         self.forget_faults_ahead();
         let (lost, moved) = carry::carry(&self.simulation, &mut new);
         self.note_given_at_change(&new);
+        self.note_renamed(&moved);
         let mut history = History::new(&new, self.history.limits());
         history.follow_serial(&self.history);
         history.is_from_the_start &= self.history.kept() == 0;

@@ -10,6 +10,7 @@ mod change;
 mod delta;
 mod given;
 mod history;
+mod names;
 mod past;
 mod rewind;
 mod serial;
@@ -17,6 +18,7 @@ mod steps;
 mod touched;
 mod why;
 
+use crate::carry::Names;
 use crate::compile::CompileError;
 use crate::fault::Fault;
 use crate::machine::FaultRecord;
@@ -76,6 +78,8 @@ pub struct Session {
     writers: OnceCell<Writers>,
     /// How often the running program was changed before it became this one.
     generation: u64,
+    /// Tags that had another name in a program before, the newest change last.
+    renamed: Vec<Names>,
     /// The programs that ran before this one, the newest last.
     earlier: Vec<Era>,
     /// Those that ran behind the moment that was stepped back to, the newest first.
@@ -112,6 +116,7 @@ impl Session {
             unseen_network: false,
             writers: OnceCell::new(),
             generation: 0,
+            renamed: Vec::new(),
             earlier: Vec::new(),
             later: Vec::new(),
         }

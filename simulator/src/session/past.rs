@@ -12,7 +12,7 @@ impl Session {
     /// What points held after each of the last scans, the oldest first: for each point up to `scans` values, of which
     /// the last is from the scan that the simulation is behind. What was given since is not in it. Only kept
     /// scans are known, so there may be fewer, equally many for all points. Where the program was changed a point is the
-    /// one of that name and type; what there was none of before shows nothing, or 0.
+    /// one of that name, whichever its tag has now, and type; what there was none of before shows nothing, or 0.
     pub fn past(&self, points: &[Point], scans: usize) -> Vec<Vec<Value>> {
         let mut past: Vec<Vec<Value>> = vec![Vec::new(); points.len()];
         let known = self.history.known().min(scans);
@@ -29,7 +29,7 @@ impl Session {
             if known == 0 || more == 0 {
                 break;
             }
-            let then = points_of(simulation, points);
+            let then = self.points_of(simulation, points);
             note(history, simulation, &then, 1, more, &mut past);
             known += more;
         }
@@ -46,7 +46,7 @@ impl Session {
         let here = (&self.simulation, &self.history);
         let later = self.later.iter().rev().map(Era::parts);
         for (simulation, history) in std::iter::once(here).chain(later) {
-            let then = points_of(simulation, points);
+            let then = self.points_of(simulation, points);
             history.look_ahead(|memory| {
                 for ((ty, point), values) in then.iter().zip(future.iter_mut()) {
                     let value = point.as_ref().map(|point| point.read(memory));
@@ -56,15 +56,15 @@ impl Session {
         }
         future
     }
-}
 
-/// The points of those names and types in a program, each with its type.
-fn points_of(simulation: &Simulation, points: &[Point]) -> Vec<(Scalar, Option<Point>)> {
-    let found = points.iter().map(|point| {
-        let then = simulation.resolve(&point.name).ok();
-        (point.ty, then.filter(|then| then.ty == point.ty))
-    });
-    found.collect()
+    /// The points of those names and types in a program, each with its type.
+    fn points_of(&self, simulation: &Simulation, points: &[Point]) -> Vec<(Scalar, Option<Point>)> {
+        let found = points.iter().map(|point| {
+            let then = self.find_in(simulation, &point.name).ok();
+            (point.ty, then.filter(|then| then.ty == point.ty))
+        });
+        found.collect()
+    }
 }
 
 /// Goes back and notes values after so many scans, but for the newest few.

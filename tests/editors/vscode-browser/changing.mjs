@@ -72,7 +72,11 @@ export async function changing(page, { step, until, weights, row, screenshot }) 
         assert.match(await status(), /^Ladder: running/);
         assert.ok((await scan()) > before[1]);
     });
-    await step('a tag that is renamed goes on', async () => {
+    await step('a tag that is renamed goes on, and its trace with it', async () => {
+        await command(page, 'Ladder: Show Trace');
+        const view = page.frameLocator('iframe.webview.ready').frameLocator('#active-frame');
+        const traced = (name) => view.locator('#rows tr', { has: page.locator(`th span:text-is("${name}")`) });
+        await traced('runs').waitFor({ timeout: 10_000 });
         await cursorTo(page, 4, 9);
         await page.keyboard.press('F4');
         await is('go', '0');
@@ -85,6 +89,9 @@ export async function changing(page, { step, until, weights, row, screenshot }) 
         await row(page, 'turns').waitFor({ timeout: 10_000 });
         await until('more scans', 10, async () => (await scan()) > before + 20);
         await is('turns', '1');
+        await until('its name in the trace', 10, async () => (await traced('turns').count()) === 1 && (await traced('runs').count()) === 0);
+        const begin = async (name) => /^M[\d.]+/.exec(await traced(name).locator('.line').getAttribute('d'))?.[0];
+        await until('what it was before', 10, async () => (await begin('turns')) === (await begin('go')));
         await until('its power', 10, async () => (await bold('+--[ ]( turns )')).startsWith('+--[](turns)--'));
         assert.match(await status(), /^Ladder: running/);
         await page.keyboard.press('Shift+F5');

@@ -18,6 +18,23 @@ local tags_at_first = 8
 --- @type table<integer, ladder.Trace>
 local traces = {}
 
+--- Takes over the names that the program has now for the tags that were asked for: some may have been renamed while it runs.
+--- @param source integer
+--- @param trace ladder.Trace
+--- @param asked string[]
+local function take_names(source, trace, asked)
+  local names = {}
+  for _, tag in ipairs(trace.traced.tags) do
+    if not vim.list_contains(names, tag.name) then
+      table.insert(names, tag.name)
+    end
+  end
+  if vim.deep_equal(trace.tags, asked) and not vim.deep_equal(names, asked) then
+    trace.tags = names
+    chosen.set(source, names)
+  end
+end
+
 --- Asks for what is to be drawn; if an answer is awaited, again behind that.
 --- @param source integer
 local function ask(source)
@@ -46,7 +63,7 @@ local function ask(source)
   end, drawing.cursor_list(trace))
   local argument = {
     session = session.id,
-    tags = trace.tags,
+    tags = vim.deepcopy(trace.tags),
     span = trace.span,
     last = trace.last,
     columns = trace.width,
@@ -61,6 +78,7 @@ local function ask(source)
     trace.is_asking = false
     if not err and vim.api.nvim_buf_is_valid(trace.bufnr) then
       trace.traced = traced
+      take_names(source, trace, argument.tags)
       drawing.draw(source, trace)
     end
     if trace.is_stale then

@@ -1,4 +1,5 @@
 // What a diagram's page is sent of a session: what has changed of what it shows, and never what it knows.
+import { Flicker } from '../flicker.ts';
 import type { Session } from '../session.ts';
 import { showDuration } from '../value.ts';
 import type { Lines, LiveUpdate, OperandAt, PowerAt } from './messages.ts';
@@ -10,6 +11,7 @@ export class Feed {
     #sent = new Map<string, string>();
     #source: Source | undefined;
     #texts = -1;
+    #flicker = new Flicker();
 
     /** The page knows nothing, as when it begins. */
     forget(): void {
@@ -18,14 +20,16 @@ export class Feed {
 
     /**
      * @param withValues whether values that the page knows by others are sent now; otherwise they wait
+     * @param now in milliseconds
      * @returns what to tell the page that shows these lines
      */
-    news(source: Source, lines: Lines, withValues = true): LiveUpdate {
+    news(source: Source, lines: Lines, withValues = true, now = Date.now()): LiveUpdate {
         const whole = this.#source !== source || this.#texts !== source.texts;
         if (whole) {
             this.#source = source;
             this.#texts = source.texts;
             this.#sent = new Map();
+            this.#flicker = new Flicker();
         }
         const power: PowerAt[] = [];
         const operands: OperandAt[] = [];
@@ -36,12 +40,17 @@ export class Feed {
             sent.set(key, value);
             return this.#sent.get(key) !== value;
         };
-        for (let line = lines.first; line <= lines.last; line += 1) {
-            for (const [character, { on, contact }] of source.power.get(line) ?? []) {
-                if (isNews(`${line}:${character}`, `${on} ${contact}`)) {
-                    power.push(contact ? [line, character, on, contact] : [line, character, on]);
-                }
+        const numbers = Array.from({ length: Math.max(lines.last - lines.first + 1, 0) }, (_, at) => lines.first + at);
+        const elements = numbers.flatMap((line) => [...(source.power.get(line)?.values() ?? [])]);
+        const flickering = this.#flicker.among(elements, source.state.status === 'running', now);
+        for (const element of elements) {
+            const { line, character } = element.range.start;
+            const does = flickering.has(element) ? 'flickers' : element.contact;
+            if (isNews(`${line}:${character}`, does === 'flickers' ? does : `${element.on} ${does}`)) {
+                power.push(does ? [line, character, element.on, does] : [line, character, element.on]);
             }
+        }
+        for (const line of numbers) {
             for (const { range, tags, drawn } of source.operands.get(line) ?? []) {
                 const { character } = range.start;
                 tags.forEach((name) => names.add(name));

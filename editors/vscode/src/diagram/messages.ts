@@ -41,8 +41,11 @@ export interface LineChange {
     readonly count: number;
 }
 
-/** Power of an element: its line, its character, whether it has power, and what a contact does. */
-export type PowerAt = readonly [line: number, character: number, on: boolean, contact?: Contact];
+/** What a contact does, or that an element changes faster than anybody can follow. */
+export type Does = Contact | 'flickers';
+
+/** Power of an element: its line, its character, whether it has power, and what it does. */
+export type PowerAt = readonly [line: number, character: number, on: boolean, does?: Does];
 
 /** The tags of an operand: its line, its character, and whether the drawing shows the value already. */
 export type OperandAt = readonly [line: number, character: number, tags: readonly string[], drawn: boolean];

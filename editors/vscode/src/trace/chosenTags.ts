@@ -34,6 +34,12 @@ export function picked(tags: readonly string[], names: readonly string[]): reado
     return names.reduce(added, kept);
 }
 
+/** Those that were asked for, by the names that the program has for them now: some may have been renamed while it runs. */
+export function renamed(asked: readonly string[], found: readonly { readonly name: string }[]): readonly string[] {
+    const names = asked.map((tag, at) => found[at]?.name ?? tag);
+    return names.every((name, at) => same(name, asked[at] ?? '')) ? asked : names.reduce<readonly string[]>(added, []);
+}
+
 /** What the world gives and takes, as long as nobody has chosen. */
 export function atFirst(tags: readonly Tag[]): readonly string[] {
     const ofRole = (role: Tag['role']) => tags.filter((tag) => tag.role === role && tag.readOnly !== true);

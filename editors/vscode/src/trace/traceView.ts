@@ -6,7 +6,7 @@ import * as vscode from 'vscode';
 import type { Session } from '../session.ts';
 import type { Simulation } from '../simulation.ts';
 import { showValue } from '../value.ts';
-import { added, atFirst, moved, MOST, picked, removed } from './chosenTags.ts';
+import { added, atFirst, moved, MOST, picked, removed, renamed } from './chosenTags.ts';
 import type { FromPage, Situation, ToPage, TraceAsked } from './messages.ts';
 import { page } from './page.ts';
 
@@ -159,7 +159,12 @@ export class TraceView implements vscode.WebviewViewProvider, vscode.Disposable 
 
     async #ask(session: Session, asked: TraceAsked): Promise<void> {
         try {
-            const traced = await session.urgent('trace', { ...asked, tags: await this.#tags(session) });
+            const tags = await this.#tags(session);
+            const traced = await session.urgent('trace', { ...asked, tags });
+            const names = renamed(tags, traced.tags);
+            if (names !== tags) {
+                this.#choose(session, names);
+            }
             this.#send({ kind: 'traced', session: session.id, asked, traced });
         } catch {
             // The simulation has ended meanwhile.

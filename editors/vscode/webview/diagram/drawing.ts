@@ -2,7 +2,7 @@
 // comes as text and stays text: the drawing is read as XML, and what is added is added as text.
 import { showValue } from '../../src/value.ts';
 import type { Tag } from '../../src/protocol.ts';
-import { type Changed, isSwitch, type Live, toggles } from './live.ts';
+import { type Changed, isSwitch, type Live, type Power, toggles } from './live.ts';
 import type { Piece } from './layout.ts';
 import type { Spot } from './neighbours.ts';
 import { describe } from './speech.ts';
@@ -48,6 +48,14 @@ function within(place: string | null): Within {
 
 function number(node: Element, name: string): number {
     return Number(node.getAttribute(name) ?? 0);
+}
+
+/** How a wire looks that these elements give power to. */
+function lookOf(powers: readonly Power[]): 'on' | 'off' | 'flickers' | '' {
+    if (powers.some(({ on, does }) => on && does !== 'flickers')) {
+        return 'on';
+    }
+    return powers.some(({ does }) => does === 'flickers') ? 'flickers' : powers.length > 0 ? 'off' : '';
 }
 
 /** What fits into so many letters. */
@@ -196,12 +204,12 @@ export class Drawing {
         const isLive = live.state !== undefined;
         for (const powered of this.#powered) {
             const powers = powered.parts.map(([line, character]) => live.power(this.first + line, character));
-            const known = isLive && powers.some((power) => power !== undefined);
-            const state = known ? (powers.some((power) => power?.on) ? 'on' : 'off') : '';
+            const state = isLive ? lookOf(powers.filter((power) => power !== undefined)) : '';
             if (state !== powered.state) {
                 powered.state = state;
-                powered.shape.classList.toggle('on', state === 'on');
-                powered.shape.classList.toggle('off', state === 'off');
+                for (const look of ['on', 'off', 'flickers']) {
+                    powered.shape.classList.toggle(look, look === state);
+                }
             }
         }
         this.#tags.clear();
@@ -224,7 +232,7 @@ export class Drawing {
         const state = [
             'element',
             part.kind,
-            ...(live.state && power ? [power.on ? 'on' : 'off', power.contact ?? ''] : []),
+            ...(live.state && power ? [...new Set([lookOf([power]), power.does ?? ''])] : []),
             isForced ? 'forced' : '',
             isSwitch(part.kind, main) ? 'switch' : '',
             part.node.classList.contains('cursor') ? 'cursor' : '',

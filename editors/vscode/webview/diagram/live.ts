@@ -1,12 +1,12 @@
 // What the page knows of the running program, by places in the text.
-import type { LineChange, LiveUpdate } from '../../src/diagram/messages.ts';
-import type { Contact, Tag } from '../../src/protocol.ts';
+import type { Does, LineChange, LiveUpdate } from '../../src/diagram/messages.ts';
+import type { Tag } from '../../src/protocol.ts';
 import { moved } from './layout.ts';
 
-/** The power of an element, and what it does with it if it is a contact. */
+/** The power of an element, and what it does with it if it is a contact, or changes too fast to follow. */
 export interface Power {
     readonly on: boolean;
-    readonly contact: Contact | undefined;
+    readonly does: Does | undefined;
 }
 
 /** The tags of an operand, the most telling one first. */
@@ -56,8 +56,8 @@ export class Live {
             lines: new Set([...(update?.power ?? []), ...(update?.operands ?? [])].map(([line]) => line)),
             tags: new Set((update?.tags ?? []).map(({ name }) => name.toLowerCase())),
         };
-        for (const [line, character, on, contact] of update?.power ?? []) {
-            put(this.#power, line, character, { on, contact });
+        for (const [line, character, on, does] of update?.power ?? []) {
+            put(this.#power, line, character, { on, does });
         }
         for (const [line, character, tags, drawn] of update?.operands ?? []) {
             put(this.#operands, line, character, { tags, drawn });

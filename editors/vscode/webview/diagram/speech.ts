@@ -15,13 +15,15 @@ export interface Spoken {
 
 function powerInWords(kind: string, power: Power): string[] {
     const flows = power.on ? 'power flows' : 'no power';
-    switch (power.contact) {
+    switch (power.does) {
         case 'closed':
             return ['lets power through', flows];
         case 'blocks':
             return ['blocks the power that comes'];
         case 'open':
             return ['does not let power through', flows];
+        case 'flickers':
+            return ['changes faster than can be followed'];
         case undefined:
             return [kind === 'coil' && power.on ? 'has power' : flows];
     }

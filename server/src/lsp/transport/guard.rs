@@ -6,6 +6,7 @@
 //! - `shutdown` and `exit` are recorded: [`Life`] knows how the process is to end, also while the client keeps
 //!   the input open.
 //! - A request for a method of the protocol itself (`$/..`) is answered with -32601.
+//! - Long texts are put back that did not go through the framework ([`long_texts`](crate::lsp::transport::long_texts)).
 //! - A message that could not be decoded is answered (see [`inlet`](crate::lsp::transport::inlet)), and so is a notification
 //!   with parameters that make no sense: the client gets a message instead of silence.
 
@@ -22,6 +23,7 @@ use tower::Service;
 use tower_lsp::ExitedError;
 use tower_lsp::jsonrpc::{Error, ErrorCode, Id, Request, Response};
 
+use super::long_texts::LongTexts;
 use super::prepared::{self, Prepared};
 use super::{inlet::MALFORMED, outbox::Outbox};
 use crate::lsp::capabilities::since_3_18;
@@ -64,6 +66,7 @@ pub(crate) struct Guard<S> {
     life: Arc<Life>,
     outbox: Outbox,
     prepared: Arc<Prepared>,
+    long_texts: Arc<LongTexts>,
 }
 
 impl<S> Guard<S> {
@@ -73,11 +76,17 @@ impl<S> Guard<S> {
             life: Arc::default(),
             prepared: outbox.prepared(),
             outbox,
+            long_texts: Arc::default(),
         }
     }
 
     pub(crate) fn life(&self) -> Arc<Life> {
         self.life.clone()
+    }
+
+    /// The texts that the inlet takes out of messages.
+    pub(crate) fn long_texts(&self) -> Arc<LongTexts> {
+        self.long_texts.clone()
     }
 
     /// The answers that are text already.
@@ -107,6 +116,7 @@ where
     }
 
     fn call(&mut self, request: Request) -> Self::Future {
+        let request = self.long_texts.put_back(request);
         let id = request.id().cloned();
         if id.is_none()
             && let Some(problem) = misread(&request)

@@ -7,6 +7,8 @@
 //! understood is replaced by a request for the method [`MALFORMED`], which the [`Guard`](crate::lsp::transport::guard) answers
 //! with the error that belongs to it. What the framework reads is always well formed.
 
+use std::sync::Arc;
+
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 use serde_json::json;
@@ -16,6 +18,7 @@ use tower_lsp::jsonrpc::{ErrorCode, Id, Response};
 use super::{
     decodable::{Decodable, replace_lone_surrogates},
     frames::{Frame, Frames, LONGEST_MESSAGE},
+    long_texts::LongTexts,
 };
 
 /// The method that stands for a message that could not be understood. Its parameters are the `code` and
@@ -23,11 +26,15 @@ use super::{
 pub(crate) const MALFORMED: &str = "$malformed";
 
 /// Copies messages from the client to the framework until either side ends.
-pub(crate) async fn feed(input: impl AsyncRead + Unpin, mut framework: impl AsyncWrite + Unpin) {
+pub(crate) async fn feed(
+    input: impl AsyncRead + Unpin,
+    mut framework: impl AsyncWrite + Unpin,
+    long_texts: Arc<LongTexts>,
+) {
     let mut frames = Frames::of(input);
     while let Ok(Some(frame)) = frames.next().await {
         let body = match frame {
-            Frame::Body(body) => message(body, &mut frames),
+            Frame::Body(body) => long_texts.take_out(message(body, &mut frames)),
             Frame::TooLong(length) => stand_in(Mistake {
                 code: ErrorCode::InvalidRequest,
                 message: format!(
@@ -173,7 +180,7 @@ mod tests {
         tokio::runtime::Builder::new_current_thread()
             .build()
             .unwrap()
-            .block_on(feed(input, &mut out));
+            .block_on(feed(input, &mut out, Arc::default()));
         let text = String::from_utf8(out).unwrap();
         let bodies: Vec<_> = text.split("Content-Length: ").skip(1).collect();
         bodies

@@ -10,6 +10,7 @@ pub(crate) mod decodable;
 pub(crate) mod frames;
 pub(crate) mod guard;
 pub(crate) mod inlet;
+pub(crate) mod long_texts;
 pub(crate) mod outbox;
 pub(crate) mod parent;
 pub(crate) mod prepared;

@@ -92,6 +92,9 @@ const BEFORE: [&[u8]; 2] = [
     br#"{"jsonrpc":"2.0","method":"textDocument/publishDiagnostics","params":"#,
 ];
 
+/// So many bytes are written at once at most.
+const AT_ONCE: usize = 256 << 10;
+
 /// The longest of them with what a ticket begins with.
 const BEGINNING: usize = BEFORE[1].len() + 1 + TICKET.len();
 
@@ -230,6 +233,8 @@ impl<O: AsyncWrite> Outlet<O> {
                 self.written = 0;
                 continue;
             }
+            // Standard output copies what it is given, and keeps room for as much.
+            let rest = &rest[..rest.len().min(AT_ONCE)];
             match ready!(self.output.as_mut().poll_write(cx, rest))? {
                 0 => return Poll::Ready(Err(io::ErrorKind::WriteZero.into())),
                 written => self.written += written,
@@ -245,7 +250,7 @@ impl<O: AsyncWrite> AsyncWrite for Outlet<O> {
         let State::Rest(rest) = self.state else {
             return Poll::Ready(Ok(self.hold(bytes)));
         };
-        let now = &bytes[..rest.min(bytes.len())];
+        let now = &bytes[..rest.min(bytes.len()).min(AT_ONCE)];
         let written = ready!(self.output.as_mut().poll_write(cx, now))?;
         self.state = match rest - written {
             0 => State::Header,

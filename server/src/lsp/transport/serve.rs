@@ -53,7 +53,7 @@ where
     let outlet = Outlet::new(output, guard.prepared());
 
     let (to_framework, from_client) = tokio::io::duplex(PIPE);
-    let reader = tokio::spawn(inlet::feed(input, to_framework));
+    let reader = tokio::spawn(inlet::feed(input, to_framework, guard.long_texts()));
     let server = Server::new(from_client, outlet, socket)
         .concurrency_level(CONCURRENCY)
         .serve(guard);
