@@ -25,12 +25,14 @@ async function make(document: vscode.TextDocument, version: number, edits: vscod
     return editor.edit(write, { undoStopBefore: undoStops, undoStopAfter: undoStops });
 }
 
-/** Whether an edit would part a word that is being typed, and push the cursor away from its beginning. The word's end is drawn later. */
-function partsWord(document: vscode.TextDocument, { range }: vscode.TextEdit): boolean {
+/**
+ * The edits without what would be put where the cursor is: VS Code moves the cursor behind it, and the rest of a word, or of a
+ * branch that its right rail was drawn for, is typed in the wrong place. It is drawn with Enter, or when the file is saved.
+ */
+function besideCursor(document: vscode.TextDocument, edits: vscode.TextEdit[]): vscode.TextEdit[] {
     const editor = vscode.window.visibleTextEditors.find((candidate) => candidate.document === document);
-    const isCursor = editor?.selections.some(({ active }) => active.isEqual(range.start)) ?? false;
-    const { text } = document.lineAt(range.start);
-    return range.isEmpty && isCursor && /[\p{L}\p{N}_]$/u.test(text.slice(0, range.start.character));
+    const cursors = editor?.selections.map(({ active }) => active) ?? [];
+    return edits.filter(({ range }) => !range.isEmpty || cursors.every((cursor) => !cursor.isEqual(range.start)));
 }
 
 export class TypedAhead implements vscode.Disposable {
@@ -57,7 +59,8 @@ export class TypedAhead implements vscode.Disposable {
         const isAtEnd = document.lineAt(position).text.slice(position.character).trim() === '';
         const waiting = this.#of(document);
         const own = waiting.add(position.line, character);
-        const edits = await ask(position, character, token);
+        const asked = await ask(position, character, token);
+        const edits = character === LINE_END ? asked : besideCursor(document, asked);
         // One undo takes back Enter and what it has begun.
         const undoStops = character !== LINE_END;
         const isMade = document.version === version && (edits.length === 0 || (await make(document, version, edits, undoStops)));
@@ -100,7 +103,7 @@ export class TypedAhead implements vscode.Disposable {
                     continue;
                 }
                 const asked = await ask(line.range.end, next.typed, new vscode.CancellationTokenSource().token);
-                const edits = asked.some((edit) => partsWord(document, edit)) ? [] : asked;
+                const edits = besideCursor(document, asked);
                 // The typist's step of undo, not one of its own.
                 if (document.version === version && (edits.length === 0 || (await make(document, version, edits, false)))) {
                     waiting.remove(next);

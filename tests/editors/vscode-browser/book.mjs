@@ -1,4 +1,4 @@
-// The programs of six pages of the book, typed key by key by somebody who looks at the book only: every character, and
+// The programs of eight pages of the book, typed key by key by somebody who looks at the book only: every character, and
 // Enter at the end of a line. What is saved is the program that is in the book.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -13,9 +13,11 @@ const PAGES = [
     'first-program.md',
     'for-electricians.md',
     'for-programmers.md',
+    'drawing-rungs.md',
     'testing.md',
     '../language/blocks.md',
     '../language/drawing.md',
+    '../language/layout.md',
 ];
 
 /** Milliseconds behind a key: somebody who types faster than the answers come, whom the editor's own aids can still follow. */
