@@ -45,6 +45,7 @@ pub use circuit::{Circuit, Piece, PieceKind};
 pub use edit::{Edit, apply};
 pub use layout::Layout;
 pub use sketch::{Element, ElementKind, Sketch};
+pub use stays::is_switched_off;
 pub use width::display_width;
 
 use edit::{Edits, NewText};

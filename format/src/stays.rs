@@ -2,7 +2,7 @@
 
 use crate::flat::{FlatLine, Node, Source};
 use ladder_syntax::SyntaxKind::{self, COMMENT};
-use ladder_syntax::{Item, LineKind, Lines, Many, Network, SyntaxErrorKind};
+use ladder_syntax::{Item, LineKind, Lines, Many, Network, NodeOrToken, Parse, SyntaxErrorKind};
 use std::ops::Range;
 
 /// For each logical line whether it stays to the letter.
@@ -262,6 +262,25 @@ pub(crate) fn directive(comment: &str) -> Option<Directive> {
 }
 
 const BLANKS: [char; 2] = [' ', '\t'];
+
+/// Whether `fmt off` holds at the beginning of a logical line (LANGUAGE §8 rule 10).
+pub fn is_switched_off(parse: &Parse, line: usize) -> bool {
+    let lines = parse.lines();
+    let directive_above = |above: usize| {
+        let line = &lines[above];
+        let may_hold =
+            matches!(line.kind, LineKind::Comment | LineKind::Rail) && line.text().contains("ladder:");
+        let syntax = may_hold.then(|| line.syntax())?;
+        let tokens = syntax.children_with_tokens().filter_map(NodeOrToken::into_token);
+        let mut comments = tokens.filter(|token| token.kind() == COMMENT);
+        let first = comments.next()?;
+        if comments.next().is_some() {
+            return None;
+        }
+        directive(first.text())
+    };
+    (0..line).rev().find_map(directive_above) == Some(Directive::Off)
+}
 
 /// The directive that is alone on a line.
 fn directive_line(source: Source<'_>, line: usize) -> Option<Directive> {

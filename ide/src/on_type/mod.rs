@@ -8,7 +8,7 @@
 //! - Enter in a section indents the next declaration.
 //! - What Enter has begun may be typed once more; a comment or a keyword takes its place.
 //!
-//! What was typed stays, but for rails and wires.
+//! What was typed stays, but for rails and wires. Where the formatter is switched off nothing is drawn.
 //!
 //! Edits for a text that has moved on are of no use. A client whose user types faster than the answers come asks again, about the
 //! same character, from the end of its line as it is by then; for Enter from the end of the line that it began.
@@ -19,7 +19,7 @@ mod typed_over;
 
 use ladder_analysis::context::Context;
 use ladder_analysis::networks::NetworkAt;
-use ladder_format::{Edit, Options, format_ranges};
+use ladder_format::{Edit, Options, format_ranges, is_switched_off};
 use ladder_syntax::{LineKind, SyntaxKind, TextSize};
 
 /// The characters behind which the drawing may do something.
@@ -27,6 +27,10 @@ pub const TRIGGERS: [char; 10] = ['\n', ')', '/', '+', '>', '#', '|', 'E', 'F', 
 
 /// The edits after a character was typed; `offset` is right behind it. Sorted, none touching another.
 pub fn on_type(context: &Context, offset: TextSize, typed: char, options: &Options) -> Vec<Edit> {
+    let line = context.parse.line_at(offset);
+    if line.is_none_or(|line| is_switched_off(&context.parse, line)) {
+        return Vec::new();
+    }
     if typed != '\n'
         && let Some(edits) = typed_over::typed_over(context, offset)
     {

@@ -674,3 +674,29 @@ fn an_enter_that_was_overtaken_is_asked_about_again() {
         "#]],
     );
 }
+
+#[test]
+fn nothing_is_drawn_where_the_formatter_is_switched_off() {
+    check(
+        "# ladder: fmt off #\n+-[ ](a)-( )(b)-+\n$0",
+        expect![[r#"
+            nothing
+        "#]],
+    );
+    check(
+        "# ladder: fmt off #\n+--\\--[ ]( start )$0--\\--( )( run )--+\n|  /--[ ]( run )--/\n",
+        expect![[r#"
+            nothing
+        "#]],
+    );
+    check(
+        "#ladder: fmt off#\n+-[ ](a)-( )(b)-+\n# ladder: fmt on #\n+-[ ](a)-( )(b)-+\n$0",
+        expect![[r#"
+            #ladder: fmt off#
+            +-[ ](a)-( )(b)-+
+            # ladder: fmt on #
+            +--[ ]( a )------------------( )( b )--+
+            +--
+        "#]],
+    );
+}
