@@ -7,6 +7,7 @@ mod flow;
 mod follow_ups;
 mod mutated;
 mod names;
+mod other_drawings;
 mod pages;
 mod pathological;
 mod power;

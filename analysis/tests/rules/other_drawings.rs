@@ -1,0 +1,166 @@
+//! Branches drawn as other tools draw them: from bar to bar, and with box-drawing characters.
+
+use crate::check::check;
+use expect_test::expect;
+
+#[test]
+fn branches_between_others_that_are_drawn_with_bars() {
+    check(
+        "+--\\--[ ]( a )--\\--( )( y )--+\n|  |--[ ]( b )--|            |\n|  /--[ ]( c )--/            |\n",
+        expect![[r#"
+            > +--\--[ ]( a )--\--( )( y )--+
+                 ^ error[unpaired-connector]: the branch on line 2 begins and ends with `|`, which is decoration: nothing joins it to the branch above it
+                help: a branch between two others begins with `/--\` and ends with `\--/`
+                at 2:4 `|`: no power comes to this `|`
+                at 2:17 `|`: no power leaves this `|`
+                fix: Draw it with `/--\` and `\--/`
+                  +--\--[ ]( a )--------\------( )( y )--+
+                  |  /--\--[ ]( b )--\--/                |
+                  |     /--[ ]( c )--/                   |
+            > |  /--[ ]( c )--/            |
+                 ^ error[unpaired-connector]: the branch on line 2 begins and ends with `|`, which is decoration: nothing joins it to the branch below it
+                help: a branch between two others begins with `/--\` and ends with `\--/`
+                at 2:4 `|`: no power comes to this `|`
+                at 2:17 `|`: no power leaves this `|`
+                fix: Draw it with `/--\` and `\--/`
+                  +--\--[ ]( a )--------\------( )( y )--+
+                  |  /--\--[ ]( b )--\--/                |
+                  |     /--[ ]( c )--/                   |
+        "#]],
+    );
+    check(
+        "+--\\--[ ]( a )--\\--( )( y )--+\n|  |--[ ]( b )--|            |\n|  |--[ ]( c )--|            |\n|  /--[ ]( d )--/            |\n",
+        expect![[r#"
+            > +--\--[ ]( a )--\--( )( y )--+
+                 ^ error[unpaired-connector]: the branch on line 2 begins and ends with `|`, which is decoration: nothing joins it to the branch above it
+                help: a branch between two others begins with `/--\` and ends with `\--/`
+                at 2:4 `|`: no power comes to this `|`
+                at 2:17 `|`: no power leaves this `|`
+                fix: Draw it with `/--\` and `\--/`
+                  +--\--[ ]( a )--------------\--------------------( )( y )--+
+                  |  /--\--[ ]( b )--------\--/                              |
+                  |     /--\--[ ]( c )--\--/                                 |
+                  |        /--[ ]( d )--/                                    |
+            > |  /--[ ]( d )--/            |
+                 ^ error[unpaired-connector]: the branch on line 3 begins and ends with `|`, which is decoration: nothing joins it to the branch below it
+                help: a branch between two others begins with `/--\` and ends with `\--/`
+                at 3:4 `|`: no power comes to this `|`
+                at 3:17 `|`: no power leaves this `|`
+                fix: Draw it with `/--\` and `\--/`
+                  +--\--[ ]( a )--------------\--------------------( )( y )--+
+                  |  /--\--[ ]( b )--------\--/                              |
+                  |     /--\--[ ]( c )--\--/                                 |
+                  |        /--[ ]( d )--/                                    |
+        "#]],
+    );
+    // The last branch, and one that only looks like it.
+    check(
+        "+--\\--[ ]( a )--\\--( )( y )--+\n|  |--[ ]( b )--|            |\n",
+        expect![[r#"
+            > +--\--[ ]( a )--\--( )( y )--+
+                 ^ error[unpaired-connector]: the 1st `\` on line 1 has no partner: line 2 below it has no `/`
+                help: every `\` needs a `/` on the rung below: together they join the two lines
+                at 2:1 `|  |--[ ]( b )--|            |`: its partner `/` belongs onto this rung
+                fix: Replace `|` with `/`
+                  |  /--[ ]( b )--|            |
+                fix: Close the branch with `/`
+                  |  |/--[ ]( b )--|            |
+                fix: Replace `\` with wire
+                  +-----[ ]( a )--\--( )( y )--+
+            > +--\--[ ]( a )--\--( )( y )--+
+                              ^ error[unpaired-connector]: the 2nd `\` on line 1 has no partner: line 2 below it has no `/`
+                help: every `\` needs a `/` on the rung below: together they join the two lines
+                at 2:1 `|  |--[ ]( b )--|            |`: its partner `/` belongs onto this rung
+                fix: Replace `|` with `/`
+                  |  |--[ ]( b )--/            |
+                fix: Close the branch with `/`
+                  |  |--[ ]( b )--/|            |
+                fix: Replace `\` with wire
+                  +--\--[ ]( a )-----( )( y )--+
+        "#]],
+    );
+}
+
+#[test]
+fn a_drawing_of_boxes() {
+    check(
+        "├──┬──[ ]( a )──┬──( )( y )──┤\n│  ├──[ ]( b )──┤            │\n│  └──[ ]( c )──┘            │\n",
+        expect![[r#"
+            > ├──┬──[ ]( a )──┬──( )( y )──┤
+              ^^^^^^ error[unexpected-character]: `├──┬──` means nothing on a rung
+                help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
+                fix: Draw it with - + | \ / and blocks
+                  +--\--[ ]( a )--------\------( )( y )--+
+                  |  /--\--[ ]( b )--\--/                |
+                  |     /--[ ]( c )--/                   |
+            > ├──┬──[ ]( a )──┬──( )( y )──┤
+                                         ^^^ error[unexpected-character]: `──┤` means nothing on a rung
+                help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
+                fix: Draw it with - + | \ / and blocks
+                  +--\--[ ]( a )--------\------( )( y )--+
+                  |  /--\--[ ]( b )--\--/                |
+                  |     /--[ ]( c )--/                   |
+            > │  ├──[ ]( b )──┤            │
+              ^^^^^^ error[unexpected-character]: `│  ├──` means nothing on a rung
+                help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
+                fix: Draw it with - + | \ / and blocks
+                  +--\--[ ]( a )--------\------( )( y )--+
+                  |  /--\--[ ]( b )--\--/                |
+                  |     /--[ ]( c )--/                   |
+            > │  └──[ ]( c )──┘            │
+              ^^^^^^ error[unexpected-character]: `│  └──` means nothing on a rung
+                help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
+                fix: Draw it with - + | \ / and blocks
+                  +--\--[ ]( a )--------\------( )( y )--+
+                  |  /--\--[ ]( b )--\--/                |
+                  |     /--[ ]( c )--/                   |
+        "#]],
+    );
+}
+
+#[test]
+fn names_above_a_drawing_of_boxes() {
+    check(
+        "     start         stop            run\n├─┬──┤ ├───┬────────┤/├────────────( )──┤\n│ │  run   │                            │\n│ └──┤ ├───┘                            │\n",
+        expect![[r#"
+            >      start         stop            run
+                   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: `start         stop...` means nothing on a rung
+                help: a rung is drawn with - + | \ / and blocks; text is in # comments #
+            > ├─┬──┤ ├───┬────────┤/├────────────( )──┤
+              ^^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: `├─┬──┤ ├───┬────────┤` means nothing on a rung
+                help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
+                fix: Draw it with - + | \ / and blocks
+                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
+                  |  |                |                                      |
+                  |  /--[ ]( run )----/                                      |
+            > ├─┬──┤ ├───┬────────┤/├────────────( )──┤
+                                    ^^^^^^^^^^^^^ error[unexpected-character]: `├────────────` means nothing on a rung
+                help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
+                fix: Draw it with - + | \ / and blocks
+                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
+                  |  |                |                                      |
+                  |  /--[ ]( run )----/                                      |
+            > ├─┬──┤ ├───┬────────┤/├────────────( )──┤
+                                                    ^^^ error[unexpected-character]: `──┤` means nothing on a rung
+                help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
+                fix: Draw it with - + | \ / and blocks
+                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
+                  |  |                |                                      |
+                  |  /--[ ]( run )----/                                      |
+            > │ │  run   │                            │
+              ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: `│ │  run   │...` means nothing on a rung
+                help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
+                fix: Draw it with - + | \ / and blocks
+                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
+                  |  |                |                                      |
+                  |  /--[ ]( run )----/                                      |
+            > │ └──┤ ├───┘                            │
+              ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: `│ └──┤ ├───┘...` means nothing on a rung
+                help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
+                fix: Draw it with - + | \ / and blocks
+                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
+                  |  |                |                                      |
+                  |  /--[ ]( run )----/                                      |
+        "#]],
+    );
+}

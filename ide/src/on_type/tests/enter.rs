@@ -1,0 +1,310 @@
+//! Enter, in time and overtaken.
+
+use super::{check, check_typed};
+use expect_test::expect;
+
+#[test]
+fn enter_goes_on_with_the_rail() {
+    check(
+        "+--\\--[ ]( a )--\\--( )( y )--+\n$0",
+        expect![[r#"
+            +--\--[ ]( a )--\--( )( y )--+
+            |  /--
+        "#]],
+    );
+    check(
+        "+--[ ]( ä )--\\--[ ]( b )--\\--( )( y )--+\n  $0\n",
+        expect![[r#"
+            +--[ ]( ä )--\--[ ]( b )--\--( )( y )--+
+            |            /--
+
+        "#]],
+    );
+    check(
+        "+--\\--[ ]( a )--\\--( )( y )--+\n$0\n|  /--[ ]( b )--/            |\n",
+        expect![[r#"
+            +--\--[ ]( a )--\--( )( y )--+
+            | ·
+            |  /--[ ]( b )--/            |
+
+        "#]],
+    );
+    check(
+        "+--\\--[ ]( a )--\\--( )( y )--+\r\n|  |  |\r\n$0\r\n",
+        expect![[r#"
+            +--\--[ ]( a )--\--( )( y )--+
+            |  |  |
+            |  /--
+
+        "#]],
+    );
+    check(
+        "[ ]( b )--\\--[ ]( a )--\n$0\n",
+        expect![[r#"
+            [ ]( b )--\--[ ]( a )--
+                      /--
+
+        "#]],
+    );
+}
+
+#[test]
+fn enter_elsewhere() {
+    check(
+        "+--[ ]( a )-( )( y )--+\n$0",
+        expect![[r#"
+            +--[ ]( a )------------------( )( y )--+
+            +--
+        "#]],
+    );
+    check(
+        "+--[ ]( a )-( )( y )--+\n\n$0\n",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    check(
+        "+--[ ]( a )\n$0--( )( y )--+\n",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    check(
+        "+--[ ]( a\n$0\n",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    check(
+        "VAR\n$0\nEND_VAR\n",
+        expect![[r#"
+        VAR
+           ·
+        END_VAR
+
+    "#]],
+    );
+    check(
+        "VAR\n    a : INT;\n  $0\nEND_VAR\n",
+        expect![[r#"
+            VAR
+                a : INT;
+               ·
+            END_VAR
+
+        "#]],
+    );
+    check(
+        "VAR\n    a : INT;\nEND_VAR\n$0\n",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    check(
+        "# comment\n$0\n #\n+-[ ]( a )-+\n",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    check(
+        "+--[ ]( a )--+  # open\n$0",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    check(
+        "\n$0",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+}
+
+#[test]
+fn enter_behind_a_rung_begins_the_next() {
+    check(
+        "+--[ ]( a )--( )( y )--+\n$0\n\n+--[ ]( x )--( )( z )--+\n",
+        expect![[r#"
+            +--[ ]( a )--( )( y )--+
+            +--
+
+            +--[ ]( x )--( )( z )--+
+
+        "#]],
+    );
+    check(
+        "+--\\--[ ]( a )--\\--( )( y )--+\n|  /--[ ]( b )--/            |\n$0",
+        expect![[r#"
+            +--\--[ ]( a )--\------------( )( y )--+
+            |  /--[ ]( b )--/                      |
+            +--
+        "#]],
+    );
+    // One between two that touch, and once more a line further down.
+    check(
+        "+--[ ]( a )------------------( )( y )--+\n$0\n+--[ ]( x )------------------( )( z )--+\n",
+        expect![[r#"
+            +--[ ]( a )------------------( )( y )--+
+            +--
+            +--[ ]( x )------------------( )( z )--+
+
+        "#]],
+    );
+    check(
+        "+--[ ]( a )------------------( )( y )--+\n+--\n$0\n+--[ ]( x )------------------( )( z )--+\n",
+        expect![[r#"
+            +--[ ]( a )------------------( )( y )--+
+
+            +--
+            +--[ ]( x )------------------( )( z )--+
+
+        "#]],
+    );
+    check(
+        "+--\\--[ ]( a )--\\------------( )( y )--+\n|  /--[ ]( b )--/                      |\n$0\n+--[ ]( x )------------------( )( z )--+\n",
+        expect![[r#"
+            +--\--[ ]( a )--\------------( )( y )--+
+            |  /--[ ]( b )--/                      |
+            +--
+            +--[ ]( x )------------------( )( z )--+
+
+        "#]],
+    );
+    // Nothing is known of rails.
+    check(
+        "--[ ]( a )--( )( y )--\n$0",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    // Not finished.
+    check(
+        "+--[ ]( a )--\n$0",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    // Again and again: a line further down, then not at all.
+    check(
+        "+--[ ]( a )------------------( )( y )--+\n+--\n$0",
+        expect![[r#"
+        +--[ ]( a )------------------( )( y )--+
+
+        +--
+    "#]],
+    );
+    check(
+        "+--[ ]( a )------------------( )( y )--+\n\n+--\n$0",
+        expect![[r#"
+            +--[ ]( a )------------------( )( y )--+
+
+
+
+        "#]],
+    );
+}
+
+#[test]
+fn enter_behind_a_branch_leaves_the_rail_where_it_is() {
+    const ROW: &str = "+--\\--[ ]( a )--\\--( )( y )--+\n|  /--[ ]( b )--/\n";
+    check(
+        &format!("{ROW}$0            |"),
+        expect![[r#"
+        +--\--[ ]( a )--\------------( )( y )--+
+        |  /--[ ]( b )--/                      |
+        +--
+    "#]],
+    );
+    check(
+        &format!("{ROW}  $0          |\n\n+--[ ]( c )--( )( z )--+\n"),
+        expect![[r#"
+        +--\--[ ]( a )--\------------( )( y )--+
+        |  /--[ ]( b )--/                      |
+        +--
+
+        +--[ ]( c )--( )( z )--+
+
+    "#]],
+    );
+    // Another branch is open.
+    check(
+        "+--\\--\\--[ ]( a )--\\--\\--( )( y )--+\n|  |  /--[ ]( b )--/\n$0      |\n",
+        expect![[r#"
+            nothing
+        "#]],
+    );
+    // A rail that somebody draws.
+    check(
+        &format!("{ROW}|\n$0|\n"),
+        expect![[r#"
+            nothing
+        "#]],
+    );
+}
+
+#[test]
+fn an_enter_that_was_overtaken_is_asked_about_again() {
+    const RUNG: &str = "+--[ ]( a )------------------( )( y )--+\n";
+    // What was begun on the line above is not wanted.
+    check_typed(
+        &format!("{RUNG}+--\n# why$0\n{RUNG}"),
+        '\n',
+        expect![[r#"
+            +--[ ]( a )------------------( )( y )--+
+
+            # why
+            +--[ ]( a )------------------( )( y )--+
+
+        "#]],
+    );
+    check_typed(
+        &format!("{RUNG}+--# why #\n+--[ ]( b )$0"),
+        '\n',
+        expect![[r#"
+            +--[ ]( a )------------------( )( y )--+
+            # why #
+            +--[ ]( b )
+        "#]],
+    );
+    check_typed(
+        "+--\\--[ ]( a )--\\--( )( y )--+\n|  /--|  /--[ ]( b )--/\n+--[ ]( c )$0",
+        '\n',
+        expect![[r#"
+            +--\--[ ]( a )--\--( )( y )--+
+            |  /--[ ]( b )--/
+            +--[ ]( c )
+        "#]],
+    );
+    // The network above is drawn again, and nothing is begun.
+    check_typed(
+        "+-[ ]( a )-( )( y )-+\n# why #$0",
+        '\n',
+        expect![[r#"
+            +--[ ]( a )------------------( )( y )--+
+            # why #
+        "#]],
+    );
+    check_typed(
+        "# open\n+--\n+--[ ]( b )$0",
+        '\n',
+        expect![[r#"
+            nothing
+        "#]],
+    );
+    // A rail that somebody draws is none that was begun.
+    check_typed(
+        "+--\\--[ ]( a )--\\--( )( y )--+\n|  $0",
+        '\n',
+        expect![[r#"
+            nothing
+        "#]],
+    );
+    // A rung that was begun by hand, and a line that an editor has indented.
+    check_typed(
+        &format!("{RUNG}+--\n  $0[ ]( b )--( )( y )--+\n"),
+        '\n',
+        expect![[r#"
+            nothing
+        "#]],
+    );
+}

@@ -1,0 +1,206 @@
+//! What is proposed.
+
+use super::super::{Scenarios, scenario_completions};
+use super::{Asked, HEAD};
+use crate::fixture::Fixture;
+use expect_test::{Expect, expect};
+use ladder_simulator::scenario::parse;
+use ladder_syntax::TextSize;
+
+#[test]
+fn completion_of_headings() {
+    let check = |text: &str, expected: Expect| expected.assert_eq(&Asked::at(text).completions(None));
+    check(
+        "program main.clad\n$0\n",
+        expect![[r#"
+            step||step 
+            interval||interval 
+            tolerance||tolerance 
+            scenario||scenario "${1:what is shown}"
+            $0
+        "#]],
+    );
+    check(
+        "program m$0\n",
+        expect![[r#"
+        a.clad|program|a.clad
+        main.clad|program|main.clad
+    "#]],
+    );
+    check(
+        "step $0\n",
+        expect![[r#"
+        10ms|a whole number of scans|10ms
+        100ms|a whole number of scans|100ms
+        1s|a whole number of scans|1s
+    "#]],
+    );
+    check("# a comment $0\n", expect![]);
+}
+
+#[test]
+fn completion_of_tags_and_values() {
+    let check = |rows: &str, expected: Expect| {
+        expected.assert_eq(&Asked::at(&format!("{HEAD}{rows}")).completions(None));
+    };
+    check(
+        "$0",
+        expect![[r#"
+            start|BOOL, input|start 
+            run|BOOL, output|run => 
+            total|DINT, internal|total => 
+            warm.Q|BOOL, internal|warm.Q => 
+            warm.ET|TIME, internal|warm.ET => 
+            warm.IN|BOOL, internal|warm.IN => 
+            warm.PT|TIME, internal|warm.PT => 
+            list[1]|INT, internal|list[1] => 
+            list[2]|INT, internal|list[2] => 
+            lib.total|BOOL, internal of lib.clad|lib.total => 
+            lib.go|BOOL, internal of lib.clad|lib.go => 
+            scenario||scenario "${1:what is shown}"
+            $0
+        "#]],
+    );
+    // What has a row is not proposed, and what is behind the cursor stays.
+    check(
+        "start _-\nr$0 _-\n",
+        expect![[r#"
+            run|BOOL, output|run
+            total|DINT, internal|total
+            warm.Q|BOOL, internal|warm.Q
+            warm.ET|TIME, internal|warm.ET
+            warm.IN|BOOL, internal|warm.IN
+            warm.PT|TIME, internal|warm.PT
+            list[1]|INT, internal|list[1]
+            list[2]|INT, internal|list[2]
+            lib.total|BOOL, internal of lib.clad|lib.total
+            lib.go|BOOL, internal of lib.clad|lib.go
+            scenario||scenario "${1:what is shown}"
+            $0
+        "#]],
+    );
+    check(
+        "start _--_\nrun $0\n",
+        expect![[r#"
+        =>|expected|=> 
+        ____|low to the end|____
+        _|low|_
+        ----|high to the end|----
+        -|high|-
+        ....|as before to the end|....
+        .|as before; not checked|.
+    "#]],
+    );
+    check(
+        "start _--_\nrun => _$0\n",
+        expect![[r#"
+        ___|low to the end|___
+        _|low|_
+        ---|high to the end|---
+        -|high|-
+        ...|as before to the end|...
+        .|as before; not checked|.
+    "#]],
+    );
+    check(
+        "warm.ET => $0\n",
+        expect![[r#"
+        .|as before; not checked|.
+        0ms|a duration|0ms
+        100ms|a duration|100ms
+        1s|a duration|1s
+    "#]],
+    );
+    check(
+        "total => 1 $0\n",
+        expect![[r#"
+        .|as before; not checked|.
+        0|a number|0
+        1|a number|1
+    "#]],
+    );
+}
+
+/// A file of functions that uses another one with a block of its own, and one that nobody uses.
+#[test]
+fn completion_of_tags_of_used_files() {
+    let asked = |rows: &str, trigger| {
+        let text = format!("{HEAD}{rows}");
+        let offset = TextSize::new(text.find("$0").expect("a cursor") as u32);
+        let text = text.replacen("$0", "", 1);
+        let fixture = Fixture::new(&format!(
+            "{}%% main.ladder-test\n{text}",
+            "\
+%% main.clad
+VAR total : INT; END_VAR
++--<CALL>( count )--( )( run )--+
+%% sub/lib.clad
+VAR_GLOBAL level : INT; END_VAR
+VAR_INPUT go, unused : BOOL; END_VAR
+VAR CONSTANT most : INT := 5; END_VAR
+VAR total : DINT; warm : TON; END_VAR
++--<FUN>( count )--[ ]( go )--[$Far]( go )--[TON]( warm, 5s )--[INC]( total )--+
+%% far.clad
+VAR distance : INT; END_VAR
+FUNCTION_BLOCK [$Far]
+VAR_INPUT x : BOOL; END_VAR
++--[ ]( x )--( )( ENO )--+
+END_FUNCTION_BLOCK
+%% unused.clad
+VAR nothing : INT; END_VAR
+"
+        ));
+        let suite = parse(&text);
+        let found = scenario_completions(
+            &Scenarios {
+                text: &text,
+                suite: &suite,
+                program: Some(&fixture.files[0].0.context),
+                workspace: &fixture.others(0),
+            },
+            offset,
+            &[],
+            trigger,
+        );
+        let item = |it: &crate::Completion| format!("{}|{}|{}\n", it.label, it.detail, it.text.snippet());
+        found.items.iter().map(item).collect::<Vec<_>>().concat()
+    };
+    expect![[r#"
+        run|BOOL, output|run => 
+        total|INT, internal|total => 
+        lib.go|BOOL, input of sub/lib.clad|lib.go 
+        lib.total|DINT, internal of sub/lib.clad|lib.total => 
+        lib.warm.Q|BOOL, internal of sub/lib.clad|lib.warm.Q => 
+        lib.warm.ET|TIME, internal of sub/lib.clad|lib.warm.ET => 
+        lib.warm.IN|BOOL, internal of sub/lib.clad|lib.warm.IN => 
+        lib.warm.PT|TIME, internal of sub/lib.clad|lib.warm.PT => 
+        scenario||scenario "${1:what is shown}"
+        $0
+    "#]]
+    .assert_eq(&asked("$0\n", None));
+    // One that has a row is not proposed; those that begin like what is written are first.
+    expect![[r#"
+        lib.go|BOOL, input of sub/lib.clad|lib.go 
+        lib.warm.Q|BOOL, internal of sub/lib.clad|lib.warm.Q => 
+        lib.warm.ET|TIME, internal of sub/lib.clad|lib.warm.ET => 
+        lib.warm.IN|BOOL, internal of sub/lib.clad|lib.warm.IN => 
+        lib.warm.PT|TIME, internal of sub/lib.clad|lib.warm.PT => 
+        run|BOOL, output|run => 
+        total|INT, internal|total => 
+    "#]]
+    .assert_eq(&asked("lib.total => 1\nlib.$0\n", Some('.')));
+    expect![[r#"
+        .|as before; not checked|.
+        0ms|a duration|0ms
+        100ms|a duration|100ms
+        1s|a duration|1s
+    "#]]
+    .assert_eq(&asked("lib.warm.ET => $0\n", None));
+}
+
+#[test]
+fn a_dot_among_levels_opens_no_list() {
+    let at = |rows: &str| Asked::at(&format!("{HEAD}{rows}")).completions(Some('.'));
+    assert_eq!(at("start _.$0\n"), "");
+    assert!(at("warm.$0\n").contains("warm.ET|TIME"), "{}", at("warm.$0\n"));
+}
