@@ -73,6 +73,8 @@ pub struct Work {
     pub networks: usize,
     /// Tags.
     pub tags: usize,
+    /// Findings that were kept, to see whether they are shown.
+    pub findings: usize,
 }
 
 /// What is found in a network.
@@ -145,7 +147,7 @@ impl Ledger {
         ledger.context = context.serial;
         ledger.work = Work {
             networks: networks.len(),
-            tags: 0,
+            ..Work::default()
         };
         let numbers = context.networks.numbers();
         ledger.networks.resize_with(numbers, OfNetwork::default);

@@ -47,7 +47,7 @@ pub(crate) fn find(
     wanted: &StillWanted<'_>,
 ) -> Option<Found> {
     let (ledger, of_file) = Ledger::look(before, context, settings, wanted)?;
-    let (mut shown, hidden_errors) = shown::shown(context, &ledger, of_file, settings);
+    let (mut shown, hidden_errors, findings) = shown::shown(context, &ledger, of_file, settings);
     if let Some(block) = ledger.unresolved(context)
         && hidden_errors.is_empty()
         && !shown.has_errors()
@@ -57,7 +57,10 @@ pub(crate) fn find(
     Some(Found {
         shown,
         hidden_errors,
-        work: ledger.work(),
+        work: Work {
+            findings,
+            ..ledger.work()
+        },
         ledger,
     })
 }

@@ -10,6 +10,7 @@ use crate::findings::{Anchored, Finding, Home};
 use crate::lint;
 use crate::rule::{Rule, Severity};
 use crate::rule_settings::RuleSettings;
+use crate::rules::follow_ups::{FollowUps, is_about_words};
 use crate::rules::tag_summary::{Known, When};
 use ladder_syntax::{TextRange, TextSize};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -53,6 +54,8 @@ pub(crate) struct Shelf {
     networks: Chunked<Items>,
     /// By the numbers of the lines of declarations.
     declared: Chunked<Items>,
+    /// Those that hold a finding of a rule that is [about words](is_about_words).
+    with_words: Arc<FxHashSet<Home>>,
     counts: [Count; When::ALL.len()],
 }
 
@@ -148,6 +151,7 @@ impl Shelf {
             settings: Arc::new(settings.clone()),
             networks: Chunked::default(),
             declared: Chunked::default(),
+            with_words: Arc::default(),
             counts: Default::default(),
         }
     }
@@ -228,6 +232,15 @@ impl Shelf {
             return;
         }
         arrange(&mut items);
+        let has_words = items.iter().any(|item| is_about_words(item.rule));
+        if has_words != self.with_words.contains(&home) {
+            let with_words = Arc::make_mut(&mut self.with_words);
+            if has_words {
+                with_words.insert(home);
+            } else {
+                with_words.remove(&home);
+            }
+        }
         for item in before.iter().flat_map(|items| items.iter()) {
             count(&mut self.counts, item, false);
         }
@@ -235,6 +248,30 @@ impl Shelf {
             count(&mut self.counts, item, true);
         }
         *all.get_mut(number) = (!items.is_empty()).then(|| Arc::new(items));
+    }
+
+    /// Takes away what follows from mistakes of the text, all of which [are local](FollowUps::are_local). Tags that are not declared
+    /// stay where a slip [may hide their declarations](FollowUps::hide_declarations). Gives how many findings were looked at.
+    pub(super) fn take_out(&mut self, context: &Context, follow_ups: &mut FollowUps<'_>) -> usize {
+        let networks = follow_ups.networks().into_iter();
+        let mut homes: FxHashSet<Home> = networks
+            .map(|index| Home::Network(context.networks.id(index)))
+            .collect();
+        if follow_ups.has_words() {
+            homes.extend(self.with_words.iter());
+        }
+        let mut looked_at = 0;
+        for home in homes {
+            let mut items = self.items_of(home);
+            let before = items.len();
+            looked_at += before;
+            let own = home.start(context);
+            items.retain(|item| !follow_ups.explain(&item.finding(own).diagnostic(context)));
+            if items.len() < before {
+                self.put(home, items);
+            }
+        }
+        looked_at
     }
 
     /// How many findings there are of those that hold.

@@ -28,15 +28,15 @@ pub(crate) enum Shown {
     Listed(Vec<Finding>),
 }
 
-/// The findings of a file as they are shown, and the errors that are hidden or count as less now: a program with them
-/// does not run all the same.
+/// The findings of a file as they are shown; the errors that are hidden or count as less now: a program with them
+/// does not run all the same; and how many kept findings were looked at for it.
 pub(super) fn shown(
     context: &Context,
     ledger: &Ledger,
     of_file: OfFile,
     settings: &RuleSettings,
-) -> (Shown, Vec<Diagnostic>) {
-    let known = of_file.known;
+) -> (Shown, Vec<Diagnostic>, usize) {
+    let mut known = of_file.known;
     let anew = found_anew(context, ledger, of_file);
     let count = ledger.shelf.count(known);
     let is_error = |found: &Finding| found.severity == Severity::Error;
@@ -44,27 +44,32 @@ pub(super) fn shown(
     let parse = &context.parse;
     let is_doubtful = parse.unclosed_comment().is_some() || (any_error && rules::cplc_draft::is_it(parse));
     let is_any = count.shown + count.hidden_errors > 0 || !anew.is_empty();
-    let follow_ups = is_any
+    let mut follow_ups = is_any
         .then(|| FollowUps::new(context, ledger.marked(context)))
         .flatten();
     let lowers = |(_, found): &(Source, Finding)| {
         is_error(found) && lint::level(settings, found.rule, found.severity) != Some(Severity::Error)
     };
-    let as_it_is = follow_ups.is_none()
-        && !is_doubtful
+    let can_be_kept = !is_doubtful
         && !ledger.is_full()
         && !ledger.notes.ask()
         && count.hidden_errors == 0
-        && !anew.iter().any(lowers);
-    if as_it_is && let Some(shown) = kept(context, ledger, known, &anew, settings) {
-        return (shown, Vec::new());
+        && !anew.iter().any(lowers)
+        && follow_ups.as_ref().is_none_or(FollowUps::are_local);
+    if can_be_kept {
+        known.hides_declarations = follow_ups.as_ref().is_some_and(FollowUps::hide_declarations);
+        if let Some((shown, looked_at)) = kept(context, (ledger, known), &anew, follow_ups.as_mut(), settings)
+        {
+            return (shown, Vec::new(), looked_at);
+        }
     }
     let mut all = in_order(ledger.shelf.all(context, known).chain(anew).collect());
+    let looked_at = all.len();
     if ledger.is_full() {
         say_enough(context, &mut all);
     }
     let mut all: Vec<Finding> = all.into_iter().map(|(_, found)| found).collect();
-    if let Some(mut follow_ups) = follow_ups {
+    if let Some(follow_ups) = &mut follow_ups {
         all.retain(|found| !follow_ups.explain(&found.diagnostic(context)));
     }
     all.extend(of_text(context));
@@ -72,7 +77,7 @@ pub(super) fn shown(
         all = where_much_is_doubtful(context, all);
     }
     let (all, hidden) = as_asked(context, ledger, all, settings);
-    (Shown::Listed(all), hidden)
+    (Shown::Listed(all), hidden, looked_at)
 }
 
 /// What is not on the shelf: what is wrong with names, types and the program as a whole, and what is found in networks
@@ -110,34 +115,48 @@ fn in_order(mut all: Vec<(Source, Finding)>) -> Vec<(Source, Finding)> {
     all
 }
 
-/// All that is found, if what is found anew hides nothing that is kept.
+/// All that is found but what follows from mistakes of the text, if what is found anew hides nothing that is kept; and how
+/// many kept findings were looked at for it.
 fn kept(
     context: &Context,
-    ledger: &Ledger,
-    known: Known,
+    (ledger, known): (&Ledger, Known),
     anew: &[(Source, Finding)],
+    mut follow_ups: Option<&mut FollowUps<'_>>,
     settings: &RuleSettings,
-) -> Option<Shown> {
-    let mut all = anew.to_vec();
-    all.extend(of_text(context).map(|found| (Source::Text, found)));
-    let mut shown = Vec::with_capacity(all.len());
-    for (source, mut found) in in_order(all) {
+) -> Option<(Shown, usize)> {
+    let mut all = Vec::with_capacity(anew.len());
+    for (source, found) in in_order(anew.to_vec()) {
         match ledger.shelf.has(context, &found, known) {
             Some(other) if other < source => continue,
             Some(_) => return None,
             None => {}
         }
-        let Some(level) = lint::level(settings, found.rule, found.severity) else {
-            continue;
-        };
-        found.severity = level;
-        shown.push(found);
+        let follows = |follow_ups: &mut &mut FollowUps<'_>| follow_ups.explain(&found.diagnostic(context));
+        if !follow_ups.as_mut().is_some_and(follows) {
+            all.push((source, found));
+        }
     }
-    Some(Shown::Kept {
-        shelf: Box::new(ledger.shelf.clone()),
+    let mut shelf = Box::new(ledger.shelf.clone());
+    let looked_at = follow_ups.map_or(0, |follow_ups| shelf.take_out(context, follow_ups));
+    let of_text = of_text(context).filter(|found| shelf.has(context, found, known).is_none());
+    all.extend(of_text.map(|found| (Source::Text, found)));
+    let mut shown = Vec::with_capacity(all.len());
+    for (_, mut found) in in_order(all) {
+        let level = lint::level(settings, found.rule, found.severity);
+        if found.severity == Severity::Error && level != Some(Severity::Error) {
+            return None;
+        }
+        if let Some(level) = level {
+            found.severity = level;
+            shown.push(found);
+        }
+    }
+    let shown = Shown::Kept {
+        shelf,
         known,
         anew: shown,
-    })
+    };
+    Some((shown, looked_at))
 }
 
 /// No more was looked for: the last of what is found in networks says so.

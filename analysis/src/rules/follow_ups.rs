@@ -39,6 +39,37 @@ impl<'c> FollowUps<'c> {
         })
     }
 
+    /// Whether [`hide_declarations`](Self::hide_declarations), [`networks`](Self::networks) and [`has_words`](Self::has_words)
+    /// lead to all findings that follow from the mistakes.
+    pub(crate) fn are_local(&self) -> bool {
+        self.context.foreign_comments().0.is_empty() && self.doubt.open_blocks.is_empty()
+    }
+
+    /// Whether no finding about a tag that is not declared counts.
+    pub(crate) fn hide_declarations(&self) -> bool {
+        self.doubt.lost_header || self.doubt.declarations
+    }
+
+    /// The networks in which findings of any rule may follow from the mistakes.
+    pub(crate) fn networks(&self) -> FxHashSet<usize> {
+        let networks = &self.context.networks;
+        let misread = self.doubt.misread.iter();
+        let misread = misread.map(|&line| networks.partition_point(|network| network.first_line <= line));
+        let mistyped = self.doubt.mistyped.iter();
+        let mistyped =
+            mistyped.map(|block| networks.partition_point(|network| network.range.start() <= block.start()));
+        misread
+            .chain(mistyped)
+            .filter_map(|behind| behind.checked_sub(1))
+            .collect()
+    }
+
+    /// Whether findings of rules that [are about words](is_about_words) may follow from the mistakes, wherever they are.
+    pub(crate) fn has_words(&self) -> bool {
+        let doubt = &self.doubt;
+        !doubt.words.is_empty() || doubt.nameless_label || doubt.nameless_function || doubt.block_header
+    }
+
     /// Whether a finding follows from a mistake.
     pub(crate) fn explain(&mut self, found: &Diagnostic) -> bool {
         self.doubt.explains(self.context, found, &mut self.excerpts)
@@ -202,6 +233,14 @@ fn blocks_that_name<'c>(context: &Context, tags: impl Iterator<Item = &'c TagFac
     blocks.sort_unstable_by_key(|range| range.start());
     blocks.dedup();
     blocks
+}
+
+/// Whether a rule is about a word that a mistake elsewhere may have kept from being known.
+pub(crate) const fn is_about_words(rule: Rule) -> bool {
+    matches!(
+        rule,
+        Rule::UnknownLabel | Rule::UnknownFunction | Rule::UnknownBlock | Rule::UnknownMember
+    )
 }
 
 /// Whether what a rule finds at a block depends on how the tags are declared that it names.

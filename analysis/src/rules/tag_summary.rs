@@ -124,6 +124,8 @@ pub(crate) struct Known {
     pub(crate) whole: bool,
     /// No tag is undeclared that should not be: a slip in a name is one finding.
     pub(crate) names: bool,
+    /// A slip may hide declarations: that a tag has none says nothing.
+    pub(crate) hides_declarations: bool,
 }
 
 /// When what a rule says of a tag's use is true.
@@ -134,16 +136,19 @@ pub(crate) enum When {
     Whole,
     /// Where its names are known too.
     WholeAndNames,
+    /// Where no slip may hide declarations.
+    Declarations,
 }
 
 impl When {
-    pub(crate) const ALL: [When; 3] = [When::Always, When::Whole, When::WholeAndNames];
+    pub(crate) const ALL: [When; 4] = [When::Always, When::Whole, When::WholeAndNames, When::Declarations];
 
     /// When what a rule finds is true.
     pub(crate) const fn of(rule: Rule) -> When {
         match rule {
             Rule::NeverRead | Rule::NeverWritten => When::WholeAndNames,
             Rule::SetWithoutReset | Rule::ResetWithoutSet => When::Whole,
+            Rule::UndeclaredTag => When::Declarations,
             _ => When::Always,
         }
     }
@@ -154,6 +159,7 @@ impl When {
             When::Always => true,
             When::Whole => known.whole,
             When::WholeAndNames => known.whole && known.names,
+            When::Declarations => !known.hides_declarations,
         }
     }
 }

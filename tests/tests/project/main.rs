@@ -6,6 +6,7 @@ mod book_refactorings;
 mod click_programs;
 mod click_traces;
 mod every_feature;
+mod follow_ups;
 mod incremental;
 mod incremental_declarations;
 mod incremental_files;

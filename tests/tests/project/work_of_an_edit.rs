@@ -73,7 +73,8 @@ fn does_not_grow_with_the_file() {
                 looked_at(large),
                 "{what} in a program of the kind {name}"
             );
-            let most = small.iter().map(|(work, _)| work.networks.max(work.tags)).max();
+            let most = |work: Work| work.networks.max(work.tags).max(work.findings);
+            let most = small.iter().map(|(work, _)| most(*work)).max();
             assert!(
                 most < Some(20),
                 "{what} in a program of the kind {name}: {small:?}"
