@@ -131,8 +131,11 @@ fn kept(
             Some(_) => return None,
             None => {}
         }
-        let follows = |follow_ups: &mut &mut FollowUps<'_>| follow_ups.explain(&found.diagnostic(context));
-        if !follow_ups.as_mut().is_some_and(follows) {
+        let follows = match &mut follow_ups {
+            Some(follow_ups) => follow_ups.explain(&found.diagnostic(context)),
+            None => false,
+        };
+        if !follows {
             all.push((source, found));
         }
     }
