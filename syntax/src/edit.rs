@@ -83,8 +83,8 @@ impl Parse {
                 None => last += 2 * (last - first),
             }
         };
-        let new_lines = with_text(&window.text, window.start, begin, again.lines);
-        let lines = self.lines.spliced(first..again.resume, new_lines);
+        let new_lines = with_text(&window.text, window.start, begin, again.lines.into_iter());
+        let lines = self.lines.spliced(first..again.resume, new_lines.collect());
         let whole = || {
             asked_for += len;
             stretch(0..len)

@@ -24,8 +24,8 @@ pub struct FileLines {
 
 impl FileLines {
     /// The lines of a text, from its first to its last.
-    pub(crate) fn new(lines: Vec<Line>) -> FileLines {
-        FileLines::of_parts(part::cut(lines))
+    pub(crate) fn new(lines: impl Iterator<Item = Line>) -> FileLines {
+        FileLines::of_parts(part::cut_file(lines))
     }
 
     fn of_parts(parts: Vec<Arc<Part>>) -> FileLines {

@@ -9,6 +9,7 @@ use crate::line::Line;
 use crate::lines::line_at;
 use crate::tree_builder::TreeBuilder;
 use rowan::GreenNode;
+use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
 /// What a line of a [`Parse`](crate::Parse) holds of its tree.
@@ -29,41 +30,55 @@ const SHARED: usize = 16 << 10;
 pub(crate) const BEFORE: &str = "\n";
 
 /// Gives lines the text that they were read from. The first one begins at `at`, in the state `entry`.
-pub(crate) fn with_text(text: &str, at: usize, entry: Entry, lines: Vec<Line<()>>) -> Vec<Line> {
-    let mut held = Vec::with_capacity(lines.len());
-    let mut lines = lines.into_iter().peekable();
+pub(crate) fn with_text(
+    text: &str,
+    at: usize,
+    entry: Entry,
+    lines: impl Iterator<Item = Line<()>>,
+) -> impl Iterator<Item = Line> {
+    let mut lines = lines.fuse();
     let (mut at, mut entry) = (at, entry);
-    let mut together = Vec::new();
-    while lines.peek().is_some() {
-        let start = at;
+    let runs = std::iter::from_fn(move || {
+        let (start, begin) = (at, entry);
+        let mut together = Vec::new();
         while at - start < SHARED
             && let Some(line) = lines.next()
         {
             at += line.len as usize;
+            entry = crate::lines::entry_behind(&line);
             together.push(line);
         }
-        let before = if start == 0 { "" } else { BEFORE };
-        let source: Arc<str> = [before, &text[start..at]].concat().into();
-        let mut within = before.len() as u32;
-        let mut from = start;
-        for line in together.drain(..) {
-            let tree = LineTree {
-                source: Arc::clone(&source),
-                at: within,
-                entry,
-                made: OnceLock::new(),
-            };
-            // A line with a mistake may be read so because of what is behind it.
-            if !line.errors.is_empty() {
-                let _ = tree.made.set(read(text, from, entry, &mut small_builder()));
-            }
-            within += line.len;
-            from += line.len as usize;
-            entry = crate::lines::entry_behind(&line);
-            held.push(line.with_node(tree));
+        (!together.is_empty()).then(|| sharing(text, start..at, begin, together))
+    });
+    runs.flatten()
+}
+
+/// Lines that share a stretch of a text.
+fn sharing(
+    text: &str,
+    stretch: Range<usize>,
+    begin: Entry,
+    lines: Vec<Line<()>>,
+) -> impl Iterator<Item = Line> + use<'_> {
+    let before = if stretch.start == 0 { "" } else { BEFORE };
+    let source: Arc<str> = [before, &text[stretch.clone()]].concat().into();
+    let (mut within, mut from, mut entry) = (before.len() as u32, stretch.start, begin);
+    lines.into_iter().map(move |line| {
+        let tree = LineTree {
+            source: Arc::clone(&source),
+            at: within,
+            entry,
+            made: OnceLock::new(),
+        };
+        // A line with a mistake may be read so because of what is behind it.
+        if !line.errors.is_empty() {
+            let _ = tree.made.set(read(text, from, entry, &mut small_builder()));
         }
-    }
-    held
+        within += line.len;
+        from += line.len as usize;
+        entry = crate::lines::entry_behind(&line);
+        line.with_node(tree)
+    })
 }
 
 fn read(text: &str, at: usize, entry: Entry, builder: &mut TreeBuilder) -> GreenNode {

@@ -64,17 +64,21 @@ pub fn read_lines<B: Builder>(text: &str, builder: &mut B) -> Lines<B::Line> {
     lines
 }
 
-/// The lines alone.
-pub(crate) fn read_all<B: Builder>(text: &str, builder: &mut B) -> Vec<Line<B::Line>> {
-    let mut lines = Vec::with_capacity(text.len() / 48 + 1);
+/// The lines alone, each read when it is asked for: those of a large text need not be in memory twice.
+pub(crate) fn read_each<'t, B: Builder>(
+    text: &'t str,
+    builder: &'t mut B,
+) -> impl Iterator<Item = Line<B::Line>> + use<'t, B> {
     let (mut at, mut entry) = (0, Entry::START);
-    while at < text.len() {
+    std::iter::from_fn(move || {
+        if at == text.len() {
+            return None;
+        }
         let line = line_at(text, at, entry, builder);
         at += line.len as usize;
         entry = entry_behind(&line);
-        lines.push(line);
-    }
-    lines
+        Some(line)
+    })
 }
 
 /// Reads a text part by part, so that a large one need not be in memory line by line.

@@ -3,7 +3,7 @@
 use crate::file_lines::FileLines;
 use crate::grammar::Entry;
 use crate::line_tree::with_text;
-use crate::lines::read_all;
+use crate::lines::read_each;
 use crate::part::Part;
 use crate::structure::{Frame, Structure, frame_of_parts, structure_of_parts};
 use crate::summary::Summary;
@@ -39,7 +39,8 @@ pub struct Parse {
 
 /// Parses a text. Every text has a tree that gives it back; mistakes are in [`Parse::errors`].
 pub fn parse(text: &str) -> Parse {
-    let lines = read_all(text, &mut Summary);
+    let mut builder = Summary;
+    let lines = read_each(text, &mut builder);
     let lines = FileLines::new(with_text(text, 0, Entry::START, lines));
     let unclosed_comment = unclosed_comment(|| text, &lines);
     Parse::new(lines, unclosed_comment, text.len())
@@ -47,8 +48,9 @@ pub fn parse(text: &str) -> Parse {
 
 /// The tree of a text, by itself: `SOURCE_FILE`, in it the logical lines.
 pub fn tree(text: &str) -> GreenNode {
-    let lines = read_all(text, &mut TreeBuilder::new(text.len()));
-    let nodes = lines.into_iter().map(|line| NodeOrToken::Node(line.node));
+    let mut builder = TreeBuilder::new(text.len());
+    let lines = read_each(text, &mut builder);
+    let nodes: Vec<_> = lines.map(|line| NodeOrToken::Node(line.node)).collect();
     GreenNode::new(SyntaxKind::SOURCE_FILE.into(), nodes)
 }
 

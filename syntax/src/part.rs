@@ -133,16 +133,30 @@ fn begins_with_up(line: &Line) -> bool {
     line.kind == LineKind::Rung && line.ups > 0 && line.text().trim_start().starts_with('/')
 }
 
+/// Cuts the lines of a whole file into parts, as they come.
+pub(crate) fn cut_file(mut lines: impl Iterator<Item = Line>) -> Vec<Arc<Part>> {
+    let first: Vec<Line> = lines.by_ref().take(2 * USUAL_LINES + 1).collect();
+    if first.len() <= 2 * USUAL_LINES {
+        return cut(first);
+    }
+    cut_at(USUAL_LINES, USUAL_LINES, first.into_iter().chain(lines))
+}
+
 /// Cuts lines into parts.
 pub(crate) fn cut(lines: Vec<Line>) -> Vec<Arc<Part>> {
-    let mut parts = Vec::with_capacity(lines.len() / USUAL_LINES + 1);
     // What an edit leaves of a part stays one.
     let usual = if lines.len() > 2 * USUAL_LINES {
         USUAL_LINES
     } else {
         2 * USUAL_LINES
     };
-    let mut part = Vec::with_capacity(usual.min(lines.len()));
+    cut_at(usual, usual.min(lines.len()), lines.into_iter())
+}
+
+/// Cuts lines into parts of about so many; there are at least `least` lines.
+fn cut_at(usual: usize, least: usize, lines: impl Iterator<Item = Line>) -> Vec<Arc<Part>> {
+    let mut parts = Vec::new();
+    let mut part = Vec::with_capacity(least);
     let mut open = false;
     for line in lines {
         open = is_open_behind(open, &line);

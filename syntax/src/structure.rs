@@ -260,6 +260,14 @@ pub(crate) fn structure<N>(lines: &Lines<N>) -> Structure {
 /// Groups the lines of a file, from what its parts know of theirs.
 pub(crate) fn structure_of_parts(lines: &FileLines) -> Structure {
     let mut grouping = Grouping::default();
+    // Lists that grow are copied again and again, and each copy takes new memory.
+    let networks = lines.parts().iter().map(|part| part.networks().count()).sum();
+    let drawn = lines.parts().iter().filter(|part| part.declares_to.is_none());
+    grouping.out.networks.reserve_exact(networks);
+    grouping
+        .out
+        .items
+        .reserve_exact(drawn.map(|part| part.items.len()).sum());
     for (number, part) in lines.parts().iter().enumerate() {
         grouping.add(lines, lines.first_line(number), &part.items);
     }
