@@ -371,7 +371,7 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
     }
     let mut known = KnownBlocks::new(user_blocks, others);
     let mut reading = Reading::default();
-    let mut networks = Networks::default();
+    let mut networks = Networks::with_capacity(structure.networks.len());
     for drawn in &structure.networks {
         let same = kept.as_mut().and_then(|kept| kept.network(drawn));
         let facts =
@@ -445,6 +445,13 @@ fn declared(parse: &Parse, out: &mut Vec<Diagnostic>, once: &mut bool) -> (Vec<S
         scope
     }));
     let mut declarations = Declarations::default();
+    let mut names = vec![0; scopes.len()];
+    for section in &structure.sections {
+        names[section.block.map_or(0, |block| block + 1)] += declare::names_at_most(parse, section);
+    }
+    for (scope, names) in scopes.iter_mut().zip(names) {
+        scope.reserve_declared(names);
+    }
     for section in &structure.sections {
         let scope = section.block.map_or(0, |block| block + 1);
         *once &= declare::section(parse, section, &mut declarations, &mut scopes[scope], out);

@@ -43,6 +43,11 @@ impl<T: Copy + PartialEq> ByName<T> {
         }
     }
 
+    /// Makes room for so many names more, so that the table need not be made anew as it grows.
+    pub(crate) fn reserve(&mut self, names: usize) {
+        Arc::make_mut(&mut self.names).reserve(names);
+    }
+
     /// Adds a name before any has changed, if it is not there.
     pub(crate) fn add(&mut self, name: Name, value: T) {
         Arc::make_mut(&mut self.names).entry(name).or_insert(value);

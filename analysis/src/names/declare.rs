@@ -6,16 +6,18 @@ use crate::diagnostic::Diagnostic;
 use crate::did_you_mean;
 use crate::facts;
 use crate::mistakes::{bad_declaration, duplicate_declaration};
+use crate::plain_declaration::{PlainDeclaration, plain_declaration};
 use crate::program::Role;
 use crate::rare::{Rare, RareFacts};
 use crate::rule::Rule;
 use crate::scope::{Origin, Scope, SectionKind, TagFacts, Uses, type_by_form};
 use crate::types::{Scalar, Type};
 use ladder_instructions::StateType;
-use ladder_syntax::ast::{AstNode, Declaration, NodeView, SectionHeader, TokenView, TypeRef};
+use ladder_syntax::ast::{AstNode, Declaration, NodeView, SectionHeader, TypeRef};
 use ladder_syntax::{
     Line, LineKind, Name, Parse, Section, TextRange, TextSize, Trees, is_declaration_keyword, is_reserved,
 };
+use smallvec::SmallVec;
 
 /// The longest array: what still shows and saves quickly.
 const MAX_ELEMENTS: i128 = 1_000_000;
@@ -38,6 +40,17 @@ pub(crate) fn around(parse: &Parse, section: &Section) -> Option<Around> {
         constant: has("CONSTANT"),
         in_block: section.block.is_some(),
     })
+}
+
+/// How many names the declarations of a section have at most, by the commas before their types.
+pub(crate) fn names_at_most(parse: &Parse, section: &Section) -> usize {
+    let lines = parse.lines().range(section.lines.clone());
+    let declarations = lines.filter(|line| line.kind == LineKind::Declaration);
+    let names = |line: &Line| {
+        let before_type = line.text().bytes().take_while(|byte| *byte != b':');
+        1 + before_type.filter(|byte| *byte == b',').count()
+    };
+    declarations.map(names).sum()
 }
 
 /// Adds the tags of a section to its scope. Gives whether each name that is declared is that of a tag of its own.
@@ -79,6 +92,9 @@ pub(crate) fn line(
     (declarations, scope): (&Declarations, &mut Scope),
     out: &mut Vec<Diagnostic>,
 ) -> bool {
+    if plain_declaration(line).is_some_and(|plain| declare_plain(&plain, place.0, around, scope)) {
+        return true;
+    }
     let tree = trees.of(line);
     let mut once = true;
     if let Some(node) = Declaration::cast(NodeView::root(&tree)) {
@@ -92,6 +108,39 @@ pub(crate) fn line(
         }
     }
     once
+}
+
+/// Declares the tags of a plain declaration, if there is nothing to say about any of them.
+fn declare_plain(plain: &PlainDeclaration<'_>, line: u32, around: Around, scope: &mut Scope) -> bool {
+    let mut keys: SmallVec<[Name; 4]> = SmallVec::new();
+    for (name, _) in &plain.names {
+        let key = Name::new(name);
+        if refused_name(name, around.in_block).is_some() || scope.find(&key).is_some() || keys.contains(&key)
+        {
+            return false;
+        }
+        keys.push(key);
+    }
+    for (key, (name, range)) in keys.into_iter().zip(&plain.names) {
+        let tag = TagFacts {
+            name: (*name).into(),
+            ty: Some(plain.ty),
+            mistyped: false,
+            by_company: false,
+            role: role(around.kind, None),
+            origin: Origin::Declared(around.kind),
+            retain: around.retain,
+            constant: around.constant,
+            rare: Rare::default(),
+            declared_at: DeclaredAt {
+                line: Some(line),
+                range: *range,
+            },
+            uses: Uses::default(),
+        };
+        scope.declare(key, tag);
+    }
+    true
 }
 
 /// What the section says of a declaration.
@@ -153,7 +202,7 @@ fn declaration(
     }
     for name in node.names() {
         let range = name.text_range() + start;
-        if let Some(message) = refused_name(name, context.in_block) {
+        if let Some(message) = refused_name(name.text(), context.in_block) {
             out.push(bad_declaration::wrong(range, message));
             continue;
         }
@@ -204,8 +253,7 @@ fn role(kind: SectionKind, address: Option<Role>) -> Role {
 }
 
 /// Why a name may not be declared.
-fn refused_name(name: TokenView<'_>, in_block: bool) -> Option<String> {
-    let text = name.text();
+fn refused_name(text: &str, in_block: bool) -> Option<String> {
     if is_reserved(text) || is_declaration_keyword(text) {
         return Some(format!("`{text}` is a word of the language: choose another name"));
     }

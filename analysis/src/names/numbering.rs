@@ -16,6 +16,12 @@ pub(crate) struct Numbering {
 }
 
 impl Numbering {
+    /// Makes room for so many things more.
+    pub(crate) fn reserve(&mut self, things: usize) {
+        self.numbers.reserve(things);
+        self.index_of.reserve(things);
+    }
+
     /// Adds a thing at the end. Gives its number.
     pub(crate) fn push(&mut self) -> u32 {
         let number = self.index_of.len() as u32;

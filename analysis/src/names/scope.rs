@@ -319,6 +319,12 @@ impl Scope {
         })
     }
 
+    /// Makes room for so many declared tags.
+    pub(crate) fn reserve_declared(&mut self, tags: usize) {
+        self.declared_names.reserve(tags);
+        Arc::make_mut(&mut self.numbering).reserve(tags);
+    }
+
     /// Adds a tag before any use is looked at, by its name; the first one of a name is found by it.
     pub(crate) fn declare(&mut self, name: Name, tag: TagFacts) -> usize {
         let number = Arc::make_mut(&mut self.numbering).push();

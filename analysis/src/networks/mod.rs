@@ -63,6 +63,15 @@ pub(crate) struct NetworkPlace {
 }
 
 impl Networks {
+    /// None yet, with room for so many.
+    pub(crate) fn with_capacity(networks: usize) -> Networks {
+        Networks {
+            places: Vec::with_capacity(networks),
+            index_of: Arc::new(Vec::with_capacity(networks)),
+            ..Networks::default()
+        }
+    }
+
     /// Adds one below the others.
     pub(crate) fn push(
         &mut self,

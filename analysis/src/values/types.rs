@@ -54,27 +54,32 @@ pub const DEFAULT_STRING: u16 = 80;
 impl Scalar {
     /// The type that a name in a declaration means; the name is compared without case.
     pub fn from_name(name: &str) -> Option<Scalar> {
-        Some(match name.to_ascii_uppercase().as_str() {
-            "BOOL" => Scalar::Bool,
-            "BYTE" => Scalar::Byte,
-            "WORD" => Scalar::Word,
-            "DWORD" => Scalar::Dword,
-            "LWORD" => Scalar::Lword,
-            "SINT" => Scalar::Sint,
-            "INT" => Scalar::Int,
-            "DINT" => Scalar::Dint,
-            "LINT" => Scalar::Lint,
-            "USINT" => Scalar::Usint,
-            "UINT" => Scalar::Uint,
-            "UDINT" => Scalar::Udint,
-            "ULINT" => Scalar::Ulint,
-            "REAL" => Scalar::Real,
-            "LREAL" => Scalar::Lreal,
-            "TIME" => Scalar::Time,
-            "DATE" => Scalar::Date,
-            "TOD" | "TIME_OF_DAY" => Scalar::Tod,
-            "DT" | "DATE_AND_TIME" => Scalar::Dt,
-            "STRING" => Scalar::String(DEFAULT_STRING),
+        // Each declaration asks: a text of its own for each would take as long as all the rest here.
+        let mut longest = *b"DATE_AND_TIME";
+        let upper = longest.get_mut(..name.len())?;
+        upper.copy_from_slice(name.as_bytes());
+        upper.make_ascii_uppercase();
+        Some(match &*upper {
+            b"BOOL" => Scalar::Bool,
+            b"BYTE" => Scalar::Byte,
+            b"WORD" => Scalar::Word,
+            b"DWORD" => Scalar::Dword,
+            b"LWORD" => Scalar::Lword,
+            b"SINT" => Scalar::Sint,
+            b"INT" => Scalar::Int,
+            b"DINT" => Scalar::Dint,
+            b"LINT" => Scalar::Lint,
+            b"USINT" => Scalar::Usint,
+            b"UINT" => Scalar::Uint,
+            b"UDINT" => Scalar::Udint,
+            b"ULINT" => Scalar::Ulint,
+            b"REAL" => Scalar::Real,
+            b"LREAL" => Scalar::Lreal,
+            b"TIME" => Scalar::Time,
+            b"DATE" => Scalar::Date,
+            b"TOD" | b"TIME_OF_DAY" => Scalar::Tod,
+            b"DT" | b"DATE_AND_TIME" => Scalar::Dt,
+            b"STRING" => Scalar::String(DEFAULT_STRING),
             _ => return None,
         })
     }
