@@ -35,6 +35,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         let Round {
             outcome,
             nobody_reads,
+            // Not for the time until a file changes.
+            workspaces: _,
         } = check_files(arguments)?;
         if nobody_reads || seen.programs == 0 {
             return Ok(outcome);
