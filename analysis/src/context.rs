@@ -346,7 +346,7 @@ pub(crate) fn keeps_state(networks: &Networks, tag: &TagFacts) -> bool {
 
 /// The context before any use of a tag is looked at: declarations, blocks, networks, functions and labels.
 pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: Option<&Context>) -> Context {
-    let structure = parse.structure();
+    let structure = &*parse.structure_once();
     let profile = profile::profile(parse);
     // In another profile the same text means something else.
     let before = before.filter(|before| before.profile == profile);
@@ -356,7 +356,7 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
     let (scopes, declarations) = kept
         .as_ref()
         .and_then(|kept| kept.declared(structure))
-        .unwrap_or_else(|| declared(parse, &mut found, &mut declared_once));
+        .unwrap_or_else(|| declared(parse, structure, &mut found, &mut declared_once));
     let declared_cleanly = found.is_empty() && declared_once;
     let user_blocks: Vec<UserBlockFacts> = structure
         .blocks
@@ -432,8 +432,12 @@ pub(crate) fn declared_to(structure: &Structure) -> usize {
 }
 
 /// The scopes with their declared tags.
-fn declared(parse: &Parse, out: &mut Vec<Diagnostic>, once: &mut bool) -> (Vec<Scope>, Arc<Declarations>) {
-    let structure = parse.structure();
+fn declared(
+    parse: &Parse,
+    structure: &Structure,
+    out: &mut Vec<Diagnostic>,
+    once: &mut bool,
+) -> (Vec<Scope>, Arc<Declarations>) {
     let mut scopes = vec![Scope::default()];
     scopes.extend(structure.blocks.iter().enumerate().map(|(index, definition)| {
         let mut scope = Scope::default();

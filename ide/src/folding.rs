@@ -17,7 +17,7 @@ pub struct Fold {
 /// The folds of a file by where they begin, outer ones first.
 pub fn folds(context: &Context) -> Vec<Fold> {
     let parse = &context.parse;
-    let structure = parse.structure();
+    let structure = parse.structure_once();
     let of_lines = |lines: std::ops::Range<usize>| {
         let range = TextRange::new(
             parse.line_start(lines.start),
@@ -48,7 +48,7 @@ pub fn folds(context: &Context) -> Vec<Fold> {
 fn functions(context: &Context) -> Vec<TextRange> {
     let mut ranges: Vec<TextRange> = Vec::new();
     let mut open = None;
-    for item in &context.parse.structure().items {
+    for item in &context.parse.structure_once().items {
         match *item {
             Item::Network(network) => {
                 let body = context.bodies[network];

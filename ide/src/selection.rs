@@ -166,7 +166,7 @@ fn comment_run(context: &Context, line: usize, grown: &mut Grown) {
 /// The section, the function, the block definition.
 fn around(context: &Context, line: usize, grown: &mut Grown) {
     let parse = &context.parse;
-    let structure = parse.structure();
+    let structure = parse.structure_once();
     let lines = |lines: &std::ops::Range<usize>| {
         let range = TextRange::new(
             parse.line_start(lines.start),

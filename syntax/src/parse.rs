@@ -125,6 +125,15 @@ impl Parse {
         self.structure.get_or_init(|| structure_of_parts(&self.lines))
     }
 
+    /// The same for those who need it once: it is not kept. Of a large text it is as long as the text, while most questions
+    /// do without it.
+    pub fn structure_once(&self) -> Cow<'_, Structure> {
+        match self.structure.get() {
+            Some(known) => Cow::Borrowed(known),
+            None => Cow::Owned(structure_of_parts(&self.lines)),
+        }
+    }
+
     /// Sections and block definitions. Who needs no more than these asks here: it takes no look at the networks.
     pub fn frame(&self) -> &Frame {
         self.frame.get_or_init(|| frame_of_parts(&self.lines))

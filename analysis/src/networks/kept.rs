@@ -9,11 +9,14 @@ use crate::declarations::Declarations;
 use crate::network::{NetworkFacts, UserBlocks};
 use crate::scope::Scope;
 use ladder_syntax::{Network, Parse, Structure};
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// What an earlier context has that a new text has as well.
 pub(crate) struct Kept<'c> {
     before: &'c Context,
+    /// The networks, sections and block definitions of its text.
+    structure: Cow<'c, Structure>,
     /// How many lines both texts begin with.
     above: usize,
     /// From which line on the new text ends as the old one does.
@@ -33,6 +36,7 @@ impl<'c> Kept<'c> {
         let below = new.len() - below;
         Kept {
             before,
+            structure: before.parse.structure_once(),
             above,
             below,
             lines: new.len() as isize - old.len() as isize,
@@ -48,7 +52,7 @@ impl<'c> Kept<'c> {
 
     /// The scopes with their declared tags, if no declaration has changed, or moved.
     pub(crate) fn declared(&self, structure: &Structure) -> Option<(Vec<Scope>, Arc<Declarations>)> {
-        let old = self.before.parse.structure();
+        let old = &*self.structure;
         let headers = |structure: &Structure| {
             structure
                 .blocks
@@ -75,7 +79,7 @@ impl<'c> Kept<'c> {
         }
         let by = if moved { self.lines } else { 0 };
         let first = drawn.lines.start.wrapping_add_signed(-by);
-        let networks = &self.before.parse.structure().networks;
+        let networks = &self.structure.networks;
         // Nearly always it is the very next one.
         if networks
             .get(self.next)

@@ -101,7 +101,8 @@ fn ends_line(context: &Context, line: usize) -> bool {
 /// that waits for its partner.
 fn goes_on(context: &Context, above: usize) -> Option<String> {
     let parse = &context.parse;
-    let structure = &parse.structure().networks;
+    let structure = parse.structure_once();
+    let structure = &structure.networks;
     // Rail lines behind the last rung do not belong to the network any more.
     let rung_above = (0..=above)
         .rev()

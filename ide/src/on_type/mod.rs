@@ -87,7 +87,8 @@ fn drawn_again(context: &Context, line: usize, options: &Options) -> Option<Vec<
 }
 
 fn network_at(context: &Context, line: usize) -> Option<NetworkAt<'_>> {
-    let networks = &context.parse.structure().networks;
+    let structure = context.parse.structure_once();
+    let networks = &structure.networks;
     let number = networks.partition_point(|network| network.lines.end <= line);
     let found = networks.get(number)?.lines.contains(&line);
     found.then(|| context.networks.at(number))

@@ -66,7 +66,7 @@ pub(crate) fn of_context(context: &Context) -> Vec<Outlined> {
         block: None,
         function: None,
     };
-    for item in &context.parse.structure().items {
+    for item in &context.parse.structure_once().items {
         match *item {
             Item::Section(section) => {
                 let section = section_item(context, section);

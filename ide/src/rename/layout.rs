@@ -17,7 +17,8 @@ pub(super) fn laid_out(old: &Parse, text: &str, names: &[Edit], options: &Option
     } else {
         let shift = Shift::of(names);
         let mut ranges = moved(old, text, names, &shift);
-        ranges.extend(straight_items(old, &crooked).map(|range| shift.range(range)));
+        let straight = straight_items(old, &crooked).into_iter();
+        ranges.extend(straight.map(|range| shift.range(range)));
         format_ranges(&parsed, options, &ranges)
     };
     compose(text, names, &renamed, &straighten)
@@ -42,9 +43,9 @@ fn moved(old: &Parse, text: &str, names: &[Edit], shift: &Shift<'_>) -> Vec<Text
 }
 
 /// The networks, sections and lines that are laid out as they should be.
-fn straight_items<'p>(old: &'p Parse, crooked: &'p [Edit]) -> impl Iterator<Item = TextRange> + 'p {
-    let structure = old.structure();
-    structure.items.iter().filter_map(move |item| {
+fn straight_items(old: &Parse, crooked: &[Edit]) -> Vec<TextRange> {
+    let structure = old.structure_once();
+    let straight = structure.items.iter().filter_map(|item| {
         let lines = match *item {
             Item::Network(network) => structure.networks[network].lines.clone(),
             Item::Section(section) => structure.sections[section].lines.clone(),
@@ -56,7 +57,8 @@ fn straight_items<'p>(old: &'p Parse, crooked: &'p [Edit]) -> impl Iterator<Item
             .get(first)
             .is_some_and(|edit| edit.range.start() < range.end());
         (!touched).then_some(range)
-    })
+    });
+    straight.collect()
 }
 
 /// Where things lie when the edits before them are made.

@@ -34,7 +34,8 @@ pub(super) fn allows(context: &Context, out: &mut Vec<Diagnostic>) -> Vec<Allow>
     let parse = &context.parse;
     let mut allows = Vec::new();
     // Comments between the things of a file: they speak of what is next.
-    let items = &parse.structure().items;
+    let structure = parse.structure_once();
+    let items = &structure.items;
     // The next such thing, and which item it is.
     let mut known: Option<(usize, TextRange)> = None;
     for (index, item) in items.iter().enumerate() {
