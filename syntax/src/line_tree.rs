@@ -23,8 +23,9 @@ pub struct LineTree {
     made: OnceLock<GreenNode>,
 }
 
-/// The longest text that lines share. A text lives as long as one of its lines.
-const SHARED: usize = 16 << 10;
+/// About the longest text that lines share. A text lives as long as one of its lines, and takes less than 10 KiB as the lines
+/// of a part do.
+const SHARED: usize = 8 << 10;
 
 /// Stands before a text that is not the beginning of a file, where alone a byte order mark may be.
 pub(crate) const BEFORE: &str = "\n";

@@ -6,11 +6,13 @@ use crate::structure::{PartItem, group};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Where nothing is open a part ends once it has so many lines. Edits let it grow to twice as many.
-const USUAL_LINES: usize = 256;
+/// Where nothing is open a part ends once it has so many lines. Edits let it grow to twice as many. So they take
+/// no more than 10 KiB: pieces up to there come from small pages, longer ones from pages of half a megabyte, of which each
+/// thread that has made some keeps its own.
+const USUAL_LINES: usize = 112;
 
 /// With fewer lines an edited part is joined to the next one.
-const FEWEST_LINES: usize = 64;
+const FEWEST_LINES: usize = 32;
 
 /// Some consecutive logical lines of a file. No network reaches from one part into another.
 #[derive(Debug)]
