@@ -451,7 +451,7 @@ fn declared(
     let mut declarations = Declarations::default();
     let mut names = vec![0; scopes.len()];
     for section in &structure.sections {
-        names[section.block.map_or(0, |block| block + 1)] += declare::names_at_most(parse, section);
+        names[section.block.map_or(0, |block| block + 1)] += declare::names_about(parse, section);
     }
     for (scope, names) in scopes.iter_mut().zip(names) {
         scope.reserve_declared(names);

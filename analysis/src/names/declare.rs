@@ -6,7 +6,6 @@ use crate::diagnostic::Diagnostic;
 use crate::did_you_mean;
 use crate::facts;
 use crate::mistakes::{bad_declaration, duplicate_declaration};
-use crate::plain_declaration::{PlainDeclaration, plain_declaration};
 use crate::program::Role;
 use crate::rare::{Rare, RareFacts};
 use crate::rule::Rule;
@@ -17,7 +16,6 @@ use ladder_syntax::ast::{AstNode, Declaration, NodeView, SectionHeader, TypeRef}
 use ladder_syntax::{
     Line, LineKind, Name, Parse, Section, TextRange, TextSize, Trees, is_declaration_keyword, is_reserved,
 };
-use smallvec::SmallVec;
 
 /// The longest array: what still shows and saves quickly.
 const MAX_ELEMENTS: i128 = 1_000_000;
@@ -42,13 +40,18 @@ pub(crate) fn around(parse: &Parse, section: &Section) -> Option<Around> {
     })
 }
 
-/// How many names the declarations of a section have at most, by the commas before their types.
-pub(crate) fn names_at_most(parse: &Parse, section: &Section) -> usize {
+/// About how many names the declarations of a section have, by the commas before their types. A line of nothing but commas
+/// does not take all memory.
+pub(crate) fn names_about(parse: &Parse, section: &Section) -> usize {
+    const MOST_COUNTED: usize = 15;
     let lines = parse.lines().range(section.lines.clone());
     let declarations = lines.filter(|line| line.kind == LineKind::Declaration);
     let names = |line: &Line| {
         let before_type = line.text().bytes().take_while(|byte| *byte != b':');
-        1 + before_type.filter(|byte| *byte == b',').count()
+        1 + before_type
+            .filter(|byte| *byte == b',')
+            .take(MOST_COUNTED)
+            .count()
     };
     declarations.map(names).sum()
 }
@@ -92,9 +95,6 @@ pub(crate) fn line(
     (declarations, scope): (&Declarations, &mut Scope),
     out: &mut Vec<Diagnostic>,
 ) -> bool {
-    if plain_declaration(line).is_some_and(|plain| declare_plain(&plain, place.0, around, scope)) {
-        return true;
-    }
     let tree = trees.of(line);
     let mut once = true;
     if let Some(node) = Declaration::cast(NodeView::root(&tree)) {
@@ -108,39 +108,6 @@ pub(crate) fn line(
         }
     }
     once
-}
-
-/// Declares the tags of a plain declaration, if there is nothing to say about any of them.
-fn declare_plain(plain: &PlainDeclaration<'_>, line: u32, around: Around, scope: &mut Scope) -> bool {
-    let mut keys: SmallVec<[Name; 4]> = SmallVec::new();
-    for (name, _) in &plain.names {
-        let key = Name::new(name);
-        if refused_name(name, around.in_block).is_some() || scope.find(&key).is_some() || keys.contains(&key)
-        {
-            return false;
-        }
-        keys.push(key);
-    }
-    for (key, (name, range)) in keys.into_iter().zip(&plain.names) {
-        let tag = TagFacts {
-            name: (*name).into(),
-            ty: Some(plain.ty),
-            mistyped: false,
-            by_company: false,
-            role: role(around.kind, None),
-            origin: Origin::Declared(around.kind),
-            retain: around.retain,
-            constant: around.constant,
-            rare: Rare::default(),
-            declared_at: DeclaredAt {
-                line: Some(line),
-                range: *range,
-            },
-            uses: Uses::default(),
-        };
-        scope.declare(key, tag);
-    }
-    true
 }
 
 /// What the section says of a declaration.

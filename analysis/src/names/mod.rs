@@ -18,7 +18,6 @@ mod infer_tests;
 pub(crate) mod joined;
 pub(crate) mod numbering;
 pub(crate) mod operand_value;
-pub(crate) mod plain_declaration;
 pub mod rare;
 pub mod scope;
 pub(crate) mod shared;
