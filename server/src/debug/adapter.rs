@@ -8,6 +8,7 @@ use std::sync::atomic::AtomicUsize;
 use ladder_analysis::program::Location;
 use ladder_simulator::Brake;
 use ladder_syntax::TextRange;
+use serde::Deserialize as _;
 use serde_json::{Value as Json, json};
 
 use super::breakpoints::Table;
@@ -15,8 +16,8 @@ use super::capabilities::capabilities;
 use super::configuration::{BackBy, Configuration};
 use super::launch;
 use super::messages::{
-    Completions, Evaluate, Force, Initialize, Request, Restart, Scopes, SetExpression, SetVariable,
-    StackTrace, Step as StepArguments, Variables,
+    Completions, Evaluate, Force, Initialize, Request, Scopes, SetExpression, SetVariable, StackTrace,
+    Step as StepArguments, Variables,
 };
 use super::running::{Going, Stopped};
 use super::sources::Counting;
@@ -358,14 +359,11 @@ impl<W: Write> Adapter<W> {
     }
 
     fn restart(&mut self, request: &Request) -> Result<Json, String> {
-        let Restart { arguments } = request.arguments()?;
         if matches!(self.phase, Phase::Ready) {
             return Err(no_program());
         }
-        let configuration = match arguments {
-            Some(arguments) => {
-                serde_json::from_value(arguments).map_err(|error| format!("restart: {error}"))?
-            }
+        let configuration = match request.new_configuration() {
+            Some(new) => Configuration::deserialize(new).map_err(|error| format!("restart: {error}"))?,
             None => self.configuration.clone(),
         };
         self.going = None;

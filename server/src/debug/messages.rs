@@ -56,6 +56,19 @@ impl Request {
         };
         serde_json::from_value(arguments).map_err(|error| format!("{}: {error}", self.command))
     }
+
+    /// The configuration that a restart brings with it. The protocol has it as the `arguments` of the arguments; nvim-dap
+    /// sends it in their place.
+    pub(super) fn new_configuration(&self) -> Option<&Json> {
+        let given = self.arguments.as_object()?;
+        match given.get("arguments") {
+            Some(wrapped) => Some(wrapped).filter(|wrapped| !wrapped.is_null()),
+            None => ["program", "scenarioFile"]
+                .iter()
+                .any(|name| given.contains_key(*name))
+                .then_some(&self.arguments),
+        }
+    }
 }
 
 #[derive(Debug, Clone, Deserialize)]
@@ -230,10 +243,4 @@ pub(super) struct Force {
     pub variables_reference: Option<i64>,
     pub frame_id: Option<i64>,
     pub value: Option<String>,
-}
-
-#[derive(Debug, Clone, Deserialize)]
-pub(super) struct Restart {
-    /// The configuration as it is now.
-    pub arguments: Option<Json>,
 }

@@ -268,3 +268,20 @@ fn a_question_about_a_tag_of_a_stop_that_is_over_is_no_error() {
     client.body("next", json!({"threadId": 1}));
     assert_eq!(client.body("dataBreakpointInfo", tag)["dataId"], Json::Null);
 }
+
+/// The protocol wraps the new configuration; nvim-dap does not.
+#[test]
+fn a_restart_takes_a_new_configuration_wrapped_or_not() {
+    let mut client = Client::launched("VAR n : INT; END_VAR\n+--[ADD]( n, n, 1 )--+\n");
+    let program = client.program();
+    let holding = |n: i64| json!({"program": program, "stopOnEntry": true, "inputs": {"n": n}});
+    for (arguments, wanted) in [
+        (json!({"arguments": holding(3)}), "3"),
+        (json!({}), "3"),
+        (holding(4), "4"),
+        (json!({"arguments": null}), "4"),
+    ] {
+        client.body("restart", arguments);
+        assert_eq!(client.evaluate("n", "watch"), wanted);
+    }
+}
