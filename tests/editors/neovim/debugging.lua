@@ -1,5 +1,5 @@
--- nvim-dap cannot be installed by these tests. This stands in for it: it takes the same tables, starts the adapter that
--- they name in the same way, and sends the requests that it would send.
+-- nvim-dap cannot be installed everywhere; where it is, nvim_dap.lua uses it. This stands in for it: it takes the same
+-- tables, starts the adapter that they name in the same way, and sends the requests that it would send.
 local stand_in = { adapters = {}, configurations = {} }
 
 --- What nvim-dap replaces in a configuration before it is sent.
