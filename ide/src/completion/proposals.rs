@@ -35,6 +35,24 @@ impl<'t> Proposals<'t> {
         self.add_at((0, 0), item);
     }
 
+    /// Whether a name begins as it is written.
+    pub(super) fn begins(&self, name: &str) -> bool {
+        let (letters, written) = (name.as_bytes(), self.prefix.as_bytes());
+        // Most names are told apart by their first letter.
+        if let (Some(letter), Some(wanted)) = (letters.first(), written.first())
+            && letter.is_ascii()
+            && wanted.is_ascii()
+            && !letter.eq_ignore_ascii_case(wanted)
+        {
+            return false;
+        }
+        if name.is_ascii() && self.prefix.is_ascii() {
+            let first = letters.get(..written.len());
+            return first.is_some_and(|first| first.eq_ignore_ascii_case(written));
+        }
+        name.to_lowercase().starts_with(&self.prefix.to_lowercase())
+    }
+
     /// Whether something of this name can be meant by what is written.
     pub(super) fn may_be(&self, name: &str) -> bool {
         if self.prefix.is_empty() {
@@ -57,11 +75,7 @@ impl<'t> Proposals<'t> {
         }
         // Names are compared without case, which not every editor does.
         let written = self.prefix.chars().count();
-        if item
-            .filter
-            .to_lowercase()
-            .starts_with(&self.prefix.to_lowercase())
-        {
+        if self.begins(&item.filter) {
             let rest: String = item.filter.chars().skip(written).collect();
             item.filter = format!("{}{rest}", self.prefix);
         }
@@ -118,12 +132,11 @@ impl<'t> Proposals<'t> {
     /// The list. `before` and `behind` are what each word gets around it.
     pub(super) fn finish(mut self, before: &str, behind: &Snippet) -> Completions {
         // What begins as it is written comes first.
-        let prefix = self.prefix.to_lowercase();
-        self.found
-            .sort_by_cached_key(|(order, item)| (!item.filter.to_lowercase().starts_with(&prefix), *order));
-        let cut = self.found.len() > MOST;
-        self.found.truncate(MOST);
-        let mut items: Vec<Completion> = self.found.into_iter().map(|(_, item)| item).collect();
+        let mut found = std::mem::take(&mut self.found);
+        found.sort_by_cached_key(|(order, item)| (!self.begins(&item.filter), *order));
+        let cut = found.len() > MOST;
+        found.truncate(MOST);
+        let mut items: Vec<Completion> = found.into_iter().map(|(_, item)| item).collect();
         for item in &mut items {
             // An editor compares with what is in the whole range up to the cursor.
             let more = usize::from(

@@ -1,9 +1,10 @@
 //! Tags, by the type and the direction that the operand needs.
 
 use super::item::{CompletionKind, Topic};
-use super::proposals::{MOST, Proposals};
+use super::proposals::{MOST, Order, Proposals};
 use crate::typing::{Operand, Typing};
 use crate::wanted::{Kind, Wanted, rank, scalar_rank};
+use itertools::Itertools;
 use ladder_analysis::program::{Role, SystemTag};
 use ladder_analysis::scope::{Access, Origin, SectionKind, TagFacts};
 use ladder_analysis::types::{Scalar, Type};
@@ -21,9 +22,8 @@ const ITSELF: u8 = 6;
 /// A duration is written out more often than it is a count of milliseconds or a member of another timer.
 const WRITTEN: (u8, u8) = (0, 9);
 
-/// A tag, and its rank: whether it only holds what is written and does not begin so, how well it fits, and what else
-/// speaks for it.
-type Ranked<'c> = (&'c TagFacts, (bool, u8, u8));
+/// A tag, how well it fits, and what else speaks for it.
+type Ranked<'c> = (&'c TagFacts, Order);
 
 pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, out: &mut Proposals<'_>) {
     // What is in the list already is less likely meant.
@@ -36,46 +36,33 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
     };
     let scope = &typing.context.scopes[typing.scope];
     let law = typing.context.profile.law();
-    let prefix = typing.prefix();
-    let lower = prefix.to_lowercase();
-    let begins = |tag: &TagFacts| match tag.name.as_bytes().split_at_checked(prefix.len()) {
-        Some((first, _)) if tag.name.is_ascii() && prefix.is_ascii() => {
-            first.eq_ignore_ascii_case(prefix.as_bytes())
+    let ranked = |tag| {
+        let known = typing.context.shared(tag);
+        if is_being_written(typing, tag) || known.constant && wanted.writes {
+            return None;
         }
-        _ => tag.name.to_lowercase().starts_with(&lower),
+        let given = given(known);
+        let fits = match rank(law, wanted, known.ty?)? {
+            _ if wanted.writes && known.role == Role::Input => INPUTS,
+            _ if given && matches!(known.ty, Some(Type::State(_))) => ITSELF,
+            fits => fits,
+        };
+        let second = if given { 3 } else { second_thought(known, wanted) };
+        Some((known, (fits, second)))
     };
-    let mut tags: Vec<Ranked<'_>> = scope
-        .tags
-        .iter()
-        .filter(|tag| out.may_be(&tag.name) && !is_being_written(typing, tag))
-        .filter_map(|tag| {
-            let known = tag
-                .rare
-                .shared
-                .map_or(tag, |(scope, tag)| &typing.context.scopes[scope].tags[tag]);
-            let fits = match rank(law, wanted, known.ty?)? {
-                _ if wanted.writes && known.role == Role::Input => INPUTS,
-                _ if given(known) && matches!(known.ty, Some(Type::State(_))) => ITSELF,
-                fits => fits,
-            };
-            let second = if given(known) {
-                3
-            } else {
-                second_thought(known, wanted)
-            };
-            (!known.constant || !wanted.writes).then(|| (known, (!begins(known), fits, second)))
-        })
-        .collect();
-    // A large program has more tags than anybody reads: only the best are put in order.
-    let best =
+    let order =
         |(a, rank): &Ranked<'_>, (b, other): &Ranked<'_>| rank.cmp(other).then_with(|| a.name.cmp(&b.name));
-    if tags.len() > MOST {
-        tags.select_nth_unstable_by(MOST, best);
-        tags.truncate(MOST + 1);
+    // A large program has more tags than anybody reads. One more than is shown says that there are others.
+    let most = MOST + 1;
+    let begin = scope.tags.iter().filter(|tag| out.begins(&tag.name));
+    let mut tags: Vec<Ranked<'_>> = begin.filter_map(ranked).k_smallest_by(most, order).collect();
+    if tags.len() < most {
+        let others = scope.tags.iter();
+        let others = others.filter(|tag| out.may_be(&tag.name) && !out.begins(&tag.name));
+        tags.extend(others.filter_map(ranked).k_smallest_by(most - tags.len(), order));
     }
-    tags.sort_by(best);
-    for (tag, (_, fits, second)) in tags {
-        propose_tag(typing, tag, (fits, second), out);
+    for (tag, order) in tags {
+        propose_tag(typing, tag, order, out);
     }
     globals(typing, wanted, out);
     if wanted.reads && !wanted.writes {
@@ -103,7 +90,7 @@ fn second_thought(tag: &TagFacts, wanted: &Wanted) -> u8 {
     }
 }
 
-fn propose_tag(typing: &Typing<'_>, tag: &TagFacts, order: (u8, u8), out: &mut Proposals<'_>) {
+fn propose_tag(typing: &Typing<'_>, tag: &TagFacts, order: Order, out: &mut Proposals<'_>) {
     let ty = tag.ty.map(|ty| ty.to_string()).unwrap_or_default();
     let from = match tag.origin {
         Origin::Declared(section) if tag.constant => format!("{ty}, {} CONSTANT", section.keyword()),

@@ -511,3 +511,19 @@ fn of_many_tags_the_best_are_proposed() {
         ("a000", "a001")
     );
 }
+
+#[test]
+fn tags_that_begin_as_written_come_before_all_that_hold_the_letters() {
+    let mut rungs = String::from("+--[GT]( Start_level, 3 )--( )( done )--+\n");
+    for n in 0..300 {
+        rungs.push_str(&format!("+--[ ]( a_start_{n:03} )--( )( y{n} )--+\n"));
+    }
+    let (_, few) = super::found(&format!("{rungs}+--[ ]( sta$0 )--( )( z )--+\n"));
+    let labels: Vec<&str> = few.items.iter().map(|item| item.label.as_str()).collect();
+    // A number fits worse than a contact's own type, but it is what is written.
+    assert_eq!(labels[..3], ["Start_level", "a_start_000", "a_start_001"]);
+    assert!(few.cut);
+    let (_, many) = super::found(&format!("{rungs}+--[ ]( A_s$0 )--( )( z )--+\n"));
+    assert_eq!(many.items[127].label, "a_start_127");
+    assert!(many.cut);
+}
