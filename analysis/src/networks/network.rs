@@ -279,20 +279,16 @@ fn bind(facts: BlockFacts, base: TextSize, known: &mut KnownBlocks<'_>, faulty: 
             None => Meaning::UnknownUser,
         },
         Head::Mnemonic(text) => {
-            // NOT has two rows: the inverter without operands, and the bitwise one.
             let mut rows = lookup(facts.shape, text);
-            let first = rows.next();
-            match first
-                .filter(|row| row.takes(positional))
-                .or_else(|| rows.find(|row| row.takes(positional)))
-                .or(
-                    // NOT with a wrong number of operands is a mistake of the one that has operands.
-                    if positional > 0 {
-                        lookup(facts.shape, text).last()
-                    } else {
-                        first
-                    },
-                ) {
+            // NOT has two rows: the inverter without operands, and the bitwise one.
+            let row = if rows.len() > 1 {
+                let fits = rows.clone().find(|row| row.takes(positional));
+                // With a wrong number of operands it is a mistake of the one that has some.
+                fits.or_else(|| if positional > 0 { rows.last() } else { rows.next() })
+            } else {
+                rows.next()
+            };
+            match row {
                 Some(row) => Meaning::Instruction(row),
                 None => Meaning::Unknown,
             }
