@@ -144,10 +144,8 @@ impl AtTags {
         if found.iter().any(|found| found.rule == Rule::UndeclaredTag) {
             self.undeclared.note(&key);
         }
-        let found: Vec<Arc<Anchored>> = found
-            .into_iter()
-            .map(|found| Arc::new(Anchored::at_uses(found, &tag.uses, context)))
-            .collect();
+        let anchored = |found| Arc::new(Anchored::at_uses(found, &tag.uses, context));
+        let found: Vec<Arc<Anchored>> = found.into_iter().map(anchored).collect();
         self.exchanged.new.extend(found.iter().cloned());
         if found.iter().any(|found| found.is_volatile()) {
             self.volatile.insert(key.clone());
@@ -165,7 +163,9 @@ impl AtTags {
             self.read_above.insert(key.clone());
         }
         if !found.is_empty() {
-            self.found.entry(key).or_default().extend(found);
+            let kept = self.found.entry(key).or_default();
+            kept.reserve_exact(found.len());
+            kept.extend(found);
         }
     }
 

@@ -23,7 +23,7 @@ use crate::rules::tag_summary::Known;
 use crate::rules::{self, AroundTags, MOST_FINDINGS};
 use crate::scope::TagFacts;
 use crate::stamp;
-use crate::verdict::{InNetwork, Pass};
+use crate::verdict::{ByPass, InNetwork, Pass};
 use ladder_syntax::{Name, TextRange, TextSize};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeSet;
@@ -82,8 +82,7 @@ pub struct Work {
 struct OfNetwork {
     /// Stands for all of its tags that findings depend on.
     stamp: u64,
-    /// By pass.
-    found: Option<Box<[InNetwork; Pass::ALL.len()]>>,
+    found: ByPass,
 }
 
 /// What the file as a whole owns: looked for after each edit.
@@ -184,16 +183,11 @@ impl Ledger {
         Some((ledger, of_file))
     }
 
-    /// Drops what networks own that are gone, and gives those to look at.
-    fn follow(&mut self, context: &Context, change: &Change) -> BTreeSet<usize> {
+    /// Drops what networks own that are gone, and gives those to look at, from top to bottom.
+    fn follow(&mut self, context: &Context, change: &Change) -> Vec<usize> {
         for &id in &change.removed {
             let gone = std::mem::take(&mut self.networks[id as usize]);
-            self.count -= gone
-                .found
-                .iter()
-                .flat_map(|found| found.iter())
-                .map(Vec::len)
-                .sum::<usize>();
+            self.count -= gone.found.len();
             self.unshelved.insert(id);
             self.control_flow[id as usize] = ControlFlow::default();
             self.unresolved.remove(&id);
@@ -216,30 +210,29 @@ impl Ledger {
                 again.insert(context.networks.index_of(place.network));
             }
         }
-        again
+        again.into_iter().collect()
     }
 
     /// Exchanges what a pass has found in a network.
     fn set(&mut self, id: u32, pass: Pass, found: InNetwork) {
-        let of_network = &mut self.networks[id as usize];
-        if found.is_empty() && of_network.found.is_none() {
+        let kept = &mut self.networks[id as usize].found;
+        let before = kept.len();
+        kept.set(pass, &found);
+        if before == 0 && kept.len() == 0 {
             return;
         }
-        let kept = &mut of_network.found.get_or_insert_default()[pass as usize];
-        self.count = self.count + found.len() - kept.len();
+        self.count = self.count + kept.len() - before;
         if found.iter().any(|found| found.is_volatile()) {
             self.volatile.insert(id);
         }
-        *kept = found;
         self.unshelved.insert(id);
     }
 
     /// Puts what is found anew on the shelf.
     fn put_on_shelf(&mut self) {
         for id in self.unshelved.drain() {
-            let found = self.networks[id as usize].found.iter();
-            let found = found.flat_map(|found| found.iter().flatten());
-            self.shelf.set_network(id, found);
+            let found = &self.networks[id as usize].found;
+            self.shelf.set_network(id, found.iter());
         }
     }
 
@@ -247,7 +240,7 @@ impl Ledger {
     fn drawings_and_types(
         &mut self,
         context: &Context,
-        networks: &BTreeSet<usize>,
+        networks: &[usize],
         wanted: &StillWanted<'_>,
     ) -> Option<()> {
         for &index in networks {
@@ -365,13 +358,13 @@ impl Ledger {
     fn blocks_and_power(
         &mut self,
         context: &Context,
-        (networks, toggled): (&BTreeSet<usize>, Vec<usize>),
+        (networks, toggled): (&[usize], Vec<usize>),
         any: ControlFlow,
         of_file: &OfFile,
         wanted: &StillWanted<'_>,
     ) -> Option<()> {
         let rail_varies = any.has(ControlFlow::MCR);
-        let mut again = networks.clone();
+        let mut again = networks.to_vec();
         self.work.networks += toggled.len();
         again.extend(toggled);
         if self.rail_varies != rail_varies {
@@ -379,6 +372,9 @@ impl Ledger {
             again.extend(0..context.networks.len());
             self.rail_varies = rail_varies;
         }
+        again.sort_unstable();
+        again.dedup();
+        let mut networks = networks.iter().peekable();
         let end = self.full_from.unwrap_or(usize::MAX);
         for index in again.into_iter().take_while(|&index| index < end) {
             wanted.one_more()?;
@@ -387,8 +383,8 @@ impl Ledger {
             let stamp = self.networks[id as usize].stamp;
             let survey = self.survey(context, any, of_file);
             let blocks = networks
-                .contains(&index)
-                .then(|| survey::of_network(context, network, stamp, &self.settings));
+                .next_if_eq(&&index)
+                .map(|_| survey::of_network(context, network, stamp, &self.settings));
             let wiring = rules::wiring_walk::check(context, &survey, network, stamp);
             let power = rules::power_rules::check(context, &survey, network, stamp, &wiring);
             if let Some(blocks) = blocks {
@@ -418,10 +414,9 @@ impl Ledger {
 
     /// What is found in networks with places that are true for this text only.
     pub(super) fn volatile_in_networks(&self) -> impl Iterator<Item = &Arc<Anchored>> {
-        let of_network = |id: &u32| self.networks[*id as usize].found.as_deref();
-        let all = self.volatile.iter().filter_map(of_network);
-        all.flat_map(|found| found.iter().flatten())
-            .filter(|found| found.is_volatile())
+        let of_network = |id: &u32| self.networks[*id as usize].found.iter();
+        let all = self.volatile.iter().flat_map(of_network);
+        all.filter(|found| found.is_volatile())
     }
 
     /// The same of what is found at tags.

@@ -247,6 +247,7 @@ impl Shelf {
         for item in &items {
             count(&mut self.counts, item, true);
         }
+        items.shrink_to_fit();
         *all.get_mut(number) = (!items.is_empty()).then(|| Arc::new(items));
     }
 

@@ -46,10 +46,9 @@ impl Home {
 
 impl Anchored {
     /// Of a finding that is looked for anew after each edit: its places need not stay true.
-    pub(crate) fn in_file(mut found: Diagnostic) -> Anchored {
-        found.say_how_many_more();
+    pub(crate) fn in_file(found: Diagnostic) -> Anchored {
         Anchored {
-            found,
+            found: found.finished(),
             anchors: Anchors::File,
         }
     }
@@ -60,10 +59,9 @@ impl Anchored {
         if !found.lies_in(network.range) {
             return Anchored::in_file(found);
         }
-        found.say_how_many_more();
         move_by(&mut found, -i64::from(u32::from(network.range.start())));
         Anchored {
-            found,
+            found: found.finished(),
             anchors: Anchors::Network,
         }
     }
@@ -93,12 +91,11 @@ impl Anchored {
         let Some(homes) = homes else {
             return Anchored::in_file(found);
         };
-        found.say_how_many_more();
         for (place, home) in places(&mut found).zip(&homes) {
             *place = shifted(*place, -i64::from(u32::from(home.start(context))));
         }
         Anchored {
-            found,
+            found: found.finished(),
             anchors: Anchors::Each(homes),
         }
     }

@@ -4,6 +4,7 @@ use crate::declaring::Declares;
 use crate::rule::{Rule, Severity};
 use ladder_format::Edit;
 use ladder_syntax::TextRange;
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// A finding names at most so many other places.
@@ -21,7 +22,7 @@ pub struct Diagnostic {
     /// What is wrong, naming the thing.
     pub message: String,
     /// What to do about it.
-    pub help: Option<String>,
+    pub help: Option<Cow<'static, str>>,
     /// Other places that have to do with it: the first of them.
     pub related: Vec<Related>,
     /// How many more there are.
@@ -38,7 +39,7 @@ pub struct Related {
     /// Where.
     pub range: TextRange,
     /// What is there.
-    pub message: String,
+    pub message: Cow<'static, str>,
 }
 
 /// A way to mend a finding.
@@ -108,14 +109,14 @@ impl Diagnostic {
 
     /// Adds what to do.
     #[must_use]
-    pub fn help(mut self, help: impl Into<String>) -> Diagnostic {
+    pub fn help(mut self, help: impl Into<Cow<'static, str>>) -> Diagnostic {
         self.help = Some(help.into());
         self
     }
 
     /// Adds a related place.
     #[must_use]
-    pub fn related(self, range: TextRange, message: impl Into<String>) -> Diagnostic {
+    pub fn related(self, range: TextRange, message: impl Into<Cow<'static, str>>) -> Diagnostic {
         self.add_related(None, range, message)
     }
 
@@ -123,7 +124,7 @@ impl Diagnostic {
         mut self,
         file: Option<&Arc<str>>,
         range: TextRange,
-        message: impl Into<String>,
+        message: impl Into<Cow<'static, str>>,
     ) -> Diagnostic {
         if self.related.len() == MOST_RELATED {
             self.more_related += 1;
@@ -144,19 +145,28 @@ impl Diagnostic {
         stretch.contains_range(self.range) && self.related.iter().all(related) && self.fixes.iter().all(edits)
     }
 
-    /// Says at the last related place how many more there are.
-    pub(crate) fn say_how_many_more(&mut self) {
+    /// As it is kept: the last related place says how many more there are, and no room is left for more.
+    pub(crate) fn finished(mut self) -> Diagnostic {
         if self.more_related > 0
             && let Some(last) = self.related.last_mut()
         {
-            last.message
-                .push_str(&format!("; and {} more", self.more_related));
+            let more = format!("; and {} more", self.more_related);
+            last.message.to_mut().push_str(&more);
         }
+        self.message.shrink_to_fit();
+        self.related.shrink_to_fit();
+        self.fixes.shrink_to_fit();
+        self
     }
 
     /// Adds a related place in another file.
     #[must_use]
-    pub fn related_in(self, file: &Arc<str>, range: TextRange, message: impl Into<String>) -> Diagnostic {
+    pub fn related_in(
+        self,
+        file: &Arc<str>,
+        range: TextRange,
+        message: impl Into<Cow<'static, str>>,
+    ) -> Diagnostic {
         self.add_related(Some(file), range, message)
     }
 
@@ -166,7 +176,7 @@ impl Diagnostic {
         self,
         file: Option<&Arc<str>>,
         range: TextRange,
-        message: impl Into<String>,
+        message: impl Into<Cow<'static, str>>,
     ) -> Diagnostic {
         match file {
             Some(file) => self.related_in(file, range, message),

@@ -11,7 +11,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// The passes whose findings are kept.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// In the order in which their findings count.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Pass {
     /// The types of the operands.
     Types,
@@ -25,23 +26,60 @@ pub(crate) enum Pass {
     Power,
 }
 
-const PASSES: usize = Pass::ALL.len();
-
-impl Pass {
-    /// In the order in which their findings count.
-    pub(crate) const ALL: [Pass; 5] = [Pass::Types, Pass::Form, Pass::Blocks, Pass::Wiring, Pass::Power];
-}
+const PASSES: usize = Pass::Power as usize + 1;
 
 /// Findings in a network.
 pub(crate) type InNetwork = Vec<Arc<Anchored>>;
+
+/// What passes have found in a network. In most networks that is nothing, and takes one word.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct ByPass(Option<Box<Found>>);
+
+/// In the order of the passes.
+#[derive(Debug, Clone)]
+struct Found(Vec<(Pass, Arc<Anchored>)>);
+
+impl ByPass {
+    fn list(&self) -> &[(Pass, Arc<Anchored>)] {
+        self.0.as_ref().map_or(&[], |found| &found.0)
+    }
+
+    /// All of it.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = &Arc<Anchored>> {
+        self.list().iter().map(|(_, found)| found)
+    }
+
+    /// How much that is.
+    pub(crate) fn len(&self) -> usize {
+        self.list().len()
+    }
+
+    /// What one pass has found.
+    fn of(&self, pass: Pass) -> impl Iterator<Item = &Arc<Anchored>> {
+        let all = self.list().iter();
+        all.filter_map(move |(by, found)| (*by == pass).then_some(found))
+    }
+
+    /// Exchanges what one pass has found.
+    pub(crate) fn set(&mut self, pass: Pass, found: &[Arc<Anchored>]) {
+        if found.is_empty() && self.of(pass).next().is_none() {
+            return;
+        }
+        let new = || found.iter().map(|found| (pass, Arc::clone(found)));
+        let before = self.list().iter().filter(|(by, _)| *by < pass).cloned();
+        let behind = self.list().iter().filter(|(by, _)| *by > pass).cloned();
+        let mut all = Vec::with_capacity(self.len() - self.of(pass).count() + found.len());
+        all.extend(before.chain(new()).chain(behind));
+        self.0 = (!all.is_empty()).then(|| Box::new(Found(all)));
+    }
+}
 
 /// What each pass found when it looked last.
 #[derive(Debug, Default)]
 pub(crate) struct Verdict {
     /// With which key each pass looked. 0: it has not.
     keys: [AtomicU64; PASSES],
-    /// None: no pass has found anything.
-    found: Mutex<Option<Box<[InNetwork; PASSES]>>>,
+    found: Mutex<ByPass>,
 }
 
 impl Verdict {
@@ -56,11 +94,7 @@ impl Verdict {
         if kept.load(Ordering::Acquire) != key {
             return None;
         }
-        Some(
-            found
-                .as_ref()
-                .map_or_else(Vec::new, |found| found[pass as usize].clone()),
-        )
+        Some(found.of(pass).cloned().collect())
     }
 
     /// Keeps what a pass has found with a key, unless it names places outside of the network.
@@ -68,17 +102,12 @@ impl Verdict {
         if found.iter().any(|found| found.is_volatile()) {
             return;
         }
-        let mut kept = self.found();
-        if !found.is_empty() {
-            kept.get_or_insert_default()[pass as usize] = found.to_vec();
-        } else if let Some(kept) = kept.as_mut() {
-            kept[pass as usize] = Vec::new();
-        }
+        self.found().set(pass, found);
         self.keys[pass as usize].store(key, Ordering::Release);
     }
 
     /// What is kept stays whole: it is changed in one step.
-    fn found(&self) -> MutexGuard<'_, Option<Box<[InNetwork; PASSES]>>> {
+    fn found(&self) -> MutexGuard<'_, ByPass> {
         self.found.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
@@ -107,12 +136,48 @@ pub(crate) fn once(
     }
     let mut found = Vec::new();
     let may_keep = look(&mut found);
-    let found: InNetwork = found
-        .into_iter()
-        .map(|found| Arc::new(Anchored::at_network(found, network)))
-        .collect();
-    if let Some(key) = key.filter(|_| may_keep) {
-        network.verdict.keep(pass, key, &found);
+    // To collect them would keep the room that they had as findings.
+    let mut anchored = InNetwork::with_capacity(found.len());
+    for found in found {
+        anchored.push(Arc::new(Anchored::at_network(found, network)));
     }
-    found
+    if let Some(key) = key.filter(|_| may_keep) {
+        network.verdict.keep(pass, key, &anchored);
+    }
+    anchored
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ByPass, Pass};
+    use crate::diagnostic::Diagnostic;
+    use crate::findings::Anchored;
+    use crate::rule::Rule;
+    use ladder_syntax::TextRange;
+    use std::sync::Arc;
+
+    #[test]
+    fn what_a_pass_has_found_is_exchanged_in_its_place() {
+        let found = |message: &str| {
+            let found = Diagnostic::new(Rule::NoOutput, TextRange::default(), message);
+            Arc::new(Anchored::in_file(found))
+        };
+        let of = |kept: &ByPass, pass| kept.of(pass).cloned().collect::<Vec<_>>();
+        let mut kept = ByPass::default();
+        kept.set(Pass::Power, &[]);
+        assert!(kept.0.is_none(), "nothing takes no room");
+        let (first, second, third) = (found("first"), found("second"), found("third"));
+        kept.set(Pass::Power, &[Arc::clone(&third)]);
+        kept.set(Pass::Types, &[Arc::clone(&first)]);
+        kept.set(Pass::Wiring, &[Arc::clone(&second), Arc::clone(&second)]);
+        let all: Vec<_> = kept.iter().cloned().collect();
+        assert_eq!(all, [&first, &second, &second, &third].map(Arc::clone));
+        kept.set(Pass::Wiring, &[Arc::clone(&first)]);
+        assert_eq!(of(&kept, Pass::Wiring), [Arc::clone(&first)]);
+        assert_eq!(of(&kept, Pass::Blocks), []);
+        for pass in [Pass::Types, Pass::Wiring, Pass::Power] {
+            kept.set(pass, &[]);
+        }
+        assert!(kept.0.is_none(), "nothing takes no room");
+    }
 }

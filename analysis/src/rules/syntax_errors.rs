@@ -99,9 +99,8 @@ fn finding(parse: &Parse, error: &SyntaxError, text: &str, rest: &str) -> Diagno
         } => {
             let mut found = unexpected_character::unexpected(place, behind_comment, text, range);
             if let Some(fix) = unexpected_character::box_drawing::fix(parse, range.start()) {
-                found.help = Some(
-                    "a rung is drawn with - + | \\ / and blocks; this looks like box-drawing characters"
-                        .to_owned(),
+                found = found.help(
+                    "a rung is drawn with - + | \\ / and blocks; this looks like box-drawing characters",
                 );
                 found.fixes = vec![fix];
             }

@@ -45,6 +45,6 @@ pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Dia
     }
 }
 
-fn wrong(bound: BlockAt<'_>, message: &str, help: &str) -> Diagnostic {
+fn wrong(bound: BlockAt<'_>, message: &str, help: &'static str) -> Diagnostic {
     Diagnostic::new(Rule::WrongPlace, bound.head_range(), message).help(help)
 }

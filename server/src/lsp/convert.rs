@@ -164,7 +164,7 @@ fn diagnostic(
             };
             Some(DiagnosticRelatedInformation {
                 location,
-                message: related.message.clone(),
+                message: related.message.clone().into_owned(),
             })
         });
         related_information = Some(related.collect::<Vec<_>>()).filter(|related| !related.is_empty());

@@ -11,6 +11,7 @@ use ladder_simulator::scenario::{self, Case, Mistake, Suite};
 use ladder_simulator::{Options, Simulation};
 use ladder_syntax::TextRange;
 use ladder_workspace::{FileError, Named, Settings};
+use std::borrow::Cow;
 use std::path::Path;
 use std::sync::{Arc, Mutex};
 use std::time::Instant;
@@ -257,7 +258,7 @@ fn errors(source: &Source, renderer: &Renderer) -> Vec<Problem> {
         severity: error.severity,
         shown: full::render(source, &error, renderer),
         message: error.message,
-        help: error.help,
+        help: error.help.map(Cow::into_owned),
         outcome: Outcome::Findings,
     });
     remarks.chain(found).collect()

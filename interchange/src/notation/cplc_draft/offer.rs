@@ -25,7 +25,7 @@ pub fn offer_conversion(findings: &mut [Diagnostic], text: &str, options: &Optio
                 }],
             ));
         }
-        Err(error) => found.help = Some(format!("it cannot be converted yet: {error}")),
+        Err(error) => found.help = Some(format!("it cannot be converted yet: {error}").into()),
     }
 }
 
