@@ -14,6 +14,11 @@ impl Stamp {
         Stamp(data.and_then(|data| Some((data.modified().ok()?, data.len()))))
     }
 
+    /// How long the file is, in bytes.
+    pub fn bytes(&self) -> u64 {
+        self.0.map_or(0, |(_, bytes)| bytes)
+    }
+
     /// Whether there is a file.
     pub fn exists(&self) -> bool {
         self.0.is_some()

@@ -249,7 +249,7 @@ impl Elsewhere {
             ));
         }
         if let Some((path, file)) = self.files().closed(name) {
-            return Some(FileText::of_file(address::uri_of(path), &file.text, encoding));
+            return Some(FileText::of_file(address::uri_of(path), file.text(), encoding));
         }
         let mut scenarios = self.scenarios.get()?.iter();
         let found = scenarios.find(|it| *it.shown.name == *name)?;
@@ -284,7 +284,7 @@ impl Workspace for Elsewhere {
         }
         together::each(&files.closed, |number, (_, file)| {
             if !self.cancel.is_cancelled()
-                && which.takes(|| (&*file.text).into())
+                && which.takes(|| file.text().into())
                 && let Some(context) = files.context(file)
             {
                 look(files.open.len() + number, &context);

@@ -1,8 +1,8 @@
 //! One workspace: its settings, its files on disk, and those of them that an editor shows.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use ladder_analysis::{Analysis, Exported, Exports};
 use ladder_workspace::{Root, Settings};
@@ -10,6 +10,28 @@ use ladder_workspace::{Root, Settings};
 use super::on_disk::OnDisk;
 use super::seen::{Seen, SettingsFile};
 use super::together;
+
+/// The files that editors show, from when they are opened until they are closed.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Shown(Arc<Mutex<HashSet<PathBuf>>>);
+
+impl Shown {
+    pub(super) fn contains(&self, path: &Path) -> bool {
+        self.paths().contains(path)
+    }
+
+    pub(super) fn insert(&self, path: &Path) {
+        self.paths().insert(path.to_owned());
+    }
+
+    pub(super) fn remove(&self, path: &Path) {
+        self.paths().remove(path);
+    }
+
+    fn paths(&self) -> MutexGuard<'_, HashSet<PathBuf>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
 
 /// One workspace.
 #[derive(Debug)]
@@ -34,7 +56,7 @@ pub(super) struct Open {
 
 impl Folder {
     /// Reads a workspace, of which `path` is a file. `defaults` hold where it has no settings file.
-    pub(super) fn load(path: &Path, root: &Path, defaults: &Settings) -> Folder {
+    pub(super) fn load(path: &Path, root: &Path, defaults: &Settings, shown: &Shown) -> Folder {
         let mut folder = Folder {
             settings: Settings::default(),
             settings_file: None,
@@ -57,7 +79,12 @@ impl Folder {
         let mut programs = found.programs(&folder.settings.files);
         programs.retain(|path| folder.settings.files.contain(path));
         folder.disk = together::map(&programs, |path| {
-            Some((path.clone(), Arc::new(OnDisk::read(root, path)?)))
+            let file = if shown.contains(path) {
+                OnDisk::shown(root, path, None)
+            } else {
+                OnDisk::read(root, path)?
+            };
+            Some((path.clone(), Arc::new(file)))
         })
         .into_iter()
         .collect();
@@ -81,12 +108,27 @@ impl Folder {
     }
 
     /// Takes a file as it is on disk now.
-    pub(super) fn reread(&mut self, root: &Path, path: &Path) {
-        let belongs = self.settings.files.contain(path);
-        match belongs.then(|| OnDisk::read(root, path)).flatten() {
+    pub(super) fn reread(&mut self, root: &Path, path: &Path, shown: &Shown) {
+        let before = self.disk.get(path).filter(|_| shown.contains(path));
+        let file = if !self.settings.files.contain(path) {
+            None
+        } else if let Some(before) = before {
+            Some(OnDisk::shown(root, path, Some(before))).filter(|file| file.stamp.exists())
+        } else {
+            OnDisk::read(root, path)
+        };
+        match file {
             Some(file) => self.disk.insert(path.to_owned(), Arc::new(file)),
             None => self.disk.remove(path),
         };
+    }
+
+    /// An editor shows a file, and what it shows is known.
+    pub(super) fn show(&mut self, path: &Path, open: Open) {
+        self.open.insert(path.to_owned(), open);
+        if let Some(file) = self.disk.get_mut(path).filter(|file| file.holds_text()) {
+            *file = Arc::new(file.without_text());
+        }
     }
 
     /// What its files show to each other.

@@ -76,4 +76,38 @@ mod tests {
         assert!(news.for_others && news.for_itself, "{news:?}");
         assert_eq!(called.tell_neighbours(), News::default());
     }
+
+    #[test]
+    fn the_text_on_disk_of_an_open_file_is_neither_read_nor_held() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("ladder.toml"), "").unwrap();
+        let own = folder.path().join("own.clad");
+        let other = folder.path().join("other.clad");
+        std::fs::write(&own, "+--( )( y )--+\n+--<FUN>( saved )--( )( y )--+\n").unwrap();
+        std::fs::write(&other, "+--( )( z )--<CALL>( saved )--+\n").unwrap();
+        let neighbours = Arc::<Neighbours>::default();
+        let place = |path: &PathBuf| Membership::new(path.clone(), &neighbours);
+        let open = |path: &PathBuf, text: &str| {
+            neighbours.opened(path);
+            Revision::on_disk("file", Encoding::Utf8, text, place(path))
+        };
+        let shown = open(&own, "+--( )( y )--+\n+--<FUN>( typed )--( )( y )--+\n");
+        assert!(!neighbours.holds_text_of(&own));
+        let news = shown.tell_neighbours();
+        assert!(news.for_others, "the first that is known of it");
+        assert!(neighbours.holds_text_of(&other));
+        let call = |name: &str| format!("+--( )( z )--<CALL>( {name} )--+\n");
+        let finds = |revision: &Revision| revision.analysis().map(|analysis| analysis.findings().len());
+        let caller = open(&other, &call("typed"));
+        assert_eq!(finds(&caller), Some(0), "what the editor shows counts");
+        caller.tell_neighbours();
+        assert!(!neighbours.holds_text_of(&other));
+        neighbours.disk_changed(std::slice::from_ref(&own));
+        assert!(!neighbours.holds_text_of(&own), "it was saved");
+        // As soon as the editor shows it no more it counts as it was saved.
+        assert!(neighbours.closed(&own));
+        assert!(neighbours.holds_text_of(&own));
+        assert_eq!(finds(&open(&other, &call("saved"))), Some(0));
+        assert_ne!(finds(&open(&other, &call("typed"))), Some(0));
+    }
 }

@@ -13,18 +13,36 @@ use ladder_analysis::program::Program;
 use ladder_analysis::{Analysis, Exported, Exports, NotWhole, Others, RuleSettings, analyze_with, link};
 use ladder_workspace::{FileError, Root, SETTINGS_FILE, Settings, Simulate};
 
-use super::folder::{Folder, Open, same};
+use super::folder::{Folder, Open, Shown, same};
 use super::on_disk::{FilesOnDisk, OnDisk, name_in};
 use super::seen::SettingsFile;
 
 /// All workspaces, by their folders.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct Neighbours {
+    /// Apart from the rest, which may be locked while files are read.
+    shown: Shown,
     state: Mutex<State>,
+}
+
+impl Default for Neighbours {
+    fn default() -> Self {
+        let shown = Shown::default();
+        let state = State {
+            shown: shown.clone(),
+            ..State::default()
+        };
+        Neighbours {
+            shown,
+            state: Mutex::new(state),
+        }
+    }
 }
 
 #[derive(Debug, Default)]
 struct State {
+    /// The same as above.
+    shown: Shown,
     /// What holds where there is no settings file.
     defaults: Settings,
     roots: HashMap<PathBuf, PathBuf>,
@@ -73,7 +91,7 @@ impl Neighbours {
             exports,
             analysis: Arc::clone(analysis),
         };
-        folder.open.insert(path.to_owned(), open);
+        folder.show(path, open);
         if changed {
             folder.exported = None;
         }
@@ -83,12 +101,18 @@ impl Neighbours {
         }
     }
 
+    /// An editor shows a file from now on: its text on disk does not count. Reads nothing, and waits for nobody who does.
+    pub(crate) fn opened(&self, path: &Path) {
+        self.shown.insert(path);
+    }
+
     /// The editor has closed a file: the text on disk counts again. True if the others see something else now.
     pub(crate) fn closed(&self, path: &Path) -> bool {
+        self.shown.remove(path);
         let mut state = self.lock();
         let (root, folder) = state.folder(path);
         let before = folder.open.remove(path).map(|open| open.exports);
-        folder.reread(&root, path);
+        folder.reread(&root, path, &self.shown);
         folder.exported = None;
         !same(before.as_deref(), folder.shown(path).map(|exports| &**exports))
     }
@@ -108,7 +132,7 @@ impl Neighbours {
         for path in paths.iter().filter(|path| ladder_workspace::is_program(path)) {
             let (root, folder) = state.folder(path);
             let before = folder.shown(path).cloned();
-            folder.reread(&root, path);
+            folder.reread(&root, path, &self.shown);
             if !same(before.as_deref(), folder.shown(path).map(|exports| &**exports)) {
                 folder.exported = None;
                 changed = true;
@@ -229,7 +253,7 @@ impl Neighbours {
             }
             (root, state.defaults.clone())
         };
-        let folder = Folder::load(path, &root, &defaults);
+        let folder = Folder::load(path, &root, &defaults, &self.shown);
         self.lock().folders.entry(root).or_insert(folder);
     }
 
@@ -280,7 +304,7 @@ impl Neighbours {
             return Some((path.clone(), open.analysis.context.parse.to_string()));
         }
         let (path, file) = folder.disk.iter().find(|(_, file)| *file.name == *name)?;
-        Some((path.clone(), file.text.clone()))
+        Some((path.clone(), file.text().to_owned()))
     }
 
     /// What runs: a file's program with what it uses of the others.
@@ -301,6 +325,14 @@ impl Neighbours {
             drop(state);
             Some(Arc::new(analyze_with(&file.parse(), name, &others, &rules)))
         })
+    }
+
+    /// Whether the text of a program is held as it is on disk.
+    #[cfg(test)]
+    pub(super) fn holds_text_of(&self, path: &Path) -> bool {
+        let mut state = self.lock();
+        let (_, folder) = state.folder(path);
+        folder.disk.get(path).is_some_and(|file| file.holds_text())
     }
 
     /// A panic elsewhere leaves at worst a file that is read again.
@@ -337,11 +369,11 @@ impl State {
 
     fn folder(&mut self, path: &Path) -> (PathBuf, &mut Folder) {
         let root = self.root(path);
-        let defaults = &self.defaults;
+        let (defaults, shown) = (&self.defaults, &self.shown);
         let folder = self
             .folders
             .entry(root.clone())
-            .or_insert_with(|| Folder::load(path, &root, defaults));
+            .or_insert_with(|| Folder::load(path, &root, defaults, shown));
         (root, folder)
     }
 }

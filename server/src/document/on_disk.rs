@@ -1,7 +1,7 @@
 //! A program of a workspace as it is on disk.
 
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use ladder_analysis::context::{Context, context};
 use ladder_analysis::{Exported, Exports, exports};
@@ -10,15 +10,17 @@ use ladder_workspace::Stamp;
 
 /// The names of files that no editor shows are kept in workspaces with so many bytes of text; in larger ones they are read
 /// again when somebody asks.
-const MOST_KEPT: usize = 2 << 20;
+const MOST_KEPT: u64 = 2 << 20;
 
-/// A file that no editor shows.
+/// A program as it is on disk: what counts of one that no editor shows.
 #[derive(Debug)]
 pub(crate) struct OnDisk {
     pub(crate) name: Arc<str>,
     pub(super) stamp: Stamp,
-    /// Its text. All else that is known of it is read again when somebody asks.
-    pub(crate) text: String,
+    path: PathBuf,
+    /// Its text. All else that is known of it is read again when somebody asks. Of a file that an editor shows the text too is
+    /// read only if somebody asks: it is mostly the same that the editor has sent.
+    text: OnceLock<String>,
     pub(super) exports: Arc<Exports>,
     /// Its names, as they are among these other files.
     names: Mutex<Option<(Arc<Exported>, Arc<Context>)>>,
@@ -30,18 +32,54 @@ impl OnDisk {
         let stamp = Stamp::of(path);
         let text = ladder_workspace::read_own(path).ok()?;
         let name = name_in(root, path);
-        let exports = Arc::new(exports(&Arc::new(ladder_syntax::parse(&text)), &name));
-        Some(OnDisk {
+        let exports = exports_of(&text, &name);
+        let text = OnceLock::from(text);
+        Some(OnDisk::new((path, stamp), name, exports, text))
+    }
+
+    /// A program that an editor shows. Until the editor's text is known the other files see of it what they saw `before`, or
+    /// nothing.
+    pub(super) fn shown(root: &Path, path: &Path, before: Option<&OnDisk>) -> OnDisk {
+        let name = name_in(root, path);
+        let exports = before.map_or_else(|| exports_of("", &name), |before| Arc::clone(&before.exports));
+        OnDisk::new((path, Stamp::of(path)), name, exports, OnceLock::new())
+    }
+
+    /// The same without its text, which is read again if somebody asks.
+    pub(super) fn without_text(&self) -> OnDisk {
+        let (name, exports) = (Arc::clone(&self.name), Arc::clone(&self.exports));
+        OnDisk::new((&self.path, self.stamp), name, exports, OnceLock::new())
+    }
+
+    fn new(
+        (path, stamp): (&Path, Stamp),
+        name: Arc<str>,
+        exports: Arc<Exports>,
+        text: OnceLock<String>,
+    ) -> OnDisk {
+        OnDisk {
             name,
             stamp,
+            path: path.to_owned(),
             text,
             exports,
             names: Mutex::default(),
-        })
+        }
+    }
+
+    /// Its text; empty if it cannot be read any more.
+    pub(crate) fn text(&self) -> &str {
+        self.text
+            .get_or_init(|| ladder_workspace::read_own(&self.path).unwrap_or_default())
+    }
+
+    /// Whether its text is held.
+    pub(super) fn holds_text(&self) -> bool {
+        self.text.get().is_some()
     }
 
     pub(super) fn parse(&self) -> Arc<Parse> {
-        Arc::new(ladder_syntax::parse(&self.text))
+        Arc::new(ladder_syntax::parse(self.text()))
     }
 
     /// Its names. `exported` is what the files of its workspace show to each other.
@@ -76,9 +114,13 @@ pub(crate) struct FilesOnDisk {
 impl FilesOnDisk {
     /// Whether what is known of all of them may be kept. It takes some twenty times the memory of the texts.
     pub(crate) fn are_few(&self) -> bool {
-        let bytes: usize = self.files.iter().map(|(_, file)| file.text.len()).sum();
+        let bytes: u64 = self.files.iter().map(|(_, file)| file.stamp.bytes()).sum();
         bytes <= MOST_KEPT
     }
+}
+
+fn exports_of(text: &str, name: &str) -> Arc<Exports> {
+    Arc::new(exports(&Arc::new(ladder_syntax::parse(text)), name))
 }
 
 /// The path from the workspace's folder on: no two files have one name.

@@ -231,7 +231,7 @@ fn on_disk(shared: &Shared, path: &Path) -> Option<Vec<Diagnostic>> {
         return Some(found.clone());
     }
     let place = Membership::new(path.to_owned(), &shared.neighbours);
-    let revision = Revision::on_disk(&uri_of(path), agreed.encoding, &file.text, place);
+    let revision = Revision::on_disk(&uri_of(path), agreed.encoding, file.text(), place);
     let found = diagnostics::diagnostics_of(agreed, &revision);
     lock().insert(path.to_owned(), (file, exported, found.clone()));
     Some(found)

@@ -36,6 +36,9 @@ pub(crate) fn opened(shared: &Arc<Shared>, params: DidOpenTextDocumentParams) {
         shared.companions.close(uri);
     }
     let place = address::path_of(uri).map(|path| Membership::new(path, &shared.neighbours));
+    if let Some(place) = place.as_ref().filter(|_| kind == Kind::Program) {
+        shared.neighbours.opened(&place.path);
+    }
     let encoding = shared.agreed().encoding;
     store.open_at(uri, kind, document.version, encoding, &document.text, place);
     shared.text_moved(uri);
