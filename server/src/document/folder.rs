@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use ladder_analysis::{Analysis, Exported, Exports};
-use ladder_workspace::{Root, Settings};
+use ladder_workspace::{Root, Settings, Stamp};
 
 use super::on_disk::OnDisk;
 use super::seen::{Seen, SettingsFile};
@@ -41,6 +41,8 @@ pub(super) struct Folder {
     pub(super) settings_file: Option<Arc<SettingsFile>>,
     pub(super) disk: BTreeMap<PathBuf, Arc<OnDisk>>,
     pub(super) open: HashMap<PathBuf, Open>,
+    /// Those of which nothing is known yet: an editor shows them, and what it shows was not looked at.
+    unknown: HashSet<PathBuf>,
     /// What its files show to each other. Nothing if that has changed since somebody asked.
     pub(super) exported: Option<Arc<Exported>>,
     /// How often what an open file shows has become something else.
@@ -62,6 +64,7 @@ impl Folder {
             settings_file: None,
             disk: BTreeMap::new(),
             open: HashMap::new(),
+            unknown: HashSet::new(),
             exported: None,
             changes: 0,
         };
@@ -78,9 +81,14 @@ impl Folder {
         }
         let mut programs = found.programs(&folder.settings.files);
         programs.retain(|path| folder.settings.files.contain(path));
+        folder.unknown = programs
+            .iter()
+            .filter(|path| shown.contains(path))
+            .cloned()
+            .collect();
         folder.disk = together::map(&programs, |path| {
-            let file = if shown.contains(path) {
-                OnDisk::shown(root, path, None)
+            let file = if folder.unknown.contains(path) {
+                OnDisk::shown(root, path)
             } else {
                 OnDisk::read(root, path)?
             };
@@ -107,16 +115,17 @@ impl Folder {
         open.or_else(|| self.disk.get(path).map(|file| &file.exports))
     }
 
-    /// Takes a file as it is on disk now.
-    pub(super) fn reread(&mut self, root: &Path, path: &Path, shown: &Shown) {
-        let before = self.disk.get(path).filter(|_| shown.contains(path));
+    /// Takes a file as it is on disk now. One that an editor shows is not read: what its editor shows counts.
+    pub(super) fn reread(&mut self, root: &Path, path: &Path) {
+        let shown = self.disk.get(path).filter(|_| self.open.contains_key(path));
         let file = if !self.settings.files.contain(path) {
             None
-        } else if let Some(before) = before {
-            Some(OnDisk::shown(root, path, Some(before))).filter(|file| file.stamp.exists())
+        } else if let Some(shown) = shown {
+            Some(shown.without_text(Stamp::of(path))).filter(|file| file.stamp.exists())
         } else {
             OnDisk::read(root, path)
         };
+        self.unknown.remove(path);
         match file {
             Some(file) => self.disk.insert(path.to_owned(), Arc::new(file)),
             None => self.disk.remove(path),
@@ -125,14 +134,29 @@ impl Folder {
 
     /// An editor shows a file, and what it shows is known.
     pub(super) fn show(&mut self, path: &Path, open: Open) {
+        self.unknown.remove(path);
         self.open.insert(path.to_owned(), open);
         if let Some(file) = self.disk.get_mut(path).filter(|file| file.holds_text()) {
-            *file = Arc::new(file.without_text());
+            *file = Arc::new(file.without_text(file.stamp));
         }
     }
 
-    /// What its files show to each other.
-    pub(super) fn exported(&mut self) -> &Arc<Exported> {
+    /// What its files show to each other, as one of them sees it. Another one of which nothing is known yet counts as it is on
+    /// disk.
+    pub(super) fn exported_for(&mut self, root: &Path, own: &Path) -> &Arc<Exported> {
+        let others = self.unknown.iter().filter(|path| **path != *own);
+        let others: Vec<PathBuf> = others.cloned().collect();
+        for path in others {
+            self.unknown.remove(&path);
+            if let Some(file) = OnDisk::read(root, &path) {
+                self.disk.insert(path, Arc::new(file));
+                self.exported = None;
+            }
+        }
+        self.exported()
+    }
+
+    fn exported(&mut self) -> &Arc<Exported> {
         let (disk, open) = (&self.disk, &self.open);
         self.exported.get_or_insert_with(|| {
             let mut all: BTreeMap<&Path, &Arc<Exports>> =

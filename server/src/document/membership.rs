@@ -110,4 +110,36 @@ mod tests {
         assert_eq!(finds(&open(&other, &call("saved"))), Some(0));
         assert_ne!(finds(&open(&other, &call("typed"))), Some(0));
     }
+
+    #[test]
+    fn of_files_opened_at_once_each_counts_for_the_other_as_it_was_saved() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("ladder.toml"), "").unwrap();
+        let called = folder.path().join("called.clad");
+        let caller = folder.path().join("caller.clad");
+        let function = "+--( )( y )--+\n+--<FUN>( count )--( )( y )--+\n";
+        std::fs::write(&called, function).unwrap();
+        std::fs::write(&caller, "").unwrap();
+        let neighbours = Arc::<Neighbours>::default();
+        let open = |path: &PathBuf, text: &str| {
+            let place = Membership::new(path.clone(), &neighbours);
+            Revision::on_disk("file", Encoding::Utf8, text, place)
+        };
+        neighbours.opened(&called);
+        neighbours.opened(&caller);
+        let called = open(&called, function);
+        let caller = open(&caller, "+--( )( z )--<CALL>( count )--+\n");
+        let found = caller.analysis().map(|analysis| analysis.findings().len());
+        assert_eq!(
+            found,
+            Some(0),
+            "the function is there, though its file was not looked at"
+        );
+        caller.tell_neighbours();
+        assert_eq!(
+            called.tell_neighbours(),
+            News::default(),
+            "it says what it said on disk"
+        );
+    }
 }

@@ -69,7 +69,7 @@ impl Neighbours {
         let mut state = self.lock();
         let (root, folder) = state.folder(path);
         let name = name_in(&root, path);
-        let others = folder.exported().others_of(&name);
+        let others = folder.exported_for(&root, path).others_of(&name);
         (name, others, folder.changes)
     }
 
@@ -77,9 +77,9 @@ impl Neighbours {
     pub(super) fn analysed(&self, path: &Path, analysis: &Arc<Analysis>, read_at: Option<u64>) -> News {
         let exports = Arc::new(Exports::of_edited(&analysis.context, &analysis.context.name));
         let mut state = self.lock();
-        let (_, folder) = state.folder(path);
+        let (root, folder) = state.folder(path);
         let changed = match folder.shown(path).cloned() {
-            Some(before) => folder.exported().concerns(&before, &exports),
+            Some(before) => folder.exported_for(&root, path).concerns(&before, &exports),
             None => true,
         };
         let for_itself = changed && read_at.is_some_and(|read_at| read_at != folder.changes);
@@ -112,7 +112,7 @@ impl Neighbours {
         let mut state = self.lock();
         let (root, folder) = state.folder(path);
         let before = folder.open.remove(path).map(|open| open.exports);
-        folder.reread(&root, path, &self.shown);
+        folder.reread(&root, path);
         folder.exported = None;
         !same(before.as_deref(), folder.shown(path).map(|exports| &**exports))
     }
@@ -132,7 +132,7 @@ impl Neighbours {
         for path in paths.iter().filter(|path| ladder_workspace::is_program(path)) {
             let (root, folder) = state.folder(path);
             let before = folder.shown(path).cloned();
-            folder.reread(&root, path, &self.shown);
+            folder.reread(&root, path);
             if !same(before.as_deref(), folder.shown(path).map(|exports| &**exports)) {
                 folder.exported = None;
                 changed = true;
@@ -163,8 +163,8 @@ impl Neighbours {
     /// saved.
     pub(crate) fn on_disk(&self, path: &Path) -> FilesOnDisk {
         let mut state = self.lock();
-        let (_, folder) = state.folder(path);
-        let exported = Arc::clone(folder.exported());
+        let (root, folder) = state.folder(path);
+        let exported = Arc::clone(folder.exported_for(&root, path));
         let files = folder.disk.iter();
         FilesOnDisk {
             files: files
@@ -211,7 +211,7 @@ impl Neighbours {
             return Ok(Arc::clone(&open.analysis));
         }
         let name = name_in(&root, path);
-        let others = folder.exported().others_of(&name);
+        let others = folder.exported_for(&root, path).others_of(&name);
         let rules = folder.settings.rules_for(path);
         let known = folder.disk.get(path).cloned();
         drop(state);
@@ -238,9 +238,9 @@ impl Neighbours {
     /// A program as it is on disk, and what it sees: what is found in it is the same as long as both are.
     pub(crate) fn closed_program(&self, path: &Path) -> Option<(Arc<OnDisk>, Arc<Exported>)> {
         let mut state = self.lock();
-        let (_, folder) = state.folder(path);
+        let (root, folder) = state.folder(path);
         let file = Arc::clone(folder.disk.get(path)?);
-        Some((file, Arc::clone(folder.exported())))
+        Some((file, Arc::clone(folder.exported_for(&root, path))))
     }
 
     /// Reads the workspace of a program, if that was not done. The others may go on meanwhile.
@@ -321,7 +321,8 @@ impl Neighbours {
             }
             let (path, file) = folder.disk.iter().find(|(_, file)| *file.name == *name)?;
             let rules = folder.settings.rules_for(path);
-            let (file, others) = (Arc::clone(file), folder.exported().others_of(name));
+            let (path, file) = (path.clone(), Arc::clone(file));
+            let others = folder.exported_for(&root, &path).others_of(name);
             drop(state);
             Some(Arc::new(analyze_with(&file.parse(), name, &others, &rules)))
         })

@@ -37,18 +37,17 @@ impl OnDisk {
         Some(OnDisk::new((path, stamp), name, exports, text))
     }
 
-    /// A program that an editor shows. Until the editor's text is known the other files see of it what they saw `before`, or
-    /// nothing.
-    pub(super) fn shown(root: &Path, path: &Path, before: Option<&OnDisk>) -> OnDisk {
+    /// A program that an editor shows, before anything is known of it: as if it were empty.
+    pub(super) fn shown(root: &Path, path: &Path) -> OnDisk {
         let name = name_in(root, path);
-        let exports = before.map_or_else(|| exports_of("", &name), |before| Arc::clone(&before.exports));
+        let exports = exports_of("", &name);
         OnDisk::new((path, Stamp::of(path)), name, exports, OnceLock::new())
     }
 
-    /// The same without its text, which is read again if somebody asks.
-    pub(super) fn without_text(&self) -> OnDisk {
+    /// The same, as it was written then, without its text, which is read again if somebody asks.
+    pub(super) fn without_text(&self, stamp: Stamp) -> OnDisk {
         let (name, exports) = (Arc::clone(&self.name), Arc::clone(&self.exports));
-        OnDisk::new((&self.path, self.stamp), name, exports, OnceLock::new())
+        OnDisk::new((&self.path, stamp), name, exports, OnceLock::new())
     }
 
     fn new(
