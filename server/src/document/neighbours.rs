@@ -3,7 +3,7 @@
 //! A file that is open counts with the text that its editor shows, any other with the one on disk. What the files
 //! show to each other is kept as [`Exports`]: a change that leaves those as they were concerns no other file.
 //!
-//! Everything here may read the disk: for a blocking thread.
+//! Everything here but [`Neighbours::opened`] may read the disk: for a blocking thread.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
