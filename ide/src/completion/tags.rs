@@ -7,9 +7,13 @@ use crate::wanted::{Kind, Wanted, rank, scalar_rank};
 use itertools::Itertools;
 use ladder_analysis::program::{Role, SystemTag};
 use ladder_analysis::scope::{Access, Origin, SectionKind, TagFacts};
+use ladder_analysis::tags::Tags;
 use ladder_analysis::types::{Scalar, Type};
 use ladder_instructions::Law;
 use ladder_syntax::Name;
+use std::ops::Range;
+use std::panic::resume_unwind;
+use std::thread;
 
 /// Inputs come last where something is written: the outside writes them.
 const INPUTS: u8 = 4;
@@ -21,6 +25,9 @@ const LITERALS: u8 = 5;
 const ITSELF: u8 = 6;
 /// A duration is written out more often than it is a count of milliseconds or a member of another timer.
 const WRITTEN: (u8, u8) = (0, 9);
+
+/// So many tags are gone through before another processor could begin to help.
+const ALONE: usize = 1 << 15;
 
 /// A tag, how well it fits, and what else speaks for it.
 type Ranked<'c> = (&'c TagFacts, Order);
@@ -50,16 +57,18 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
         let second = if given { 3 } else { second_thought(known, wanted) };
         Some((known, (fits, second)))
     };
-    let order =
-        |(a, rank): &Ranked<'_>, (b, other): &Ranked<'_>| rank.cmp(other).then_with(|| a.name.cmp(&b.name));
+    let begins = |tag: &TagFacts| out.begins(&tag.name);
+    let holds = |tag: &TagFacts| out.may_be(&tag.name) && !begins(tag);
     // A large program has more tags than anybody reads. One more than is shown says that there are others.
     let most = MOST + 1;
-    let begin = scope.tags.iter().filter(|tag| out.begins(&tag.name));
-    let mut tags: Vec<Ranked<'_>> = begin.filter_map(ranked).k_smallest_by(most, order).collect();
+    let mut tags = best(&scope.tags, (most, ALONE), |tag| {
+        begins(tag).then(|| ranked(tag))?
+    });
     if tags.len() < most {
-        let others = scope.tags.iter();
-        let others = others.filter(|tag| out.may_be(&tag.name) && !out.begins(&tag.name));
-        tags.extend(others.filter_map(ranked).k_smallest_by(most - tags.len(), order));
+        let rest = most - tags.len();
+        tags.extend(best(&scope.tags, (rest, ALONE), |tag| {
+            holds(tag).then(|| ranked(tag))?
+        }));
     }
     for (tag, order) in tags {
         propose_tag(typing, tag, order, out);
@@ -69,6 +78,34 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
         system(wanted, out);
         literals(wanted, out);
     }
+}
+
+/// So many of the tags that have a rank, in their order. Of more than `alone` another processor takes half.
+fn best<'c>(
+    tags: &'c Tags,
+    (most, alone): (usize, usize),
+    ranked: impl Fn(&'c TagFacts) -> Option<Ranked<'c>> + Sync,
+) -> Vec<Ranked<'c>> {
+    let order =
+        |(a, rank): &Ranked<'_>, (b, other): &Ranked<'_>| rank.cmp(other).then_with(|| a.name.cmp(&b.name));
+    let best_of = |range: Range<usize>| -> Vec<Ranked<'c>> {
+        let some = tags.from(range.start).take(range.len());
+        some.filter_map(&ranked).k_smallest_by(most, order).collect()
+    };
+    let all = 0..tags.len();
+    if all.len() <= alone {
+        return best_of(all);
+    }
+    let middle = all.len() / 2;
+    thread::scope(|scope| {
+        let Ok(upper) = thread::Builder::new().spawn_scoped(scope, || best_of(0..middle)) else {
+            return best_of(all);
+        };
+        let lower = best_of(middle..tags.len());
+        let upper = upper.join().unwrap_or_else(|panic| resume_unwind(panic));
+        let both = upper.into_iter().chain(lower);
+        both.k_smallest_by(most, order).collect()
+    })
 }
 
 /// Whether all that is known of a tag is the half of a name that is at the cursor.
@@ -180,5 +217,35 @@ fn literals(wanted: &Wanted, out: &mut Proposals<'_>) {
             (LITERALS, 0)
         };
         value(out, order, "T#1s", "A duration: T#250ms, T#5s, T#1h30m.");
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{TagFacts, best};
+    use std::sync::Arc;
+
+    #[test]
+    fn two_processors_find_what_one_finds() {
+        let mut rungs = String::new();
+        for n in 0..50 {
+            rungs.push_str(&format!("+--[ ]( a{:02} )--( )( b{n} )--+\n", n * 37 % 50));
+        }
+        let parse = Arc::new(ladder_syntax::parse(&rungs));
+        let analysis = ladder_analysis::analyze(&parse, "many");
+        let tags = &analysis.context.scopes[0].tags;
+        let found = |most, alone| {
+            let ranked = |tag: &'_ TagFacts| tag.name.starts_with('a').then_some((0, 0));
+            let best = best(tags, (most, alone), |tag| Some((tag, ranked(tag)?)));
+            best.into_iter()
+                .map(|(tag, _)| tag.name.as_str())
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(found(3, usize::MAX), ["a00", "a01", "a02"]);
+        for most in [1, 3, 50, 200] {
+            for alone in [0, 10, 99, 100] {
+                assert_eq!(found(most, alone), found(most, usize::MAX));
+            }
+        }
     }
 }
