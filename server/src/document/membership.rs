@@ -58,17 +58,30 @@ mod tests {
     use crate::document::position::Encoding;
     use crate::document::revision::Revision;
 
+    const FUNCTION: &str = "+--( )( y )--+\n+--<FUN>( count )--( )( y )--+\n";
+
+    /// A workspace with these programs.
+    fn workspace(programs: &[(&str, &str)]) -> tempfile::TempDir {
+        let folder = tempfile::tempdir().unwrap();
+        for (name, text) in programs.iter().chain(&[("ladder.toml", "")]) {
+            std::fs::write(folder.path().join(name), text).unwrap();
+        }
+        folder
+    }
+
+    /// What an editor shows of a file.
+    fn shown(neighbours: &Arc<Neighbours>, path: PathBuf, text: &str) -> Revision {
+        let name = path.to_string_lossy().into_owned();
+        Revision::on_disk(&name, Encoding::Utf8, text, Membership::new(path, neighbours))
+    }
+
     #[test]
     fn a_new_file_is_looked_at_again_if_another_has_changed_meanwhile() {
-        let folder = tempfile::tempdir().unwrap();
-        std::fs::write(folder.path().join("ladder.toml"), "").unwrap();
+        let folder = workspace(&[]);
         let neighbours = Arc::<Neighbours>::default();
-        let open = |name: &str, text: &str| {
-            let place = Membership::new(folder.path().join(name), &neighbours);
-            Revision::on_disk(name, Encoding::Utf8, text, place)
-        };
+        let open = |name: &str, text: &str| shown(&neighbours, folder.path().join(name), text);
         let caller = open("caller.clad", "+--( )( z )--<CALL>( count )--+\n");
-        let called = open("called.clad", "+--( )( y )--+\n+--<FUN>( count )--( )( y )--+\n");
+        let called = open("called.clad", FUNCTION);
         assert!(called.analysis().is_some());
         // Nobody knows of the function yet: the call concerns no other file.
         caller.tell_neighbours();
@@ -79,21 +92,18 @@ mod tests {
 
     #[test]
     fn the_text_on_disk_of_an_open_file_is_neither_read_nor_held() {
-        let folder = tempfile::tempdir().unwrap();
-        std::fs::write(folder.path().join("ladder.toml"), "").unwrap();
+        let function = |name: &str| format!("+--( )( y )--+\n+--<FUN>( {name} )--( )( y )--+\n");
+        let folder = workspace(&[("own.clad", &function("saved")), ("other.clad", "")]);
         let own = folder.path().join("own.clad");
         let other = folder.path().join("other.clad");
-        std::fs::write(&own, "+--( )( y )--+\n+--<FUN>( saved )--( )( y )--+\n").unwrap();
-        std::fs::write(&other, "+--( )( z )--<CALL>( saved )--+\n").unwrap();
         let neighbours = Arc::<Neighbours>::default();
-        let place = |path: &PathBuf| Membership::new(path.clone(), &neighbours);
         let open = |path: &PathBuf, text: &str| {
             neighbours.opened(path);
-            Revision::on_disk("file", Encoding::Utf8, text, place(path))
+            shown(&neighbours, path.clone(), text)
         };
-        let shown = open(&own, "+--( )( y )--+\n+--<FUN>( typed )--( )( y )--+\n");
+        let called = open(&own, &function("typed"));
         assert!(!neighbours.holds_text_of(&own));
-        let news = shown.tell_neighbours();
+        let news = called.tell_neighbours();
         assert!(news.for_others, "the first that is known of it");
         assert!(neighbours.holds_text_of(&other));
         let call = |name: &str| format!("+--( )( z )--<CALL>( {name} )--+\n");
@@ -104,6 +114,9 @@ mod tests {
         assert!(!neighbours.holds_text_of(&other));
         neighbours.disk_changed(std::slice::from_ref(&own));
         assert!(!neighbours.holds_text_of(&own), "it was saved");
+        neighbours.disk_changed(&[folder.path().join("ladder.toml")]);
+        neighbours.view(&other);
+        assert!(!neighbours.holds_text_of(&own), "the folder was read anew");
         // As soon as the editor shows it no more it counts as it was saved.
         assert!(neighbours.closed(&own));
         assert!(neighbours.holds_text_of(&own));
@@ -113,22 +126,14 @@ mod tests {
 
     #[test]
     fn of_files_opened_at_once_each_counts_for_the_other_as_it_was_saved() {
-        let folder = tempfile::tempdir().unwrap();
-        std::fs::write(folder.path().join("ladder.toml"), "").unwrap();
+        let folder = workspace(&[("called.clad", FUNCTION), ("caller.clad", "")]);
         let called = folder.path().join("called.clad");
         let caller = folder.path().join("caller.clad");
-        let function = "+--( )( y )--+\n+--<FUN>( count )--( )( y )--+\n";
-        std::fs::write(&called, function).unwrap();
-        std::fs::write(&caller, "").unwrap();
         let neighbours = Arc::<Neighbours>::default();
-        let open = |path: &PathBuf, text: &str| {
-            let place = Membership::new(path.clone(), &neighbours);
-            Revision::on_disk("file", Encoding::Utf8, text, place)
-        };
         neighbours.opened(&called);
         neighbours.opened(&caller);
-        let called = open(&called, function);
-        let caller = open(&caller, "+--( )( z )--<CALL>( count )--+\n");
+        let called = shown(&neighbours, called, FUNCTION);
+        let caller = shown(&neighbours, caller, "+--( )( z )--<CALL>( count )--+\n");
         let found = caller.analysis().map(|analysis| analysis.findings().len());
         assert_eq!(
             found,

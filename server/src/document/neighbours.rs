@@ -354,7 +354,7 @@ impl State {
         self.roots.clear();
         for (path, open) in open {
             let (_, folder) = self.folder(&path);
-            folder.open.insert(path, open);
+            folder.show(&path, open);
             folder.exported = None;
         }
     }
