@@ -65,11 +65,11 @@ impl ByPass {
         if found.is_empty() && self.of(pass).next().is_none() {
             return;
         }
-        let new = || found.iter().map(|found| (pass, Arc::clone(found)));
-        let before = self.list().iter().filter(|(by, _)| *by < pass).cloned();
-        let behind = self.list().iter().filter(|(by, _)| *by > pass).cloned();
-        let mut all = Vec::with_capacity(self.len() - self.of(pass).count() + found.len());
-        all.extend(before.chain(new()).chain(behind));
+        let mut all = self.0.take().map_or_else(Vec::new, |found| found.0);
+        let first = all.partition_point(|(by, _)| *by < pass);
+        let end = all.partition_point(|(by, _)| *by <= pass);
+        all.splice(first..end, found.iter().map(|found| (pass, Arc::clone(found))));
+        all.shrink_to_fit();
         self.0 = (!all.is_empty()).then(|| Box::new(Found(all)));
     }
 }

@@ -62,12 +62,12 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
     // A large program has more tags than anybody reads. One more than is shown says that there are others.
     let most = MOST + 1;
     let mut tags = best(&scope.tags, (most, ALONE), |tag| {
-        begins(tag).then(|| ranked(tag))?
+        begins(tag).then(|| ranked(tag)).flatten()
     });
     if tags.len() < most {
         let rest = most - tags.len();
         tags.extend(best(&scope.tags, (rest, ALONE), |tag| {
-            holds(tag).then(|| ranked(tag))?
+            holds(tag).then(|| ranked(tag)).flatten()
         }));
     }
     for (tag, order) in tags {
