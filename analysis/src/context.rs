@@ -14,21 +14,22 @@ use crate::infer;
 use crate::joined::Joined;
 use crate::kept::Kept;
 use crate::known_blocks::KnownBlocks;
-use crate::network::{self, Formal};
+use crate::network;
 use crate::networks::{BlockAt, NetworkAt, Networks};
 use crate::others::{Import, Others};
 use crate::outward::{self, TagUse};
 use crate::profile;
 use crate::program::Role;
 use crate::rare::Rare;
-use crate::reading::Reading;
+use crate::reading::{Reading, TOGETHER};
 use crate::scope::{Origin, Scope, TagFacts, Use, UseRef, Uses};
 use crate::shared;
 use crate::types::Scalar;
 use crate::types::Type;
+use crate::use_kind::Deed;
 use crate::user_block::{self, UserBlockFacts};
 use crate::uses;
-use ladder_instructions::{Accepts, Op, Profile, Shape};
+use ladder_instructions::{Op, Profile, Shape};
 use ladder_syntax::wiring::PartKind;
 use ladder_syntax::{LineIndex, LineKind, Name, Parse, Structure, TextRange, TextSize};
 use std::collections::{BTreeSet, HashMap};
@@ -322,13 +323,14 @@ pub fn context_after(before: Option<&Context>, parse: &Arc<Parse>, name: &str, o
     context.settled = found.len() == of_declarations && edited::may_settle(&context);
     if context.settled {
         let scopes = context.scopes.iter().enumerate();
-        let tags = scopes.flat_map(|(number, scope)| scope.tags.iter().map(move |tag| (number, tag)));
+        let tags = scopes.flat_map(|(number, scope)| scope.unusual().map(move |(_, tag)| (number, tag)));
         let mistyped = tags.filter(|(_, tag)| tag.mistyped);
         context.mistyped = mistyped
             .map(|(scope, tag)| (scope, Name::new(&tag.name)))
             .collect();
-        let outward = context.scopes[0].tags.iter().filter(|tag| tag.is_outward());
-        let states = outward.filter(|tag| keeps_state(&context.networks, tag));
+        let unusual = context.scopes[0].unusual().map(|(_, tag)| tag);
+        let outward = unusual.filter(|tag| tag.is_outward());
+        let states = outward.filter(|tag| keeps_state(tag));
         context.outward_states = states.map(|tag| Name::new(&tag.name)).collect();
     }
     context.found = found;
@@ -336,11 +338,8 @@ pub fn context_after(before: Option<&Context>, parse: &Arc<Parse>, name: &str, o
 }
 
 /// Whether a block keeps its state on a tag. The tag may be of another type: then that is a mistake.
-pub(crate) fn keeps_state(networks: &Networks, tag: &TagFacts) -> bool {
-    let is_state = |place: &UseRef| {
-        let formal = networks.formal_of(*place);
-        matches!(formal, Formal::Operand(row) if matches!(row.accepts, Accepts::State(_)))
-    };
+pub(crate) fn keeps_state(tag: &TagFacts) -> bool {
+    let is_state = |place: &UseRef| place.deed() == Deed::KeepsState;
     matches!(tag.ty, Some(Type::State(_))) || tag.uses.0.iter().any(is_state)
 }
 
@@ -372,20 +371,22 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
     let mut known = KnownBlocks::new(user_blocks, others);
     let mut reading = Reading::default();
     let mut networks = Networks::with_capacity(structure.networks.len());
-    for drawn in &structure.networks {
+    let mut control_flow = ControlFlow::default();
+    for (number, drawn) in structure.networks.iter().enumerate() {
+        if kept.is_none() && number.is_multiple_of(TOGETHER) {
+            let next = &structure.networks[number..];
+            reading.look_ahead(parse, &next[..next.len().min(TOGETHER)]);
+        }
         let same = kept.as_mut().and_then(|kept| kept.network(drawn));
         let facts =
             same.unwrap_or_else(|| Arc::new(network::network(parse, drawn, &mut known, &mut reading)));
+        control_flow = control_flow.with(facts.control_flow);
         let first = drawn.lines.start;
         let scope = drawn.block.map_or(0, |block| block + 1);
         networks.push(facts, first, parse.line_start(first), scope);
     }
     let all = 0..networks.len();
     break_neighbours(parse, &mut networks, all);
-    let calls = |network: NetworkAt<'_>| network.control_flow.has(ControlFlow::CALL);
-    let may_call = networks.iter().any(calls);
-    let jumps = |network: NetworkAt<'_>| network.control_flow.has(ControlFlow::JUMP);
-    let may_jump = networks.iter().any(jumps);
     let mut context = Context {
         parse: Arc::clone(parse),
         name: Arc::from(name),
@@ -404,8 +405,8 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
         outward_states: BTreeSet::new(),
         globals: OnceLock::new(),
         outward_tags: OnceLock::new(),
-        may_call,
-        may_jump,
+        may_call: control_flow.has(ControlFlow::CALL),
+        may_jump: control_flow.has(ControlFlow::JUMP),
         is_framed: parse.frame().is_whole(),
         user_blocks: known.into_list(),
         own_blocks,
@@ -519,7 +520,7 @@ fn bodies(context: &mut Context) {
         inner = inner.filter(|(of, _)| Some(*of) == definition);
         let may_begin = definition.is_none_or(|block| context.user_blocks[block].shape == Shape::Function);
         context.labels.extend(labels_in(network));
-        for block in network.blocks().filter(|block| block.op() == Some(Op::Fun)) {
+        for block in marks_in(network).filter(|block| block.op() == Some(Op::Fun)) {
             let Some((name, key, at)) = named(&block) else {
                 continue;
             };
@@ -559,9 +560,16 @@ fn bodies(context: &mut Context) {
     }
 }
 
+/// The blocks of a network, if there is a label or the beginning of a function among them.
+fn marks_in(network: NetworkAt<'_>) -> impl Iterator<Item = BlockAt<'_>> {
+    let is_marked = network.control_flow.has(ControlFlow::MARK);
+    let blocks = is_marked.then(|| network.blocks());
+    blocks.into_iter().flatten()
+}
+
 /// The labels of a network, in the order of its blocks.
 pub(crate) fn labels_in(network: NetworkAt<'_>) -> impl Iterator<Item = LabelFacts> {
-    let labels = network.blocks().filter(|block| block.op() == Some(Op::Lbl));
+    let labels = marks_in(network).filter(|block| block.op() == Some(Op::Lbl));
     labels.filter_map(move |block| {
         let (name, key, at) = named(&block)?;
         Some(LabelFacts {

@@ -46,8 +46,8 @@ pub(crate) fn may_settle(context: &Context) -> bool {
     let [file, bodies @ ..] = context.scopes.as_slice() else {
         return false;
     };
-    let of_body = |body: &Scope| body.tags.len() == body.declared && body.tags.iter().all(own);
-    file.tags.iter().all(followed)
+    let of_body = |body: &Scope| body.tags.len() == body.declared && body.unusual().all(|(_, tag)| own(tag));
+    file.unusual().all(|(_, tag)| followed(tag))
         && bodies.iter().all(of_body)
         && context.user_blocks.len() == context.own_blocks
         && (!context.others.have_files() || !context.networks.iter().any(|network| is_strange(&network)))
@@ -354,7 +354,7 @@ impl Edited {
         for key in tags.used.iter().filter(|(scope, _)| *scope == 0) {
             let (_, name) = key;
             let tag = context.find_tag(key).filter(|tag| tag.is_outward());
-            if tag.is_some_and(|tag| context::keeps_state(&context.networks, tag)) {
+            if tag.is_some_and(|tag| context::keeps_state(tag)) {
                 context.outward_states.insert(name.clone());
             } else {
                 context.outward_states.remove(name);
@@ -383,7 +383,7 @@ impl Edited {
             let network = self.context.networks.at(index);
             let id = self.context.networks.id(index);
             for (number, named) in (0..).zip(network.named.iter()) {
-                let place = UseRef::new(id, number, named.access);
+                let place = UseRef::new(id, number, named.kind);
                 if let Some(tag) = self.context.scopes[network.scope].find(&named.key) {
                     touched.entry((network.scope, tag)).or_default().push(place);
                     continue;
@@ -561,7 +561,7 @@ pub(crate) fn typed(context: &Context, tag: &TagFacts) -> TagFacts {
     tag.ty = infer::answer(context, &tag);
     if tag.origin == Origin::Undeclared {
         tag.role = if tag.ty == Some(Type::BOOL) {
-            uses::role(&tag.uses, &context.networks)
+            uses::role(&tag.uses)
         } else {
             Role::Internal
         };

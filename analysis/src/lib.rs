@@ -50,7 +50,7 @@ pub(crate) use findings::{article, excerpt, foreign_comment, lint, stamp, verdic
 pub use findings::{diagnostic, fix, rule, rule_settings};
 pub(crate) use names::{
     by_name, company, declarations, declare, declaring, did_you_mean, infer, joined, numbering,
-    operand_value, shared, uses,
+    operand_value, shared, use_kind, uses,
 };
 pub use names::{rare, scope, system_tag, tags};
 pub(crate) use networks::{

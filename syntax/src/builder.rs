@@ -16,6 +16,10 @@ pub trait Builder {
     /// Whether [`Builder::plain_block`] may stand for all that a block holds.
     const TAKES_PLAIN_BLOCKS: bool = false;
 
+    /// Whether nobody needs the tokens of a plain declaration: names and the name of a type, blanks, but no comments; all of it
+    /// ASCII; no mistakes. Then none of them is added.
+    const SKIPS_PLAIN_DECLARATIONS: bool = false;
+
     /// Adds a token: what is at a place of the text, which begins where the token before it ends.
     fn token(&mut self, kind: SyntaxKind, text: &str, place: Range<usize>);
 

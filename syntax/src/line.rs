@@ -85,6 +85,8 @@ pub struct Line<N = LineTree> {
     /// Whether a line end is its last token. Else another line begins on the same physical line, or the text
     /// ends.
     pub(crate) has_line_end: bool,
+    /// Whether a comment is on it, or begins on it.
+    pub(crate) commented: bool,
     pub(crate) node: N,
 }
 
@@ -92,6 +94,11 @@ impl<N> Line<N> {
     /// What the builder made of it.
     pub fn node(&self) -> &N {
         &self.node
+    }
+
+    /// Whether a comment is on it, or begins on it.
+    pub fn is_commented(&self) -> bool {
+        self.commented
     }
 
     /// The line with something else made of it.
@@ -105,6 +112,7 @@ impl<N> Line<N> {
             errors: self.errors,
             line_ends: self.line_ends,
             has_line_end: self.has_line_end,
+            commented: self.commented,
             node,
         }
     }

@@ -7,7 +7,7 @@
 use crate::grammar::Entry;
 use crate::line::Line;
 use crate::lines::line_at;
-use crate::tree_builder::TreeBuilder;
+use crate::tree_builder::{Names, TreeBuilder};
 use rowan::GreenNode;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
@@ -88,7 +88,7 @@ fn read(text: &str, at: usize, entry: Entry, builder: &mut TreeBuilder) -> Green
 
 /// For a line or two.
 fn small_builder() -> TreeBuilder {
-    TreeBuilder::new(128)
+    TreeBuilder::new(128, Names::Apart)
 }
 
 impl LineTree {
@@ -130,7 +130,7 @@ impl std::fmt::Debug for Trees {
 
 impl Default for Trees {
     fn default() -> Trees {
-        Trees(TreeBuilder::new(1024))
+        Trees(TreeBuilder::new(1024, Names::Apart))
     }
 }
 

@@ -7,7 +7,7 @@ use crate::lines::read_each;
 use crate::part::Part;
 use crate::structure::{Frame, Structure, frame_of_parts, structure_of_parts};
 use crate::summary::Summary;
-use crate::tree_builder::TreeBuilder;
+use crate::tree_builder::{Names, TreeBuilder};
 use crate::unclosed_comment::unclosed_comment;
 use crate::{SyntaxError, SyntaxErrorKind, SyntaxKind, SyntaxNode};
 use rowan::{GreenNode, NodeOrToken, TextRange, TextSize};
@@ -48,7 +48,7 @@ pub fn parse(text: &str) -> Parse {
 
 /// The tree of a text, by itself: `SOURCE_FILE`, in it the logical lines.
 pub fn tree(text: &str) -> GreenNode {
-    let mut builder = TreeBuilder::new(text.len());
+    let mut builder = TreeBuilder::new(text.len(), Names::Shared);
     let lines = read_each(text, &mut builder);
     let nodes: Vec<_> = lines.map(|line| NodeOrToken::Node(line.node)).collect();
     GreenNode::new(SyntaxKind::SOURCE_FILE.into(), nodes)

@@ -34,6 +34,8 @@ pub struct Part {
     faulty: bool,
     /// Whether a rung begins with a `/`.
     begins_with_up: bool,
+    /// Whether a comment is on a line.
+    commented: bool,
 }
 
 impl Part {
@@ -78,6 +80,7 @@ impl Part {
                 .iter()
                 .any(|line| !line.errors.is_empty() || line.kind == LineKind::Stray),
             begins_with_up: lines.iter().any(begins_with_up),
+            commented: lines.iter().any(|line| line.commented),
             lines,
         }
     }
@@ -123,6 +126,11 @@ impl Part {
     /// Whether one of its rungs begins with a `/`: nearly all begin with a rail.
     pub fn begins_with_up(&self) -> bool {
         self.begins_with_up
+    }
+
+    /// Whether a comment is on one of its lines.
+    pub fn is_commented(&self) -> bool {
+        self.commented
     }
 
     /// Whether one of its lines has a mistake, or is one.

@@ -12,6 +12,7 @@ impl Builder for Summary {
     type Checkpoint = ();
 
     const TAKES_PLAIN_BLOCKS: bool = true;
+    const SKIPS_PLAIN_DECLARATIONS: bool = true;
 
     fn token(&mut self, _: SyntaxKind, _: &str, _: Range<usize>) {}
 

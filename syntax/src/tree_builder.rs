@@ -15,6 +15,9 @@ type Element = NodeOrToken<GreenNode, GreenToken>;
 /// The largest node that is looked up. `[ ]` and names repeat; to look up larger ones costs what it saves.
 const CACHED_CHILDREN: usize = 3;
 
+/// Runs of dashes up to this long have places of their own.
+const LONGEST_WIRE: usize = 100;
+
 /// A place behind the last element, from which a node may be begun later.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Checkpoint(usize);
@@ -26,19 +29,34 @@ pub(crate) struct TreeBuilder {
     open: Vec<(SyntaxKind, usize)>,
     /// Tokens of one character, by kind: half of all, and nearly all of a kind are the same.
     characters: [Option<GreenToken>; SyntaxKind::SOURCE_FILE as usize],
+    /// Wires, by length.
+    wires: [Option<GreenToken>; LONGEST_WIRE],
     tokens: Table<GreenToken>,
     nodes: Table<GreenNode>,
+    names: Names,
+}
+
+/// What becomes of names.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Names {
+    /// Equal ones become one, as all other tokens: for trees that stay.
+    Shared,
+    /// Each is made by itself. Nearly every name of a line is another one than those before it, and where trees go as soon as
+    /// they were read, to look for it costs more than to make it.
+    Apart,
 }
 
 impl TreeBuilder {
     /// A builder for a text of this many bytes.
-    pub(crate) fn new(text_len: usize) -> TreeBuilder {
+    pub(crate) fn new(text_len: usize, names: Names) -> TreeBuilder {
         TreeBuilder {
             elements: Vec::with_capacity(64),
             open: Vec::with_capacity(16),
             characters: [const { None }; SyntaxKind::SOURCE_FILE as usize],
+            wires: [const { None }; LONGEST_WIRE],
             tokens: Table::new(text_len / 8),
             nodes: Table::new(text_len / 16),
+            names,
         }
     }
 }
@@ -49,13 +67,26 @@ impl Builder for TreeBuilder {
 
     fn token(&mut self, kind: SyntaxKind, text: &str, place: Range<usize>) {
         let text = &text[place];
-        let slot = match text.len() {
-            1 => &mut self.characters[kind as usize],
-            _ => self.tokens.slot(text_hash(kind, text)),
-        };
-        let token = match slot {
-            Some(token) if token.kind() == kind.into() && token.text() == text => token.clone(),
-            _ => slot.insert(GreenToken::new(kind.into(), text)).clone(),
+        let new = || GreenToken::new(kind.into(), text);
+        let token = match (kind, text.as_bytes()) {
+            (SyntaxKind::IDENT, _) if self.names == Names::Apart => new(),
+            (SyntaxKind::WIRE, dashes) if dashes.len() < LONGEST_WIRE => {
+                self.wires[dashes.len()].get_or_insert_with(new).clone()
+            }
+            (_, &[byte]) => {
+                let slot = &mut self.characters[kind as usize];
+                match slot {
+                    Some(token) if token.text().as_bytes() == [byte] => token.clone(),
+                    _ => slot.insert(new()).clone(),
+                }
+            }
+            _ => {
+                let slot = self.tokens.slot(text_hash(kind, text));
+                match slot {
+                    Some(token) if token.kind() == kind.into() && token.text() == text => token.clone(),
+                    _ => slot.insert(new()).clone(),
+                }
+            }
         };
         self.elements.push(NodeOrToken::Token(token));
     }
@@ -78,7 +109,13 @@ impl Builder for TreeBuilder {
             return;
         };
         let children = &self.elements[first..];
-        let node = match small_node_hash(kind, children) {
+        let is_apart = kind == SyntaxKind::NAME_EXPR && self.names == Names::Apart;
+        let hash = if is_apart {
+            None
+        } else {
+            small_node_hash(kind, children)
+        };
+        let node = match hash {
             None => GreenNode::new(kind.into(), self.elements.drain(first..)),
             Some(hash) => match self.nodes.slot(hash) {
                 Some(node) if is_node_of(node, kind, children) => {

@@ -3,6 +3,7 @@
 //! Reads the green nodes of the lines directly, without a tree cursor: this runs for every network at every
 //! check, format and simulation.
 
+use crate::line::LineKind;
 use crate::line_tree::Trees;
 use crate::structure::Network;
 use crate::{Parse, SyntaxKind};
@@ -140,10 +141,9 @@ pub fn wiring_of(parse: &Parse, network: &Network, rungs: &[GreenNode]) -> Wirin
         rungs: rungs.iter().map(|node| rung(node)).collect(),
         ..Wiring::default()
     };
-    let lines = network.rungs(parse.lines());
-    wiring
-        .line_offsets
-        .extend(lines.map(|line| line - network.lines.start));
+    let lines = parse.lines().range(network.lines.clone()).enumerate();
+    let rungs = lines.filter(|(_, line)| line.kind == LineKind::Rung);
+    wiring.line_offsets.extend(rungs.map(|(offset, _)| offset));
     pair(&mut wiring);
     wiring
 }

@@ -134,7 +134,7 @@ impl AtTags {
         let mut found = Vec::new();
         let undeclaring = self.undeclared.undeclaring((scope, tag));
         rules::of_tag(context, scope, tag, (around, &undeclaring), &mut found);
-        let latch = rules::set_and_reset::is_latch(context, tag);
+        let latch = rules::set_and_reset::is_latch(tag);
         let read_above = rules::read_before_write::is_read_above(context, tag);
         let addressed = tag.rare.address.is_some();
         if found.is_empty() && !latch && !read_above && !addressed {

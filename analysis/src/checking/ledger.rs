@@ -14,6 +14,7 @@ use crate::diagnostic::Diagnostic;
 use crate::findings::Anchored;
 use crate::networks::NetworkAt;
 use crate::program::Role;
+use crate::reading::TOGETHER;
 use crate::resolve;
 use crate::rule::Severity;
 use crate::rule_settings::RuleSettings;
@@ -57,7 +58,8 @@ pub(crate) struct Ledger {
     tags: AtTags,
     /// One of the file's outputs.
     an_output: Option<Name>,
-    rail_varies: bool,
+    /// Whether a rail may be dead, once it is known.
+    rail_varies: Option<bool>,
     pub(super) notes: PartNotes,
     /// How many findings the networks own.
     count: usize,
@@ -112,7 +114,7 @@ impl Ledger {
             volatile: FxHashSet::default(),
             tags: AtTags::default(),
             an_output: None,
-            rail_varies: false,
+            rail_varies: None,
             notes: PartNotes::default(),
             count: 0,
             full_from: None,
@@ -153,14 +155,18 @@ impl Ledger {
         ledger.control_flow.resize(numbers, ControlFlow::default());
         ledger.shelf.resize(numbers, context.declarations.numbers());
         ledger.notes.follow(context.parse.lines());
-        ledger.drawings_and_types(context, &networks, wanted)?;
+        for &index in &networks {
+            let flow = context.networks.at(index).control_flow;
+            ledger.control_flow[context.networks.id(index) as usize] = flow;
+        }
+        let all = ledger.control_flow.iter();
+        let any = all.fold(ControlFlow::default(), |all, flow| all.with(*flow));
+        ledger.any = any;
+        ledger.in_networks(context, &networks, wanted)?;
         let mut of_file = OfFile::default();
         rules::of_file(context, &mut of_file.names);
         let rungs = ledger.notes.rungs(context.parse.lines());
         of_file.names.extend(rungs.map(rules::commented_out_rung::found));
-        let all = ledger.control_flow.iter();
-        let any = all.fold(ControlFlow::default(), |all, flow| all.with(*flow));
-        ledger.any = any;
         ledger.of_tags(context, change, any, wanted)?;
         let toggled = ledger.find_unsound(context, &of_file.names);
         of_file.known.names = !ledger.tags.any_undeclared();
@@ -170,9 +176,9 @@ impl Ledger {
             && !context.found.iter().chain(&of_file.names).any(is_error)
             && ledger.tags.errors().next().is_none()
             && !has_syntax_errors(context);
-        ledger.blocks_and_power(context, (&networks, toggled), any, &of_file, wanted)?;
+        ledger.power_again(context, toggled, wanted)?;
         ledger.put_on_shelf();
-        let survey = ledger.survey(context, any, &of_file);
+        let survey = ledger.survey(context, of_file.known.whole);
         let mut found = Vec::new();
         rules::of_program(context, &survey, &mut found);
         let tags = &ledger.tags;
@@ -236,43 +242,71 @@ impl Ledger {
         }
     }
 
-    /// Looks at networks by themselves, and at the types of their operands.
-    fn drawings_and_types(
-        &mut self,
-        context: &Context,
-        networks: &[usize],
-        wanted: &StillWanted<'_>,
-    ) -> Option<()> {
-        for &index in networks {
-            wanted.one_more()?;
-            if self.count >= MOST_FINDINGS {
-                self.full_from = Some(index);
-                return Some(());
+    /// Looks at what is in networks, at all of it while a network is at hand. What power does in one that is without an error
+    /// as far as can be seen is looked at, too: an error that shows later is rare.
+    fn in_networks(&mut self, context: &Context, networks: &[usize], wanted: &StillWanted<'_>) -> Option<()> {
+        for together in networks.chunks(TOGETHER) {
+            if self.is_full_at(together[0]) {
+                break;
             }
-            let network = context.networks.at(index);
-            let id = context.networks.id(index);
-            let stamp = stamp::of_network(context, network);
-            self.networks[id as usize].stamp = stamp;
-            self.control_flow[id as usize] = network.control_flow;
-            note(&mut self.unclear, id, network.broken || !network.known);
-            let depends_on_others = !network.names_tags_only && context.others.have_files();
-            note(&mut self.volatile, id, network.broken || depends_on_others);
-            let (types, unresolved) = resolve::check_network(context, network, stamp);
-            match unresolved {
-                Some(block) => self.unresolved.insert(id, block - network.range.start()),
-                None => self.unresolved.remove(&id),
-            };
-            let form = rules::of_network(context, network);
-            let mut found = types.iter().chain(&form);
-            note(
-                &mut self.faulty,
-                id,
-                found.any(|found| found.severity() == Severity::Error),
-            );
-            self.set(id, Pass::Types, types);
-            self.set(id, Pass::Form, form);
+            for &index in together {
+                wanted.one_more()?;
+                self.types(context, index);
+            }
+            let with_id = |&index: &usize| (context.networks.at(index), context.networks.id(index));
+            let together = together.iter().map(with_id);
+            let mut looked_at = 0;
+            for (network, id) in together.clone() {
+                if self.is_full_at(network.index) {
+                    break;
+                }
+                looked_at += 1;
+                let form = rules::of_network(context, network);
+                if has_error(&form) {
+                    self.faulty.insert(id);
+                }
+                self.set(id, Pass::Form, form);
+            }
+            let together = together.take(looked_at);
+            for (network, id) in together.clone() {
+                let stamp = self.networks[id as usize].stamp;
+                let blocks = survey::of_network(context, network, stamp, &self.settings);
+                self.set(id, Pass::Blocks, blocks);
+            }
+            for (network, id) in together {
+                if self.faulty.contains(&id) {
+                    self.unsound.insert(id);
+                }
+                self.power(context, network, self.networks[id as usize].stamp);
+            }
         }
         Some(())
+    }
+
+    /// Whether so much is found already that nothing is looked for from this network on.
+    fn is_full_at(&mut self, index: usize) -> bool {
+        if self.count >= MOST_FINDINGS {
+            self.full_from.get_or_insert(index);
+        }
+        self.full_from.is_some()
+    }
+
+    /// Looks at the types of a network's operands.
+    fn types(&mut self, context: &Context, index: usize) {
+        let network = context.networks.at(index);
+        let id = context.networks.id(index);
+        let stamp = stamp::of_network(context, network);
+        self.networks[id as usize].stamp = stamp;
+        note(&mut self.unclear, id, network.broken || !network.known);
+        let depends_on_others = !network.names_tags_only && context.others.have_files();
+        note(&mut self.volatile, id, network.broken || depends_on_others);
+        let (types, unresolved) = resolve::check_network(context, network, stamp);
+        match unresolved {
+            Some(block) => self.unresolved.insert(id, block - network.range.start()),
+            None => self.unresolved.remove(&id),
+        };
+        note(&mut self.faulty, id, has_error(&types));
+        self.set(id, Pass::Types, types);
     }
 
     /// Looks at the tags that a change concerns, and at all of them without one.
@@ -343,55 +377,47 @@ impl Ledger {
         toggled
     }
 
-    fn survey<'l>(&'l self, context: &'l Context, any: ControlFlow, of_file: &OfFile) -> Survey<'l> {
+    fn survey<'l>(&'l self, context: &'l Context, whole: bool) -> Survey<'l> {
         Survey {
-            whole: of_file.known.whole,
-            any,
+            whole,
+            any: self.any,
             networks: &context.networks,
             control_flow: &self.control_flow,
             unsound: &self.unsound,
         }
     }
 
-    /// Looks at blocks one by one, and at what power does in networks. `toggled` are those of which it is new whether
-    /// there is an error.
-    fn blocks_and_power(
+    /// Looks at what power does in a network.
+    fn power(&mut self, context: &Context, network: NetworkAt<'_>, stamp: u64) {
+        let id = context.networks.id(network.index);
+        let survey = self.survey(context, false);
+        let wiring = rules::wiring_walk::check(context, &survey, network, stamp);
+        let power = rules::power_rules::check(context, &survey, network, stamp, &wiring);
+        self.set(id, Pass::Wiring, wiring);
+        self.set(id, Pass::Power, power);
+    }
+
+    /// Looks once more at what power does in the networks of which it is new whether there is an error; in all of them if it
+    /// is new whether a rail may be dead.
+    fn power_again(
         &mut self,
         context: &Context,
-        (networks, toggled): (&[usize], Vec<usize>),
-        any: ControlFlow,
-        of_file: &OfFile,
+        toggled: Vec<usize>,
         wanted: &StillWanted<'_>,
     ) -> Option<()> {
-        let rail_varies = any.has(ControlFlow::MCR);
-        let mut again = networks.to_vec();
-        self.work.networks += toggled.len();
-        again.extend(toggled);
-        if self.rail_varies != rail_varies {
-            self.work.networks += context.networks.len();
-            again.extend(0..context.networks.len());
-            self.rail_varies = rail_varies;
+        let rail_varies = self.any.has(ControlFlow::MCR);
+        let is_new = self.rail_varies.replace(rail_varies) == Some(!rail_varies);
+        let mut again = toggled;
+        if is_new {
+            again = (0..context.networks.len()).collect();
         }
-        again.sort_unstable();
-        again.dedup();
-        let mut networks = networks.iter().peekable();
+        self.work.networks += again.len();
         let end = self.full_from.unwrap_or(usize::MAX);
-        for index in again.into_iter().take_while(|&index| index < end) {
+        for index in again.into_iter().filter(|&index| index < end) {
             wanted.one_more()?;
             let network = context.networks.at(index);
-            let id = context.networks.id(index);
-            let stamp = self.networks[id as usize].stamp;
-            let survey = self.survey(context, any, of_file);
-            let blocks = networks
-                .next_if_eq(&&index)
-                .map(|_| survey::of_network(context, network, stamp, &self.settings));
-            let wiring = rules::wiring_walk::check(context, &survey, network, stamp);
-            let power = rules::power_rules::check(context, &survey, network, stamp, &wiring);
-            if let Some(blocks) = blocks {
-                self.set(id, Pass::Blocks, blocks);
-            }
-            self.set(id, Pass::Wiring, wiring);
-            self.set(id, Pass::Power, power);
+            let stamp = self.networks[context.networks.id(index) as usize].stamp;
+            self.power(context, network, stamp);
         }
         Some(())
     }
@@ -443,6 +469,10 @@ impl Ledger {
         let (index, block) = first.min_by_key(|(index, _)| *index)?;
         Some(block + context.networks.at(index).range.start())
     }
+}
+
+fn has_error(found: &InNetwork) -> bool {
+    found.iter().any(|found| found.severity() == Severity::Error)
 }
 
 fn note(numbers: &mut FxHashSet<u32>, id: u32, is_it: bool) {

@@ -55,13 +55,15 @@ impl PartNotes {
 impl Note {
     fn of(part: &Part) -> Note {
         let mut found = Note::default();
+        if !part.is_commented() {
+            return found;
+        }
         let mut trees = Trees::default();
         for (number, line) in part.lines().iter().enumerate() {
             let mut at = TextSize::new(part.line_start(number));
             let may_be_rung = matches!(line.kind, LineKind::Comment | LineKind::Rail);
-            // A tree is dear, and many a rung has a `#` in a number like T#5s.
-            let text = line.text();
-            if !text.contains('#') || !may_be_rung && !may_ask(text) {
+            // A tree is dear.
+            if !line.is_commented() || !may_be_rung && !may_ask(line.text()) {
                 continue;
             }
             for child in trees.of(line).children() {

@@ -8,11 +8,13 @@ use crate::facts;
 use crate::mistakes::{bad_declaration, duplicate_declaration};
 use crate::program::Role;
 use crate::rare::{Rare, RareFacts};
+use crate::reading::TOGETHER;
 use crate::rule::Rule;
 use crate::scope::{Origin, Scope, SectionKind, TagFacts, Uses, type_by_form};
 use crate::types::{Scalar, Type};
 use ladder_instructions::StateType;
 use ladder_syntax::ast::{AstNode, Declaration, NodeView, SectionHeader, TypeRef};
+use ladder_syntax::rowan::GreenNode;
 use ladder_syntax::{
     Line, LineKind, Name, Parse, Section, TextRange, TextSize, Trees, is_declaration_keyword, is_reserved,
 };
@@ -69,20 +71,27 @@ pub(crate) fn section(
         return true;
     };
     let mut once = true;
-    for number in section.lines.clone() {
-        if parse.lines()[number].kind == LineKind::Declaration {
-            let start = parse.line_start(number);
+    let mut start = parse.line_start(section.lines.start);
+    let mut together: Vec<(&Line, TextSize, GreenNode)> = Vec::with_capacity(TOGETHER);
+    let mut lines = parse.lines().range(section.lines.clone());
+    loop {
+        for line in lines.by_ref() {
+            if line.kind == LineKind::Declaration {
+                together.push((line, start, trees.of(line)));
+            }
+            start += TextSize::new(line.len);
+            if together.len() == TOGETHER {
+                break;
+            }
+        }
+        if together.is_empty() {
+            return once;
+        }
+        for (line, start, tree) in together.drain(..) {
             let place = (declarations.push(start), start);
-            once &= line(
-                (&parse.lines()[number], &mut trees),
-                place,
-                around,
-                (declarations, scope),
-                out,
-            );
+            once &= declared(line, &tree, place, around, (declarations, scope), out);
         }
     }
-    once
 }
 
 /// Adds the tags of a line with a declaration to its scope: `place` is its number among those lines and where it starts.
@@ -92,12 +101,23 @@ pub(crate) fn line(
     (line, trees): (&Line, &mut Trees),
     place: (u32, TextSize),
     around: Around,
+    tags: (&Declarations, &mut Scope),
+    out: &mut Vec<Diagnostic>,
+) -> bool {
+    declared(line, &trees.of(line), place, around, tags, out)
+}
+
+/// As [`line()`], of a line with this tree.
+fn declared(
+    line: &Line,
+    tree: &GreenNode,
+    place: (u32, TextSize),
+    around: Around,
     (declarations, scope): (&Declarations, &mut Scope),
     out: &mut Vec<Diagnostic>,
 ) -> bool {
-    let tree = trees.of(line);
     let mut once = true;
-    if let Some(node) = Declaration::cast(NodeView::root(&tree)) {
+    if let Some(node) = Declaration::cast(NodeView::root(tree)) {
         let before = out.len();
         declaration(&node, place, around, (declarations, scope), out);
         let is_twice = |found: &Diagnostic| found.rule == Rule::DuplicateDeclaration;
@@ -175,12 +195,14 @@ fn declaration(
         }
         let key = Name::new(name.text());
         if let Some(first) = scope.find(&key) {
-            let first = &mut scope.tags[first];
-            let first_at = declarations.range(first.declared_at);
-            out.push(duplicate_declaration::twice(name, range, (first, first_at)));
-            let alike = (first.ty, first.constant) == (ty, context.constant);
+            let known = &scope.tags[first];
+            let first_at = declarations.range(known.declared_at);
+            out.push(duplicate_declaration::twice(name, range, (known, first_at)));
+            let alike = (known.ty, known.constant) == (ty, context.constant);
             // Which of the two its places mean is open.
-            first.mistyped |= !alike || first.origin != Origin::Declared(context.kind);
+            if !alike || known.origin != Origin::Declared(context.kind) {
+                scope.set_mistyped(first);
+            }
             continue;
         }
         let tag = TagFacts {

@@ -79,7 +79,7 @@ fn by_place(context: &mut Context) -> Vec<Entry> {
     let mut answers: Vec<(Entry, Type)> = Vec::new();
     let mut untyped: Vec<Entry> = Vec::new();
     for (scope, facts) in context.scopes.iter().enumerate() {
-        for (index, tag) in facts.tags.iter().enumerate() {
+        for (index, tag) in facts.unusual() {
             if tag.ty.is_none() {
                 match answer(context, tag) {
                     Some(ty) => answers.push(((scope, index), ty)),

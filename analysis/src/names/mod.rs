@@ -23,4 +23,5 @@ pub mod scope;
 pub(crate) mod shared;
 pub mod system_tag;
 pub mod tags;
+pub(crate) mod use_kind;
 pub(crate) mod uses;

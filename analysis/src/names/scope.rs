@@ -9,6 +9,7 @@ use crate::program::Role;
 use crate::rare::Rare;
 use crate::tags::Tags;
 use crate::types::{Scalar, Type};
+use crate::use_kind::{Deed, UseKind};
 use ladder_syntax::{Name, TextRange};
 use smallvec::SmallVec;
 use smol_str::SmolStr;
@@ -109,35 +110,38 @@ pub struct Use {
     pub indexed: bool,
 }
 
-/// A use as a tag keeps it: it stays true when other networks are above it.
+/// A use as a tag keeps it: it stays true when other networks are above it, and says without a look at its block how the tag
+/// is used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct UseRef {
     /// The number of the network; see [`Networks`](crate::networks::Networks).
     pub(crate) network: u32,
-    /// Which of the names in it, and in the two lowest bits how it is used.
+    /// Which of the names in it, and in the lowest bits how it is used.
     named: u32,
 }
 
 impl UseRef {
-    /// A name of a network, which has far fewer than 2^30 of them.
-    pub(crate) const fn new(network: u32, named: u32, access: Access) -> UseRef {
+    /// A name of a network, which has fewer than 2^25 of them: each takes two bytes of a file of at most 64 MiB.
+    pub(crate) const fn new(network: u32, named: u32, kind: UseKind) -> UseRef {
         UseRef {
             network,
-            named: named << 2 | access as u32,
+            named: named << UseKind::BITS | kind.bits(),
         }
     }
 
     /// Which of the names in its network.
     pub(crate) const fn named(self) -> u32 {
-        self.named >> 2
+        self.named >> UseKind::BITS
     }
 
+    /// Whether it reads or writes the tag.
     pub(crate) const fn access(self) -> Access {
-        match self.named & 3 {
-            0 => Access::Read,
-            1 => Access::Write,
-            _ => Access::ReadWrite,
-        }
+        UseKind::from_bits(self.named).access()
+    }
+
+    /// What its block does with the operand.
+    pub(crate) const fn deed(self) -> Deed {
+        UseKind::from_bits(self.named).deed()
     }
 }
 
@@ -228,6 +232,11 @@ impl TagFacts {
         )
     }
 
+    /// Of a declared tag, whether it may be shared with other scopes or files, or has no type by its declaration.
+    fn is_unusual(&self) -> bool {
+        self.is_outward() || self.mistyped || self.ty.is_none() || self.rare.shared.is_some()
+    }
+
     /// Whether it is a tag of another file that this file names without a declaration: then it is where it is first used.
     pub(crate) fn is_imported_by_use(&self) -> bool {
         let nowhere = DeclaredAt::in_file(TextRange::default());
@@ -258,6 +267,8 @@ pub struct Scope {
     found_numbering: Arc<Numbering>,
     /// So many of the tags were there before any use was looked at.
     pub(crate) declared: usize,
+    /// One of these may be shared with other scopes or files, or its declaration leaves its type open.
+    unusual: bool,
     /// The block definition whose body it is.
     pub block: Option<usize>,
 }
@@ -270,6 +281,19 @@ impl Scope {
         self.find_declared(name).or_else(found)
     }
 
+    /// The tags that may be shared with other scopes or files, or have no type by their declaration, with their indices; maybe
+    /// also others. In most programs those are few.
+    pub(crate) fn unusual(&self) -> impl Iterator<Item = (usize, &TagFacts)> {
+        let first = if self.unusual { 0 } else { self.declared };
+        (first..).zip(self.tags.from(first))
+    }
+
+    /// The type of a declared tag is open.
+    pub(crate) fn set_mistyped(&mut self, tag: usize) {
+        self.unusual = true;
+        self.tags[tag].mistyped = true;
+    }
+
     fn find_declared(&self, name: &Name) -> Option<usize> {
         self.numbering.index(self.declared_names.get(name)?)
     }
@@ -280,6 +304,7 @@ impl Scope {
             Arc::make_mut(&mut self.numbering).exchange(old.clone(), new.len());
             self.declared = self.declared - old.len() + new.len();
         }
+        self.unusual |= new.iter().any(|tag| tag.is_unusual());
         self.tags.splice(old, new);
     }
 
@@ -315,6 +340,7 @@ impl Scope {
             found_names: ByName::default(),
             found_numbering: Arc::default(),
             declared: self.declared,
+            unusual: false,
             block: self.block,
         })
     }
@@ -329,6 +355,7 @@ impl Scope {
     pub(crate) fn declare(&mut self, name: Name, tag: TagFacts) -> usize {
         let number = Arc::make_mut(&mut self.numbering).push();
         self.declared_names.add(name, number);
+        self.unusual |= tag.is_unusual();
         self.tags.push(tag);
         self.declared = self.tags.len();
         self.declared - 1

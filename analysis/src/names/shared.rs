@@ -24,7 +24,7 @@ pub(crate) fn share(context: &mut Context, out: &mut Vec<Diagnostic>) {
     let mut globals: FxHashMap<Name, Entry> = FxHashMap::default();
     let mut external = false;
     for (scope, facts) in context.scopes.iter().enumerate() {
-        for (tag, facts) in facts.tags.iter().enumerate() {
+        for (tag, facts) in facts.unusual() {
             match facts.origin {
                 Origin::Declared(SectionKind::Global) => {
                     shared_globals::check_declared(context, facts, globals.get(&Name::new(&facts.name)), out);
@@ -41,7 +41,8 @@ pub(crate) fn share(context: &mut Context, out: &mut Vec<Diagnostic>) {
     }
     let mut imported: FxHashMap<Name, Entry> = FxHashMap::default();
     for scope in 0..context.scopes.len() {
-        for tag in 0..context.scopes[scope].tags.len() {
+        let unusual: Vec<usize> = context.scopes[scope].unusual().map(|(tag, _)| tag).collect();
+        for tag in unusual {
             let facts = &context.scopes[scope].tags[tag];
             let key = Name::new(&facts.name);
             let is_external = facts.origin == Origin::Declared(SectionKind::External);

@@ -6,11 +6,13 @@ use crate::declarations::DeclaredAt;
 use crate::facts::{Node, NodeKind};
 use crate::joined::Joined;
 use crate::network::{BoundBlock, Formal, NetworkFacts};
-use crate::networks::{NetworkAt, Networks};
+use crate::networks::NetworkAt;
 use crate::program::{ParameterKind, Role};
 use crate::rare::{Rare, RareFacts};
+use crate::reading::TOGETHER;
 use crate::scope::{Access, Origin, Scope, TagFacts, Use, UseRef, Uses, type_by_form};
 use crate::types::{Scalar, Type};
+use crate::use_kind::{Deed, Extent, UseKind};
 use crate::user_block::UserBlockFacts;
 use ladder_instructions::{Accepts, Direction, Law};
 use ladder_syntax::{Name, TextRange, TextSize};
@@ -20,12 +22,29 @@ use std::sync::Arc;
 pub(crate) fn collect(context: &mut Context) {
     let law = context.profile.law();
     let mut joined = Joined::with_networks(context.networks.len());
-    for network in &context.networks {
-        let id = context.networks.id(network.index);
-        enter(network, id, law, &mut context.scopes[network.scope], &mut joined);
+    let mut known = Vec::new();
+    for first in (0..context.networks.len()).step_by(TOGETHER) {
+        let together = first..(first + TOGETHER).min(context.networks.len());
+        // Each name leads to another place in memory. The processor goes to several at once if nothing is done between.
+        for network in context.networks.range(together.clone()) {
+            let scope = &context.scopes[network.scope];
+            known.extend(network.facts().named.iter().map(|named| scope.find(&named.key)));
+        }
+        let mut known = known.drain(..);
+        for network in context.networks.range(together) {
+            let id = context.networks.id(network.index);
+            let known = known.by_ref().take(network.named.len());
+            enter(
+                (network, id),
+                known,
+                law,
+                &mut context.scopes[network.scope],
+                &mut joined,
+            );
+        }
     }
     context.joined = Some(Arc::new(joined));
-    roles(&mut context.scopes[0], &context.networks);
+    roles(&mut context.scopes[0]);
 }
 
 /// How an operand's tag is used. None: the operand names no tag.
@@ -63,8 +82,7 @@ pub(crate) struct Named {
     pub(crate) block: u32,
     /// A block has far fewer than 2^16 of them.
     pub(crate) operand: u16,
-    pub(crate) access: Access,
-    part: Extent,
+    pub(crate) kind: UseKind,
 }
 
 impl Named {
@@ -80,19 +98,24 @@ impl Named {
             block: self.block as usize,
             operand: self.operand as usize,
             range: self.range + line,
-            access: self.access,
-            whole: self.part == Extent::Whole,
-            indexed: self.part == Extent::Elements,
+            access: self.kind.access(),
+            whole: self.kind.extent() == Extent::Whole,
+            indexed: self.kind.extent() == Extent::Elements,
         }
     }
 }
 
-/// The tags that blocks name, in the order in which they are.
-pub(crate) fn named(blocks: &[BoundBlock], user_blocks: &[UserBlockFacts]) -> Vec<Named> {
+/// The tags that blocks name, in the order in which they are. `room` is to gather them in.
+pub(crate) fn named(
+    blocks: &[BoundBlock],
+    user_blocks: &[UserBlockFacts],
+    room: &mut Vec<Named>,
+) -> Box<[Named]> {
     let mut names = Names {
         block: 0,
         operand: 0,
-        found: Vec::new(),
+        deed: Deed::Other,
+        found: room,
     };
     for (block, bound) in blocks.iter().enumerate() {
         names.block = block as u32;
@@ -100,25 +123,29 @@ pub(crate) fn named(blocks: &[BoundBlock], user_blocks: &[UserBlockFacts]) -> Ve
         {
             if let Some(access) = access(bound, *formal, user_blocks) {
                 names.operand = operand as u16;
+                names.deed = Deed::of(bound, *formal);
                 names.walk(&written.value, access, true);
             }
         }
     }
-    names.found
+    room.drain(..).collect()
 }
 
 /// Names that are being gathered, and where.
-struct Names {
+struct Names<'r> {
     block: u32,
     operand: u16,
-    found: Vec<Named>,
+    /// What the block does with the operand.
+    deed: Deed,
+    found: &'r mut Vec<Named>,
 }
 
-impl Names {
+impl Names<'_> {
     fn walk(&mut self, node: &Node, access: Access, whole: bool) {
         match &node.kind {
             NodeKind::Name(name) | NodeKind::Address(name) => {
-                self.add(name, node.range, access, Extent::of(whole));
+                let extent = if whole { Extent::Whole } else { Extent::Member };
+                self.add(name, node.range, access, extent);
             }
             NodeKind::Member(base, _) => {
                 let system = matches!(&base.kind, NodeKind::Name(name) if name.eq_ignore_ascii_case("SYS"));
@@ -157,7 +184,7 @@ impl Names {
         }
     }
 
-    fn add(&mut self, name: &str, range: TextRange, access: Access, part: Extent) {
+    fn add(&mut self, name: &str, range: TextRange, access: Access, extent: Extent) {
         if name.eq_ignore_ascii_case("SYS") || name.eq_ignore_ascii_case("PI") {
             return;
         }
@@ -166,36 +193,24 @@ impl Names {
             range,
             block: self.block,
             operand: self.operand,
-            access,
-            part,
+            kind: UseKind::new(access, extent, self.deed),
         });
     }
 }
 
-/// Which part of a tag is meant.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Extent {
-    Whole,
-    Member,
-    Elements,
-}
-
-impl Extent {
-    const fn of(whole: bool) -> Extent {
-        if whole { Extent::Whole } else { Extent::Member }
-    }
-}
-
-/// Enters the uses of a network's tags.
-fn enter(network: NetworkAt<'_>, id: u32, law: &Law, scope: &mut Scope, joined: &mut Joined) {
-    for (number, named) in (0..).zip(network.named.iter()) {
-        let index = scope
-            .find(&named.key)
+/// Enters the uses of a network's tags. `known`: those that were known before the networks around it were entered.
+fn enter(
+    (network, id): (NetworkAt<'_>, u32),
+    known: impl Iterator<Item = Option<usize>>,
+    law: &Law,
+    scope: &mut Scope,
+    joined: &mut Joined,
+) {
+    for ((number, named), known) in (0..).zip(network.named.iter()).zip(known) {
+        let index = known
+            .or_else(|| scope.find(&named.key))
             .unwrap_or_else(|| scope.add(undeclared(spelling(network.facts(), named), law)));
-        scope.tags[index]
-            .uses
-            .0
-            .push(UseRef::new(id, number, named.access));
+        scope.tags[index].uses.0.push(UseRef::new(id, number, named.kind));
         joined.push(index);
     }
     joined.end_network();
@@ -256,19 +271,18 @@ fn spelled(node: &Node, at: TextRange) -> Option<&str> {
 
 /// An undeclared BOOL that is read and never written is an input; one that coils write and nothing reads is an
 /// output (LANGUAGE §4). Types are not known yet: only BOOL places make a tag either, and infer checks.
-fn roles(scope: &mut Scope, networks: &Networks) {
+fn roles(scope: &mut Scope) {
     for tag in scope.declared..scope.tags.len() {
         if scope.tags[tag].origin == Origin::Undeclared {
-            scope.tags[tag].role = role(&scope.tags[tag].uses, networks);
+            scope.tags[tag].role = role(&scope.tags[tag].uses);
         }
     }
 }
 
-pub(crate) fn role(uses: &Uses, networks: &Networks) -> Role {
+pub(crate) fn role(uses: &Uses) -> Role {
     let read = uses.accesses().any(Access::reads);
     let written = uses.accesses().any(Access::writes);
-    let mut writers = uses.0.iter().filter(|place| place.access().writes());
-    let mut by_coils = || writers.all(|place| networks.block_of(*place).coil().is_some());
+    let by_coils = || uses.writers().all(|place| place.deed().is_coil());
     match (read, written) {
         (true, false) => Role::Input,
         (false, true) if by_coils() => Role::Output,

@@ -5,7 +5,9 @@
 
 use crate::literal::{self, Literal, LiteralProblem};
 use ladder_instructions::Shape;
-use ladder_syntax::ast::{AstNode, Block, BlockShape, Expression, HeadName, NodeView, Operand, TokenView};
+use ladder_syntax::ast::{
+    AstNode, Block, BlockShape, Expression, HeadName, NodeView, Operand, OperandList, TokenView,
+};
 use ladder_syntax::rowan::GreenNodeData;
 use ladder_syntax::{SyntaxKind, TextRange};
 use smol_str::SmolStr;
@@ -189,13 +191,16 @@ pub enum Operator {
 }
 
 /// The blocks of a rung, from left to right, from its line's node. `parts` are the indices of the block parts on it.
-pub fn blocks(line: &GreenNodeData, rung: usize, parts: impl Iterator<Item = usize>) -> Vec<BlockFacts> {
+pub fn blocks(
+    line: &GreenNodeData,
+    rung: usize,
+    parts: impl Iterator<Item = usize>,
+) -> impl Iterator<Item = BlockFacts> {
     NodeView::root(line)
         .children()
         .filter_map(Block::cast)
         .zip(parts)
-        .filter_map(|(block, part)| block_facts(&block, rung, part))
-        .collect()
+        .filter_map(move |(block, part)| block_facts(&block, rung, part))
 }
 
 fn block_facts(block: &Block<'_>, rung: usize, part: usize) -> Option<BlockFacts> {
@@ -210,6 +215,7 @@ fn block_facts(block: &Block<'_>, rung: usize, part: usize) -> Option<BlockFacts
         HeadName::Mnemonic(token) => Head::Mnemonic(token.text().into()),
         HeadName::User(token) => Head::User(Box::new(token.text().into())),
     };
+    let list = block.operand_list();
     Some(BlockFacts {
         rung,
         part,
@@ -217,9 +223,16 @@ fn block_facts(block: &Block<'_>, rung: usize, part: usize) -> Option<BlockFacts
         head: name,
         range: block.range(),
         head_range: head.range(),
-        list_range: block.operand_list().map(|list| list.range()),
-        operands: block.operands().map(|operand| operand_facts(&operand)).collect(),
+        list_range: list.as_ref().map(AstNode::range),
+        operands: list.as_ref().map(operands).unwrap_or_default(),
     })
+}
+
+fn operands(list: &OperandList<'_>) -> Box<[OperandFacts]> {
+    // Just so many as there are: nothing is to be moved behind.
+    let mut operands = Vec::with_capacity(list.operands().count());
+    operands.extend(list.operands().map(|operand| operand_facts(&operand)));
+    operands.into_boxed_slice()
 }
 
 fn operand_facts(operand: &Operand<'_>) -> OperandFacts {

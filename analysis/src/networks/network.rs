@@ -163,23 +163,31 @@ pub(crate) fn network(
 ) -> NetworkFacts {
     let wiring = reading.wiring(parse, network);
     let order = reading.orders.of(&wiring);
-    let start = parse.line_start(network.lines.start);
     let rungs = wiring.rungs.iter();
     let mut blocks = Vec::with_capacity(rungs.map(|rung| rung.connectors(PartKind::Block).count()).sum());
-    for (rung, offset) in wiring.line_offsets.iter().enumerate() {
-        let line = network.lines.start + offset;
-        let parts = wiring.rungs[rung].connectors(PartKind::Block);
-        let mut mistakes: Vec<TextRange> = parse.lines()[line].errors.iter().map(|e| e.range).collect();
-        mistakes.sort_unstable_by_key(|range| range.start());
-        for facts in facts::blocks(&reading.rungs()[rung], rung, parts) {
-            let faulty = is_mistake_in(&mistakes, facts.range);
-            blocks.push(bind(facts, parse.line_start(line) - start, known, faulty));
+    let mut base = TextSize::default();
+    let mut trees = reading.rungs().iter().enumerate();
+    let mut syntax_mistake = false;
+    let mut commented = false;
+    let mut comments = false;
+    for line in parse.lines().range(network.lines.clone()) {
+        let errors = line.errors.iter();
+        syntax_mistake |= errors.clone().any(breaks_drawing);
+        commented |= matches!(line.kind, LineKind::Comment | LineKind::Rail);
+        comments |= line.is_commented();
+        if line.kind == LineKind::Rung
+            && let Some((rung, tree)) = trees.next()
+        {
+            let parts = wiring.rungs[rung].connectors(PartKind::Block);
+            let mut mistakes: Vec<TextRange> = errors.map(|error| error.range).collect();
+            mistakes.sort_unstable_by_key(|range| range.start());
+            for facts in facts::blocks(tree, rung, parts) {
+                let faulty = is_mistake_in(&mistakes, facts.range);
+                blocks.push(bind(facts, base, known, faulty));
+            }
         }
+        base += TextSize::new(line.len);
     }
-    let syntax_mistake = network
-        .lines
-        .clone()
-        .any(|line| parse.lines()[line].errors.iter().any(breaks_drawing));
     let broken = syntax_mistake || !wiring.unpaired.is_empty();
     let user_blocks = user_blocks(&blocks, known);
     let names_tag = |formal: &Formal| match formal {
@@ -192,7 +200,7 @@ pub(crate) fn network(
             .iter()
             .flat_map(|bound| bound.formals.iter())
             .all(names_tag);
-    let named = uses::named(&blocks, known.list()).into();
+    let named = uses::named(&blocks, known.list(), &mut reading.named);
     let mut formals = blocks.iter().flat_map(|bound| bound.formals.iter());
     let keeps_state = formals
         .any(|formal| matches!(formal, Formal::Operand(row) if matches!(row.accepts, Accepts::State(_))));
@@ -203,12 +211,12 @@ pub(crate) fn network(
     let is_known = blocks
         .iter()
         .all(|bound| matches!(bound.meaning, Meaning::Instruction(_) | Meaning::User(_)));
-    let commented = is_commented(parse, network, &wiring);
+    let commented = commented || comments && has_comment_aside(&wiring);
     NetworkFacts {
         wiring: Arc::new(wiring),
         order,
         blocks: blocks.into(),
-        len: parse.line_range(network.lines.end - 1).end() - start,
+        len: base,
         broken_by_itself: broken,
         names_tags_only,
         named,
@@ -221,11 +229,10 @@ pub(crate) fn network(
     }
 }
 
-fn is_commented(parse: &Parse, network: &Network, wiring: &Wiring) -> bool {
-    let mut lines = parse.lines().range(network.lines.clone());
+/// Whether a comment is on a rung that is no piece of its wires.
+fn has_comment_aside(wiring: &Wiring) -> bool {
     let aside = |part: &RungPart| part.kind == PartKind::Comment && part.segment.is_none();
-    lines.any(|line| matches!(line.kind, LineKind::Comment | LineKind::Rail))
-        || wiring.rungs.iter().flat_map(|rung| &rung.parts).any(aside)
+    wiring.rungs.iter().flat_map(|rung| &rung.parts).any(aside)
 }
 
 fn user_blocks(blocks: &[BoundBlock], known: &KnownBlocks<'_>) -> UserBlocks {

@@ -10,7 +10,7 @@ use crate::control_flow::ControlFlow;
 use crate::facts::NodeKind;
 use crate::network::Meaning;
 use crate::networks::NetworkAt;
-use crate::scope::{Access, TagFacts, UseRef};
+use crate::scope::{Access, Scope, TagFacts, UseRef};
 use crate::unread_line::identifiers;
 use ladder_instructions::Op;
 use ladder_syntax::{LineKind, Name, Part};
@@ -136,7 +136,7 @@ impl PartialEq for Outward {
 pub(crate) fn tags(context: &Context) -> ByName<TagUse> {
     let mut tags: FxHashMap<Name, TagUse> = FxHashMap::default();
     if context.settled {
-        for tag in context.scopes.iter().flat_map(|scope| &scope.tags) {
+        for (_, tag) in context.scopes.iter().flat_map(Scope::unusual) {
             if let Some(used) = use_of(context, tag) {
                 tags.insert(Name::new(&tag.name), used);
             }
@@ -185,7 +185,7 @@ fn names(context: &Context, network: NetworkAt<'_>, tags: &mut FxHashMap<Name, T
             continue;
         }
         let meaning = network.blocks[named.block as usize].meaning;
-        let used = at(context, meaning, named.access);
+        let used = at(context, meaning, named.kind.access());
         let entry = tags.entry(named.key.clone()).or_default();
         *entry = entry.with(used);
     }

@@ -30,9 +30,9 @@ pub(crate) fn is_rung(text: &str) -> bool {
         }
         let tree = line.tree();
         let drawing = rung(&tree);
-        let blocks = facts::blocks(&tree, 0, drawing.connectors(PartKind::Block));
+        let mut blocks = facts::blocks(&tree, 0, drawing.connectors(PartKind::Block));
         known |= drawing.has_left_rail()
-            && blocks.iter().any(|block| {
+            && blocks.any(|block| {
                 !block.operands.is_empty() && lookup(block.shape, block.head.text()).next().is_some()
             });
     }

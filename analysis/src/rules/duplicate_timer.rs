@@ -7,6 +7,7 @@ use crate::network::Formal;
 use crate::rule::Rule;
 use crate::scope::{Origin, SectionKind, TagFacts, Use, UseRef};
 use crate::types::Type;
+use crate::use_kind::Deed;
 use ladder_instructions::{Accepts, StateType, States};
 use ladder_syntax::Name;
 
@@ -25,10 +26,15 @@ pub(super) fn check(context: &Context, tag: &TagFacts, out: &mut Vec<Diagnostic>
     } else {
         return;
     };
+    let is_shared = tag.rare.foreign.is_some() || tag.origin == Origin::Declared(SectionKind::Global);
+    let keeps = |place: &&UseRef| place.deed() == Deed::KeepsState;
+    if !is_shared && tag.uses.0.iter().filter(keeps).nth(1).is_none() {
+        return;
+    }
     let owners = tag.uses.0.iter().filter(|place| owns(context, **place, state));
     let mut owners = owners.map(|place| context.networks.use_of(*place));
     let Some(first) = owners.next() else { return };
-    if tag.rare.foreign.is_some() || tag.origin == Origin::Declared(SectionKind::Global) {
+    if is_shared {
         out.extend(in_another_file(context, rule, tag, state, &first));
     }
     out.extend(owners.map(|second| second_block(rule, tag, state, &first, &second)));

@@ -169,14 +169,14 @@ fn is_worth_it(context: &Context, network: NetworkAt<'_>) -> bool {
 fn is_asked_again(network: NetworkAt<'_>, uses: &[((usize, usize), &Named)]) -> bool {
     let uses = || uses.iter().map(|(_, named)| *named);
     let block = |place: &Named| place.block as usize;
-    let mut asked =
-        uses().filter(|place| place.access == Access::Read && is_condition(network.block(block(place))));
+    let mut asked = uses()
+        .filter(|place| place.kind.access() == Access::Read && is_condition(network.block(block(place))));
     let Some(first) = asked.next() else { return false };
     if asked.next().is_some() {
         return true;
     }
-    let writes = |at: usize| uses().any(|place| place.access.writes() && block(place) == at);
-    if !uses().any(|place| place.access.writes()) {
+    let writes = |at: usize| uses().any(|place| place.kind.access().writes() && block(place) == at);
+    if !uses().any(|place| place.kind.access().writes()) {
         return false;
     }
     // Whichever comes first in the order of evaluation.

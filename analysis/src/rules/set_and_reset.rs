@@ -15,6 +15,7 @@ use crate::program::Step;
 use crate::rule::Rule;
 use crate::scope::{TagFacts, Use, UseRef};
 use crate::types::Type;
+use crate::use_kind::Deed;
 use ladder_instructions::{Coil, Power, Role};
 use rustc_hash::FxHashSet;
 
@@ -22,11 +23,11 @@ use rustc_hash::FxHashSet;
 const MOST: usize = 16;
 
 /// Whether a tag is set and reset, as far as a look at its coils says.
-pub(crate) fn is_latch(context: &Context, tag: &TagFacts) -> bool {
+pub(crate) fn is_latch(tag: &TagFacts) -> bool {
     if tag.ty != Some(Type::BOOL) || tag.uses.writers().nth(1).is_none() {
         return false;
     }
-    let sets = |place: &UseRef| context.networks.block_of(*place).coil() == Some(Coil::Sets);
+    let sets = |place: &UseRef| place.deed() == Deed::Sets;
     let writers = || tag.uses.writers();
     writers().take(MOST).any(|place| sets(&place)) && !writers().all(|place| sets(&place))
 }

@@ -7,7 +7,7 @@ use crate::outward::TagUse;
 use crate::rule::Rule;
 use crate::scope::{Origin, SectionKind, TagFacts};
 use crate::types::Type;
-use ladder_instructions::Coil;
+use crate::use_kind::Deed;
 use ladder_syntax::Name;
 
 /// How a tag is used, counted over all its places.
@@ -51,9 +51,9 @@ impl<'c> Summary<'c> {
             summary.writes += usize::from(access.writes());
         }
         for place in tag.uses.writers().filter(|_| can_be_set) {
-            match context.networks.block_of(place).coil() {
-                Some(Coil::Sets) => summary.sets += 1,
-                Some(Coil::Resets) => summary.resets += 1,
+            match place.deed() {
+                Deed::Sets => summary.sets += 1,
+                Deed::Resets => summary.resets += 1,
                 _ => {}
             }
         }

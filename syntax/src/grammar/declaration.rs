@@ -1,6 +1,6 @@
 //! Sections, declarations and the first and last line of a block definition (LANGUAGE §4, §5.7).
 
-use super::{Parser, block, expression};
+use super::{Parser, block, expression, plain};
 use crate::builder::Builder;
 use crate::lexer;
 use crate::line::{LineKind, Mode};
@@ -208,6 +208,14 @@ fn rest_of_line<B: Builder>(p: &mut Parser<'_, '_, B>, problem: DeclarationProbl
 
 /// `start, stop AT %IX0.0 : BOOL := TRUE;`
 pub(super) fn declaration<B: Builder>(p: &mut Parser<'_, '_, B>) -> (LineKind, Mode) {
+    if B::SKIPS_PLAIN_DECLARATIONS
+        && let Some(end) = plain::plain_declaration(p.text, p.at)
+    {
+        p.at = end;
+        p.last_end = end;
+        line_end(p);
+        return (LineKind::Declaration, Mode::Section);
+    }
     p.free_form = true;
     p.look();
     let read = declaration_parts(p);

@@ -41,6 +41,7 @@ pub(crate) fn line<B: Builder>(text: &str, start: usize, entry: Entry, builder: 
         len: (p.at - start) as u32,
         line_ends: line_ends(&text.as_bytes()[start..p.at]).count() as u32,
         has_line_end: matches!(text.as_bytes()[p.at - 1], b'\n' | b'\r'),
+        commented: p.last_comment.is_some(),
         node: p.builder.finish_line(kind.syntax_kind()),
         errors: p.errors.into(),
     }

@@ -116,7 +116,7 @@ impl<'t, 'b, B: Builder> Parser<'t, 'b, B> {
     /// Finds the next token among operands, past white space and comments (and in a declaration past line
     /// ends). Nothing goes into the tree.
     fn look(&mut self) {
-        let mut start = self.at;
+        let mut start = lexer::blanks_end(self.text.as_bytes(), self.at);
         loop {
             let (kind, end) = lexer::in_operands(self.text, start);
             let space = match kind {
@@ -168,7 +168,15 @@ impl<'t, 'b, B: Builder> Parser<'t, 'b, B> {
     /// Puts the white space and comments before the token ahead into the tree.
     fn space(&mut self) {
         while self.at < self.ahead.start {
-            self.token(lexer::in_operands(self.text, self.at));
+            // Mostly one blank.
+            let token = match self.byte(self.at) {
+                b' ' => (
+                    SyntaxKind::WHITESPACE,
+                    lexer::blanks_end(self.text.as_bytes(), self.at),
+                ),
+                _ => lexer::in_operands(self.text, self.at),
+            };
+            self.token(token);
         }
     }
 

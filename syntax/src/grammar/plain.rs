@@ -1,10 +1,13 @@
-//! Plain blocks: nearly all blocks of a program are a mnemonic and a few names and numbers, `[TON]( t1, T#5s )`.
-//! They have one reading, without mistakes, and their end is found without taking them apart.
+//! Plain blocks: nearly all blocks of a program are a mnemonic and a few names and numbers, `[TON]( t1, T#5s )`; and plain
+//! declarations: `start, stop : BOOL;`. They have one reading, without mistakes, and their end is found without taking them
+//! apart.
 //!
 //! Only a [`Builder`](crate::Builder) that can do without their tokens asks. What is recognized here is a part of
-//! what [`block`](super::block) reads, with the same end; in doubt it is not recognized.
+//! what [`block`](super::block) and [`declaration`](super::declaration) read, with the same end; in doubt it is not
+//! recognized.
 
-use crate::lexer::blanks_end;
+use super::declaration::keyword_at;
+use crate::lexer::{ascii_word_end as word_end, blanks_end};
 
 /// Words that are no names, or that have a meaning of their own among operands.
 const SPECIAL: [&str; 13] = [
@@ -50,6 +53,39 @@ pub(super) fn plain_block(text: &str, at: usize) -> Option<usize> {
             _ => return None,
         }
     }
+}
+
+/// Where the plain declaration ends that begins with the name at `at`, if one does: names and the name of a type.
+pub(super) fn plain_declaration(text: &str, at: usize) -> Option<usize> {
+    let bytes = text.as_bytes();
+    let mut at = at;
+    loop {
+        let behind = blanks_end(bytes, plain_name_end(text, at)?);
+        at = blanks_end(bytes, behind + 1);
+        match bytes.get(behind)? {
+            b',' => {}
+            b':' => break,
+            _ => return None,
+        }
+    }
+    let end = plain_name_end(text, at)?;
+    // An array goes on.
+    if bytes[at..end].eq_ignore_ascii_case(b"ARRAY") {
+        return None;
+    }
+    let semicolon = blanks_end(bytes, end);
+    (bytes.get(semicolon) == Some(&b';')).then_some(semicolon + 1)
+}
+
+/// Where the name ends that begins here, if it can be declared.
+fn plain_name_end(text: &str, at: usize) -> Option<usize> {
+    let bytes = text.as_bytes();
+    if !matches!(bytes.get(at)?, b'A'..=b'Z' | b'a'..=b'z' | b'_') {
+        return None;
+    }
+    let end = word_end(bytes, at);
+    let is_plain = !is_special(&bytes[at..end]) && keyword_at(text, at).is_none();
+    is_plain.then_some(end)
 }
 
 /// Where the name, member (`t1.Q`), number (`-5`, `2.5`) or typed literal (`T#5s`) ends that begins here. What follows
@@ -98,10 +134,6 @@ fn is_special(word: &[u8]) -> bool {
         && SPECIAL
             .iter()
             .any(|special| special.as_bytes().eq_ignore_ascii_case(word))
-}
-
-fn word_end(bytes: &[u8], at: usize) -> usize {
-    run_of(bytes, at, |b| b.is_ascii_alphanumeric() || b == b'_')
 }
 
 fn run_of(bytes: &[u8], at: usize, belongs: impl Fn(u8) -> bool) -> usize {

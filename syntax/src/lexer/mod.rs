@@ -243,7 +243,7 @@ pub(crate) fn identifier_end(text: &str, at: usize) -> Option<usize> {
 pub(crate) fn word_end(text: &str, at: usize) -> usize {
     // Nearly every name is ASCII; the rest goes through the tables.
     let bytes = text.as_bytes();
-    let mut end = run(bytes, at, |b| b.is_ascii_alphanumeric() || b == b'_');
+    let mut end = ascii_word_end(bytes, at);
     if bytes.get(end).is_none_or(u8::is_ascii) {
         return end;
     }
@@ -254,6 +254,21 @@ pub(crate) fn word_end(text: &str, at: usize) -> usize {
         end += c.len_utf8();
     }
     end
+}
+
+/// Where a run of ASCII letters, digits and `_` ends.
+pub(crate) fn ascii_word_end(bytes: &[u8], at: usize) -> usize {
+    // Most of a program is names: one look into a table for each of their letters.
+    const IN_WORDS: [bool; 256] = {
+        let mut table = [false; 256];
+        let mut byte = 0;
+        while byte < 256 {
+            table[byte] = (byte as u8).is_ascii_alphanumeric() || byte as u8 == b'_';
+            byte += 1;
+        }
+        table
+    };
+    run(bytes, at, |b| IN_WORDS[b as usize])
 }
 
 /// Where the run of bytes from `at` on ends that belong to it.

@@ -2,7 +2,7 @@
 
 use crate::mutated::{mutate, mutation};
 use crate::programs::PROGRAMS;
-use ladder_syntax::{Builder, LineReader, Lines, NodeOrToken, SyntaxKind, parse, read_lines};
+use ladder_syntax::{Builder, Line, LineReader, Lines, NodeOrToken, SyntaxKind, parse, read_lines};
 use proptest::prelude::*;
 use std::ops::Range;
 
@@ -70,6 +70,12 @@ impl Builder for OnLines {
     }
 }
 
+/// Whether its tree holds a comment.
+fn has_comment(line: &Line) -> bool {
+    let mut all = line.syntax().descendants_with_tokens();
+    all.any(|element| element.kind() == SyntaxKind::COMMENT)
+}
+
 /// Checks a text; how many plain blocks it holds.
 fn check(text: &str) -> usize {
     let tree = parse(text);
@@ -85,6 +91,7 @@ fn check(text: &str) -> usize {
             line.downs,
             line.ups,
             line.len,
+            line.is_commented(),
             &line.errors,
         );
         let right = (
@@ -93,6 +100,7 @@ fn check(text: &str) -> usize {
             expected.downs,
             expected.ups,
             expected.len,
+            has_comment(expected),
             &expected.errors,
         );
         assert_eq!(seen, right, "{text}");
