@@ -82,8 +82,8 @@ pub(crate) fn edited(before: &Context, parse: &Arc<Parse>, name: &str, others: &
         Change::Declarations(lines) => edited_declarations::enter(&mut next.context, before, lines)?,
     };
     next.note_outward(&tags);
-    let told = news.used.into_iter().filter(is_outward);
-    tags.used.extend(told.map(|name| (0, name)));
+    let used = news.used.into_iter().filter(is_outward);
+    tags.used.extend(used.map(|name| (0, name)));
     let networks = next.looked_at(before);
     let Edited {
         mut context, removed, ..

@@ -55,7 +55,7 @@ pub(crate) fn change(before: &Context, parse: &Parse) -> Option<Change> {
     let first = before.networks.first()?;
     let below_first = first.first_line + first.line_count() <= above;
     let says_the_same = || profile::profile(parse) == before.profile && profile::cycle(parse) == before.cycle;
-    // Callers of a block are told less of one with such a line.
+    // Callers of a block know less of one with such a line.
     let doubtful = |parse: &Parse, lines: &Range<usize>| {
         let mut numbers = lines.clone();
         let blocks = &parse.frame().blocks;

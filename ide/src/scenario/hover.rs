@@ -1,7 +1,7 @@
 //! Hover in a scenario file: the tag of a row, what a value means, when a step is.
 
 use super::Scenarios;
-use super::place::{Place, line, place};
+use super::place::{AtCursor, line, place};
 use super::row::{Named, named, value_type};
 use crate::comments;
 use crate::hover::{Hover, tag_card};
@@ -20,7 +20,7 @@ pub fn hover(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<(Hover, Opti
     let Some(found) = place(scenarios, offset) else {
         return Some((word(scenarios, offset)?, None));
     };
-    if let Place::Tag(row) = found
+    if let AtCursor::Tag(row) = found
         && let Some(named) = named(scenarios, &row.name)
     {
         let hover = Hover {
@@ -30,11 +30,11 @@ pub fn hover(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<(Hover, Opti
         return Some((hover, Some(Arc::clone(&named.file.name))));
     }
     let (range, markdown) = match found {
-        Place::Program(range) => (range, program(scenarios)?),
-        Place::Scenario(scenario) => (scenario.range, length(scenarios, scenario)),
-        Place::Tag(row) => (row.range, of_value(scenarios, row)?),
-        Place::Step(scenario, row, step) => (row.cells[step].1, of_step(scenarios, scenario, row, step)),
-        Place::Tolerance(range) => (
+        AtCursor::Program(range) => (range, program(scenarios)?),
+        AtCursor::Scenario(scenario) => (scenario.range, length(scenarios, scenario)),
+        AtCursor::Tag(row) => (row.range, of_value(scenarios, row)?),
+        AtCursor::Step(scenario, row, step) => (row.cells[step].1, of_step(scenarios, scenario, row, step)),
+        AtCursor::Tolerance(range) => (
             range,
             "How far a value may be from what is expected: `± 0.01`, or a part of it, `± 1%`.".to_owned(),
         ),

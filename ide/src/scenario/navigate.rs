@@ -1,7 +1,7 @@
 //! From a row to the program and back: definition, references, highlights and rename.
 
 use super::Scenarios;
-use super::place::{Place, place};
+use super::place::{AtCursor, place};
 use super::row::named;
 use crate::definition::defined;
 use crate::highlight::Highlight;
@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 /// What is named at an offset: the tag, and where its name is.
 fn symbol_at(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<(Symbol, TextRange)> {
-    let Place::Tag(row) = place(scenarios, offset)? else {
+    let AtCursor::Tag(row) = place(scenarios, offset)? else {
         return None;
     };
     let named = named(scenarios, &row.name)?;
@@ -29,7 +29,7 @@ pub fn definition(scenarios: &Scenarios<'_>, offset: TextSize) -> Vec<Target> {
     let Some(program) = scenarios.program else {
         return Vec::new();
     };
-    if let Some(Place::Program(_)) = place(scenarios, offset) {
+    if let Some(AtCursor::Program(_)) = place(scenarios, offset) {
         let begin = TextRange::empty(TextSize::new(0));
         return vec![Target {
             file: Arc::clone(&program.name),
@@ -53,7 +53,7 @@ pub fn references(scenarios: &Scenarios<'_>, offset: TextSize) -> Vec<Reference>
 
 /// The rows of the file that are about the tag at an offset.
 pub fn highlights(scenarios: &Scenarios<'_>, offset: TextSize) -> Vec<Highlight> {
-    let Some(Place::Tag(row)) = place(scenarios, offset) else {
+    let Some(AtCursor::Tag(row)) = place(scenarios, offset) else {
         return Vec::new();
     };
     let Some(wanted) = named(scenarios, &row.name) else {

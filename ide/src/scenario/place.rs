@@ -6,7 +6,7 @@ use ladder_syntax::{TextRange, TextSize};
 
 /// What the cursor is at.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Place<'s> {
+pub(super) enum AtCursor<'s> {
     /// The program's name.
     Program(TextRange),
     /// The name of a scenario.
@@ -20,18 +20,18 @@ pub(super) enum Place<'s> {
 }
 
 /// What is at an offset; a cursor right behind a word counts, unless something else begins there.
-pub(super) fn place<'s>(scenarios: &Scenarios<'s>, offset: TextSize) -> Option<Place<'s>> {
+pub(super) fn place<'s>(scenarios: &Scenarios<'s>, offset: TextSize) -> Option<AtCursor<'s>> {
     let suite = scenarios.suite;
     if let Some((_, range)) = &suite.program
         && range.contains_inclusive(offset)
     {
-        return Some(Place::Program(*range));
+        return Some(AtCursor::Program(*range));
     }
     // The last one that begins at the offset or before it.
     let behind = |scenario: &Scenario| scenario.range.start() <= offset;
     let scenario = suite.scenarios.iter().rev().find(|scenario| behind(scenario))?;
     if scenario.range.contains_inclusive(offset) {
-        return Some(Place::Scenario(scenario));
+        return Some(AtCursor::Scenario(scenario));
     }
     let row = scenario
         .rows
@@ -39,18 +39,18 @@ pub(super) fn place<'s>(scenarios: &Scenarios<'s>, offset: TextSize) -> Option<P
         .rev()
         .find(|row| row.range.start() <= offset)?;
     if row.range.contains_inclusive(offset) {
-        return Some(Place::Tag(row));
+        return Some(AtCursor::Tag(row));
     }
     if let Some((_, range)) = &row.tolerance
         && range.contains_inclusive(offset)
     {
-        return Some(Place::Tolerance(*range));
+        return Some(AtCursor::Tolerance(*range));
     }
     let at = |touches: fn(TextRange, TextSize) -> bool| {
         row.cells.iter().position(|(_, range)| touches(*range, offset))
     };
     let step = at(TextRange::contains).or_else(|| at(TextRange::contains_inclusive))?;
-    Some(Place::Step(scenario, row, step))
+    Some(AtCursor::Step(scenario, row, step))
 }
 
 /// The line of an offset, up to its end, and where it begins.

@@ -17,12 +17,12 @@ use super::configuration::{BackBy, Configuration};
 use super::launch;
 use super::messages::{
     Completions, Evaluate, Force, Initialize, Request, Scopes, SetExpression, SetVariable, StackTrace,
-    Step as StepArguments, Variables,
+    StepArguments, Variables,
 };
 use super::running::{Going, Stopped};
 use super::sources::Counting;
 use super::stack;
-use super::stepping::Step;
+use super::stepping::Stepping;
 use super::target::Target;
 use super::variables::{self, Handles};
 use super::wire::Outlet;
@@ -245,9 +245,9 @@ impl<W: Write> Adapter<W> {
                 let StepArguments { granularity } = request.arguments()?;
                 self.must_stand()?;
                 match request.command.as_str() {
-                    "next" => self.step(Step::next(granularity))?,
-                    "stepIn" => self.step(Step::Into)?,
-                    "stepOut" => self.step(Step::Out)?,
+                    "next" => self.step(Stepping::next(granularity))?,
+                    "stepIn" => self.step(Stepping::Into)?,
+                    "stepOut" => self.step(Stepping::Out)?,
                     _ => self.step_back(granularity)?,
                 }
                 Ok(Json::Null)

@@ -222,7 +222,7 @@ pub(super) struct Completions {
 
 /// `next`, `stepIn`, `stepOut`, `stepBack`.
 #[derive(Debug, Clone, Deserialize)]
-pub(super) struct Step {
+pub(super) struct StepArguments {
     pub granularity: Option<Granularity>,
 }
 

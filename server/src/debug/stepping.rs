@@ -13,7 +13,7 @@ use super::running::{After, Going, Stopped};
 
 /// A step forward.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Step {
+pub(super) enum Stepping {
     /// The next block, wherever it is.
     Into,
     /// The next block of this routine, or of the one that it goes back to.
@@ -24,19 +24,19 @@ pub(super) enum Step {
     Out,
 }
 
-impl Step {
+impl Stepping {
     /// What `next` means.
-    pub(super) fn next(granularity: Option<Granularity>) -> Step {
+    pub(super) fn next(granularity: Option<Granularity>) -> Stepping {
         match granularity {
-            Some(Granularity::Instruction) => Step::OverBlock,
-            Some(Granularity::Statement | Granularity::Line) | None => Step::OverRung,
+            Some(Granularity::Instruction) => Stepping::OverBlock,
+            Some(Granularity::Statement | Granularity::Line) | None => Stepping::OverRung,
         }
     }
 }
 
 impl<W: Write> Adapter<W> {
     /// Goes a step forward.
-    pub(super) fn step(&mut self, step: Step) -> Result<(), String> {
+    pub(super) fn step(&mut self, step: Stepping) -> Result<(), String> {
         self.forget_stop();
         let after = self.go_step(step)?;
         match after {
@@ -46,13 +46,13 @@ impl<W: Write> Adapter<W> {
         Ok(())
     }
 
-    fn go_step(&mut self, step: Step) -> Result<After, String> {
+    fn go_step(&mut self, step: Stepping) -> Result<After, String> {
         let target = self.target()?;
         if target.simulation().status() != ladder_simulator::Status::Ready {
             return Ok(self.finish());
         }
         target.give();
-        if !target.session.is_open() && step != Step::Out {
+        if !target.session.is_open() && step != Stepping::Out {
             // What is between two scans is shown in front of the first rung: that is where it steps from.
             match target.session.step_network() {
                 Stepped::At(_) => {}
@@ -64,10 +64,10 @@ impl<W: Write> Adapter<W> {
         let here = self.here();
         loop {
             let by = match step {
-                Step::Into | Step::OverBlock => StepBy::Block,
-                Step::OverRung => StepBy::Network,
-                Step::Out if depth > 1 => StepBy::Block,
-                Step::Out => StepBy::Scan,
+                Stepping::Into | Stepping::OverBlock => StepBy::Block,
+                Stepping::OverRung => StepBy::Network,
+                Stepping::Out if depth > 1 => StepBy::Block,
+                Stepping::Out => StepBy::Scan,
             };
             match self.target()?.session.run_step(by) {
                 Some(Stop::At(_)) => {}
@@ -86,10 +86,10 @@ impl<W: Write> Adapter<W> {
                 return Ok(After::Go);
             }
             let is_there = match step {
-                Step::Into => self.here() != here,
-                Step::OverBlock => self.depth() <= depth && self.here() != here,
-                Step::OverRung => self.depth() <= depth && self.is_in_front_of_rung(),
-                Step::Out => depth > 1 && self.depth() < depth,
+                Stepping::Into => self.here() != here,
+                Stepping::OverBlock => self.depth() <= depth && self.here() != here,
+                Stepping::OverRung => self.depth() <= depth && self.is_in_front_of_rung(),
+                Stepping::Out => depth > 1 && self.depth() < depth,
             };
             if is_there {
                 return Ok(After::Go);

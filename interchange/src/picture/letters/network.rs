@@ -1,7 +1,7 @@
 //! A network as characters.
 
 use super::canvas::{Arm, Canvas, Weight};
-use super::symbol::{self, Lines, Place, Standing};
+use super::symbol::{self, Lines, Standing, SymbolAt};
 use super::{Area, Ink, Live};
 use crate::picture::columns::Layout;
 use crate::picture::figure::{Drawn, Figure};
@@ -222,7 +222,7 @@ impl Drawing<'_> {
                 canvas,
                 rung,
                 slot,
-                Place { row, left, right },
+                SymbolAt { row, left, right },
                 (arriving, own),
                 areas,
             );
@@ -242,11 +242,11 @@ impl Drawing<'_> {
         canvas: &mut Canvas,
         rung: usize,
         slot: &Slot,
-        place: Place,
+        place: SymbolAt,
         (arriving, own): (Flow, Flow),
         areas: &mut Vec<Area>,
     ) {
-        let Place { row, left, right } = place;
+        let SymbolAt { row, left, right } = place;
         let item = &self.figure.rungs[rung][slot.items.start];
         match &item.drawn {
             Drawn::LeftRail | Drawn::RightRail | Drawn::Connector(_) => {}

@@ -15,7 +15,7 @@ pub(super) struct Lines {
 
 /// Where a symbol is: its columns, and the line of its wire.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Place {
+pub(super) struct SymbolAt {
     pub(super) row: usize,
     pub(super) left: usize,
     pub(super) right: usize,
@@ -59,7 +59,7 @@ pub(super) fn lines(symbol: &Symbol) -> Lines {
 }
 
 /// Draws a symbol with its wires up to the ends of its room.
-pub(super) fn draw(canvas: &mut Canvas, symbol: &Symbol, place: Place, standing: &Standing<'_>) {
+pub(super) fn draw(canvas: &mut Canvas, symbol: &Symbol, place: SymbolAt, standing: &Standing<'_>) {
     // One that is open and has power before it blocks that.
     let holds_up = standing.gate == Some(Gate::Open) && standing.arriving == Flow::Live;
     let standing = &Standing {
@@ -70,7 +70,7 @@ pub(super) fn draw(canvas: &mut Canvas, symbol: &Symbol, place: Place, standing:
         },
         ..*standing
     };
-    let Place { row, left, right } = place;
+    let SymbolAt { row, left, right } = place;
     match symbol {
         Symbol::Contact { mark, over, under } => {
             let (start, end) = between(canvas, mark, ["┤", "├"], place, standing);
@@ -135,7 +135,7 @@ fn between(
     canvas: &mut Canvas,
     mark: &Mark,
     ends: [&str; 2],
-    Place { row, left, right }: Place,
+    SymbolAt { row, left, right }: SymbolAt,
     standing: &Standing<'_>,
 ) -> (usize, usize) {
     let room = mark.width() as usize + 1;
@@ -184,7 +184,7 @@ enum Side {
 fn labelled(
     canvas: &mut Canvas,
     label: &Label,
-    Place { row, left, right }: Place,
+    SymbolAt { row, left, right }: SymbolAt,
     side: Side,
     distance: usize,
     standing: &Standing<'_>,
@@ -231,7 +231,12 @@ fn valued(value: &Shown, room: usize) -> String {
 }
 
 /// A box with its name in its upper edge.
-fn boxed(canvas: &mut Canvas, symbol: &Symbol, Place { row, left, right }: Place, standing: &Standing<'_>) {
+fn boxed(
+    canvas: &mut Canvas,
+    symbol: &Symbol,
+    SymbolAt { row, left, right }: SymbolAt,
+    standing: &Standing<'_>,
+) {
     let Symbol::Box {
         name,
         pins,
