@@ -16,7 +16,7 @@ use crate::networks::NetworkAt;
 use crate::program::Role;
 use crate::reading::TOGETHER;
 use crate::resolve;
-use crate::rule::Severity;
+use crate::rule::{Rule, Severity};
 use crate::rule_settings::RuleSettings;
 use crate::rules::double_coil::Leaving;
 use crate::rules::survey::{self, Survey};
@@ -24,6 +24,7 @@ use crate::rules::tag_summary::Known;
 use crate::rules::{self, AroundTags, MOST_FINDINGS};
 use crate::scope::TagFacts;
 use crate::stamp;
+use crate::types::Type;
 use crate::verdict::{ByPass, InNetwork, Pass};
 use ladder_syntax::{Name, TextRange, TextSize};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -55,6 +56,9 @@ pub(crate) struct Ledger {
     unresolved: FxHashMap<u32, TextRange>,
     /// The numbers of networks to look at after each edit: what is found there depends on more than is kept.
     volatile: FxHashSet<u32>,
+    /// The numbers of networks with a member that its tag does not have: which timer or counter may be meant depends on the
+    /// others of the file.
+    unknown_members: FxHashSet<u32>,
     tags: AtTags,
     /// One of the file's outputs.
     an_output: Option<Name>,
@@ -112,6 +116,7 @@ impl Ledger {
             unclear: FxHashSet::default(),
             unresolved: FxHashMap::default(),
             volatile: FxHashSet::default(),
+            unknown_members: FxHashSet::default(),
             tags: AtTags::default(),
             an_output: None,
             rail_varies: None,
@@ -202,12 +207,17 @@ impl Ledger {
                 &mut self.unsound,
                 &mut self.unclear,
                 &mut self.volatile,
+                &mut self.unknown_members,
             ] {
                 numbers.remove(&id);
             }
         }
         let mut again: BTreeSet<usize> = change.networks.iter().copied().collect();
         again.extend(self.volatile.iter().map(|&id| context.networks.index_of(id)));
+        if !self.unknown_members.is_empty() && may_change_states(context, change) {
+            let networks = self.unknown_members.iter();
+            again.extend(networks.map(|&id| context.networks.index_of(id)));
+        }
         for tag in &change.retyped {
             let Some(tag) = context.find_tag(tag) else {
                 continue;
@@ -305,6 +315,8 @@ impl Ledger {
             Some(block) => self.unresolved.insert(id, block - network.range.start()),
             None => self.unresolved.remove(&id),
         };
+        let is_member = |found: &Arc<Anchored>| found.rule() == Rule::UnknownMember;
+        note(&mut self.unknown_members, id, types.iter().any(is_member));
         note(&mut self.faulty, id, has_error(&types));
         self.set(id, Pass::Types, types);
     }
@@ -481,6 +493,13 @@ fn note(numbers: &mut FxHashSet<u32>, id: u32, is_it: bool) {
     } else {
         numbers.remove(&id);
     }
+}
+
+/// Whether a timer or counter may have come or gone.
+fn may_change_states(context: &Context, change: &Change) -> bool {
+    let is_state = |tag: &TagFacts| matches!(tag.ty, Some(Type::State(_)));
+    let mut tags = change.tags.iter().map(|key| context.find_tag(key));
+    !change.retyped.is_empty() || tags.any(|tag| tag.is_none_or(is_state))
 }
 
 fn has_syntax_errors(context: &Context) -> bool {

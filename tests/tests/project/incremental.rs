@@ -455,7 +455,14 @@ fn edits_that_decide_about_other_networks() {
             "+--[ ]( a )--( )( y )--+\n\n+--[ ]( b )--{block}--+\n\n+--[ ]( c )--( )( y )--+"
         ))
     };
+    // The nearest timer is the one that is meant.
+    let meant = |timer| {
+        network(&format!(
+            "+--[ ]( a )--[TON]( {timer}, T#1s )--+\n\n+--[ ]( wait1.Q )--( )( y )--+"
+        ))
+    };
     for texts in [
+        ["wait", "other", "waits", "wait1"].map(meant),
         ["y", "Y", "y", "other"].map(spelled),
         ["u", "t", "u", "t"].map(timed),
         ["Q1", "M1", "Q1", "M2"].map(led_out),
