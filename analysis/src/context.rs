@@ -14,6 +14,7 @@ use crate::infer;
 use crate::joined::Joined;
 use crate::kept::Kept;
 use crate::known_blocks::KnownBlocks;
+use crate::misdeclared::Misdeclared;
 use crate::network;
 use crate::networks::{BlockAt, NetworkAt, Networks};
 use crate::others::{Import, Others};
@@ -22,6 +23,7 @@ use crate::profile;
 use crate::program::Role;
 use crate::rare::Rare;
 use crate::reading::{Reading, TOGETHER};
+use crate::rule::Severity;
 use crate::scope::{Origin, Scope, TagFacts, Use, UseRef, Uses};
 use crate::shared;
 use crate::types::Scalar;
@@ -47,7 +49,7 @@ pub struct Context {
     pub(crate) serial: u64,
     /// What is other than in the context that it was made from, if that is known.
     pub(crate) change: Option<Change>,
-    /// What is wrong with declarations and with the types of tags.
+    /// What is wrong with tags for all files; nothing if it is settled.
     pub(crate) found: Vec<Diagnostic>,
     /// Whose arithmetic and timing the program has.
     pub profile: Profile,
@@ -59,8 +61,8 @@ pub struct Context {
     pub scopes: Vec<Scope>,
     /// Where the lines of declarations are.
     pub(crate) declarations: Arc<Declarations>,
-    /// Nothing is wrong with the declarations but what the parser says, and no name is declared twice.
-    pub(crate) declared_cleanly: bool,
+    /// What is wrong with them but for what the parser says.
+    pub(crate) misdeclared: Arc<Misdeclared>,
     /// The line behind the last section, and behind the last first line of a block definition.
     pub(crate) declared_to: usize,
     /// An edit between the declarations and the end changes what it names, and nothing else; see [`edited`].
@@ -223,6 +225,14 @@ impl Context {
         }
     }
 
+    /// What is wrong with its names: where, and how much that matters.
+    pub(crate) fn mistakes(&self) -> impl Iterator<Item = (TextRange, Severity)> {
+        let of_tags = self.found.iter().map(|found| (found.range, found.severity));
+        let declared = self.misdeclared.found();
+        let own = TextSize::default();
+        of_tags.chain(declared.map(move |found| (found.range(own, self), found.severity())))
+    }
+
     /// Its VAR_GLOBAL tags; of one name only the first.
     pub(crate) fn globals(&self) -> &Arc<Vec<Global>> {
         self.globals.get_or_init(|| Arc::new(exports::globals(self)))
@@ -316,11 +326,10 @@ pub fn context_after(before: Option<&Context>, parse: &Arc<Parse>, name: &str, o
     }
     let mut context = skeleton(parse, name, others, before);
     uses::collect(&mut context);
-    let mut found = std::mem::take(&mut context.found);
-    let of_declarations = found.len();
+    let mut found = Vec::new();
     shared::share(&mut context, &mut found);
     infer::infer(&mut context);
-    context.settled = found.len() == of_declarations && edited::may_settle(&context);
+    context.settled = found.is_empty() && edited::may_settle(&context);
     if context.settled {
         let scopes = context.scopes.iter().enumerate();
         let tags = scopes.flat_map(|(number, scope)| scope.unusual().map(move |(_, tag)| (number, tag)));
@@ -350,13 +359,10 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
     // In another profile the same text means something else.
     let before = before.filter(|before| before.profile == profile);
     let mut kept = before.map(|before| Kept::of(before, parse));
-    let mut found = Vec::new();
-    let mut declared_once = true;
-    let (scopes, declarations) = kept
+    let (scopes, declarations, misdeclared) = kept
         .as_ref()
         .and_then(|kept| kept.declared(structure))
-        .unwrap_or_else(|| declared(parse, structure, &mut found, &mut declared_once));
-    let declared_cleanly = found.is_empty() && declared_once;
+        .unwrap_or_else(|| declared(parse, structure));
     let user_blocks: Vec<UserBlockFacts> = structure
         .blocks
         .iter()
@@ -392,13 +398,13 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
         name: Arc::from(name),
         serial: next_serial(),
         change: None,
-        found,
+        found: Vec::new(),
         profile,
         cycle: profile::cycle(parse),
         networks,
         scopes,
         declarations,
-        declared_cleanly,
+        misdeclared,
         declared_to: declared_to(structure),
         settled: false,
         mistyped: Vec::new(),
@@ -432,13 +438,10 @@ pub(crate) fn declared_to(structure: &Structure) -> usize {
     sections.chain(headers).max().unwrap_or_default()
 }
 
-/// The scopes with their declared tags.
-fn declared(
-    parse: &Parse,
-    structure: &Structure,
-    out: &mut Vec<Diagnostic>,
-    once: &mut bool,
-) -> (Vec<Scope>, Arc<Declarations>) {
+/// The scopes with their declared tags, and what is wrong with the declarations.
+pub(crate) type Declared = (Vec<Scope>, Arc<Declarations>, Arc<Misdeclared>);
+
+fn declared(parse: &Parse, structure: &Structure) -> Declared {
     let mut scopes = vec![Scope::default()];
     scopes.extend(structure.blocks.iter().enumerate().map(|(index, definition)| {
         let mut scope = Scope::default();
@@ -450,6 +453,7 @@ fn declared(
         scope
     }));
     let mut declarations = Declarations::default();
+    let mut wrong = Misdeclared::default();
     let mut names = vec![0; scopes.len()];
     for section in &structure.sections {
         names[section.block.map_or(0, |block| block + 1)] += declare::names_about(parse, section);
@@ -459,9 +463,9 @@ fn declared(
     }
     for section in &structure.sections {
         let scope = section.block.map_or(0, |block| block + 1);
-        *once &= declare::section(parse, section, &mut declarations, &mut scopes[scope], out);
+        declare::section(parse, section, &mut declarations, &mut scopes[scope], &mut wrong);
     }
-    (scopes, Arc::new(declarations))
+    (scopes, Arc::new(declarations), Arc::new(wrong))
 }
 
 /// The first rung below an open `\`, or above an open `/`, was probably meant to belong to the network.

@@ -5,13 +5,14 @@
 
 use crate::context::Context;
 use crate::declarations::Declarations;
-use crate::declare;
+use crate::declare::{self, Around};
 use crate::edited::{EditedTags, place_found, spelled_at, typed};
 use crate::edited_lines::Lines;
 use crate::infer;
+use crate::misdeclared::Misdeclared;
 use crate::scope::{Origin, Scope, SectionKind, TagFacts};
 use crate::shared;
-use ladder_syntax::{Line, LineKind, Mode, Name, TextRange, TextSize, Trees};
+use ladder_syntax::{Line, LineKind, Mode, Name, Parse, TextRange, TextSize, Trees};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
@@ -39,62 +40,136 @@ pub(crate) fn are_lines_of(before: &Context, lines: &Lines, new: &ladder_syntax:
         && new.range(lines.new.clone()).all(is_in_section)
 }
 
+/// Some lines of declarations, one below the other, that are read again.
+struct Lot {
+    /// Which they are among the lines of declarations before the edit, and behind it.
+    old: Range<usize>,
+    new: Range<usize>,
+    /// The tags that they declared.
+    tags: Range<usize>,
+    /// How many they declare now.
+    declares: usize,
+}
+
 /// Enters what the lines of an edit declare now. Gives the tags that this concerns; none if it takes more than that.
 pub(crate) fn enter(context: &mut Context, before: &Context, lines: &Lines) -> Option<EditedTags> {
-    let parse = &*context.parse;
+    let parse = Arc::clone(&context.parse);
     let start = before.parse.line_start(lines.old.start);
-    if !before.declared_cleanly {
+    let end = before.parse.line_start(lines.old.end);
+    let mut declarations = Declarations::clone(&before.declarations);
+    let numbers = lines.new.clone();
+    let declares = |line: &usize| parse.lines()[*line].kind == LineKind::Declaration;
+    let starts = numbers.filter(declares).map(|line| parse.line_start(line).into());
+    let starts: Vec<u32> = starts.collect();
+    let old = declarations.count_before(start)..declarations.count_before(end);
+    let new = old.start..old.start + starts.len();
+    declarations.exchange(old.clone(), starts, lines.added_bytes);
+    let mut trees = Trees::default();
+    let (mut lots, names) = lots(before, (&parse, &declarations), (old, new), &mut trees)?;
+    let mut is_global = around(&parse, lines.new.start)?.kind == SectionKind::Global;
+    let mut wrong = Misdeclared::default();
+    let mut now = Scope::default();
+    for lot in &mut lots {
+        let first = now.tags.len();
+        for index in lot.new.clone() {
+            let number = parse.line_at(declarations.start(index))?;
+            let around = around(&parse, number)?;
+            is_global |= around.kind == SectionKind::Global;
+            let line = (&parse.lines()[number], &mut trees);
+            declare::line(line, declarations.number(index), around, &mut now, &mut wrong);
+        }
+        lot.declares = now.tags.len() - first;
+    }
+    let plain = |tag: &TagFacts| tag.rare.address.is_none() && tag.rare.shared.is_none();
+    let old = lots.iter().flat_map(|lot| lot.tags.clone());
+    let mut old = old.map(|tag| &before.scopes[0].tags[tag]);
+    if !old.all(plain) || !now.tags.iter().all(plain) {
         return None;
     }
+    if is_global {
+        // All files that declare such a tag must agree.
+        let elsewhere = |name: &Name| context.others.globals(name).next().is_some();
+        if names.iter().any(elsewhere) {
+            return None;
+        }
+        context.globals = OnceLock::new();
+    }
+    let gone = lots.iter().flat_map(|lot| lot.old.clone());
+    let gone: Vec<u32> = gone.map(|line| before.declarations.number(line)).collect();
+    context.misdeclared.exchange(&gone, &names, wrong);
+    context.declarations = Arc::new(declarations);
+    context.declared_to = context.declared_to.wrapping_add_signed(lines.added);
+    move_blocks(context, before, lines);
+    exchange(context, lots, now.tags.iter().cloned())
+}
+
+/// What is around a line of declarations, if an edit of it is followed.
+fn around(parse: &Parse, line: usize) -> Option<Around> {
     let mut sections = parse.frame().sections.iter().rev();
-    let section = sections.find(|section| section.lines.start < lines.new.start)?;
+    let section = sections.find(|section| section.lines.start < line)?;
     let around = declare::around(parse, section)?;
     let is_plain_section = matches!(
         around.kind,
         SectionKind::Var | SectionKind::Input | SectionKind::Output | SectionKind::Global
     );
-    if !is_plain_section || around.constant || section.block.is_some() {
-        return None;
+    (is_plain_section && !around.constant && !around.in_block).then_some(around)
+}
+
+/// The lines to read again, from top to bottom: those of an edit, and all others that declare one of their names, for it is the
+/// first of them that counts. And all names on these lines. None if these are too many.
+fn lots(
+    before: &Context,
+    (parse, declarations): (&Parse, &Declarations),
+    (old, new): (Range<usize>, Range<usize>),
+    trees: &mut Trees,
+) -> Option<(Vec<Lot>, FxHashSet<Name>)> {
+    let scope = &before.scopes[0];
+    let was = &before.declarations;
+    let mut next: Vec<Name> = Vec::new();
+    let mut names_on = |next: &mut Vec<Name>, parse: &Parse, start: TextSize| {
+        let line = parse.line_at(start)?;
+        next.extend(declare::names(&parse.lines()[line], trees));
+        Some(())
+    };
+    for index in old.clone() {
+        names_on(&mut next, &before.parse, was.start(index))?;
     }
-    let numbers = lines.new.clone();
-    let declares = |line: &usize| parse.lines()[*line].kind == LineKind::Declaration;
-    let numbers: Vec<usize> = numbers.filter(declares).collect();
-    let mut declarations = Declarations::clone(&before.declarations);
-    let end = before.parse.line_start(lines.old.end);
-    let old = declarations.count_before(start)..declarations.count_before(end);
-    let tags = tags_on(&before.scopes[0], &declarations, old.clone());
-    let starts = numbers.iter().map(|&line| parse.line_start(line).into());
-    declarations.exchange(old.clone(), starts.collect(), lines.added_bytes);
-    let mut now = Scope::default();
-    let mut found = Vec::new();
-    let mut trees = Trees::default();
-    for (index, &line) in (old.start..).zip(&numbers) {
-        let place = (declarations.number(index), parse.line_start(line));
-        let line = (&parse.lines()[line], &mut trees);
-        if !declare::line(line, place, around, (&declarations, &mut now), &mut found) {
+    for index in new.clone() {
+        names_on(&mut next, parse, declarations.start(index))?;
+    }
+    let mut lots: Vec<(Range<usize>, Range<usize>)> = vec![(old.clone(), new.clone())];
+    let mut names: FxHashSet<Name> = FxHashSet::default();
+    while let Some(name) = next.pop() {
+        if !names.insert(name.clone()) {
+            continue;
+        }
+        let first = scope.find(&name).filter(|tag| *tag < scope.declared);
+        let first = first.and_then(|tag| scope.tags[tag].declared_at.line);
+        for line in first.iter().chain(before.misdeclared.lines_repeating(&name)) {
+            let index = was.index(*line)?;
+            if lots.iter().any(|(lot, _)| lot.contains(&index)) {
+                continue;
+            }
+            let now = if index < old.end {
+                index
+            } else {
+                index - old.end + new.end
+            };
+            lots.push((index..index + 1, now..now + 1));
+            names_on(&mut next, parse, declarations.start(now))?;
+        }
+        if lots.len() > MOST_LINES {
             return None;
         }
     }
-    let plain = |tag: &TagFacts| tag.rare.address.is_none() && tag.rare.shared.is_none();
-    let is_plain = found.is_empty()
-        && tags.clone().all(|tag| plain(&before.scopes[0].tags[tag]))
-        && now.tags.iter().all(plain);
-    if !is_plain {
-        return None;
-    }
-    if around.kind == SectionKind::Global {
-        // All files that declare such a tag must agree.
-        let elsewhere = |tag: &TagFacts| context.others.globals(&Name::new(&tag.name)).next().is_some();
-        let old = tags.clone().map(|tag| &before.scopes[0].tags[tag]);
-        if old.chain(now.tags.iter()).any(elsewhere) {
-            return None;
-        }
-        context.globals = OnceLock::new();
-    }
-    context.declarations = Arc::new(declarations);
-    context.declared_to = context.declared_to.wrapping_add_signed(lines.added);
-    move_blocks(context, before, lines);
-    exchange(context, tags, now.tags.iter().cloned().collect())
+    lots.sort_unstable_by_key(|(_, new)| (new.start, new.end));
+    let lot = |(old, new): (Range<usize>, Range<usize>)| Lot {
+        tags: tags_on(scope, was, old.clone()),
+        old,
+        new,
+        declares: 0,
+    };
+    Some((lots.into_iter().map(lot).collect(), names))
 }
 
 /// Moves what is declared below an edit of networks. None if other lines of declarations than before are above all networks.
@@ -159,53 +234,60 @@ fn tags_on(scope: &Scope, declarations: &Declarations, lines: Range<usize>) -> R
 }
 
 /// Puts the new tags in the place of the old ones.
-fn exchange(context: &mut Context, tags: Range<usize>, new: Vec<TagFacts>) -> Option<EditedTags> {
+fn exchange(
+    context: &mut Context,
+    lots: Vec<Lot>,
+    mut declared: impl Iterator<Item = TagFacts>,
+) -> Option<EditedTags> {
     let scope = &context.scopes[0];
     let mut edited = EditedTags::default();
     // The old ones, as long as no new one has their names.
     let mut gone: FxHashMap<Name, TagFacts> = FxHashMap::default();
-    for tag in tags.clone() {
+    for tag in lots.iter().flat_map(|lot| lot.tags.clone()) {
         let old = &scope.tags[tag];
         let name = Name::new(&old.name);
         edited.used.push((0, name.clone()));
         gone.insert(name, old.clone());
     }
-    let old_names: Vec<Name> = gone.keys().cloned().collect();
-    let mut names: FxHashSet<Name> = FxHashSet::default();
-    let mut comes: Vec<(Name, Arc<TagFacts>)> = Vec::new();
+    let old_names: FxHashSet<Name> = gone.keys().cloned().collect();
+    let mut comes: Vec<(Range<usize>, Vec<Arc<TagFacts>>)> = Vec::with_capacity(lots.len());
+    let mut mistyped: Vec<(usize, Name)> = Vec::new();
     let mut no_more_found: FxHashSet<Name> = FxHashSet::default();
     // What is compared with a tag, or gets its value from it, may have no type but from it.
     let mut fresh: Vec<(usize, Name)> = Vec::new();
-    for mut new in new {
-        let name = Name::new(&new.name);
-        if !names.insert(name.clone()) {
-            return None;
-        }
-        let old = gone.remove(&name);
-        if let Some(old) = &old {
-            new.uses = old.uses.clone();
-        } else if let Some(found) = scope.find(&name) {
-            if found < scope.declared {
-                return None;
+    for lot in lots {
+        let mut declares = Vec::with_capacity(lot.declares);
+        for mut new in declared.by_ref().take(lot.declares) {
+            let name = Name::new(&new.name);
+            let old = gone.remove(&name);
+            if let Some(old) = &old {
+                new.uses = old.uses.clone();
+            } else if let Some(found) = scope.find(&name) {
+                if found < scope.declared {
+                    return None;
+                }
+                new.uses = scope.tags[found].uses.clone();
+                no_more_found.insert(name.clone());
             }
-            new.uses = scope.tags[found].uses.clone();
-            no_more_found.insert(name.clone());
+            if new.ty.is_none() {
+                new.ty = infer::answer(context, &new);
+            }
+            if !old.is_some_and(|old| says_the_same(&old, &new)) {
+                edited.touched(&name);
+                fresh.push((0, name.clone()));
+            }
+            if new.mistyped {
+                mistyped.push((0, name));
+            }
+            declares.push(Arc::new(new));
         }
-        if new.ty.is_none() {
-            new.ty = infer::answer(context, &new);
-        }
-        let says = |tag: &TagFacts| (tag.name.clone(), tag.ty, tag.mistyped, tag.rare.initial.clone());
-        if old.as_ref().map(says) != Some(says(&new)) {
-            edited.touched(&name);
-            fresh.push((0, name.clone()));
-        }
-        comes.push((name, Arc::new(new)));
+        comes.push((lot.tags, declares));
     }
     let mut found: Vec<Arc<TagFacts>> = Vec::new();
-    for (name, old) in gone {
-        edited.touched(&name);
+    for (name, old) in &gone {
+        edited.touched(name);
         if let Some(first) = old.uses.0.first() {
-            fresh.push((0, name));
+            fresh.push((0, name.clone()));
             let tag = shared::brought_in(context, spelled_at(context, *first))?;
             let tag = TagFacts {
                 uses: old.uses.clone(),
@@ -217,8 +299,6 @@ fn exchange(context: &mut Context, tags: Range<usize>, new: Vec<TagFacts>) -> Op
     context
         .mistyped
         .retain(|(scope, name)| *scope > 0 || !old_names.contains(name));
-    let mistyped = comes.iter().filter(|(_, tag)| tag.mistyped);
-    let mistyped = mistyped.map(|(name, _)| (0, name.clone()));
     context.mistyped.extend(mistyped);
     let networks = &context.networks;
     let scope = &mut context.scopes[0];
@@ -229,14 +309,30 @@ fn exchange(context: &mut Context, tags: Range<usize>, new: Vec<TagFacts>) -> Op
         }
         place_found(scope, gone, found, networks);
     }
-    let (comes, new): (Vec<Name>, Vec<Arc<TagFacts>>) = comes.into_iter().unzip();
-    scope.exchange_declared(tags.clone(), new);
-    for name in old_names.into_iter().filter(|name| !names.contains(name)) {
+    for name in gone.into_keys() {
         scope.rename(name, None);
     }
-    for (tag, name) in (tags.start..).zip(comes) {
-        scope.rename(name, Some(tag));
+    // From below, so that the tags of the others stay where they are.
+    let mut added = 0;
+    for (tags, new) in comes.iter().rev() {
+        added += new.len() as isize - tags.len() as isize;
+        scope.exchange_declared(tags.clone(), new.clone());
+    }
+    for (tags, new) in comes.iter().rev() {
+        added -= new.len() as isize - tags.len() as isize;
+        for (tag, new) in (tags.start.wrapping_add_signed(added)..).zip(new) {
+            scope.rename(Name::new(&new.name), Some(tag));
+        }
     }
     edited.infer_again(context, &[], fresh)?;
     Some(edited)
+}
+
+/// Whether all that places of a tag depend on is as it was.
+fn says_the_same(old: &TagFacts, new: &TagFacts) -> bool {
+    let says = |tag: &TagFacts| {
+        let declared = (tag.origin, tag.role, tag.retain, tag.constant);
+        (tag.ty, tag.mistyped, declared)
+    };
+    old.name == new.name && says(old) == says(new) && old.rare.initial == new.rare.initial
 }

@@ -42,14 +42,8 @@ pub(crate) fn change(before: &Context, parse: &Parse) -> Option<Change> {
     if before.parse.unclosed_comment().is_some() || parse.unclosed_comment().is_some() {
         return None;
     }
-    if above < before.declared_to {
-        if edited_declarations::are_lines_of(before, &change, new) {
-            return Some(Change::Declarations(change));
-        }
-        // Their places count from the start of the file.
-        if !before.found.is_empty() {
-            return None;
-        }
+    if above < before.declared_to && edited_declarations::are_lines_of(before, &change, new) {
+        return Some(Change::Declarations(change));
     }
     // In a file without networks all tags are new ones, of which nothing is said.
     let first = before.networks.first()?;

@@ -49,7 +49,7 @@ mod values;
 pub(crate) use findings::{article, excerpt, foreign_comment, lint, stamp, verdict};
 pub use findings::{diagnostic, fix, rule, rule_settings};
 pub(crate) use names::{
-    by_name, company, declarations, declare, declaring, did_you_mean, infer, joined, numbering,
+    by_name, company, declarations, declare, declaring, did_you_mean, infer, joined, misdeclared, numbering,
     operand_value, shared, use_kind, uses,
 };
 pub use names::{rare, scope, system_tag, tags};

@@ -240,6 +240,26 @@ impl Program {
         }
     }
 
+    /// In the name of a declaration, which then is that of another one.
+    pub fn in_a_name_declared_twice(&self) -> Spot {
+        let spot = self.behind("    start_1", |line| line.starts_with("    start_1,"));
+        Spot { letter: "0", ..spot }
+    }
+
+    /// A line of declarations of names that others declare above it and below.
+    pub fn with_names_declared_twice(&self) -> Spot {
+        Spot {
+            letter: "    start_0, run_1 : BOOL;\n",
+            ..self.with_a_declaration()
+        }
+    }
+
+    /// In the type of a declaration, which then is none.
+    pub fn in_a_type(&self) -> Spot {
+        let line = |line: &str| line.starts_with("    start") && line.contains("BOOL");
+        self.behind("BOO", line)
+    }
+
     /// The beginning of a line of declarations.
     pub fn with_a_half_typed_declaration(&self) -> Spot {
         let spot = self.with_a_declaration();

@@ -53,8 +53,7 @@ impl AtTags {
         (shelf, wanted): (&mut Shelf, &StillWanted<'_>),
     ) -> Option<usize> {
         let same = self.around.as_ref() == Some(&around);
-        // Of two declarations of one name only one is found by it.
-        let looked_at = match change.filter(|_| same && context.declared_cleanly) {
+        let looked_at = match change.filter(|_| same) {
             Some(change) => self.look_at_changed(context, change, &around, wanted)?,
             None => {
                 *self = AtTags::default();

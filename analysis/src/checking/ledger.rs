@@ -178,7 +178,10 @@ impl Ledger {
         let is_error = |found: &Diagnostic| found.severity == Severity::Error;
         of_file.known.whole = ledger.unsound.is_empty()
             && ledger.unclear.is_empty()
-            && !context.found.iter().chain(&of_file.names).any(is_error)
+            && !of_file.names.iter().any(is_error)
+            && !context
+                .mistakes()
+                .any(|(_, severity)| severity == Severity::Error)
             && ledger.tags.errors().next().is_none()
             && !has_syntax_errors(context);
         ledger.power_again(context, toggled, wanted)?;
@@ -376,9 +379,11 @@ impl Ledger {
                 unsound.insert(context.networks.id(network.index));
             }
         };
-        let of_file = context.found.iter().chain(of_file);
-        for found in of_file.filter(|found| found.severity == Severity::Error) {
-            add(found.range.start());
+        let of_file = of_file.iter().map(|found| (found.range, found.severity));
+        for (range, severity) in context.mistakes().chain(of_file) {
+            if severity == Severity::Error {
+                add(range.start());
+            }
         }
         for found in self.tags.errors() {
             add(found.range(TextSize::default(), context).start());

@@ -92,6 +92,8 @@ fn found_anew(context: &Context, ledger: &Ledger, of_file: OfFile) -> Vec<(Sourc
     add(Source::Context, context.found.clone());
     add(Source::Names, of_file.names);
     add(Source::Program, of_file.program);
+    let declared = context.misdeclared.found();
+    anew.extend(declared.map(|found| (Source::Context, Finding::new(found, own, context))));
     let in_networks = ledger.volatile_in_networks();
     anew.extend(in_networks.map(|found| (Source::Network, Finding::new(found, own, context))));
     let at_tags = ledger.volatile_at_tags();

@@ -100,6 +100,22 @@ impl Anchored {
         }
     }
 
+    /// Of a finding about a line of declarations, with places that count from the start of that line, and related ones on
+    /// another line of them.
+    pub(crate) fn on_line(found: Diagnostic, line: u32, related: u32) -> Anchored {
+        let mut found = found.finished();
+        let elsewhere = found.related.len();
+        let home = |(number, _)| {
+            let is_related = (1..=elsewhere).contains(&number);
+            Home::Declaration(if is_related { related } else { line })
+        };
+        let homes = places(&mut found).enumerate().map(home).collect();
+        Anchored {
+            found,
+            anchors: Anchors::Each(homes),
+        }
+    }
+
     /// The rule that found it.
     pub(crate) fn rule(&self) -> Rule {
         self.found.rule

@@ -5,11 +5,12 @@ use crate::declarations::{Declarations, DeclaredAt};
 use crate::diagnostic::Diagnostic;
 use crate::did_you_mean;
 use crate::facts;
+use crate::findings::Anchored;
+use crate::misdeclared::Misdeclared;
 use crate::mistakes::{bad_declaration, duplicate_declaration};
 use crate::program::Role;
 use crate::rare::{Rare, RareFacts};
 use crate::reading::TOGETHER;
-use crate::rule::Rule;
 use crate::scope::{Origin, Scope, SectionKind, TagFacts, Uses, type_by_form};
 use crate::types::{Scalar, Type};
 use ladder_instructions::StateType;
@@ -18,6 +19,7 @@ use ladder_syntax::rowan::GreenNode;
 use ladder_syntax::{
     Line, LineKind, Name, Parse, Section, TextRange, TextSize, Trees, is_declaration_keyword, is_reserved,
 };
+use std::sync::Arc;
 
 /// The longest array: what still shows and saves quickly.
 const MAX_ELEMENTS: i128 = 1_000_000;
@@ -58,19 +60,18 @@ pub(crate) fn names_about(parse: &Parse, section: &Section) -> usize {
     declarations.map(names).sum()
 }
 
-/// Adds the tags of a section to its scope. Gives whether each name that is declared is that of a tag of its own.
+/// Adds the tags of a section to its scope.
 pub(crate) fn section(
     parse: &Parse,
     section: &Section,
     declarations: &mut Declarations,
     scope: &mut Scope,
-    out: &mut Vec<Diagnostic>,
-) -> bool {
+    out: &mut Misdeclared,
+) {
     let mut trees = Trees::default();
     let Some(around) = around(parse, section) else {
-        return true;
+        return;
     };
-    let mut once = true;
     let mut start = parse.line_start(section.lines.start);
     let mut together: Vec<(&Line, TextSize, GreenNode)> = Vec::with_capacity(TOGETHER);
     let mut lines = parse.lines().range(section.lines.clone());
@@ -85,49 +86,49 @@ pub(crate) fn section(
             }
         }
         if together.is_empty() {
-            return once;
+            return;
         }
         for (line, start, tree) in together.drain(..) {
-            let place = (declarations.push(start), start);
-            once &= declared(line, &tree, place, around, (declarations, scope), out);
+            declared(line, &tree, declarations.push(start), around, scope, out);
         }
     }
 }
 
-/// Adds the tags of a line with a declaration to its scope: `place` is its number among those lines and where it starts.
-/// Gives whether each of its names is that of a tag of its own, which may be not so without a word of it where the parser
-/// has something to say about the line.
+/// Adds the tags of a line with a declaration to its scope. The line has this number among those lines.
 pub(crate) fn line(
     (line, trees): (&Line, &mut Trees),
-    place: (u32, TextSize),
+    number: u32,
     around: Around,
-    tags: (&Declarations, &mut Scope),
-    out: &mut Vec<Diagnostic>,
-) -> bool {
-    declared(line, &trees.of(line), place, around, tags, out)
+    scope: &mut Scope,
+    out: &mut Misdeclared,
+) {
+    declared(line, &trees.of(line), number, around, scope, out);
 }
 
 /// As [`line()`], of a line with this tree.
 fn declared(
     line: &Line,
     tree: &GreenNode,
-    place: (u32, TextSize),
+    number: u32,
     around: Around,
-    (declarations, scope): (&Declarations, &mut Scope),
-    out: &mut Vec<Diagnostic>,
-) -> bool {
-    let mut once = true;
+    scope: &mut Scope,
+    out: &mut Misdeclared,
+) {
     if let Some(node) = Declaration::cast(NodeView::root(tree)) {
-        let before = out.len();
-        declaration(&node, place, around, (declarations, scope), out);
-        let is_twice = |found: &Diagnostic| found.rule == Rule::DuplicateDeclaration;
-        once = !out[before..].iter().any(is_twice);
-        if !line.errors.is_empty() {
-            // What the parser has to say about the line is enough.
-            out.truncate(before);
+        let found = declaration(&node, number, around, scope, out);
+        // What the parser has to say about the line is enough.
+        if line.errors.is_empty() {
+            out.find(number, found);
         }
     }
-    once
+}
+
+/// The names on a line with a declaration.
+pub(crate) fn names(line: &Line, trees: &mut Trees) -> Vec<Name> {
+    let tree = trees.of(line);
+    let node = Declaration::cast(NodeView::root(&tree));
+    let names = node.iter().flat_map(Declaration::names);
+    names.map(|name| Name::new(name.text())).collect()
 }
 
 /// What the section says of a declaration.
@@ -139,18 +140,21 @@ pub(crate) struct Around {
     pub(crate) in_block: bool,
 }
 
+/// Adds the tags of a declaration. Gives what is wrong with it.
 fn declaration(
     node: &Declaration,
-    (line, start): (u32, TextSize),
+    line: u32,
     context: Around,
-    (declarations, scope): (&Declarations, &mut Scope),
-    out: &mut Vec<Diagnostic>,
-) {
+    scope: &mut Scope,
+    declared: &mut Misdeclared,
+) -> Vec<Arc<Anchored>> {
+    let mut out: Vec<Arc<Anchored>> = Vec::new();
+    let here = |found: Diagnostic| Arc::new(Anchored::on_line(found, line, line));
     // Where the type cannot be read the tag is declared all the same, and its places say its type: one mistake.
     let ty = match node.type_ref().map(|type_ref| declared_type(&type_ref)) {
         Some(Ok(ty)) => ty,
         Some(Err((range, message))) => {
-            out.push(bad_declaration::wrong(range + start, message));
+            out.push(here(bad_declaration::wrong(range, message)));
             None
         }
         None => None,
@@ -160,48 +164,52 @@ fn declaration(
     if let (Some(value), Some(ty)) = (node.initial_value(), ty) {
         match constant::initial_values(&facts::node(&value), ty) {
             Ok(values) => initial = values,
-            Err(problem) => out.push(problem.diagnostic(start)),
+            Err(problem) => out.push(here(problem.diagnostic(TextSize::default()))),
         }
     }
     let mut address_role = None;
     if let (Some(token), Some(ty)) = (&address, ty) {
         match type_by_form(token.text()) {
-            None => out.push(bad_declaration::wrong(
-                token.text_range() + start,
+            None => out.push(here(bad_declaration::wrong(
+                token.text_range(),
                 format!(
                     "`{}` is no address: write one like %IX0.0, %QW1 or %MD2",
                     token.text()
                 ),
-            )),
+            ))),
             Some((of_address, role)) => {
                 address_role = Some(role);
                 if ty
                     .scalar()
                     .is_none_or(|scalar| scalar.width() != of_address.width())
                 {
-                    out.push(bad_declaration::wrong(
-                        token.text_range() + start,
+                    out.push(here(bad_declaration::wrong(
+                        token.text_range(),
                         format!("`{}` has the size of {of_address}, the tag is {ty}", token.text()),
-                    ));
+                    )));
                 }
             }
         }
     }
     for name in node.names() {
-        let range = name.text_range() + start;
+        let range = name.text_range();
         if let Some(message) = refused_name(name.text(), context.in_block) {
-            out.push(bad_declaration::wrong(range, message));
+            out.push(here(bad_declaration::wrong(range, message)));
             continue;
         }
         let key = Name::new(name.text());
         if let Some(first) = scope.find(&key) {
             let known = &scope.tags[first];
-            let first_at = declarations.range(known.declared_at);
-            out.push(duplicate_declaration::twice(name, range, (known, first_at)));
+            let first_line = known.declared_at.line.unwrap_or(line);
+            let found = duplicate_declaration::twice(name, range, (known, known.declared_at.range));
+            out.push(Arc::new(Anchored::on_line(found, line, first_line)));
             let alike = (known.ty, known.constant) == (ty, context.constant);
             // Which of the two its places mean is open.
             if !alike || known.origin != Origin::Declared(context.kind) {
                 scope.set_mistyped(first);
+            }
+            if !context.in_block {
+                declared.repeat(key, line);
             }
             continue;
         }
@@ -231,6 +239,7 @@ fn declaration(
             scope.find_by_address(token.text(), index);
         }
     }
+    out
 }
 
 fn role(kind: SectionKind, address: Option<Role>) -> Role {

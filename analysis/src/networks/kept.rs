@@ -4,8 +4,7 @@
 //! itself follows from its lines, and from the signatures of the user-defined blocks that it holds. So two texts are compared line by line: those that both
 //! begin with, and those that both end with.
 
-use crate::context::{Context, declared_to};
-use crate::declarations::Declarations;
+use crate::context::{Context, Declared, declared_to};
 use crate::network::{NetworkFacts, UserBlocks};
 use crate::scope::Scope;
 use ladder_syntax::{Network, Parse, Structure};
@@ -51,7 +50,7 @@ impl<'c> Kept<'c> {
     }
 
     /// The scopes with their declared tags, if no declaration has changed, or moved.
-    pub(crate) fn declared(&self, structure: &Structure) -> Option<(Vec<Scope>, Arc<Declarations>)> {
+    pub(crate) fn declared(&self, structure: &Structure) -> Option<Declared> {
         let old = &*self.structure;
         let headers = |structure: &Structure| {
             structure
@@ -60,15 +59,18 @@ impl<'c> Kept<'c> {
                 .map(|block| block.lines.start)
                 .collect::<Vec<_>>()
         };
-        let same = self.before.declared_cleanly
-            && declared_to(structure) <= self.above
+        let same = declared_to(structure) <= self.above
             && old.sections == structure.sections
             && headers(old) == headers(structure);
         if !same {
             return None;
         }
         let scopes: Option<Vec<Scope>> = self.before.scopes.iter().map(Scope::as_declared).collect();
-        Some((scopes?, Arc::clone(&self.before.declarations)))
+        Some((
+            scopes?,
+            Arc::clone(&self.before.declarations),
+            Arc::clone(&self.before.misdeclared),
+        ))
     }
 
     /// What is known of a network of the new text, if the old one has it too. To be asked from top to bottom.

@@ -1,6 +1,6 @@
 //! The same for edits of declarations, whose names, types and initial values decide about networks elsewhere.
 
-use crate::incremental::{Document, asked, settings};
+use crate::incremental::{Document, asked, settings, type_in_an_operand};
 use ladder_tests::generator::Dice;
 
 /// Names are close to each other: a letter more or less makes one of another.
@@ -205,6 +205,105 @@ fn lines_of_declarations_that_come_and_go() {
                     next.insert(end, '1');
                     document.becomes(next);
                 }
+            }
+        }
+    }
+}
+
+/// Lines whose names many others have, of one type or another; some cannot be read to their end, some say no type.
+const REPEATING: [&str; 14] = [
+    "    a : BOOL;\n",
+    "    A, b : BOOL;\n",
+    "    a, c : INT;\n",
+    "    b, d, b : BOOL;\n",
+    "    c := 3;\n",
+    "    c : INT := 7;\n",
+    "    d : TON;\n",
+    "    d : DINT := 70000;\n",
+    "    e : BOO;\n",
+    "    e, a : REAL\n",
+    "    e;\n",
+    "    b : INT := TRUE;\n",
+    "    c AT %MW3 : INT;\n",
+    "    f : BOOL;\n",
+];
+
+const NAMING: [&str; 10] = [
+    "+--[ ]( a )--[/]( b )--( )( e )--+\n\n",
+    "+--[ ]( e )--[/]( e )--( )( A )--+\n\n",
+    "+--[ ]( b )--(S)( f )--( )( f )--+\n\n",
+    "+--[GT]( c, 5 )--[MOV]( c, g )--+\n\n",
+    "+--[MOV]( 300, d )--[ ]( d )--( )( b )--+\n\n",
+    "+--[ ]( f )--[TON]( d, T#1s )--( )( a )--+\n\n",
+    "+--[ ]( f )--[TON]( c, T#1s )--( )( b )--+\n\n",
+    "+--[ADD]( d, e, c )--[EQ]( e, 2.5 )--( )( f )--+\n\n",
+    "+--[ ]( d.Q )--( )( b1 )--+\n\n",
+    "+--[ ]( a )--[/]( b1 )--( )( g )--+\n\n",
+];
+
+/// Names that several lines declare: the first of them counts, and which that is changes as lines come, go and are typed.
+#[test]
+fn names_that_are_declared_again() {
+    let sections = [
+        "VAR\n",
+        "VAR_INPUT\n",
+        "VAR_OUTPUT\n",
+        "VAR_GLOBAL\n",
+        "VAR CONSTANT\n",
+    ];
+    for seed in 0..asked(60) {
+        let mut dice = Dice::new(seed);
+        let declared =
+            |dice: &mut Dice| -> String { (0..dice.below(4)).map(|_| dice.of(&REPEATING)).collect() };
+        let mut text = String::new();
+        for section in 0..2 + dice.below(2) {
+            // Mostly plain sections, which are followed.
+            let kind = if dice.one_in(4) {
+                dice.of(&sections)
+            } else {
+                sections[section]
+            };
+            text += &format!("{kind}{}END_VAR\n", declared(&mut dice));
+            if dice.one_in(8) {
+                text += &format!(
+                    "FUNCTION_BLOCK [$F{section}]\nVAR_INPUT\n{}END_VAR\n+--[ ]( a )--( )( ENO )--+\n\
+                     END_FUNCTION_BLOCK\n",
+                    declared(&mut dice)
+                );
+            }
+        }
+        text += "\n";
+        text.extend((0..2 + dice.below(5)).map(|_| dice.of(&NAMING)));
+        let mut document = Document::with(text, settings(&mut dice));
+        for _ in 0..20 {
+            let mut lines: Vec<String> = document.text.split_inclusive('\n').map(str::to_owned).collect();
+            let in_sections: Vec<usize> = (0..lines.len())
+                .filter(|&line| lines[line].starts_with("    ") || lines[line].starts_with("END_VAR"))
+                .collect();
+            let at = dice.of(&in_sections);
+            let before = document.text.clone();
+            match dice.below(6) {
+                0 => lines.insert(at, dice.of(&REPEATING).to_owned()),
+                1 if lines[at].starts_with("    ") => {
+                    lines.remove(at);
+                }
+                // A letter more, or one less.
+                2 if lines[at].starts_with("    ") => lines[at].insert_str(5, dice.of(&["1", "b", ", d"])),
+                3 if lines[at].starts_with("    ") => {
+                    let letter = 4 + dice.below(lines[at].len() - 4);
+                    lines[at].remove(letter);
+                }
+                4 => lines.push(dice.of(&NAMING).to_owned()),
+                _ => {
+                    let rungs: Vec<usize> = (0..lines.len())
+                        .filter(|&line| lines[line].starts_with('+'))
+                        .collect();
+                    type_in_an_operand(&mut lines[dice.of(&rungs)], &["1", "b"], &mut dice);
+                }
+            }
+            document.becomes(lines.concat());
+            if dice.one_in(3) {
+                document.becomes(before);
             }
         }
     }

@@ -48,7 +48,7 @@ fn others_of(program: &Program, parsed: &Arc<Parse>) -> Others {
 
 #[test]
 fn does_not_grow_with_the_file() {
-    let spots: [(&str, Place); 9] = [
+    let spots: [(&str, Place); 12] = [
         ("a number", Program::in_a_number),
         ("a name", Program::in_a_name),
         ("a name without a type", Program::in_a_name_without_type),
@@ -56,6 +56,9 @@ fn does_not_grow_with_the_file() {
         ("a declaration", Program::in_a_declaration),
         ("a line of declarations", Program::with_a_declaration),
         ("a half-typed declaration", Program::with_a_half_typed_declaration),
+        ("a name declared twice", Program::in_a_name_declared_twice),
+        ("names declared twice", Program::with_names_declared_twice),
+        ("a type", Program::in_a_type),
         ("the first network", Program::in_the_first_network),
         ("a label", Program::with_a_label),
     ];
