@@ -193,6 +193,12 @@ impl Context {
         number
     }
 
+    /// The physical line, counted from 0, on which the logical line around an offset starts.
+    pub(crate) fn physical_line(&self, offset: TextSize) -> u32 {
+        let line = self.parse.line_at(offset).unwrap_or_default();
+        self.parse.lines().line_ends_above(line)
+    }
+
     /// Comments as other languages write them.
     pub(crate) fn foreign_comments(&self) -> &ForeignComments {
         self.foreign_comments

@@ -112,9 +112,9 @@ impl Analysis {
         self.whole.findings()
     }
 
-    /// Where the networks start that a finding's places count from; none if these are true for this text only.
-    pub(crate) fn counts_from(&self, finding: &Finding) -> Option<Vec<TextSize>> {
-        finding.counts_from(&self.whole.context)
+    /// See [`Finding::first_lines`].
+    pub(crate) fn first_lines(&self, finding: &Finding, lines: &mut Vec<u32>) -> bool {
+        finding.first_lines(&self.whole.context, lines)
     }
 
     /// A finding with all that it says.

@@ -164,9 +164,9 @@ impl FileLines {
     /// How many physical lines end above a line.
     pub fn line_ends_above(&self, line: usize) -> u32 {
         let part = self.part_of(line);
-        let within = self.parts.get(part).into_iter().flat_map(|part| &part.lines);
-        let within = within.take(line - self.first_line(part));
-        self.ends_before[part] + within.map(|line| line.line_ends).sum::<u32>()
+        let within = line - self.first_line(part);
+        let above = self.parts.get(part).map(|part| part.line_ends_above(within));
+        self.ends_before[part] + above.unwrap_or_default()
     }
 
     /// The parts, from top to bottom.

@@ -30,6 +30,8 @@ pub struct Part {
     first_network: Option<u32>,
     /// How many physical lines end in it.
     line_ends: u32,
+    /// Whether one of them ends in each of its lines: comments that span lines are rare.
+    one_end_each: bool,
     /// Whether a line has a mistake.
     faulty: bool,
     /// Whether a rung begins with a `/`.
@@ -76,6 +78,7 @@ impl Part {
             }),
             items,
             line_ends: lines.iter().map(|line| line.line_ends).sum(),
+            one_end_each: lines.iter().all(|line| line.line_ends == 1),
             faulty: lines
                 .iter()
                 .any(|line| !line.errors.is_empty() || line.kind == LineKind::Stray),
@@ -121,6 +124,14 @@ impl Part {
     /// How many physical lines end in it.
     pub fn line_ends(&self) -> u32 {
         self.line_ends
+    }
+
+    /// How many physical lines end above one of its lines.
+    pub(crate) fn line_ends_above(&self, line: usize) -> u32 {
+        if self.one_end_each {
+            return line as u32;
+        }
+        self.lines[..line].iter().map(|line| line.line_ends).sum()
     }
 
     /// Whether one of its rungs begins with a `/`: nearly all begin with a rail.

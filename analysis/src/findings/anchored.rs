@@ -42,6 +42,17 @@ impl Home {
             Home::Declaration(line) => context.declarations.start_of(line),
         }
     }
+
+    /// The physical line on which it starts, counted from 0.
+    fn first_line(self, context: &Context) -> u32 {
+        match self {
+            Home::Network(id) => {
+                let first_line = context.networks.first_line_of(id);
+                context.parse.lines().line_ends_above(first_line)
+            }
+            Home::Declaration(line) => context.physical_line(context.declarations.start_of(line)),
+        }
+    }
 }
 
 impl Anchored {
@@ -139,13 +150,14 @@ impl Anchored {
         }
     }
 
-    /// See [`Finding::counts_from`](super::Finding::counts_from).
-    pub(crate) fn counts_from(&self, own: TextSize, context: &Context) -> Option<Vec<TextSize>> {
+    /// See [`Finding::first_lines`](super::Finding::first_lines).
+    pub(crate) fn first_lines(&self, own: TextSize, context: &Context, lines: &mut Vec<u32>) -> bool {
         match &self.anchors {
-            Anchors::File => None,
-            Anchors::Network => Some(vec![own]),
-            Anchors::Each(homes) => Some(homes.iter().map(|home| home.start(context)).collect()),
+            Anchors::File => return false,
+            Anchors::Network => lines.push(context.physical_line(own)),
+            Anchors::Each(homes) => lines.extend(homes.iter().map(|home| home.first_line(context))),
         }
+        true
     }
 
     /// Whether one of its fixes may be made unasked.

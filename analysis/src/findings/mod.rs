@@ -71,9 +71,11 @@ impl Finding {
         Arc::as_ptr(&self.anchored).addr()
     }
 
-    /// Where the networks and lines of declarations start that its places count from; none if these are true for one text only.
-    pub fn counts_from(&self, context: &Context) -> Option<Vec<TextSize>> {
-        self.anchored.counts_from(self.own, context)
+    /// Adds the physical lines, counted from 0, on which the networks and lines of declarations start that its places in this file
+    /// count from: one for all of them, or one for each in the order of range, related places, edits. False if the places are
+    /// true for one text only.
+    pub fn first_lines(&self, context: &Context, lines: &mut Vec<u32>) -> bool {
+        self.anchored.first_lines(self.own, context, lines)
     }
 
     /// Whether one of its fixes may be made unasked.

@@ -54,10 +54,34 @@ impl<T: Clone> Chunked<T> {
 
     /// Puts others in the place of some.
     pub(crate) fn splice(&mut self, old: Range<usize>, new: impl IntoIterator<Item = T>) {
-        let mut below = self.split_off(old.start);
-        below.splice(..old.len(), new);
-        for value in below {
-            self.push(value);
+        let below = self.split_off(old.start);
+        let below = below.into_iter().skip(old.len());
+        self.extend(new.into_iter().chain(below));
+    }
+
+    /// Adds values at the end, a chunk at a time.
+    fn extend(&mut self, values: impl IntoIterator<Item = T>) {
+        let mut values = values.into_iter();
+        if !self.len.is_multiple_of(CHUNK)
+            && let Some(last) = self.chunks.last_mut()
+        {
+            let last = Arc::make_mut(last);
+            let missing = CHUNK - last.len();
+            let before = last.len();
+            last.extend(values.by_ref().take(missing));
+            self.len += last.len() - before;
+        }
+        if !self.len.is_multiple_of(CHUNK) {
+            return;
+        }
+        loop {
+            let mut chunk = Vec::with_capacity(CHUNK);
+            chunk.extend(values.by_ref().take(CHUNK));
+            if chunk.is_empty() {
+                return;
+            }
+            self.len += chunk.len();
+            self.chunks.push(Arc::new(chunk));
         }
     }
 

@@ -228,6 +228,11 @@ impl Networks {
         TextSize::new(self.places[self.index_of(id)].start)
     }
 
+    /// The first line of the network of a number, as in the parse.
+    pub(crate) fn first_line_of(&self, id: u32) -> usize {
+        self.places[self.index_of(id)].first_line as usize
+    }
+
     /// How many numbers there are, with those that no network has.
     pub(crate) fn numbers(&self) -> usize {
         self.index_of.len()

@@ -1,5 +1,6 @@
 //! From the server's own types to the protocol's.
 
+use std::cell::{Cell, OnceCell};
 use std::fmt::Write;
 use std::str::FromStr;
 
@@ -97,41 +98,62 @@ pub(crate) fn workspace_edit(
     })
 }
 
-/// Findings of a file.
+/// Findings of a file. [`Json`](crate::lsp::documents::diagnostic_json::Json) writes the same.
 pub(crate) fn diagnostics<'f>(
     agreed: Agreed,
     revision: &Revision,
     found: impl IntoIterator<Item = &'f ladder_analysis::Diagnostic>,
 ) -> Vec<Diagnostic> {
     let mut beside = Beside::new(revision);
-    let found: Vec<_> = found.into_iter().collect();
-    let ranges = if found.len() > FEW {
-        Ranges::Many(revision.positions())
-    } else {
-        Ranges::Few(revision)
-    };
+    let ranges = Ranges::new(revision);
     found
         .into_iter()
         .map(|found| diagnostic(agreed, revision, &ranges, &mut beside, found))
         .collect()
 }
 
-/// For so many findings each place is looked up by itself; for more a table of all lines costs less.
-const FEW: usize = 50;
+/// So many places are looked up one by one; for more a table of all lines costs less.
+const FEW: usize = 100;
 
 /// What counts the lines and columns of findings.
-enum Ranges<'r> {
-    Few(&'r Revision),
-    Many(Positions),
+pub(crate) struct Ranges<'r> {
+    revision: &'r Revision,
+    asked: Cell<usize>,
+    many: OnceCell<Positions>,
 }
 
-impl Ranges<'_> {
-    fn range(&self, place: TextRange) -> document::position::Range {
-        match self {
-            Ranges::Few(revision) => revision.range(place),
-            Ranges::Many(positions) => positions.range(place),
+impl<'r> Ranges<'r> {
+    /// Of a text, for places of which nobody knows yet how many there are.
+    pub(crate) fn new(revision: &'r Revision) -> Self {
+        Ranges {
+            revision,
+            asked: Cell::new(0),
+            many: OnceCell::new(),
         }
     }
+
+    /// The lines and columns of a stretch.
+    pub(crate) fn range(&self, place: TextRange) -> document::position::Range {
+        self.asked.update(|asked| asked + 1);
+        if self.asked.get() <= FEW {
+            return self.revision.range(place);
+        }
+        self.many.get_or_init(|| self.revision.positions()).range(place)
+    }
+}
+
+/// How much a finding counts, as the protocol says it.
+pub(crate) fn severity(severity: Severity) -> DiagnosticSeverity {
+    match severity {
+        Severity::Error => DiagnosticSeverity::ERROR,
+        Severity::Warning => DiagnosticSeverity::WARNING,
+        Severity::Info => DiagnosticSeverity::INFORMATION,
+    }
+}
+
+/// Whether a finding is about text without effect, which the client shows faded.
+pub(crate) fn is_unnecessary(agreed: Agreed, found: &ladder_analysis::Diagnostic) -> bool {
+    agreed.unnecessary_tag && UNNECESSARY.contains(&found.rule.name())
 }
 
 fn diagnostic(
@@ -184,15 +206,11 @@ fn diagnostic(
             let _ = write!(message, "\n{file}{comma}line {line}: {}", related.message);
         }
     }
-    let unnecessary = agreed.unnecessary_tag && UNNECESSARY.contains(&found.rule.name());
+    let unnecessary = is_unnecessary(agreed, found);
     let titles: Vec<_> = found.fixes.iter().map(|fix| &fix.title).collect();
     Diagnostic {
         range: range(ranges.range(found.range)),
-        severity: Some(match found.severity {
-            Severity::Error => DiagnosticSeverity::ERROR,
-            Severity::Warning => DiagnosticSeverity::WARNING,
-            Severity::Info => DiagnosticSeverity::INFORMATION,
-        }),
+        severity: Some(severity(found.severity)),
         code: Some(NumberOrString::String(found.rule.name().to_owned())),
         code_description: None,
         source: Some("ladder".into()),

@@ -2,6 +2,7 @@
 
 pub(crate) mod companions;
 pub(crate) mod configuration;
+pub(crate) mod diagnostic_json;
 pub(crate) mod diagnostics;
 pub(crate) mod file_operations;
 pub(crate) mod folders;

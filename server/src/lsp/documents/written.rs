@@ -1,19 +1,21 @@
 //! The diagnostics of open documents as JSON, each kept as text from one state of its document to the next.
 //!
 //! The protocol sends all diagnostics of a document with each edit. Most of them are as they were: what a finding says is
-//! kept with it, and its places have the same lines and columns if the networks that they count from start at the
-//! same lines, which is so without a look while edits make and remove no line. Only the others are written anew.
+//! kept with it, and its places have the same lines and columns if what they count from starts at the
+//! same lines, which is so without a look while edits make and remove no line. Where text comes or goes above, only the
+//! numbers of lines are exchanged.
 
 use std::collections::HashMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Mutex, PoisonError};
 
 use ladder_analysis::{Finding, Severity};
 use rustc_hash::FxHashMap;
 
+use super::diagnostic_json::{Json, Writer};
 use super::shown;
 use crate::document::Revision;
 use crate::language::Analysis;
-use crate::lsp::{capabilities::Agreed, convert};
+use crate::lsp::capabilities::Agreed;
 
 /// What was written of each open document, by its address.
 #[derive(Debug, Default)]
@@ -26,6 +28,8 @@ struct Kept {
     line_breaks: u64,
     /// How often it was written.
     times: u64,
+    /// How long it was last.
+    length: usize,
     /// By the identity of the finding.
     all: FxHashMap<usize, One>,
 }
@@ -35,18 +39,12 @@ struct Kept {
 struct One {
     /// Keeps its identity from being that of another one.
     _finding: Finding,
-    key: Key,
-    json: Arc<str>,
+    severity: Severity,
+    /// See [`Finding::first_lines`].
+    lines: Box<[u32]>,
+    json: Json,
     /// When it was written last.
     last: u64,
-}
-
-/// What else than the finding itself decides about its JSON: how much it counts, and the lines where the networks start
-/// that its places count from.
-#[derive(Debug, PartialEq, Eq)]
-struct Key {
-    severity: Severity,
-    lines: Vec<u32>,
 }
 
 impl Written {
@@ -60,20 +58,17 @@ impl Written {
         (shown, left_out): (Vec<Finding>, usize),
     ) -> String {
         let mut kept = self.take(&revision.uri).unwrap_or_default();
-        let all = kept.write(agreed, revision, analysis, &shown);
-        let rest = shown::rest(left_out).and_then(|rest| serde_json::to_string(&rest).ok());
-        let length: usize = all.iter().map(|json| json.len() + 1).sum();
-        let mut params = String::with_capacity(length + 400);
+        let mut params = String::with_capacity(kept.length + 400);
         params.push_str("{\"uri\":");
         params.push_str(&serde_json::Value::from(&*revision.uri).to_string());
         params.push_str(",\"diagnostics\":[");
-        for (number, text) in all.iter().map(|json| &**json).chain(rest.as_deref()).enumerate() {
-            if number > 0 {
-                params.push(',');
-            }
-            params.push_str(text);
+        kept.write(agreed, revision, analysis, &shown, &mut params);
+        if let Some(rest) = shown::rest(left_out).and_then(|rest| serde_json::to_string(&rest).ok()) {
+            separate(&mut params, shown.is_empty());
+            params.push_str(&rest);
         }
         params.push_str(&format!("],\"version\":{}}}", revision.version));
+        kept.length = params.len();
         self.kept().insert(revision.uri.to_string(), kept);
         params
     }
@@ -93,84 +88,162 @@ impl Written {
 }
 
 impl Kept {
-    /// The JSON of findings, in their order.
+    /// Adds the JSON of findings, in their order.
     fn write(
         &mut self,
         agreed: Agreed,
         revision: &Revision,
         analysis: &Analysis,
         shown: &[Finding],
-    ) -> Vec<Arc<str>> {
+        out: &mut String,
+    ) {
         self.times += 1;
         let same_lines = std::mem::replace(&mut self.line_breaks, revision.line_breaks()) == self.line_breaks;
-        let mut all: Vec<Option<Arc<str>>> = Vec::with_capacity(shown.len());
-        for finding in shown {
-            all.push(self.recall(revision, analysis, finding, same_lines));
-        }
-        let missing = shown.iter().zip(&all).filter(|(_, kept)| kept.is_none());
-        let missing: Vec<&Finding> = missing.map(|(finding, _)| finding).collect();
-        let said: Vec<_> = missing
-            .iter()
-            .map(|finding| analysis.diagnostic(finding))
-            .collect();
-        let written = convert::diagnostics(agreed, revision, &said).into_iter();
-        let written = written.map(|one| serde_json::to_string(&one).ok().map(Arc::from));
-        let written: Vec<Option<Arc<str>>> = written.collect();
-        for (finding, json) in missing.into_iter().zip(&written) {
-            self.keep(revision, analysis, finding, json.as_ref());
+        let mut writer = Writer::new(agreed, revision);
+        let mut lines = Vec::new();
+        let mut room = String::new();
+        for (number, finding) in shown.iter().enumerate() {
+            separate(out, number == 0);
+            let one = self.all.get_mut(&finding.identity());
+            let one = one.filter(|one| one.severity == finding.severity);
+            if let Some(one) = one {
+                let was_last = std::mem::replace(&mut one.last, self.times) + 1 == self.times;
+                if !same_lines || !was_last {
+                    lines.clear();
+                    analysis.first_lines(finding, &mut lines);
+                    if *one.lines != *lines {
+                        one.json.count_from(&lines, &mut room);
+                        one.lines.copy_from_slice(&lines);
+                    }
+                }
+                out.push_str(one.json.as_str());
+                continue;
+            }
+            lines.clear();
+            let stays = analysis.first_lines(finding, &mut lines);
+            let json = writer.write(&analysis.diagnostic(finding), &lines);
+            out.push_str(json.as_str());
+            if stays {
+                let one = One {
+                    _finding: finding.clone(),
+                    severity: finding.severity,
+                    lines: lines.as_slice().into(),
+                    json,
+                    last: self.times,
+                };
+                self.all.insert(finding.identity(), one);
+            }
         }
         // What is not shown any more may be shown again soon, but not for ever.
         if self.all.len() > 2 * shown.len() {
             self.all.retain(|_, one| one.last == self.times);
         }
-        let mut written = written.into_iter();
-        let mut next = || written.next().flatten();
-        all.into_iter()
-            .filter_map(|kept| kept.or_else(&mut next))
-            .collect()
-    }
-
-    /// What was written of a finding, if it would be the same now.
-    fn recall(
-        &mut self,
-        revision: &Revision,
-        analysis: &Analysis,
-        finding: &Finding,
-        same_lines: bool,
-    ) -> Option<Arc<str>> {
-        let one = self.all.get_mut(&finding.identity())?;
-        let was_last = std::mem::replace(&mut one.last, self.times) + 1 == self.times;
-        let is_same = if same_lines && was_last {
-            one.key.severity == finding.severity
-        } else {
-            Some(&one.key) == Key::of(revision, analysis, finding).as_ref()
-        };
-        is_same.then(|| Arc::clone(&one.json))
-    }
-
-    fn keep(&mut self, revision: &Revision, analysis: &Analysis, finding: &Finding, json: Option<&Arc<str>>) {
-        if let Some((key, json)) = Key::of(revision, analysis, finding).zip(json) {
-            let one = One {
-                _finding: finding.clone(),
-                key,
-                json: Arc::clone(json),
-                last: self.times,
-            };
-            self.all.insert(finding.identity(), one);
-        }
     }
 }
 
-impl Key {
-    /// None: what is written is true for one text only.
-    fn of(revision: &Revision, analysis: &Analysis, finding: &Finding) -> Option<Key> {
-        let networks = analysis.counts_from(finding)?;
-        Some(Key {
-            severity: finding.severity,
-            lines: networks
-                .into_iter()
-                .map(|start| revision.line_of(start))
-                .collect(),
-        })
+/// Puts a comma between what is written and what is not the first.
+fn separate(out: &mut String, is_first: bool) {
+    if !is_first {
+        out.push(',');
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::Value;
+
+    use super::*;
+    use crate::document::Documents;
+    use crate::document::edit::Change;
+    use crate::document::position::{Encoding, Position, Range};
+    use crate::lsp::convert;
+
+    const URI: &str = "file:///a%20b.clad";
+
+    /// Findings in networks and at declarations, with related places in both, with fixes, with text without effect, one whose
+    /// places are true for one text only, and none of them on a line of one digit alone.
+    const TEXT: &str = "VAR\n  a, b, öl : BOOL;\n  a2 : INT;\n  unused, x : BOOL;\n  t : TON;\nEND_VAR\n\
+        +--[ ]( a )--( )( b )--[ ]( a )--( )( x )--+\n\n\
+        +--# über\n  Zeilen #--[ ]( öl )--[GT]( \"ä\\\\\", a2 )--( )( b )--+\n\n\
+        +--[ ]( x )--( )( x )--[ ]( missing )--( )( b )--\\--+\n\n\
+        +--<LBL>( here )--[ ]( a )--(S)( öl )--+\n\n\
+        +--[TON]( t, T#1s )--<JMP>( away )--+\n\n\
+        +--[TON]( t, T#2s )--[ ]( a )--[ ]( gone )--( )( b )--+\n";
+
+    fn agreed(choice: usize) -> Agreed {
+        Agreed {
+            encoding: Encoding::Utf16,
+            related_information: choice & 1 > 0,
+            unnecessary_tag: choice & 2 > 0,
+            diagnostic_data: choice & 4 > 0,
+            ..Agreed::default()
+        }
+    }
+
+    fn written(written: &Written, agreed: Agreed, revision: &Revision) -> Value {
+        let analysis = revision.analysis().expect("the text is not too large");
+        let shown = (analysis.findings().to_vec(), 0);
+        let params = written.params(agreed, revision, analysis, shown);
+        serde_json::from_str(&params).expect("what is written is JSON")
+    }
+
+    /// What the protocol's own types say of it.
+    fn expected(agreed: Agreed, revision: &Revision) -> Value {
+        let analysis = revision.analysis().expect("the text is not too large");
+        let found = analysis.findings().iter().map(|found| analysis.diagnostic(found));
+        let found: Vec<_> = found.collect();
+        let diagnostics = convert::diagnostics(agreed, revision, &found);
+        serde_json::json!({ "uri": URI, "diagnostics": diagnostics, "version": revision.version })
+    }
+
+    #[test]
+    fn what_is_kept_moves_with_the_text() {
+        let edits = [
+            // A line comes above all networks, and one goes.
+            ((1, 0), (1, 0), "  c : BOOL;\n"),
+            ((1, 0), (2, 0), ""),
+            // Numbers of lines get more digits, and fewer.
+            ((6, 0), (6, 0), "\n\n\n\n\n\n\n\n\n\n"),
+            ((0, 0), (0, 0), "\n".repeat(90).leak() as &str),
+            ((0, 0), (90, 0), ""),
+            ((6, 0), (16, 0), ""),
+            // A comment that spans lines comes and goes.
+            ((8, 0), (8, 0), "# one\n two\n#\n"),
+            ((8, 0), (11, 0), ""),
+            // No line comes or goes.
+            ((6, 3), (6, 3), "--"),
+            ((6, 3), (6, 5), ""),
+            ((3, 2), (3, 8), "unused_too"),
+            ((3, 2), (3, 12), "unused"),
+            // Networks between others.
+            ((7, 0), (7, 0), "\n+--[ ]( b )--( )( c )--+\n\n"),
+            ((7, 0), (10, 0), ""),
+        ];
+        for choice in 0..8 {
+            let agreed = agreed(choice);
+            let documents = Documents::default();
+            let kept = Written::default();
+            let mut revision = documents.open(URI, 1, Encoding::Utf16, TEXT);
+            assert!(revision.analysis().is_some_and(|it| it.findings().len() > 5));
+            assert_eq!(written(&kept, agreed, &revision), expected(agreed, &revision));
+            for (version, (start, end, text)) in (2..).zip(edits) {
+                let at = |(line, character)| Position { line, character };
+                let change = Change::Part {
+                    range: Range {
+                        start: at(start),
+                        end: at(end),
+                    },
+                    text: text.to_owned(),
+                };
+                revision = documents.change(URI, version, &[change]).expect("it is open");
+                let fresh = expected(agreed, &revision);
+                assert_eq!(
+                    written(&kept, agreed, &revision),
+                    fresh,
+                    "edit {version}, {choice}"
+                );
+            }
+            assert_eq!(revision.text(), TEXT);
+        }
     }
 }
