@@ -11,7 +11,7 @@ use ladder_tests::generator::{Dice, Mode, program};
 use std::sync::Arc;
 
 /// What a hand puts in.
-const PIECES: [&str; 46] = [
+const PIECES: [&str; 47] = [
     "",
     "",
     "",
@@ -52,6 +52,7 @@ const PIECES: [&str; 46] = [
     "--<CALL>( f )--",
     "--[$F]( a )--",
     "# ladder: allow(never-read) #\n",
+    "# ladder: allow-file(double-coil) #\n",
     "# ladder: profile ldmicro #\n",
     "VAR CONSTANT\n    n : INT := 5;\nEND_VAR\n",
     "[GT]( n, 5 )--",
@@ -98,6 +99,12 @@ impl Document {
             analysis,
             settings,
         }
+    }
+
+    /// The settings change, and the text stays.
+    pub(crate) fn is_set(&mut self, settings: RuleSettings) {
+        self.settings = settings;
+        self.becomes(self.text.clone());
     }
 
     pub(crate) fn becomes(&mut self, text: String) {
@@ -254,6 +261,9 @@ fn steps(mode: Mode, seeds: std::ops::Range<u64>, count: usize) {
                 edited(&document.text, &mut dice)
             };
             document.becomes(next);
+            if dice.one_in(8) {
+                document.is_set(settings(&mut dice));
+            }
         }
     }
 }
@@ -352,6 +362,9 @@ fn typing_in_long_programs() {
             if dice.one_in(3) {
                 let next = edited(&document.text, &mut dice);
                 document.becomes(next);
+            }
+            if dice.one_in(4) {
+                document.is_set(settings(&mut dice));
             }
         }
     }

@@ -1,7 +1,7 @@
 //! The same with several files that see each other: whichever is edited, opened or closed, each of them says what it says
 //! from scratch.
 
-use crate::incremental::{asked, edited, show};
+use crate::incremental::{asked, edited, settings, show};
 use ladder_analysis::{
     Analysis, Exported, Exports, Others, RuleSettings, analyze_after, analyze_with, exports,
 };
@@ -23,6 +23,7 @@ struct Open {
 pub(crate) struct Files {
     open: BTreeMap<&'static str, Open>,
     exported: Arc<Exported>,
+    settings: RuleSettings,
 }
 
 impl Files {
@@ -35,7 +36,7 @@ impl Files {
             None => parse(&text),
         });
         let known = before.as_ref().map(|before| &before.analysis);
-        let analysis = analyze_after(known, &parsed, name, &others, &RuleSettings::default());
+        let analysis = analyze_after(known, &parsed, name, &others, &self.settings);
         let shown = Arc::new(Exports::of_edited(&analysis.context, name));
         let concerned = before.is_none_or(|before| self.exported.concerns(&before.exports, &shown));
         let open = Open {
@@ -58,6 +59,13 @@ impl Files {
         self.check();
     }
 
+    /// The settings of the workspace change.
+    pub(crate) fn are_set(&mut self, settings: RuleSettings) {
+        self.settings = settings;
+        self.look_again();
+        self.check();
+    }
+
     /// The text of a file that is open.
     pub(crate) fn text(&self, name: &str) -> &str {
         &self.open[name].text
@@ -69,7 +77,7 @@ impl Files {
         for (name, open) in &mut self.open {
             let others = self.exported.others_of(name);
             let before = Some(&open.analysis);
-            open.analysis = analyze_after(before, &open.parse, name, &others, &RuleSettings::default());
+            open.analysis = analyze_after(before, &open.parse, name, &others, &self.settings);
         }
     }
 
@@ -88,7 +96,7 @@ impl Files {
         let exported = Arc::new(Exported::new(shown.collect()));
         for (name, open) in &self.open {
             let others = exported.others_of(name);
-            let fresh = analyze_with(&parsed[name], name, &others, &RuleSettings::default());
+            let fresh = analyze_with(&parsed[name], name, &others, &self.settings);
             let texts = || {
                 let all = self.open.iter();
                 let all: Vec<String> = all
@@ -194,6 +202,9 @@ fn edits_of_several_files() {
         let mut files = Files::default();
         for step in 0..25 {
             let (name, original) = dice.of(&originals);
+            if dice.one_in(10) {
+                files.are_set(settings(&mut dice));
+            }
             match files.open.get(name) {
                 None => files.becomes(name, original.to_owned()),
                 Some(_) if dice.one_in(8) => files.close(name),
