@@ -354,7 +354,7 @@ impl Edited {
         for key in tags.used.iter().filter(|(scope, _)| *scope == 0) {
             let (_, name) = key;
             let tag = context.find_tag(key).filter(|tag| tag.is_outward());
-            if tag.is_some_and(|tag| context::keeps_state(tag)) {
+            if tag.is_some_and(context::keeps_state) {
                 context.outward_states.insert(name.clone());
             } else {
                 context.outward_states.remove(name);

@@ -185,7 +185,7 @@ impl Ledger {
             && ledger.tags.errors().next().is_none()
             && !has_syntax_errors(context);
         ledger.power_again(context, toggled, wanted)?;
-        ledger.put_on_shelf();
+        ledger.put_on_shelf(context);
         let survey = ledger.survey(context, of_file.known.whole);
         let mut found = Vec::new();
         rules::of_program(context, &survey, &mut found);
@@ -247,11 +247,14 @@ impl Ledger {
         self.unshelved.insert(id);
     }
 
-    /// Puts what is found anew on the shelf.
-    fn put_on_shelf(&mut self) {
+    /// Puts what is found anew on the shelf. Where a network keeps the same of its own, that is one list.
+    fn put_on_shelf(&mut self, context: &Context) {
         for id in self.unshelved.drain() {
             let found = &self.networks[id as usize].found;
             self.shelf.set_network(id, found.iter());
+            if let Some(network) = context.networks.numbered(id) {
+                network.verdict.share(found);
+            }
         }
     }
 

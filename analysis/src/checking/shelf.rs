@@ -60,7 +60,7 @@ pub(crate) struct Shelf {
 }
 
 /// The findings of one network or line of declarations, in the order of their places.
-type Items = Option<Arc<Vec<Item>>>;
+type Items = Option<Arc<[Item]>>;
 
 /// One finding.
 #[derive(Debug, Clone)]
@@ -219,7 +219,7 @@ impl Shelf {
             Home::Network(id) => &self.networks[id as usize],
             Home::Declaration(line) => &self.declared[line as usize],
         };
-        items.as_deref().cloned().unwrap_or_default()
+        items.as_deref().map(<[Item]>::to_vec).unwrap_or_default()
     }
 
     fn put(&mut self, home: Home, mut items: Vec<Item>) {
@@ -247,8 +247,7 @@ impl Shelf {
         for item in &items {
             count(&mut self.counts, item, true);
         }
-        items.shrink_to_fit();
-        *all.get_mut(number) = (!items.is_empty()).then(|| Arc::new(items));
+        *all.get_mut(number) = (!items.is_empty()).then(|| items.into());
     }
 
     /// Takes away what follows from mistakes of the text, all of which [are local](FollowUps::are_local). Tags that are not declared

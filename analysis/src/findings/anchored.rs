@@ -1,17 +1,60 @@
 //! A finding whose places stay true when text comes or goes above it.
 
 use crate::context::Context;
-use crate::diagnostic::{Diagnostic, Fix};
+use crate::diagnostic::{Diagnostic, Fix, Related};
 use crate::networks::NetworkAt;
 use crate::rule::{Rule, Severity};
 use crate::scope::Uses;
 use ladder_syntax::{TextRange, TextSize};
+use std::borrow::Cow;
 
 /// A finding. Its places count from the networks in which they lie.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Anchored {
-    found: Diagnostic,
+    found: Kept,
     anchors: Anchors,
+}
+
+/// A [`Diagnostic`] in as little memory as it needs: of some programs there are ten thousands.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Kept {
+    rule: Rule,
+    severity: Severity,
+    range: TextRange,
+    message: Box<str>,
+    help: Option<Cow<'static, str>>,
+    related: Box<[Related]>,
+    more_related: u32,
+    fixes: Box<[Fix]>,
+}
+
+impl Kept {
+    fn of(found: Diagnostic) -> Kept {
+        let found = found.finished();
+        Kept {
+            rule: found.rule,
+            severity: found.severity,
+            range: found.range,
+            message: found.message.into(),
+            help: found.help,
+            related: found.related.into(),
+            more_related: found.more_related as u32,
+            fixes: found.fixes.into(),
+        }
+    }
+
+    fn diagnostic(&self) -> Diagnostic {
+        Diagnostic {
+            rule: self.rule,
+            severity: self.severity,
+            range: self.range,
+            message: self.message.as_ref().into(),
+            help: self.help.clone(),
+            related: self.related.to_vec(),
+            more_related: self.more_related as usize,
+            fixes: self.fixes.to_vec(),
+        }
+    }
 }
 
 /// What the places of a finding count from.
@@ -59,7 +102,7 @@ impl Anchored {
     /// Of a finding that is looked for anew after each edit: its places need not stay true.
     pub(crate) fn in_file(found: Diagnostic) -> Anchored {
         Anchored {
-            found: found.finished(),
+            found: Kept::of(found),
             anchors: Anchors::File,
         }
     }
@@ -72,7 +115,7 @@ impl Anchored {
         }
         move_by(&mut found, -i64::from(u32::from(network.range.start())));
         Anchored {
-            found: found.finished(),
+            found: Kept::of(found),
             anchors: Anchors::Network,
         }
     }
@@ -106,15 +149,14 @@ impl Anchored {
             *place = shifted(*place, -i64::from(u32::from(home.start(context))));
         }
         Anchored {
-            found: found.finished(),
+            found: Kept::of(found),
             anchors: Anchors::Each(homes),
         }
     }
 
     /// Of a finding about a line of declarations, with places that count from the start of that line, and related ones on
     /// another line of them.
-    pub(crate) fn on_line(found: Diagnostic, line: u32, related: u32) -> Anchored {
-        let mut found = found.finished();
+    pub(crate) fn on_line(mut found: Diagnostic, line: u32, related: u32) -> Anchored {
         let elsewhere = found.related.len();
         let home = |(number, _)| {
             let is_related = (1..=elsewhere).contains(&number);
@@ -122,7 +164,7 @@ impl Anchored {
         };
         let homes = places(&mut found).enumerate().map(home).collect();
         Anchored {
-            found,
+            found: Kept::of(found),
             anchors: Anchors::Each(homes),
         }
     }
@@ -179,7 +221,7 @@ impl Anchored {
 
     /// The finding with its places as they are now. `own`: where the network starts that it is about.
     pub(crate) fn placed(&self, own: TextSize, context: &Context) -> Diagnostic {
-        let mut found = self.found.clone();
+        let mut found = self.found.diagnostic();
         match &self.anchors {
             Anchors::File => {}
             Anchors::Network => move_by(&mut found, i64::from(u32::from(own))),
@@ -229,4 +271,15 @@ fn move_by(found: &mut Diagnostic, bytes: i64) {
 fn shifted(range: TextRange, bytes: i64) -> TextRange {
     let to = |at: TextSize| TextSize::new((i64::from(u32::from(at)) + bytes) as u32);
     TextRange::new(to(range.start()), to(range.end()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Anchored;
+
+    /// With what counts its owners it fits in 128 bytes.
+    #[test]
+    fn what_there_are_many_of_is_small() {
+        assert!(size_of::<Anchored>() <= 112, "{}", size_of::<Anchored>());
+    }
 }

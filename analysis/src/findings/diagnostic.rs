@@ -145,7 +145,7 @@ impl Diagnostic {
         stretch.contains_range(self.range) && self.related.iter().all(related) && self.fixes.iter().all(edits)
     }
 
-    /// As it is kept: the last related place says how many more there are, and no room is left for more.
+    /// As it is kept: the last related place says how many more there are.
     pub(crate) fn finished(mut self) -> Diagnostic {
         if self.more_related > 0
             && let Some(last) = self.related.last_mut()
@@ -153,9 +153,6 @@ impl Diagnostic {
             let more = format!("; and {} more", self.more_related);
             last.message.to_mut().push_str(&more);
         }
-        self.message.shrink_to_fit();
-        self.related.shrink_to_fit();
-        self.fixes.shrink_to_fit();
         self
     }
 

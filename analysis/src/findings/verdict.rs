@@ -33,11 +33,11 @@ pub(crate) type InNetwork = Vec<Arc<Anchored>>;
 
 /// What passes have found in a network. In most networks that is nothing, and takes one word.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct ByPass(Option<Box<Found>>);
+pub(crate) struct ByPass(Option<Arc<Found>>);
 
 /// In the order of the passes.
-#[derive(Debug, Clone)]
-struct Found(Vec<(Pass, Arc<Anchored>)>);
+#[derive(Debug)]
+struct Found(Box<[(Pass, Arc<Anchored>)]>);
 
 impl ByPass {
     fn list(&self) -> &[(Pass, Arc<Anchored>)] {
@@ -65,12 +65,22 @@ impl ByPass {
         if found.is_empty() && self.of(pass).next().is_none() {
             return;
         }
-        let mut all = self.0.take().map_or_else(Vec::new, |found| found.0);
+        let mut all = self.list().to_vec();
         let first = all.partition_point(|(by, _)| *by < pass);
         let end = all.partition_point(|(by, _)| *by <= pass);
         all.splice(first..end, found.iter().map(|found| (pass, Arc::clone(found))));
-        all.shrink_to_fit();
-        self.0 = (!all.is_empty()).then(|| Box::new(Found(all)));
+        self.0 = (!all.is_empty()).then(|| Arc::new(Found(all.into())));
+    }
+
+    /// Shares the list with another that holds the same findings.
+    fn share(&mut self, other: &ByPass) {
+        let (own, others) = (self.list(), other.list());
+        let mut both = own.iter().zip(others);
+        let is_same =
+            |((by, found), (other_by, other)): (&_, &_)| by == other_by && Arc::ptr_eq(found, other);
+        if own.len() == others.len() && both.all(is_same) {
+            self.0.clone_from(&other.0);
+        }
     }
 }
 
@@ -104,6 +114,11 @@ impl Verdict {
         }
         self.found().set(pass, found);
         self.keys[pass as usize].store(key, Ordering::Release);
+    }
+
+    /// Keeps one list for both, where another holds the same findings.
+    pub(crate) fn share(&self, other: &ByPass) {
+        self.found().share(other);
     }
 
     /// What is kept stays whole: it is changed in one step.

@@ -270,6 +270,11 @@ impl Networks {
         &self.facts[self.places[index].id as usize]
     }
 
+    /// What is known of the network that has a number, or had it last.
+    pub(crate) fn numbered(&self, id: u32) -> Option<&NetworkFacts> {
+        self.facts.get(id as usize).map(|facts| &**facts)
+    }
+
     pub(crate) fn set_scope(&mut self, index: usize, scope: usize) {
         self.places[index].scope = scope as u32;
     }
