@@ -1,6 +1,6 @@
 //! A file, analysed.
 
-use crate::checking::{self, Ledger, Shown, StillWanted, Work};
+use crate::checking::{self, Ledger, Shown, Work};
 use crate::context::{Context, context_after};
 use crate::diagnostic::Diagnostic;
 use crate::findings::Finding;
@@ -9,6 +9,7 @@ use crate::program::Program;
 use crate::resolve::{self, Resolved, numbers::Unit};
 use crate::rule::{Rule, Severity};
 use crate::rule_settings::RuleSettings;
+use crate::still_wanted::StillWanted;
 use ladder_syntax::{Parse, TextSize};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 

@@ -26,6 +26,7 @@ use crate::reading::{Reading, TOGETHER};
 use crate::rule::Severity;
 use crate::scope::{Origin, Scope, TagFacts, Use, UseRef, Uses};
 use crate::shared;
+use crate::still_wanted::StillWanted;
 use crate::types::Scalar;
 use crate::types::Type;
 use crate::use_kind::Deed;
@@ -327,14 +328,30 @@ pub fn context(parse: &Arc<Parse>, name: &str, others: &Others) -> Context {
 
 /// As [`context()`]. What an earlier text had as well is taken from its context.
 pub fn context_after(before: Option<&Context>, parse: &Arc<Parse>, name: &str, others: &Others) -> Context {
-    if let Some(context) = before.and_then(|before| edited::edited(before, parse, name, others)) {
-        return context;
+    match context_while(before, parse, name, others, &|| true) {
+        Some(context) => context,
+        None => unreachable!("it is always wanted"),
     }
-    let mut context = skeleton(parse, name, others, before);
-    uses::collect(&mut context);
+}
+
+/// As [`context_after()`], while `wanted` holds: where the names of the whole file are joined anew, that is asked between each
+/// [`BETWEEN`](crate::BETWEEN) networks, tags or declarations. None once it does not.
+pub fn context_while(
+    before: Option<&Context>,
+    parse: &Arc<Parse>,
+    name: &str,
+    others: &Others,
+    wanted: &dyn Fn() -> bool,
+) -> Option<Context> {
+    if let Some(context) = before.and_then(|before| edited::edited(before, parse, name, others)) {
+        return Some(context);
+    }
+    let wanted = StillWanted::new(wanted);
+    let mut context = skeleton(parse, name, others, before, &wanted)?;
+    uses::collect(&mut context, &wanted)?;
     let mut found = Vec::new();
     shared::share(&mut context, &mut found);
-    infer::infer(&mut context);
+    infer::infer(&mut context, &wanted)?;
     context.settled = found.is_empty() && edited::may_settle(&context);
     if context.settled {
         let scopes = context.scopes.iter().enumerate();
@@ -349,7 +366,7 @@ pub fn context_after(before: Option<&Context>, parse: &Arc<Parse>, name: &str, o
         context.outward_states = states.map(|tag| Name::new(&tag.name)).collect();
     }
     context.found = found;
-    context
+    Some(context)
 }
 
 /// Whether a block keeps its state on a tag. The tag may be of another type: then that is a mistake.
@@ -358,17 +375,25 @@ pub(crate) fn keeps_state(tag: &TagFacts) -> bool {
     matches!(tag.ty, Some(Type::State(_))) || tag.uses.0.iter().any(is_state)
 }
 
-/// The context before any use of a tag is looked at: declarations, blocks, networks, functions and labels.
-pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: Option<&Context>) -> Context {
+/// The context before any use of a tag is looked at: declarations, blocks, networks, functions and labels. None if that is not
+/// wanted any longer.
+pub(crate) fn skeleton(
+    parse: &Arc<Parse>,
+    name: &str,
+    others: &Others,
+    before: Option<&Context>,
+    wanted: &StillWanted<'_>,
+) -> Option<Context> {
     let structure = &*parse.structure_once();
     let profile = profile::profile(parse);
     // In another profile the same text means something else.
     let before = before.filter(|before| before.profile == profile);
     let mut kept = before.map(|before| Kept::of(before, parse));
-    let (scopes, declarations, misdeclared) = kept
-        .as_ref()
-        .and_then(|kept| kept.declared(structure))
-        .unwrap_or_else(|| declared(parse, structure));
+    let same = kept.as_ref().and_then(|kept| kept.declared(structure));
+    let (scopes, declarations, misdeclared) = match same {
+        Some(same) => same,
+        None => declared(parse, structure, wanted)?,
+    };
     let user_blocks: Vec<UserBlockFacts> = structure
         .blocks
         .iter()
@@ -385,6 +410,7 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
     let mut networks = Networks::with_capacity(structure.networks.len());
     let mut control_flow = ControlFlow::default();
     for (number, drawn) in structure.networks.iter().enumerate() {
+        wanted.one_more()?;
         if kept.is_none() && number.is_multiple_of(TOGETHER) {
             let next = &structure.networks[number..];
             reading.look_ahead(parse, &next[..next.len().min(TOGETHER)]);
@@ -434,7 +460,7 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
         functions_by_name: HashMap::new(),
     };
     bodies(&mut context);
-    context
+    Some(context)
 }
 
 /// The line behind the last section, and behind the last first line of a block definition.
@@ -447,7 +473,7 @@ pub(crate) fn declared_to(structure: &Structure) -> usize {
 /// The scopes with their declared tags, and what is wrong with the declarations.
 pub(crate) type Declared = (Vec<Scope>, Arc<Declarations>, Arc<Misdeclared>);
 
-fn declared(parse: &Parse, structure: &Structure) -> Declared {
+fn declared(parse: &Parse, structure: &Structure, wanted: &StillWanted<'_>) -> Option<Declared> {
     let mut scopes = vec![Scope::default()];
     scopes.extend(structure.blocks.iter().enumerate().map(|(index, definition)| {
         let mut scope = Scope::default();
@@ -469,9 +495,10 @@ fn declared(parse: &Parse, structure: &Structure) -> Declared {
     }
     for section in &structure.sections {
         let scope = section.block.map_or(0, |block| block + 1);
-        declare::section(parse, section, &mut declarations, &mut scopes[scope], &mut wrong);
+        let scope = &mut scopes[scope];
+        declare::section((parse, wanted), section, &mut declarations, scope, &mut wrong)?;
     }
-    (scopes, Arc::new(declarations), Arc::new(wrong))
+    Some((scopes, Arc::new(declarations), Arc::new(wrong)))
 }
 
 /// The first rung below an open `\`, or above an open `/`, was probably meant to belong to the network.

@@ -44,6 +44,7 @@ mod profile;
 pub mod program;
 mod resolve;
 mod rules;
+mod still_wanted;
 mod values;
 
 pub(crate) use findings::{article, excerpt, foreign_comment, lint, stamp, verdict};
@@ -65,7 +66,7 @@ pub use analyze::{
 };
 pub use article::with_article;
 pub use boolean::formula::{Formulas, formulas};
-pub use checking::{BETWEEN, Work, keep_nearest};
+pub use checking::{Work, keep_nearest};
 pub use cplc_draft::is_cplc_draft;
 pub use diagnostic::{Applicability, Diagnostic, Fix, Related};
 pub use exports::{ExportedBlock, ExportedFunction, Exports, Global, exports};
@@ -78,3 +79,4 @@ pub use rule::{Rule, RuleGroup, Severity};
 pub use rule_settings::{Level, RuleSettings};
 pub use rules::cplc_draft::is_reported as says_cplc_draft;
 pub use rules::declaration_fix;
+pub use still_wanted::BETWEEN;

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use ladder_analysis::context::{Context, context_after};
+use ladder_analysis::context::{Context, context_while};
 use ladder_analysis::{Diagnostic, Finding, Others, Rule, RuleSettings, analyze_while, says_cplc_draft};
 use ladder_format::{Edit, Options, format};
 use ladder_ide::{Action, ActionKind, fix_all, quick_fixes, refactorings};
@@ -23,12 +23,18 @@ pub(crate) struct Names {
 
 impl Names {
     /// Reads a text of at most 24 MiB. Messages of a running program call the file by this name. What an earlier text of
-    /// the document has in common with it is not looked at again.
-    pub(crate) fn of(parse: &Arc<Parse>, before: Option<&Names>, name: &str, others: &Others) -> Self {
+    /// the document has in common with it is not looked at again. What concerns the whole file is given up once it is no
+    /// longer wanted.
+    pub(crate) fn of(
+        parse: &Arc<Parse>,
+        before: Option<&Names>,
+        name: &str,
+        others: &Others,
+        wanted: &dyn Fn() -> bool,
+    ) -> Option<Self> {
         let before = before.map(|before| &*before.context);
-        Names {
-            context: Arc::new(context_after(before, parse, name, others)),
-        }
+        let context = Arc::new(context_while(before, parse, name, others, wanted)?);
+        Some(Names { context })
     }
 
     /// All of it.

@@ -1,13 +1,13 @@
 //! What is found at the places of tags, kept while no edit concerns the tag.
 
 use super::shelf::Shelf;
-use super::still_wanted::StillWanted;
 use super::undeclared::UndeclaredTags;
 use crate::context::{Change, Context};
 use crate::findings::Anchored;
 use crate::rule::{Rule, Severity};
 use crate::rules::{self, AroundTags};
 use crate::scope::TagFacts;
+use crate::still_wanted::StillWanted;
 use ladder_syntax::Name;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeSet;

@@ -7,7 +7,6 @@
 use super::at_tags::AtTags;
 use super::part_notes::PartNotes;
 use super::shelf::Shelf;
-use super::still_wanted::StillWanted;
 use crate::context::{Change, Context};
 use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
@@ -24,6 +23,7 @@ use crate::rules::tag_summary::Known;
 use crate::rules::{self, AroundTags, MOST_FINDINGS};
 use crate::scope::TagFacts;
 use crate::stamp;
+use crate::still_wanted::StillWanted;
 use crate::types::Type;
 use crate::verdict::{ByPass, InNetwork, Pass};
 use ladder_syntax::{Name, TextRange, TextSize};

@@ -10,21 +10,19 @@ mod ledger;
 mod part_notes;
 mod shelf;
 mod shown;
-mod still_wanted;
 mod undeclared;
 
 pub(crate) use ledger::Ledger;
 pub use ledger::Work;
 pub(crate) use shown::Shown;
 pub use shown::keep_nearest;
-pub use still_wanted::BETWEEN;
-pub(crate) use still_wanted::StillWanted;
 
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::findings::Finding;
 use crate::mistakes;
 use crate::rule_settings::RuleSettings;
+use crate::still_wanted::StillWanted;
 
 /// What is found in a text.
 #[derive(Debug)]

@@ -12,6 +12,7 @@ use crate::program::Role;
 use crate::rare::{Rare, RareFacts};
 use crate::reading::TOGETHER;
 use crate::scope::{Origin, Scope, SectionKind, TagFacts, Uses, type_by_form};
+use crate::still_wanted::StillWanted;
 use crate::types::{Scalar, Type};
 use ladder_instructions::StateType;
 use ladder_syntax::ast::{AstNode, Declaration, NodeView, SectionHeader, TypeRef};
@@ -60,17 +61,17 @@ pub(crate) fn names_about(parse: &Parse, section: &Section) -> usize {
     declarations.map(names).sum()
 }
 
-/// Adds the tags of a section to its scope.
+/// Adds the tags of a section to its scope. None if that is not wanted any longer.
 pub(crate) fn section(
-    parse: &Parse,
+    (parse, wanted): (&Parse, &StillWanted<'_>),
     section: &Section,
     declarations: &mut Declarations,
     scope: &mut Scope,
     out: &mut Misdeclared,
-) {
+) -> Option<()> {
     let mut trees = Trees::default();
     let Some(around) = around(parse, section) else {
-        return;
+        return Some(());
     };
     let mut start = parse.line_start(section.lines.start);
     let mut together: Vec<(&Line, TextSize, GreenNode)> = Vec::with_capacity(TOGETHER);
@@ -86,9 +87,10 @@ pub(crate) fn section(
             }
         }
         if together.is_empty() {
-            return;
+            return Some(());
         }
         for (line, start, tree) in together.drain(..) {
+            wanted.one_more()?;
             declared(line, &tree, declarations.push(start), around, scope, out);
         }
     }

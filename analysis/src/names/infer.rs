@@ -12,6 +12,7 @@ use crate::network::{Formal, Meaning};
 use crate::networks::BlockAt;
 use crate::program::{Member, Role, SystemTag};
 use crate::scope::{Origin, Scope, TagFacts, Use};
+use crate::still_wanted::StillWanted;
 use crate::types::{Scalar, Type};
 use ladder_instructions::{Accepts, Law, StateType, States, Timing, TypeClass};
 use ladder_syntax::{Name, TextRange};
@@ -19,11 +20,12 @@ use ladder_syntax::{Name, TextRange};
 /// A scope, and a tag in it.
 pub(crate) type Entry = (usize, usize);
 
-/// Gives every tag its type.
-pub(crate) fn infer(context: &mut Context) {
-    let untyped = by_place(context);
+/// Gives every tag its type. None if that is not wanted any longer.
+pub(crate) fn infer(context: &mut Context, wanted: &StillWanted<'_>) -> Option<()> {
+    let untyped = by_place(context, wanted)?;
     settle(context, &untyped);
     internal_unless_bool(context);
+    Some(())
 }
 
 /// Rules 2 and 3, for tags without a type that share no block with other ones of which rule 1 says nothing.
@@ -74,13 +76,15 @@ fn asked(context: &Context, bound: BlockAt<'_>, formal: Formal) -> Option<Type> 
     }
 }
 
-/// Rule 1. Only the places of tags without a type have a say. Gives the tags that have none behind it.
-fn by_place(context: &mut Context) -> Vec<Entry> {
+/// Rule 1. Only the places of tags without a type have a say. Gives the tags that have none behind it; nothing if that is not
+/// wanted any longer.
+fn by_place(context: &mut Context, wanted: &StillWanted<'_>) -> Option<Vec<Entry>> {
     let mut answers: Vec<(Entry, Type)> = Vec::new();
     let mut untyped: Vec<Entry> = Vec::new();
     for (scope, facts) in context.scopes.iter().enumerate() {
         for (index, tag) in facts.unusual() {
             if tag.ty.is_none() {
+                wanted.one_more()?;
                 match answer(context, tag) {
                     Some(ty) => answers.push(((scope, index), ty)),
                     None => untyped.push((scope, index)),
@@ -91,7 +95,7 @@ fn by_place(context: &mut Context) -> Vec<Entry> {
     for ((scope, tag), ty) in answers {
         context.scopes[scope].tags[tag].ty = Some(ty);
     }
-    untyped
+    Some(untyped)
 }
 
 /// The type that a tag's places give it. One that is only in blocks that could not be read has neither places nor

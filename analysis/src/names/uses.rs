@@ -11,6 +11,7 @@ use crate::program::{ParameterKind, Role};
 use crate::rare::{Rare, RareFacts};
 use crate::reading::TOGETHER;
 use crate::scope::{Access, Origin, Scope, TagFacts, Use, UseRef, Uses, type_by_form};
+use crate::still_wanted::StillWanted;
 use crate::types::{Scalar, Type};
 use crate::use_kind::{Deed, Extent, UseKind};
 use crate::user_block::UserBlockFacts;
@@ -18,8 +19,8 @@ use ladder_instructions::{Accepts, Direction, Law};
 use ladder_syntax::{Name, TextRange, TextSize};
 use std::sync::Arc;
 
-/// Enters every use of every tag into its scope.
-pub(crate) fn collect(context: &mut Context) {
+/// Enters every use of every tag into its scope. None if that is not wanted any longer.
+pub(crate) fn collect(context: &mut Context, wanted: &StillWanted<'_>) -> Option<()> {
     let law = context.profile.law();
     let mut joined = Joined::with_networks(context.networks.len());
     let mut known = Vec::new();
@@ -32,6 +33,7 @@ pub(crate) fn collect(context: &mut Context) {
         }
         let mut known = known.drain(..);
         for network in context.networks.range(together) {
+            wanted.one_more()?;
             let id = context.networks.id(network.index);
             let known = known.by_ref().take(network.named.len());
             enter(
@@ -45,6 +47,7 @@ pub(crate) fn collect(context: &mut Context) {
     }
     context.joined = Some(Arc::new(joined));
     roles(&mut context.scopes[0]);
+    Some(())
 }
 
 /// How an operand's tag is used. None: the operand names no tag.

@@ -11,6 +11,7 @@ use crate::outward::Outward;
 use crate::outward_jumps::outward_jumps;
 use crate::program::Role;
 use crate::scope::{Origin, Scope, SectionKind};
+use crate::still_wanted::StillWanted;
 use crate::types::Type;
 use crate::user_block::UserBlockFacts;
 use crate::uses;
@@ -117,7 +118,11 @@ impl Global {
 
 /// What a file shows to the others. `file` is its name in messages.
 pub fn exports(parse: &Arc<Parse>, file: &str) -> Exports {
-    Exports::of(&skeleton(parse, file, &Others::default(), None), file)
+    let always = StillWanted::new(&|| true);
+    match skeleton(parse, file, &Others::default(), None, &always) {
+        Some(context) => Exports::of(&context, file),
+        None => unreachable!("it is always wanted"),
+    }
 }
 
 impl Exports {

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 use std::path::Path;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use ladder_analysis::program::Program;
@@ -65,6 +65,10 @@ pub(crate) struct Revision {
     /// Where the file lies, if it is one.
     place: Option<Membership>,
     names: OnceLock<Names>,
+    /// Held by who joins the names.
+    joining: Mutex<()>,
+    /// So many wait for the names and cannot do without.
+    waiting: AtomicUsize,
     analysis: OnceLock<Analysis>,
     /// Held by who looks for what is wrong.
     looking: Mutex<()>,
@@ -100,6 +104,8 @@ impl Revision {
             line_breaks: serial,
             place,
             names: OnceLock::new(),
+            joining: Mutex::default(),
+            waiting: AtomicUsize::default(),
             analysis: OnceLock::new(),
             looking: Mutex::default(),
             opened: OnceLock::new(),
@@ -145,40 +151,66 @@ impl Revision {
     /// The names, networks and blocks of the text, read at the first call, or `None` for a text over [`MAX_OPEN_BYTES`] or
     /// [`MAX_OPEN_LINES`]. Takes milliseconds on a large file: for a blocking thread.
     pub(crate) fn names(&self) -> Option<&Names> {
+        if let Some(known) = self.names.get() {
+            return Some(known);
+        }
+        // Who joins them already does not give up now.
+        self.waiting.fetch_add(1, Ordering::Relaxed);
+        let names = self.names_while(&|| true);
+        self.waiting.fetch_sub(1, Ordering::Relaxed);
+        names
+    }
+
+    /// The same while they are wanted, or somebody waits in [`Revision::names`]: where the names of the whole file are joined
+    /// anew that is given up once neither is so.
+    fn names_while(&self, wanted: &dyn Fn() -> bool) -> Option<&Names> {
         // Offsets of the inner crates are 32 bits wide; they read slices, not ropes.
-        self.fits().then(|| {
-            self.names.get_or_init(|| {
-                let (before, since) = {
-                    let latest = self.latest();
-                    (latest.names.clone(), latest.since.until(self.serial))
-                };
-                let since = match &before {
-                    Some((serial, _)) if *serial <= self.serial => since,
-                    _ => Since::Unknown,
-                };
-                let known = before.as_ref().map(|(_, names)| names);
-                let parse = self.parse(known, since);
-                let names = match &self.place {
-                    Some(place) => {
-                        let (name, others) = place.view();
-                        Names::of(&parse, known, &name, &others)
-                    }
-                    None => Names::of(&parse, known, self.name(), &Others::default()),
-                };
-                let mut latest = self.latest();
-                if latest
-                    .names
-                    .as_ref()
-                    .is_none_or(|(serial, _)| *serial <= self.serial)
-                {
-                    latest.names = Some((self.serial, names.clone()));
-                    latest.since.begin_at(self.serial);
-                }
-                drop(latest);
-                self.superseded().names = before;
-                names
-            })
-        })
+        if !self.fits() {
+            return None;
+        }
+        if let Some(known) = self.names.get() {
+            return Some(known);
+        }
+        // Who comes while another joins them gets what that one makes, or makes it if that one gives up.
+        let _joining = self.joining.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = self.names.get() {
+            return Some(known);
+        }
+        let names = self.join(&|| wanted() || self.waiting.load(Ordering::Relaxed) > 0)?;
+        Some(self.names.get_or_init(|| names))
+    }
+
+    /// Joins the names; none if that is given up.
+    fn join(&self, wanted: &dyn Fn() -> bool) -> Option<Names> {
+        let (before, since) = {
+            let latest = self.latest();
+            (latest.names.clone(), latest.since.until(self.serial))
+        };
+        let since = match &before {
+            Some((serial, _)) if *serial <= self.serial => since,
+            _ => Since::Unknown,
+        };
+        let known = before.as_ref().map(|(_, names)| names);
+        let parse = self.parse(known, since);
+        let names = match &self.place {
+            Some(place) => {
+                let (name, others) = place.view();
+                Names::of(&parse, known, &name, &others, wanted)?
+            }
+            None => Names::of(&parse, known, self.name(), &Others::default(), wanted)?,
+        };
+        let mut latest = self.latest();
+        if latest
+            .names
+            .as_ref()
+            .is_none_or(|(serial, _)| *serial <= self.serial)
+        {
+            latest.names = Some((self.serial, names.clone()));
+            latest.since.begin_at(self.serial);
+        }
+        drop(latest);
+        self.superseded().names = before;
+        Some(names)
     }
 
     /// The lines of the text. What an earlier text has in common with it is taken over: `since` is what leads from there to
@@ -200,12 +232,13 @@ impl Revision {
 
     /// The same with all that is found in it: for those who cannot do without.
     pub(crate) fn analysis(&self) -> Option<&Analysis> {
+        self.names()?;
         self.analysis_while(&|| true)
     }
 
     /// The same while it is wanted: work that concerns a large part of the text is given up once it no longer is.
     pub(crate) fn analysis_while(&self, wanted: &dyn Fn() -> bool) -> Option<&Analysis> {
-        let names = self.names()?;
+        let names = self.names_while(wanted)?;
         if let Some(known) = self.analysis.get() {
             return Some(known);
         }
@@ -462,6 +495,7 @@ mod tests {
         let second = documents
             .change(uri, 2, &[crate::document::edit::Change::Whole(text.clone())])
             .unwrap();
+        assert!(first.names().is_some());
         assert!(first.analysis_while(&|| shown(&first)).is_none());
         let found = |revision: &Revision| {
             let analysis = revision.analysis_while(&|| shown(revision)).unwrap();
@@ -473,5 +507,69 @@ mod tests {
         let expected: Vec<_> = expected.map(|found| (found.rule, found.range)).collect();
         assert!(!expected.is_empty());
         assert_eq!(found(&second), expected);
+    }
+
+    /// A text, and which tags it names, how often, and whether it declares them.
+    fn said(names: &Names) -> (String, Vec<(String, usize, bool)>) {
+        let context = names.context();
+        let tags = context.scopes[0].tags.iter();
+        let tags = tags.map(|tag| (tag.name.to_string(), context.uses(tag).count(), tag.is_declared()));
+        (names.text(), tags.collect())
+    }
+
+    /// A text, and the same behind an edit that has its names joined anew.
+    fn opened_and_edited(documents: &Documents) -> [Arc<Revision>; 2] {
+        let uri = "file:///a.clad";
+        let text = "+--[ ]( a )--( )( b )--+\n\n".repeat(2 * ladder_analysis::BETWEEN);
+        let first = documents.open_at(uri, Kind::Program, 1, Encoding::Utf8, &text, None);
+        let start = Position {
+            line: 0,
+            character: 0,
+        };
+        let change = crate::document::edit::Change::Part {
+            range: Range { start, end: start },
+            text: "VAR\n    a : BOOL;\nEND_VAR\n\n".to_owned(),
+        };
+        let edited = documents.change(uri, 2, &[change]).unwrap();
+        [first, edited]
+    }
+
+    #[test]
+    fn names_that_were_given_up_are_whole_when_a_request_asks_for_them() {
+        for known in [false, true] {
+            let documents = Documents::default();
+            let [first, edited] = opened_and_edited(&documents);
+            if known {
+                assert!(first.names().is_some());
+            }
+            assert!(edited.analysis_while(&|| false).is_none());
+            assert!(edited.names.get().is_none() && edited.latest().names.is_some() == known);
+            let uri = "file:///b.clad";
+            let from_scratch = documents.open_at(uri, Kind::Program, 1, Encoding::Utf8, &edited.text(), None);
+            assert_eq!(said(edited.names().unwrap()), said(from_scratch.names().unwrap()));
+            assert!(edited.analysis().is_some());
+        }
+    }
+
+    #[test]
+    fn names_that_a_request_waits_for_are_not_given_up() {
+        let documents = Documents::default();
+        let [_, edited] = opened_and_edited(&documents);
+        let times = AtomicUsize::new(0);
+        std::thread::scope(|threads| {
+            // The text is no longer shown, and a request for its names comes in.
+            let wanted = || {
+                if times.fetch_add(1, Ordering::Relaxed) == 0 {
+                    threads.spawn(|| assert!(edited.names().is_some()));
+                    while edited.waiting.load(Ordering::Relaxed) == 0 {
+                        std::thread::yield_now();
+                    }
+                }
+                false
+            };
+            assert!(edited.names_while(&wanted).is_some());
+        });
+        assert!(times.into_inner() > 0);
+        assert_eq!(edited.waiting.load(Ordering::Relaxed), 0);
     }
 }

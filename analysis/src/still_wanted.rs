@@ -1,11 +1,11 @@
-//! Whether somebody waits for what is being looked for: what takes long is given up when a newer text is there.
+//! Whether somebody waits for what is being read or looked for: what takes long is given up when a newer text is there.
 
 use std::cell::Cell;
 
-/// So many networks, or tags, are looked at between two questions. What an edit usually concerns is less, and is never given up.
+/// So many networks, tags or declarations are looked at between two questions. What an edit usually concerns is less, and is never given up.
 pub const BETWEEN: usize = 256;
 
-/// Asks again and again while something is being looked for.
+/// Asks again and again while something is being read or looked for.
 pub(crate) struct StillWanted<'a> {
     ask: &'a dyn Fn() -> bool,
     /// So many more are looked at before the next question.
@@ -20,8 +20,8 @@ impl<'a> StillWanted<'a> {
         }
     }
 
-    /// A network or a tag is about to be looked at; none if nobody wants that any longer.
-    pub(super) fn one_more(&self) -> Option<()> {
+    /// A network, a tag or a declaration is about to be looked at; none if nobody wants that any longer.
+    pub(crate) fn one_more(&self) -> Option<()> {
         let left = self.left.get();
         if left > 0 {
             self.left.set(left - 1);
@@ -35,7 +35,7 @@ impl<'a> StillWanted<'a> {
 #[cfg(test)]
 mod tests {
     use super::BETWEEN;
-    use crate::context::{context, context_after};
+    use crate::context::{context, context_after, context_while};
     use crate::{Others, RuleSettings, analyze_context, analyze_while};
     use ladder_syntax::parse;
     use std::cell::Cell;
@@ -73,6 +73,58 @@ mod tests {
         };
         let found = analyze_while(before.as_ref(), context, &settings, &wanted);
         (found.map(|found| found.count()), asked.get())
+    }
+
+    /// Whether the names of a text are joined, and how often it was asked whether that is wanted: so often the answer is yes.
+    fn joined(before: Option<&str>, text: &str, patience: usize) -> (bool, usize) {
+        let others = Others::default();
+        let before = before.map(|before| context(&Arc::new(parse(before)), "main.clad", &others));
+        let parsed = Arc::new(match &before {
+            Some(before) => before.parse.updated(&before.parse.to_string(), text),
+            None => parse(text),
+        });
+        let asked = Cell::new(0);
+        let wanted = || {
+            asked.set(asked.get() + 1);
+            asked.get() <= patience
+        };
+        let context = context_while(before.as_ref(), &parsed, "main.clad", &others, &wanted);
+        (context.is_some(), asked.get())
+    }
+
+    #[test]
+    fn the_names_of_a_whole_file_are_given_up() {
+        let networks = 4 * BETWEEN;
+        let text = program(networks, "BOOL");
+        // The declaration; each network when it is read and when its names are joined; each coil for its type.
+        let times = (1 + 3 * networks) / (BETWEEN + 1);
+        assert_eq!(joined(None, &text, usize::MAX), (true, times));
+        for patience in [0, 1, networks / BETWEEN, times - 1] {
+            assert_eq!(joined(None, &text, patience), (false, patience + 1));
+        }
+        // Behind an edit that has no short way, too.
+        let with_function = format!("{text}+--<FUN>( check )--+\n\n+--[ ]( enable )--( )( last )--+\n");
+        let (is_joined, times) = joined(Some(&text), &with_function, usize::MAX);
+        assert!(is_joined && times >= 2, "{times}");
+        assert_eq!(joined(Some(&text), &with_function, 1), (false, 2));
+    }
+
+    #[test]
+    fn a_long_section_is_given_up() {
+        let declarations =
+            (0..4 * BETWEEN).fold(String::new(), |text, n| format!("{text}    tag_{n} : BOOL;\n"));
+        let text = format!("VAR\n{declarations}END_VAR\n");
+        assert_eq!(joined(None, &text, usize::MAX), (true, 3));
+        assert_eq!(joined(None, &text, 1), (false, 2));
+    }
+
+    #[test]
+    fn the_names_behind_a_short_edit_never_are() {
+        let text = program(4 * BETWEEN, "BOOL");
+        let edited = text.replace("out_700 ", "out_700_a ");
+        assert_eq!(joined(Some(&text), &edited, 0), (true, 0));
+        let declared = text.replace("enable : BOOL;", "enable : BOOL;\n    other : BOOL;");
+        assert_eq!(joined(Some(&text), &declared, 0), (true, 0));
     }
 
     #[test]
