@@ -4,7 +4,7 @@ use crate::typing::{Open, Operand, Typing};
 use ladder_analysis::context::Context;
 use ladder_analysis::program::{ParameterKind, SystemTag};
 use ladder_analysis::scope::{TagFacts, type_by_form};
-use ladder_analysis::types::{Scalar, Type, common, passes};
+use ladder_analysis::types::{Scalar, Type, are_comparable, passes};
 use ladder_analysis::user_block::{Parameter, UserBlockFacts};
 use ladder_analysis::{in_class, is_expression_function, state_member};
 use ladder_instructions::{
@@ -314,7 +314,7 @@ pub(crate) fn scalar_rank(wanted: &Wanted, ty: Scalar) -> Option<u8> {
         Kind::To(to) if wanted.writes => passes(to, ty).then_some(1),
         Kind::To(to) => passes(ty, to).then_some(1),
         Kind::With(other) if ty == other => Some(0),
-        Kind::With(other) => common(ty, other).map(|_| 1),
+        Kind::With(other) => are_comparable(ty, other).then_some(1),
         Kind::Number => exact(ty.is_number()),
         Kind::Integer => exact(ty.is_integer()),
         Kind::Duration => match ty {

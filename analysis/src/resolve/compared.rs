@@ -87,6 +87,10 @@ impl Resolver<'_, '_> {
                 Some((Ok(crate::literal::Literal::Real(_)), _))
             )
         });
+        let integers = typed.iter().all(|ty| ty.is_integer());
+        if integers && !has_real_literal && rest.iter().any(|&ty| ty != first) {
+            return Compared::ByValue;
+        }
         let mut ty = first;
         for &other in rest {
             match common(ty, other) {

@@ -130,7 +130,9 @@ impl Resolver<'_, '_> {
                     Some(Accepts::Result(TypeClass::Integer)) => Some(Scalar::Dint),
                     _ => arguments
                         .iter()
-                        .filter_map(|a| self.own_type(a))
+                        .enumerate()
+                        .filter(|(index, _)| !row.is_some_and(|row| is_choice(row, *index)))
+                        .filter_map(|(_, argument)| self.own_type(argument))
                         .reduce(|a, b| common(a, b).unwrap_or(a)),
                 }
             }
@@ -294,10 +296,10 @@ impl Resolver<'_, '_> {
         }
         let (a, b) = (self.own_type(left), self.own_type(right));
         let (left_type, right_type) = match (a, b) {
-            // Integers of two types compare by value.
-            (Some(a), Some(b)) if a.is_integer() && b.is_integer() => (a, b),
             (Some(a), Some(b)) => match common(a, b) {
                 Some(common) => (common, common),
+                // Two integers that none holds both of, as LINT and ULINT: by value.
+                None if a.is_integer() && b.is_integer() => (a, b),
                 None => {
                     self.report(type_mismatch::cannot_compare(a, b, range));
                     return None;
@@ -387,6 +389,12 @@ impl Resolver<'_, '_> {
             range,
         })
     }
+}
+
+/// Whether an argument of a function only chooses or counts, and takes no part in the type.
+fn is_choice(row: &ladder_instructions::Instruction, argument: usize) -> bool {
+    let formal = row.positional(argument + 1);
+    formal.is_some_and(|formal| matches!(formal.accepts, Accepts::Bool | Accepts::Integer))
 }
 
 /// Whether a row can be called by name in an expression.

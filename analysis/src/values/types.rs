@@ -278,12 +278,9 @@ pub fn converts(from: Scalar, to: Scalar) -> bool {
 }
 
 /// The type in which two operands of a comparison are compared: the smallest of the chains that holds both.
-/// Integers compare by value whatever their types; `LINT` stands for that. None: they cannot be compared.
+/// None: there is none. Two integers can be compared all the same, by value; others cannot.
 pub fn common(a: Scalar, b: Scalar) -> Option<Scalar> {
     use Scalar::*;
-    if a.is_integer() && b.is_integer() && a != b {
-        return Some(Lint);
-    }
     // Each passes to the other, but only the longer holds both.
     if let (String(one), String(other)) = (a, b) {
         return Some(String(one.max(other)));
@@ -295,12 +292,19 @@ pub fn common(a: Scalar, b: Scalar) -> Option<Scalar> {
         return Some(a);
     }
     // Neither holds the other, but a third does: DINT and REAL meet in LREAL, BYTE and INT in WORD. Of two of one
-    // width (USINT and WORD: INT or UINT) the integer's own sign decides.
+    // width (USINT and WORD: INT or UINT) the integer's own sign decides. INT and UINT meet in DINT: both pass to WORD,
+    // which does not hold their values.
     let unsigned = [a, b].iter().any(|ty| ty.is_integer() && !ty.is_signed());
+    let integers = a.is_integer() && b.is_integer();
     MEETING
         .into_iter()
-        .filter(|&ty| passes(a, ty) && passes(b, ty))
+        .filter(|&ty| passes(a, ty) && passes(b, ty) && (ty.is_integer() || !integers))
         .min_by_key(|ty| (ty.width(), ty.is_signed() == unsigned))
+}
+
+/// Whether values of two types can be compared: integers always, by value.
+pub fn are_comparable(a: Scalar, b: Scalar) -> bool {
+    (a.is_integer() && b.is_integer()) || common(a, b).is_some()
 }
 
 /// Where two types can meet that are not one of them.
@@ -379,7 +383,11 @@ mod tests {
     #[test]
     fn comparisons_meet() {
         assert_eq!(common(Scalar::Dint, Scalar::Real), Some(Scalar::Lreal));
-        assert_eq!(common(Scalar::Sint, Scalar::Ulint), Some(Scalar::Lint));
+        assert_eq!(common(Scalar::Int, Scalar::Dint), Some(Scalar::Dint));
+        assert_eq!(common(Scalar::Usint, Scalar::Sint), Some(Scalar::Int));
+        assert_eq!(common(Scalar::Uint, Scalar::Int), Some(Scalar::Dint));
+        assert_eq!(common(Scalar::Dint, Scalar::Udint), Some(Scalar::Lint));
+        assert_eq!(common(Scalar::Sint, Scalar::Ulint), None);
         assert_eq!(common(Scalar::Lint, Scalar::Real), None);
         assert_eq!(common(Scalar::Time, Scalar::Dint), None);
         assert_eq!(common(Scalar::Byte, Scalar::Dword), Some(Scalar::Dword));

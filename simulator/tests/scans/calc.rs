@@ -69,9 +69,43 @@ fn comparisons_type_their_own_sides() {
     }
     // INT -3 with UINT 65535: by value.
     calc("BOOL", "c < u", "1");
+    calc("BOOL", "u + c > u + 1", "0");
     calc("BOOL", "x > b", "1");
     calc("BOOL", "t >= T#1m30s", "1");
     calc("BOOL", "x = 2.5 AND t < 2m", "1");
+}
+
+#[test]
+fn the_sides_of_a_comparison_have_the_smallest_type_that_holds_both() {
+    let tags = "g : BOOL; s : SINT := 100; i : INT := 20000; d : DINT := 2000000000; l : LINT; u : UINT := 65535; \
+                ul : ULINT := 5; r : REAL";
+    let compare = |expression: &str, expected: &str| {
+        let text = format!("VAR y : BOOL; {tags}; END_VAR\n+--[CALC]( y, {expression} )--+\n");
+        let mut simulation = simulation(&text);
+        simulation.scan();
+        assert_eq!(get(&simulation, "y"), expected, "{expression}");
+    };
+    // 40000 is too much for INT, and is no more than DINT holds.
+    compare("i + i > d - d", "1");
+    compare("i + i > l", "1");
+    compare("l < i + i", "1");
+    compare("i + i > i", "0");
+    compare("s + s > i - i", "1");
+    compare("s + s > s - s", "0");
+    compare("SEL(i + i > l, FALSE, TRUE)", "1");
+    compare("(i + i) * 2 > l AND NOT (i + i > i)", "1");
+    // DINT and INT make DINT, not LINT: it wraps.
+    compare("d + d > i - i", "0");
+    compare("d + d > l", "1");
+    // INT and UINT meet in DINT.
+    compare("i + u > u - i", "1");
+    // What chooses takes no part.
+    compare("SEL(g, i, s) + i > d - d", "1");
+    compare("MUX(l, i, s) + i > s", "0");
+    // No integer holds LINT and ULINT: by value.
+    compare("l - 1 < ul", "1");
+    compare("ul - 6 > l", "1");
+    compare("i + d > r", "1");
 }
 
 #[test]
