@@ -37,19 +37,21 @@ impl<'t> Proposals<'t> {
 
     /// Whether a name begins as it is written.
     pub(super) fn begins(&self, name: &str) -> bool {
-        let (letters, written) = (name.as_bytes(), self.prefix.as_bytes());
-        // Most names are told apart by their first letter.
-        if let (Some(letter), Some(wanted)) = (letters.first(), written.first())
-            && letter.is_ascii()
-            && wanted.is_ascii()
-            && !letter.eq_ignore_ascii_case(wanted)
-        {
-            return false;
+        // A long program has tens of thousands of names, of which the first letters are enough.
+        let mut letters = name.bytes();
+        for wanted in self.prefix.bytes() {
+            match letters.next() {
+                Some(letter) if !letter.is_ascii() || !wanted.is_ascii() => {
+                    return self.begins_in_any_case(name);
+                }
+                Some(letter) if letter.eq_ignore_ascii_case(&wanted) => {}
+                _ => return false,
+            }
         }
-        if name.is_ascii() && self.prefix.is_ascii() {
-            let first = letters.get(..written.len());
-            return first.is_some_and(|first| first.eq_ignore_ascii_case(written));
-        }
+        true
+    }
+
+    fn begins_in_any_case(&self, name: &str) -> bool {
         name.to_lowercase().starts_with(&self.prefix.to_lowercase())
     }
 
