@@ -37,22 +37,16 @@ impl<'t> Proposals<'t> {
 
     /// Whether a name begins as it is written.
     pub(super) fn begins(&self, name: &str) -> bool {
-        // A long program has tens of thousands of names, of which the first letters are enough.
-        let mut letters = name.bytes();
-        for wanted in self.prefix.bytes() {
-            match letters.next() {
-                Some(letter) if !letter.is_ascii() || !wanted.is_ascii() => {
-                    return self.begins_in_any_case(name);
-                }
-                Some(letter) if letter.eq_ignore_ascii_case(&wanted) => {}
-                _ => return false,
+        // This is asked of each tag, and most are told apart by a letter or two: no more of a name is looked at.
+        for (letter, wanted) in name.bytes().zip(self.prefix.bytes()) {
+            if !letter.is_ascii() || !wanted.is_ascii() {
+                return begins_in_any_script(name, self.prefix);
+            }
+            if !letter.eq_ignore_ascii_case(&wanted) {
+                return false;
             }
         }
-        true
-    }
-
-    fn begins_in_any_case(&self, name: &str) -> bool {
-        name.to_lowercase().starts_with(&self.prefix.to_lowercase())
+        name.len() >= self.prefix.len()
     }
 
     /// Whether something of this name can be meant by what is written.
@@ -160,5 +154,62 @@ impl<'t> Proposals<'t> {
             }
         }
         Completions { items, cut }
+    }
+}
+
+/// Whether a name begins so, where letters of other scripts than the Latin one, or with accents, are compared.
+fn begins_in_any_script(name: &str, written: &str) -> bool {
+    name.to_lowercase().starts_with(&written.to_lowercase())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Proposals, begins_in_any_script};
+    use ladder_syntax::TextRange;
+
+    #[test]
+    fn the_first_letters_say_what_the_whole_name_says() {
+        // The Kelvin sign is a k in lower case, and a capital sigma at the end of a word has a lower case of its own.
+        let words = [
+            "",
+            "s",
+            "S",
+            "st",
+            "START",
+            "start_1",
+            "stärt",
+            "STÄ",
+            "stÄrt_1",
+            "sta",
+            "ä",
+            "Ä",
+            "k",
+            "\u{212a}",
+            "\u{212a}alt",
+            "kä",
+            "KA",
+            "σ",
+            "Σ",
+            "ας",
+            "ΑΣ",
+            "ΑΣΑ",
+            "İ",
+            "i",
+            "ix",
+            "aß",
+            "aẞ",
+        ];
+        for prefix in words {
+            let proposals = Proposals {
+                prefix,
+                word: TextRange::default(),
+                before: "",
+                found: Vec::new(),
+            };
+            for name in words {
+                let expected = begins_in_any_script(name, prefix);
+                assert_eq!(proposals.begins(name), expected, "{name} begins with {prefix}");
+            }
+        }
     }
 }
