@@ -192,12 +192,15 @@ impl Revision {
         };
         let known = before.as_ref().map(|(_, names)| names);
         let parse = self.parse(known, since);
+        // Where no names are known, the text behind an edit begins with these: to begin anew there would take as long again.
+        let is_first = known.is_none();
+        let wanted = || wanted() || (is_first && self.latest().since.goes_on_from(self.serial));
         let names = match &self.place {
             Some(place) => {
                 let (name, others) = place.view();
-                Names::of(&parse, known, &name, &others, wanted)?
+                Names::of(&parse, known, &name, &others, &wanted)?
             }
-            None => Names::of(&parse, known, self.name(), &Others::default(), wanted)?,
+            None => Names::of(&parse, known, self.name(), &Others::default(), &wanted)?,
         };
         let mut latest = self.latest();
         if latest
@@ -549,6 +552,20 @@ mod tests {
             assert_eq!(said(edited.names().unwrap()), said(from_scratch.names().unwrap()));
             assert!(edited.analysis().is_some());
         }
+    }
+
+    #[test]
+    fn the_first_names_are_given_up_when_the_next_text_does_not_begin_with_them() {
+        let documents = Documents::default();
+        let [first, edited] = opened_and_edited(&documents);
+        assert!(first.names_while(&|| false).is_some());
+        assert!(edited.names().is_some());
+
+        let documents = Documents::default();
+        let [first, _] = opened_and_edited(&documents);
+        let whole = crate::document::edit::Change::Whole(String::new());
+        assert!(documents.change("file:///a.clad", 3, &[whole]).is_ok());
+        assert!(first.names_while(&|| false).is_none());
     }
 
     #[test]
