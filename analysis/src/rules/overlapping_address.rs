@@ -14,17 +14,33 @@ pub(crate) fn check<'c>(
     out: &mut Vec<Diagnostic>,
 ) {
     let mut areas: Vec<Area<'_>> = addressed.filter_map(Area::of).collect();
-    areas.sort_by_key(|area| (area.letter, area.first, std::cmp::Reverse(area.last)));
-    // In this order an area overlaps the widest one before it, if it overlaps any.
-    let mut widest: Option<Area<'_>> = None;
-    for area in areas {
-        let overlapped = widest.filter(|wide| wide.letter == area.letter && area.first <= wide.last);
-        if let Some(wide) = overlapped {
-            out.push(overlapping(context, &area, &wide));
+    let start = |area: &Area<'_>| context.place_of(area.tag).start();
+    areas.sort_by(|a, b| a.order().cmp(&b.order()).then_with(|| start(a).cmp(&start(b))));
+    // Areas are of few sizes and begin at a multiple of their own: one is within another, or beside it.
+    let mut around: Vec<usize> = Vec::new();
+    // For each area those that it overlaps and that stand before it.
+    let mut earlier: Vec<Vec<usize>> = vec![Vec::new(); areas.len()];
+    for (inner, area) in areas.iter().enumerate() {
+        around.retain(|&outer| areas[outer].letter == area.letter && area.first <= areas[outer].last);
+        for &outer in &around {
+            if start(&areas[outer]) < start(area) {
+                earlier[inner].push(outer);
+            } else {
+                earlier[outer].push(inner);
+            }
         }
-        if overlapped.is_none_or(|wide| area.last > wide.last) {
-            widest = Some(area);
+        // Of tags at one address the first stands for all.
+        if around
+            .last()
+            .is_none_or(|&outer| areas[outer].order() != area.order())
+        {
+            around.push(inner);
         }
+    }
+    for (area, mut earlier) in areas.iter().zip(earlier) {
+        earlier.sort_by_cached_key(|&other| start(&areas[other]));
+        let earlier = earlier.into_iter().map(|other| &areas[other]);
+        out.extend(overlapping(context, area, earlier));
     }
 }
 
@@ -62,6 +78,11 @@ impl<'c> Area<'c> {
             tag,
         })
     }
+
+    /// Areas that hold others come before them.
+    fn order(&self) -> (u8, u64, std::cmp::Reverse<u64>) {
+        (self.letter, self.first, std::cmp::Reverse(self.last))
+    }
 }
 
 const fn bits(size: u8) -> Option<u64> {
@@ -75,12 +96,13 @@ const fn bits(size: u8) -> Option<u64> {
     })
 }
 
-fn overlapping(context: &Context, area: &Area<'_>, wide: &Area<'_>) -> Diagnostic {
-    let (later, earlier) = if context.place_of(area.tag).start() < context.place_of(wide.tag).start() {
-        (wide, area)
-    } else {
-        (area, wide)
-    };
+/// The finding at an address that overlaps others, which are in the order of their places.
+fn overlapping<'c>(
+    context: &Context,
+    area: &Area<'_>,
+    mut earlier: impl Iterator<Item = &'c Area<'c>>,
+) -> Option<Diagnostic> {
+    let first = earlier.next()?;
     let name = |area: &Area<'_>| {
         if area.tag.name == area.address {
             format!("`{}`", area.address)
@@ -88,20 +110,20 @@ fn overlapping(context: &Context, area: &Area<'_>, wide: &Area<'_>) -> Diagnosti
             format!("`{}` at {}", area.tag.name, area.address)
         }
     };
-    Diagnostic::new(
+    let found = Diagnostic::new(
         Rule::OverlappingAddress,
-        context.place_of(later.tag),
+        context.place_of(area.tag),
         format!(
             "{} and {} would share memory in a controller; here each is a tag of its own",
-            name(later),
-            name(earlier)
+            name(area),
+            name(first)
         ),
     )
     .help(
         "use one address for one thing: name a bit of the word (tag.3), or put the bits into it with [PACK]",
-    )
-    .related(
-        context.place_of(earlier.tag),
-        format!("{} is here", name(earlier)),
-    )
+    );
+    let all = std::iter::once(first).chain(earlier);
+    Some(all.fold(found, |found, other| {
+        found.related(context.place_of(other.tag), format!("{} is here", name(other)))
+    }))
 }

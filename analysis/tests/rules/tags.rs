@@ -2,6 +2,8 @@
 
 use crate::check::{check_program, clean_program};
 use expect_test::expect;
+use ladder_analysis::{Rule, analyze};
+use std::sync::Arc;
 
 #[test]
 fn read_and_written() {
@@ -188,6 +190,24 @@ fn one_scan_late() {
     );
 }
 
+/// The findings at addresses that are read one below the other, each with the places that are related.
+fn overlaps(addresses: &str) -> String {
+    let rung = |address: &str| match &address[2..3] {
+        "X" => format!("+--[ ]( {address} )--( )( M1 )--+\n\n"),
+        _ => format!("+--[NE]( {address}, 16#0 )--( )( M1 )--+\n\n"),
+    };
+    let text: String = addresses.split(' ').map(rung).collect();
+    let analysis = analyze(&Arc::new(ladder_syntax::parse(&text)), "a.clad");
+    let mut lines = String::new();
+    for found in analysis.diagnostics() {
+        if found.rule == Rule::OverlappingAddress {
+            let related: Vec<&str> = found.related.iter().map(|related| &text[related.range]).collect();
+            lines += &format!("{}: {}\n", &text[found.range], related.join(" "));
+        }
+    }
+    lines
+}
+
 #[test]
 fn addresses() {
     check_program(
@@ -212,6 +232,22 @@ fn addresses() {
                 at 2:5 `level`: `level` at %IW1 is here
         "#]],
     );
+    // Each that overlaps an earlier one is reported once, whichever is within the other.
+    for (addresses, expected) in [
+        ("%IW0 %IB1 %ID0", "%IB1: %IW0\n%ID0: %IW0 %IB1\n"),
+        ("%IB0 %IB3 %ID0", "%ID0: %IB0 %IB3\n"),
+        ("%ID0 %IB0 %IB3", "%IB0: %ID0\n%IB3: %ID0\n"),
+        ("%IW1 %ID0 %IW0", "%ID0: %IW1\n%IW0: %ID0\n"),
+        ("%IX0.0 %IX0.1 %IX0.2 %IW0", "%IW0: %IX0.0 %IX0.1 %IX0.2\n"),
+        ("%IW0 %IX0.0 %IX0.1", "%IX0.0: %IW0\n%IX0.1: %IW0\n"),
+        (
+            "%IX0.0 %IX0.1 %IX0.2 %IX0.3 %IX0.4 %IB0",
+            "%IB0: %IX0.0 %IX0.1 %IX0.2 %IX0.3 %IX0.4\n",
+        ),
+        ("%IW0 %QB0 %IB2 %QX1.0 %MX0.0", ""),
+    ] {
+        assert_eq!(overlaps(addresses), expected, "{addresses}");
+    }
     clean_program(
         "+--[ ]( %IX0.3 )--[ ]( %IX0.4 )--( )( %QX0.3 )--+\n\n+--[GT]( %IW1, %IW2 )--[GT]( %IB1, 5 )--( )( %QX2.1 )--+\n",
     );
