@@ -173,7 +173,8 @@ const UNITS: [(&str, i128); 7] = [
     ("ns", 1),
 ];
 
-/// `5s`, `1h30m`, `-250ms`, `1.5s`, `2d_4h`: units in falling order, each once; only the last with a fraction.
+/// `5s`, `1h30m`, `-250ms`, `1.5s`, `2d_4h`, `90m`: units in falling order, each once; only the first may hold more than the
+/// next larger unit has, only the last a fraction (LANGUAGE §3).
 fn time(text: &str) -> Parsed<i64> {
     let (negative, mut rest) = match text.strip_prefix('-') {
         Some(rest) => (true, rest),
@@ -204,6 +205,7 @@ fn time(text: &str) -> Parsed<i64> {
         if index < next_unit {
             return malformed("the units of a duration come in falling order, each once");
         }
+        let is_first = next_unit == 0;
         next_unit = index + 1;
         let (whole, fraction) = match number.split_once('.') {
             Some((whole, fraction)) => {
@@ -217,6 +219,15 @@ fn time(text: &str) -> Parsed<i64> {
             Err(_) => return malformed(format!("a number is missing before `{unit}`")),
         };
         let size = UNITS[index].1;
+        if let Some((_, larger)) = index.checked_sub(1).map(|larger| UNITS[larger])
+            && !is_first
+            && whole >= larger / size
+        {
+            let limit = larger / size;
+            return malformed(format!(
+                "behind another unit `{unit}` stays below {limit}: only the first part of a duration may be longer"
+            ));
+        }
         total = total.saturating_add(whole.saturating_mul(size));
         if fraction_seen {
             let digits = without_underscores(fraction)?;
@@ -400,6 +411,12 @@ mod tests {
                 "T#5s",
                 "5s",
                 "T#1h30m",
+                "T#90m",
+                "T#1h59m59s999ms",
+                "T#1h90m",
+                "T#1d24h",
+                "T#2s1000ms",
+                "T#1h_60m",
                 "TIME#-250ms",
                 "T#1.5s",
                 "T#2d_4h",
@@ -416,10 +433,16 @@ mod tests {
                 "TOD#13:45:00.5",
                 "DT#2026-11-21-13:45:00",
             ],
-            expect![[r"
+            expect![[r#"
                 T#5s  Time(5000000000)
                 5s  Time(5000000000)
                 T#1h30m  Time(5400000000000)
+                T#90m  Time(5400000000000)
+                T#1h59m59s999ms  Time(7199999000000)
+                T#1h90m  malformed: behind another unit `m` stays below 60: only the first part of a duration may be longer
+                T#1d24h  malformed: behind another unit `h` stays below 24: only the first part of a duration may be longer
+                T#2s1000ms  malformed: behind another unit `ms` stays below 1000: only the first part of a duration may be longer
+                T#1h_60m  malformed: behind another unit `m` stays below 60: only the first part of a duration may be longer
                 TIME#-250ms  Time(-250000000)
                 T#1.5s  Time(1500000000)
                 T#2d_4h  Time(187200000000000)
@@ -435,7 +458,7 @@ mod tests {
                 D#2023-02-29  malformed: this month has no day 29; a date is written like D#2026-11-21
                 TOD#13:45:00.5  Tod(49500500000000)
                 DT#2026-11-21-13:45:00  Dt(1795268700000000000)
-            "]],
+            "#]],
         );
     }
 
