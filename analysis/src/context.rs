@@ -1,40 +1,29 @@
 //! All that is known of a file before its program is put together: what rules and the editor's features read.
 
 use crate::by_name::ByName;
-use crate::control_flow::ControlFlow;
-use crate::declarations::{Declarations, DeclaredAt};
-use crate::declare;
+use crate::declarations::Declarations;
 use crate::declaring::PlacesOfScopes;
 use crate::diagnostic::Diagnostic;
 use crate::edited;
 use crate::exports::{self, Global};
-use crate::facts::NodeKind;
 use crate::foreign_comment::ForeignComments;
 use crate::infer;
 use crate::joined::Joined;
-use crate::kept::Kept;
-use crate::known_blocks::KnownBlocks;
 use crate::misdeclared::Misdeclared;
-use crate::network;
-use crate::networks::{BlockAt, NetworkAt, Networks};
+use crate::networks::Networks;
 use crate::others::{Import, Others};
 use crate::outward::{self, TagUse};
-use crate::profile;
-use crate::program::Role;
-use crate::rare::Rare;
-use crate::reading::{Reading, TOGETHER};
 use crate::rule::Severity;
-use crate::scope::{Origin, Scope, TagFacts, Use, UseRef, Uses};
+use crate::scope::{Origin, Scope, TagFacts, Use, UseRef};
 use crate::shared;
+use crate::skeleton;
 use crate::still_wanted::StillWanted;
-use crate::types::Scalar;
 use crate::types::Type;
 use crate::use_kind::Deed;
-use crate::user_block::{self, UserBlockFacts};
+use crate::user_block::UserBlockFacts;
 use crate::uses;
-use ladder_instructions::{Op, Profile, Shape};
-use ladder_syntax::wiring::PartKind;
-use ladder_syntax::{LineIndex, LineKind, Name, Parse, Structure, TextRange, TextSize};
+use ladder_instructions::Profile;
+use ladder_syntax::{LineIndex, Name, Parse, TextRange, TextSize};
 use std::collections::{BTreeSet, HashMap};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
@@ -347,7 +336,7 @@ pub fn context_while(
         return Some(context);
     }
     let wanted = StillWanted::new(wanted);
-    let mut context = skeleton(parse, name, others, before, &wanted)?;
+    let mut context = skeleton::skeleton(parse, name, others, before, &wanted)?;
     uses::collect(&mut context, &wanted)?;
     let mut found = Vec::new();
     shared::share(&mut context, &mut found);
@@ -373,279 +362,4 @@ pub fn context_while(
 pub(crate) fn keeps_state(tag: &TagFacts) -> bool {
     let is_state = |place: &UseRef| place.deed() == Deed::KeepsState;
     matches!(tag.ty, Some(Type::State(_))) || tag.uses.0.iter().any(is_state)
-}
-
-/// The context before any use of a tag is looked at: declarations, blocks, networks, functions and labels. None if that is not
-/// wanted any longer.
-pub(crate) fn skeleton(
-    parse: &Arc<Parse>,
-    name: &str,
-    others: &Others,
-    before: Option<&Context>,
-    wanted: &StillWanted<'_>,
-) -> Option<Context> {
-    let structure = &*parse.structure_once();
-    let profile = profile::profile(parse);
-    // In another profile the same text means something else.
-    let before = before.filter(|before| before.profile == profile);
-    let mut kept = before.map(|before| Kept::of(before, parse));
-    let same = kept.as_ref().and_then(|kept| kept.declared(structure));
-    let (scopes, declarations, misdeclared) = match same {
-        Some(same) => same,
-        None => declared(parse, structure, wanted)?,
-    };
-    let user_blocks: Vec<UserBlockFacts> = structure
-        .blocks
-        .iter()
-        .zip(&scopes[1..])
-        .map(|(definition, scope)| user_block::user_block(parse, definition, scope))
-        .collect();
-    let own_blocks = user_blocks.len();
-    let signatures = user_block::signatures(&user_blocks);
-    if let Some(kept) = &mut kept {
-        kept.with_signatures(signatures);
-    }
-    let mut known = KnownBlocks::new(user_blocks, others);
-    let mut reading = Reading::default();
-    let mut networks = Networks::with_capacity(structure.networks.len());
-    let mut control_flow = ControlFlow::default();
-    for (number, drawn) in structure.networks.iter().enumerate() {
-        wanted.one_more()?;
-        if kept.is_none() && number.is_multiple_of(TOGETHER) {
-            let next = &structure.networks[number..];
-            reading.look_ahead(parse, &next[..next.len().min(TOGETHER)]);
-        }
-        let same = kept.as_mut().and_then(|kept| kept.network(drawn));
-        let facts =
-            same.unwrap_or_else(|| Arc::new(network::network(parse, drawn, &mut known, &mut reading)));
-        control_flow = control_flow.with(facts.control_flow);
-        let first = drawn.lines.start;
-        let scope = drawn.block.map_or(0, |block| block + 1);
-        networks.push(facts, first, parse.line_start(first), scope);
-    }
-    let all = 0..networks.len();
-    break_neighbours(parse, &mut networks, all);
-    let mut context = Context {
-        parse: Arc::clone(parse),
-        name: Arc::from(name),
-        serial: next_serial(),
-        change: None,
-        found: Vec::new(),
-        profile,
-        cycle: profile::cycle(parse),
-        networks,
-        scopes,
-        declarations,
-        misdeclared,
-        declared_to: declared_to(structure),
-        settled: false,
-        mistyped: Vec::new(),
-        outward_states: BTreeSet::new(),
-        globals: OnceLock::new(),
-        outward_tags: OnceLock::new(),
-        may_call: control_flow.has(ControlFlow::CALL),
-        may_jump: control_flow.has(ControlFlow::JUMP),
-        is_framed: parse.frame().is_whole(),
-        user_blocks: known.into_list(),
-        own_blocks,
-        signatures,
-        others: others.clone(),
-        functions: Vec::new(),
-        labels: Vec::new(),
-        bodies: Arc::default(),
-        foreign_comments: OnceLock::new(),
-        joined: None,
-        places: PlacesOfScopes::default(),
-        labels_by_name: HashMap::new(),
-        functions_by_name: HashMap::new(),
-    };
-    bodies(&mut context);
-    Some(context)
-}
-
-/// The line behind the last section, and behind the last first line of a block definition.
-pub(crate) fn declared_to(structure: &Structure) -> usize {
-    let sections = structure.sections.iter().map(|section| section.lines.end);
-    let headers = structure.blocks.iter().map(|block| block.lines.start + 1);
-    sections.chain(headers).max().unwrap_or_default()
-}
-
-/// The scopes with their declared tags, and what is wrong with the declarations.
-pub(crate) type Declared = (Vec<Scope>, Arc<Declarations>, Arc<Misdeclared>);
-
-fn declared(parse: &Parse, structure: &Structure, wanted: &StillWanted<'_>) -> Option<Declared> {
-    let mut scopes = vec![Scope::default()];
-    scopes.extend(structure.blocks.iter().enumerate().map(|(index, definition)| {
-        let mut scope = Scope::default();
-        scope.block = Some(index);
-        for name in ["EN", "ENO"] {
-            let at = parse.line_range(definition.lines.start);
-            scope.declare(Name::new(name), implicit(name, at));
-        }
-        scope
-    }));
-    let mut declarations = Declarations::default();
-    let mut wrong = Misdeclared::default();
-    let mut names = vec![0; scopes.len()];
-    for section in &structure.sections {
-        names[section.block.map_or(0, |block| block + 1)] += declare::names_about(parse, section);
-    }
-    for (scope, names) in scopes.iter_mut().zip(names) {
-        scope.reserve_declared(names);
-    }
-    for section in &structure.sections {
-        let scope = section.block.map_or(0, |block| block + 1);
-        let scope = &mut scopes[scope];
-        declare::section((parse, wanted), section, &mut declarations, scope, &mut wrong)?;
-    }
-    Some((scopes, Arc::new(declarations), Arc::new(wrong)))
-}
-
-/// The first rung below an open `\`, or above an open `/`, was probably meant to belong to the network.
-pub(crate) fn break_neighbours(parse: &Parse, networks: &mut Networks, among: std::ops::Range<usize>) {
-    for index in among {
-        let network = networks.at(index);
-        if network.wiring.unpaired.is_empty() {
-            continue;
-        }
-        let wiring = &network.wiring;
-        let last = wiring.rungs.len() - 1;
-        let open = |rung: usize, kind| {
-            wiring
-                .unpaired
-                .iter()
-                .any(|&(r, part)| r == rung && wiring.rungs[r].parts[part].kind == kind)
-        };
-        let below = open(last, PartKind::Down) && rung_below(parse, network.line(last)).is_some();
-        let above = open(0, PartKind::Up) && rung_above(parse, network.line(0)).is_some();
-        if below && index + 1 < networks.len() {
-            networks.set_broken(index + 1);
-        }
-        if above && index > 0 {
-            networks.set_broken(index - 1);
-        }
-    }
-}
-
-fn implicit(name: &str, at: TextRange) -> TagFacts {
-    TagFacts {
-        name: name.into(),
-        ty: Some(Type::Scalar(Scalar::Bool)),
-        role: Role::Internal,
-        origin: Origin::Implicit,
-        retain: false,
-        constant: false,
-        rare: Rare::default(),
-        declared_at: DeclaredAt::in_file(at),
-        uses: Uses::default(),
-        mistyped: false,
-        by_company: false,
-    }
-}
-
-/// Finds functions and labels, and which body each network belongs to. A network's first `<FUN>` counts. One in the
-/// body of a `<$B>` begins a function of the file, which reaches to the end of the body (LANGUAGE §5.7).
-fn bodies(context: &mut Context) {
-    let mut current = Body::Main;
-    // In the definition of a block: the function that its body has come to.
-    let mut inner: Option<(usize, usize)> = None;
-    let mut in_file = Vec::new();
-    let mut bodies = Vec::with_capacity(context.networks.len());
-    for network in &context.networks {
-        let index = network.index;
-        let definition = network.scope.checked_sub(1);
-        inner = inner.filter(|(of, _)| Some(*of) == definition);
-        let may_begin = definition.is_none_or(|block| context.user_blocks[block].shape == Shape::Function);
-        context.labels.extend(labels_in(network));
-        for block in marks_in(network).filter(|block| block.op() == Some(Op::Fun)) {
-            let Some((name, key, at)) = named(&block) else {
-                continue;
-            };
-            if may_begin && context.functions.last().is_none_or(|last| last.network != index) {
-                match definition {
-                    Some(block) => inner = Some((block, context.functions.len())),
-                    None => current = Body::Function(context.functions.len()),
-                }
-                context.functions.push(FunctionFacts {
-                    name,
-                    key,
-                    network: index,
-                    at,
-                });
-            }
-        }
-        bodies.push(match (definition, inner) {
-            (None, _) => current,
-            (Some(_), Some((_, function))) => {
-                // It runs with the tags of the file.
-                in_file.push(index);
-                Body::Function(function)
-            }
-            (Some(block), None) => Body::Block(block),
-        });
-    }
-    context.bodies = Arc::new(bodies);
-    for index in in_file {
-        context.networks.set_scope(index, 0);
-    }
-    name_labels(context);
-    for (index, function) in context.functions.iter().enumerate() {
-        context
-            .functions_by_name
-            .entry(function.key.clone())
-            .or_insert(index);
-    }
-}
-
-/// The blocks of a network, if there is a label or the beginning of a function among them.
-fn marks_in(network: NetworkAt<'_>) -> impl Iterator<Item = BlockAt<'_>> {
-    let is_marked = network.control_flow.has(ControlFlow::MARK);
-    let blocks = is_marked.then(|| network.blocks());
-    blocks.into_iter().flatten()
-}
-
-/// The labels of a network, in the order of its blocks.
-pub(crate) fn labels_in(network: NetworkAt<'_>) -> impl Iterator<Item = LabelFacts> {
-    let labels = marks_in(network).filter(|block| block.op() == Some(Op::Lbl));
-    labels.filter_map(move |block| {
-        let (name, key, at) = named(&block)?;
-        Some(LabelFacts {
-            name,
-            key,
-            network: network.index,
-            at,
-        })
-    })
-}
-
-/// The name in the first operand of a label or function, as written and as it is compared, and where it is.
-fn named(block: &BlockAt<'_>) -> Option<(String, Name, TextRange)> {
-    let operand = &block.facts.operands.first()?.value;
-    let NodeKind::Name(name) = &operand.kind else {
-        return None;
-    };
-    Some((name.to_string(), Name::new(name), block.absolute(operand.range)))
-}
-
-/// Enters the labels of each body by their names.
-pub(crate) fn name_labels(context: &mut Context) {
-    context.labels_by_name.clear();
-    for (index, label) in context.labels.iter().enumerate() {
-        let key = (context.bodies[label.network], label.key.clone());
-        context.labels_by_name.entry(key).or_default().push(index);
-    }
-}
-
-/// The line of the next rung, if only rail, comment and blank lines are between.
-pub(crate) fn rung_below(parse: &Parse, line: usize) -> Option<usize> {
-    let lines = parse.lines();
-    let next = (line + 1..lines.len()).find(|&n| !lines[n].kind.is_decoration())?;
-    (lines[next].kind == LineKind::Rung).then_some(next)
-}
-
-/// The line of the rung before, likewise.
-pub(crate) fn rung_above(parse: &Parse, line: usize) -> Option<usize> {
-    let lines = parse.lines();
-    let previous = (0..line).rev().find(|&n| !lines[n].kind.is_decoration())?;
-    (lines[previous].kind == LineKind::Rung).then_some(previous)
 }

@@ -6,7 +6,7 @@
 //! text gives; where that is not certain there is no short way, and the whole text is read.
 
 use crate::company;
-use crate::context::{self, Body, Context, break_neighbours};
+use crate::context::{self, Body, Context};
 use crate::control_flow::ControlFlow;
 use crate::declaring::PlacesOfScopes;
 use crate::edited_declarations;
@@ -14,6 +14,7 @@ use crate::edited_lines::{Change, Lines, change, same_lines};
 use crate::infer::{self, Entry};
 use crate::known_blocks::KnownBlocks;
 use crate::network::{self, NetworkFacts, UserBlocks};
+use crate::networks::neighbours::break_neighbours;
 use crate::networks::{Networks, Spliced};
 use crate::others::Others;
 use crate::outward;
@@ -21,6 +22,7 @@ use crate::program::Role;
 use crate::reading::Reading;
 use crate::scope::{MOST_EXCHANGED, Origin, Scope, SectionKind, TagFacts, UseRef};
 use crate::shared;
+use crate::skeleton;
 use crate::types::Type;
 use crate::user_block::UserBlockFacts;
 use crate::uses;
@@ -311,10 +313,10 @@ impl Edited {
         }
         if self.labelled {
             let added = self.added.iter();
-            let new = added.flat_map(|&index| context::labels_in(networks.at(index)));
+            let new = added.flat_map(|&index| skeleton::labels_in(networks.at(index)));
             context.labels.extend(new);
             context.labels.sort_by_key(|label| label.at.start());
-            context::name_labels(context);
+            skeleton::name_labels(context);
         }
         let around = self.new.start.saturating_sub(1)..(self.new.end + 1).min(context.networks.len());
         for index in around.clone() {

@@ -44,6 +44,7 @@ mod profile;
 pub mod program;
 mod resolve;
 mod rules;
+mod skeleton;
 mod still_wanted;
 mod values;
 

@@ -4,9 +4,10 @@
 //! itself follows from its lines, and from the signatures of the user-defined blocks that it holds. So two texts are compared line by line: those that both
 //! begin with, and those that both end with.
 
-use crate::context::{Context, Declared, declared_to};
+use crate::context::Context;
 use crate::network::{NetworkFacts, UserBlocks};
 use crate::scope::Scope;
+use crate::skeleton::{Declared, declared_to};
 use ladder_syntax::{Network, Parse, Structure};
 use std::borrow::Cow;
 use std::sync::Arc;

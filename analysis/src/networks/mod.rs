@@ -9,6 +9,7 @@ pub(crate) mod control_flow;
 pub mod facts;
 pub(crate) mod kept;
 pub(crate) mod known_blocks;
+pub(crate) mod neighbours;
 pub mod network;
 pub mod order;
 pub(crate) mod order_table;

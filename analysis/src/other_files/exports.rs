@@ -2,7 +2,7 @@
 //! tags. It follows from the file's own text alone, so that an edit which leaves it as it was concerns no other
 //! file.
 
-use crate::context::{Body, Context, skeleton};
+use crate::context::{Body, Context};
 use crate::declarations::{Declarations, DeclaredAt};
 use crate::facts::{Node, NodeKind};
 use crate::network::Formal;
@@ -11,6 +11,7 @@ use crate::outward::Outward;
 use crate::outward_jumps::outward_jumps;
 use crate::program::Role;
 use crate::scope::{Origin, Scope, SectionKind};
+use crate::skeleton::skeleton;
 use crate::still_wanted::StillWanted;
 use crate::types::Type;
 use crate::user_block::UserBlockFacts;

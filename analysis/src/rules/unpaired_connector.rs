@@ -3,11 +3,12 @@
 mod barred;
 pub(super) mod completion;
 
-use crate::context::{Context, rung_above, rung_below};
+use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::excerpt::{columns, trimmed_line};
 use crate::network::breaks_drawing;
 use crate::networks::NetworkAt;
+use crate::networks::neighbours::{rung_above, rung_below};
 use crate::rule::Rule;
 use ladder_syntax::numeral::nth;
 use ladder_syntax::wiring::{self, PartKind, Rung};

@@ -1,7 +1,6 @@
 //! What is found in networks one by one: the types of their operands, their form, their blocks, and what power does in them.
 
 use super::Ledger;
-use crate::checking::StillWanted;
 use crate::context::Context;
 use crate::control_flow::ControlFlow;
 use crate::findings::Anchored;
@@ -9,6 +8,7 @@ use crate::networks::NetworkAt;
 use crate::reading::TOGETHER;
 use crate::rule::{Rule, Severity};
 use crate::rules::{self, MOST_FINDINGS, survey};
+use crate::still_wanted::StillWanted;
 use crate::verdict::{InNetwork, Pass};
 use crate::{resolve, stamp};
 use rustc_hash::FxHashSet;

@@ -3,9 +3,9 @@
 //! Each of them decides which way power takes, and the drawing does not say for sure: none is safe.
 
 use super::{Side, beside, partner, symbol};
-use crate::context::{rung_above, rung_below};
 use crate::diagnostic::{Applicability, Fix};
 use crate::excerpt::columns;
+use crate::networks::neighbours::{rung_above, rung_below};
 use ladder_format::Edit;
 use ladder_syntax::wiring::{self, PartKind, Rung};
 use ladder_syntax::{Parse, TextRange, TextSize};
