@@ -1,6 +1,6 @@
 //! The tags of a scope, in chunks that contexts before and behind an edit share.
 
-use crate::chunked::Chunked;
+use crate::chunked::{self, Chunked};
 use crate::scope::TagFacts;
 use std::ops::{Index, IndexMut, Range};
 use std::sync::Arc;
@@ -27,18 +27,12 @@ impl Tags {
 
     /// All of them, in their order.
     pub fn iter(&self) -> Iter<'_> {
-        Iter {
-            tags: self,
-            range: 0..self.len(),
-        }
+        self.from(0)
     }
 
     /// Those from one on.
     pub fn from(&self, first: usize) -> Iter<'_> {
-        Iter {
-            tags: self,
-            range: first..self.len(),
-        }
+        Iter(self.0.from(first))
     }
 
     pub(crate) fn push(&mut self, tag: TagFacts) {
@@ -84,26 +78,27 @@ impl Tags {
 
 /// Tags of a scope, in their order.
 #[derive(Debug, Clone)]
-pub struct Iter<'t> {
-    tags: &'t Tags,
-    range: std::ops::Range<usize>,
-}
+pub struct Iter<'t>(chunked::Iter<'t, Arc<TagFacts>>);
 
 impl<'t> Iterator for Iter<'t> {
     type Item = &'t TagFacts;
 
     fn next(&mut self) -> Option<&'t TagFacts> {
-        self.range.next().map(|tag| &self.tags[tag])
+        self.0.next().map(|tag| &**tag)
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
-        self.range.size_hint()
+        self.0.size_hint()
+    }
+
+    fn fold<B, F: FnMut(B, &'t TagFacts) -> B>(self, first: B, mut with: F) -> B {
+        self.0.fold(first, |all, tag| with(all, tag))
     }
 }
 
 impl DoubleEndedIterator for Iter<'_> {
     fn next_back(&mut self) -> Option<Self::Item> {
-        self.range.next_back().map(|tag| &self.tags[tag])
+        self.0.next_back().map(|tag| &**tag)
     }
 }
 

@@ -37,16 +37,20 @@ impl<'t> Proposals<'t> {
 
     /// Whether a name begins as it is written.
     pub(super) fn begins(&self, name: &str) -> bool {
-        // This is asked of each tag, and most are told apart by a letter or two: no more of a name is looked at.
-        for (letter, wanted) in name.bytes().zip(self.prefix.bytes()) {
-            if !letter.is_ascii() || !wanted.is_ascii() {
-                return begins_in_any_script(name, self.prefix);
-            }
-            if !letter.eq_ignore_ascii_case(&wanted) {
-                return false;
-            }
+        // This is asked of each tag, and most are told apart by their first letter.
+        let (letters, wanted) = (name.as_bytes(), self.prefix.as_bytes());
+        if let (Some(letter), Some(wanted)) = (letters.first(), wanted.first())
+            && letter.is_ascii()
+            && wanted.is_ascii()
+            && !letter.eq_ignore_ascii_case(wanted)
+        {
+            return false;
         }
-        name.len() >= self.prefix.len()
+        let start = letters.get(..wanted.len());
+        if start.unwrap_or(letters).is_ascii() && wanted.is_ascii() {
+            return start.is_some_and(|start| start.eq_ignore_ascii_case(wanted));
+        }
+        begins_in_any_script(name, self.prefix)
     }
 
     /// Whether something of this name can be meant by what is written.
