@@ -13,6 +13,7 @@ use crate::misdeclared::Misdeclared;
 use crate::networks::Networks;
 use crate::others::{Import, Others};
 use crate::outward::{self, TagUse};
+use crate::rare::Lead;
 use crate::rule::Severity;
 use crate::scope::{Origin, Scope, TagFacts, Use, UseRef};
 use crate::shared;
@@ -24,6 +25,7 @@ use crate::user_block::UserBlockFacts;
 use crate::uses;
 use ladder_instructions::Profile;
 use ladder_syntax::{LineIndex, Name, Parse, TextRange, TextSize};
+use rustc_hash::FxHashSet;
 use std::collections::{BTreeSet, HashMap};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
@@ -61,6 +63,9 @@ pub struct Context {
     pub(crate) mistyped: Vec<(usize, Name)>,
     /// If it is settled: the tags on which a block keeps its state and that may be those of other files too.
     pub(crate) outward_states: BTreeSet<Name>,
+    /// If it is settled: the names by which bodies of user-defined blocks name tags of the file. They stay until it is read as a
+    /// whole.
+    pub(crate) named_in_bodies: Arc<FxHashSet<Name>>,
     /// Its VAR_GLOBAL tags, once somebody asks.
     pub(crate) globals: OnceLock<Arc<Vec<Global>>>,
     /// How it uses tags that it does not declare for itself, once somebody asks.
@@ -209,6 +214,9 @@ impl Context {
 
     /// Where a tag is declared, or first used.
     pub fn place_of(&self, tag: &TagFacts) -> TextRange {
+        if let Some((scope, target)) = self.leads_to(tag).filter(|_| !tag.is_declared()) {
+            return self.place_of(&self.scopes[scope].tags[target]);
+        }
         let first = || self.uses(tag).next();
         match tag.origin {
             Origin::Undeclared | Origin::Form => {
@@ -251,9 +259,16 @@ impl Context {
 
     /// The tag in whose scope more is known of one that several scopes share; else the tag itself.
     pub fn shared<'c>(&'c self, tag: &'c TagFacts) -> &'c TagFacts {
-        tag.rare
-            .shared
+        self.leads_to(tag)
             .map_or(tag, |(scope, tag)| &self.scopes[scope].tags[tag])
+    }
+
+    /// The scope of the tag that an entry leads to, and which of its tags it is.
+    pub fn leads_to(&self, entry: &TagFacts) -> Option<(usize, usize)> {
+        match entry.rare.lead.as_ref()? {
+            Lead::Named(name) => Some((0, self.scopes[0].find(name)?)),
+            Lead::Entry(scope, tag) => Some((*scope, *tag)),
+        }
     }
 
     /// Where a tag is written, from top to bottom.
@@ -274,7 +289,7 @@ impl Context {
     /// The tags of all scopes, each once.
     pub(crate) fn own_tags(&self) -> impl Iterator<Item = &TagFacts> {
         let tags = self.scopes.iter().flat_map(|scope| &scope.tags);
-        tags.filter(|tag| tag.rare.shared.is_none())
+        tags.filter(|tag| !tag.leads_elsewhere())
     }
 
     /// The network that a jump from `network` to a label goes to: the nearest behind it, else the nearest
@@ -353,6 +368,9 @@ pub fn context_while(
         let outward = unusual.filter(|tag| tag.is_outward());
         let states = outward.filter(|tag| keeps_state(tag));
         context.outward_states = states.map(|tag| Name::new(&tag.name)).collect();
+        let bodies = context.scopes[1..].iter().flat_map(Scope::unusual);
+        let entries = bodies.filter(|(_, tag)| tag.leads_elsewhere());
+        context.named_in_bodies = Arc::new(entries.map(|(_, tag)| Name::new(&tag.name)).collect());
     }
     context.found = found;
     Some(context)

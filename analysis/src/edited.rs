@@ -19,6 +19,7 @@ use crate::networks::{Networks, Spliced};
 use crate::others::Others;
 use crate::outward;
 use crate::program::Role;
+use crate::rare::Lead;
 use crate::reading::Reading;
 use crate::scope::{MOST_EXCHANGED, Origin, Scope, SectionKind, TagFacts, UseRef};
 use crate::shared;
@@ -33,8 +34,8 @@ use smol_str::SmolStr;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
-/// Whether a context of a whole text can be the beginning: no tag is shared with another scope, no block comes
-/// from another file, and what is declared is all that a body names. Tags of other files that the file names are followed.
+/// Whether a context of a whole text can be the beginning: no block comes from another file, and what a body names is declared in
+/// it, or a tag of the file. Tags of other files that the file names are followed.
 pub(crate) fn may_settle(context: &Context) -> bool {
     let followed = |tag: &TagFacts| {
         let origin = match tag.origin {
@@ -42,13 +43,20 @@ pub(crate) fn may_settle(context: &Context) -> bool {
             Origin::Shared => tag.is_imported_by_use(),
             _ => true,
         };
-        origin && tag.rare.shared.is_none() && (!tag.mistyped || tag.is_declared())
+        origin && !tag.leads_elsewhere() && (!tag.mistyped || tag.is_declared())
     };
     let own = |tag: &TagFacts| followed(tag) && !tag.is_outward();
+    let of_file = |tag: &TagFacts| {
+        let is_named = matches!(tag.rare.lead, Some(Lead::Named(_)));
+        is_named && tag.rare.foreign.is_none() && !tag.mistyped
+    };
     let [file, bodies @ ..] = context.scopes.as_slice() else {
         return false;
     };
-    let of_body = |body: &Scope| body.tags.len() == body.declared && body.unusual().all(|(_, tag)| own(tag));
+    let of_body = |body: &Scope| {
+        let mut unusual = body.unusual();
+        unusual.all(|(index, tag)| of_file(tag) || index < body.declared && own(tag))
+    };
     file.unusual().all(|(_, tag)| followed(tag))
         && bodies.iter().all(of_body)
         && context.user_blocks.len() == context.own_blocks
@@ -368,6 +376,14 @@ impl Edited {
         context.outward_tags = outward.map(OnceLock::from).unwrap_or_default();
     }
 
+    /// A tag of a scope, and the tag of the file that it leads to.
+    fn with_lead(&self, (scope, tag): Entry) -> impl Iterator<Item = Entry> + use<> {
+        let facts = &self.context.scopes[scope].tags[tag];
+        [Some((scope, tag)), self.context.leads_to(facts)]
+            .into_iter()
+            .flatten()
+    }
+
     /// Enters what the new networks name, and takes out what the others did. Gives the tags that this concerns.
     fn names(&mut self) -> Option<EditedTags> {
         let gone: FxHashSet<u32> = self.removed.iter().map(|network| network.id).collect();
@@ -375,7 +391,9 @@ impl Edited {
         for removed in &self.removed {
             for named in &removed.facts.named {
                 let tag = self.context.scopes[removed.scope].find(&named.key)?;
-                touched.entry((removed.scope, tag)).or_default();
+                for entry in self.with_lead((removed.scope, tag)) {
+                    touched.entry(entry).or_default();
+                }
             }
         }
         // Tags that nobody has named before, in their order.
@@ -387,7 +405,9 @@ impl Edited {
             for (number, named) in (0..).zip(network.named.iter()) {
                 let place = UseRef::new(id, number, named.kind);
                 if let Some(tag) = self.context.scopes[network.scope].find(&named.key) {
-                    touched.entry((network.scope, tag)).or_default().push(place);
+                    for entry in self.with_lead((network.scope, tag)) {
+                        touched.entry(entry).or_default().push(place);
+                    }
                     continue;
                 }
                 if network.scope > 0 {
@@ -407,6 +427,7 @@ impl Edited {
         }
         let context = &mut self.context;
         let mut found: Vec<(usize, usize)> = Vec::new();
+        let mut in_bodies: Vec<(usize, usize)> = Vec::new();
         let mut edited = EditedTags::default();
         for ((scope, tag), places) in touched {
             let is_found = tag >= context.scopes[scope].declared;
@@ -420,12 +441,16 @@ impl Edited {
             if !places.is_empty() {
                 facts.uses.0.extend(places);
                 let networks = &context.networks;
-                let in_order = |place: &UseRef| (networks.index_of(place.network), place.named());
-                facts.uses.0.sort_by_key(in_order);
+                facts.uses.0.sort_by_key(|place| networks.order_of(*place));
             }
-            if is_found {
+            if is_found && scope > 0 {
+                in_bodies.push((scope, tag));
+            } else if is_found {
                 found.push((scope, tag));
             }
+        }
+        for (scope, tag) in in_bodies {
+            entry_stays(context, scope, tag)?;
         }
         let mut before: Vec<(usize, SmolStr, Option<Type>)> = Vec::new();
         for &(scope, tag) in &found {
@@ -495,10 +520,7 @@ pub(crate) fn place_found(
     new: Vec<Arc<TagFacts>>,
     networks: &Networks,
 ) {
-    let first_use = |tag: &TagFacts| {
-        let place = tag.uses.0.first()?;
-        Some((networks.index_of(place.network), place.named()))
-    };
+    let first_use = |tag: &TagFacts| tag.uses.0.first().map(|place| networks.order_of(*place));
     if touched.len() > MOST_EXCHANGED {
         scope.exchange_found(&touched, new, first_use);
         return;
@@ -531,6 +553,17 @@ pub(crate) fn spelled_at(context: &Context, place: UseRef) -> &str {
     let network = context.networks.index_of(place.network);
     let network = context.networks.at(network).facts();
     uses::spelling(network, &network.named[place.named() as usize])
+}
+
+/// Whether a body's entry for a tag of the file stays as it is but for its uses. None: it is gone, is spelled in another way, or is in
+/// another place among those of the body.
+fn entry_stays(context: &Context, scope: usize, tag: usize) -> Option<()> {
+    let body = &context.scopes[scope];
+    let entry = &body.tags[tag];
+    let first = entry.uses.0.first()?;
+    let first_uses = body.tags.from(body.declared).map(|tag| tag.uses.0.first());
+    let in_order = first_uses.is_sorted_by_key(|first| first.map(|place| context.networks.order_of(*place)));
+    (in_order && spelled_at(context, *first) == entry.name).then_some(())
 }
 
 /// A tag is spelled as where it is first.

@@ -80,10 +80,11 @@ pub(crate) fn enter(context: &mut Context, before: &Context, lines: &Lines) -> O
         }
         lot.declares = now.tags.len() - first;
     }
-    let plain = |tag: &TagFacts| tag.rare.address.is_none() && tag.rare.shared.is_none();
+    let plain = |tag: &TagFacts| tag.rare.address.is_none() && !tag.leads_elsewhere();
     let old = lots.iter().flat_map(|lot| lot.tags.clone());
     let mut old = old.map(|tag| &before.scopes[0].tags[tag]);
-    if !old.all(plain) || !now.tags.iter().all(plain) {
+    let in_bodies = |name: &Name| before.named_in_bodies.contains(name);
+    if !old.all(plain) || !now.tags.iter().all(plain) || names.iter().any(in_bodies) {
         return None;
     }
     if is_global {

@@ -94,6 +94,7 @@ pub(crate) fn skeleton(
         settled: false,
         mistyped: Vec::new(),
         outward_states: BTreeSet::new(),
+        named_in_bodies: Arc::default(),
         globals: OnceLock::new(),
         outward_tags: OnceLock::new(),
         may_call: control_flow.has(ControlFlow::CALL),

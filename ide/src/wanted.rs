@@ -217,11 +217,7 @@ fn result_type(typing: &Typing<'_>, operand: &Operand) -> Option<Scalar> {
 pub(crate) fn tag_of<'c>(context: &'c Context, scope: usize, name: &str) -> Option<&'c TagFacts> {
     let scope = context.scopes.get(scope)?;
     let tag = &scope.tags[scope.find(&Name::new(name))?];
-    Some(
-        tag.rare
-            .shared
-            .map_or(tag, |(scope, tag)| &context.scopes[scope].tags[tag]),
-    )
+    Some(context.shared(tag))
 }
 
 /// The type of a place that is written out: `count`, `a[3]`, `t.ET`, `%MW1`. None for anything else.

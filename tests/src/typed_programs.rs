@@ -21,10 +21,12 @@ pub enum Kind {
     Inferred,
     /// Every network names a tag for all files. Another file declares half of them, and of these half are in VAR_EXTERNAL.
     Globals,
+    /// Every other network holds a user-defined block whose body names a tag for all files and a direct address.
+    Bodies,
 }
 
 /// All of them, by the names that people give.
-pub const KINDS: [(&str, Kind); 8] = [
+pub const KINDS: [(&str, Kind); 9] = [
     ("clean", Kind::Clean),
     ("warned", Kind::Warned),
     ("shared", Kind::Shared),
@@ -33,6 +35,7 @@ pub const KINDS: [(&str, Kind); 8] = [
     ("undeclared", Kind::Undeclared),
     ("inferred", Kind::Inferred),
     ("globals", Kind::Globals),
+    ("bodies", Kind::Bodies),
 ];
 
 /// A program.
@@ -116,6 +119,11 @@ impl Program {
                     "+--[ ]( start_{n} )--[/]( stop_{n} )--[TON]( timer_{n}, T#5s )--( )( enable_{n} )--+\n\n\
                      +--[ ]( enable_{n} )--[P]( timer_{n}.Q )--( )( run_{n} )--( )( ready_{n} )--+\n"
                 ),
+                Kind::Bodies => writeln!(
+                    drawn,
+                    "+--[ ]( start_{n} )--[/]( stop_{n} )--[$GUARD]( run_{n} )--+\n\n\
+                     +--[ ]( run_{n} )--[TON]( timer_{n}, T#5s )--( )( ready_{n} )--+\n"
+                ),
                 Kind::Undeclared => writeln!(
                     drawn,
                     "+--[ ]( start_{n} )--[/]( stop_{n} )--[TON]( timer_{n}, T#5s )--( )( drive_{n} )--+\n\n\
@@ -129,11 +137,17 @@ impl Program {
         } else {
             globals
         };
-        let blocks = if kind == Kind::UserBlocks {
-            "FUNCTION_BLOCK [$LATCH]\nVAR_INPUT\n    off : BOOL;\nEND_VAR\nVAR_IN_OUT\n    held : BOOL;\nEND_VAR\n\
+        let blocks = match kind {
+            Kind::UserBlocks => {
+                "FUNCTION_BLOCK [$LATCH]\nVAR_INPUT\n    off : BOOL;\nEND_VAR\nVAR_IN_OUT\n    held : BOOL;\nEND_VAR\n\
              +--\\--[ ]( EN )----\\--[/]( off )--( )( held )--+\n|  /--[ ]( held )--/                           |\nEND_FUNCTION_BLOCK\n\n"
-        } else {
-            ""
+            }
+            Kind::Bodies => {
+                "VAR_GLOBAL\n    halted : BOOL;\nEND_VAR\n\nFUNCTION_BLOCK [$GUARD]\nVAR_OUTPUT\n    open : BOOL;\nEND_VAR\n\
+             VAR\n    settle : TON;\nEND_VAR\n+--[ ]( EN )--[TON]( settle, T#7s )--[/]( halted )--[ ]( %IX0.0 )--( )( open )--+\n\
+             END_FUNCTION_BLOCK\n\n+--[ ]( %IX0.1 )--( )( halted )--+\n\n"
+            }
+            _ => "",
         };
         let text = format!(
             "{blocks}{globals}VAR_INPUT\n{inputs}END_VAR\nVAR_OUTPUT\n{outputs}END_VAR\nVAR\n{inner}END_VAR\n\n{drawn}"
@@ -190,6 +204,11 @@ impl Program {
     /// In the number of a preset: the program stays clean.
     pub fn in_a_number(&self) -> Spot {
         self.behind("T#5", |line| line.contains("T#5"))
+    }
+
+    /// In the number of a preset in a block's body, beside names of tags that the file declares.
+    pub fn in_a_body(&self) -> Spot {
+        self.behind("T#7", |line| line.contains("T#7"))
     }
 
     /// In the name of an operand, which then is not declared.

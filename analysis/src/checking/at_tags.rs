@@ -77,7 +77,7 @@ impl AtTags {
         for &index in &change.networks {
             let network = context.networks.at(index);
             let named = network.facts().named.iter();
-            again.extend(named.map(|named| (network.scope, named.key.clone())));
+            again.extend(named.map(|named| key_of(context, network.scope, &named.key)));
         }
         self.undeclared.follow(context, change, &mut again);
         let mut count = again.len();
@@ -101,7 +101,7 @@ impl AtTags {
     ) -> Option<usize> {
         self.undeclared = UndeclaredTags::of(context, around.declares);
         for (scope, facts) in context.scopes.iter().enumerate() {
-            for tag in facts.tags.iter().filter(|tag| tag.rare.shared.is_none()) {
+            for tag in facts.tags.iter().filter(|tag| !tag.leads_elsewhere()) {
                 wanted.one_more()?;
                 self.look_at(context, (scope, tag), around);
             }
@@ -124,7 +124,7 @@ impl AtTags {
             tags.remove(&key);
         }
         self.undeclared.forget(&key);
-        if let Some(tag) = context.find_tag(&key).filter(|tag| tag.rare.shared.is_none()) {
+        if let Some(tag) = context.find_tag(&key).filter(|tag| !tag.leads_elsewhere()) {
             self.look_at(context, (key.0, tag), around);
         }
     }
@@ -201,6 +201,16 @@ impl AtTags {
         context: &'c Context,
     ) -> impl Iterator<Item = &'c TagFacts> + use<'c> {
         tags_of(context, &self.read_above)
+    }
+}
+
+/// The key of the tag that a name of a scope means: of what leads to a tag of the file that tag's.
+fn key_of(context: &Context, scope: usize, name: &Name) -> TagKey {
+    let tags = &context.scopes[scope];
+    let entry = tags.find(name).map(|tag| &tags.tags[tag]);
+    match entry.and_then(|entry| context.leads_to(entry)) {
+        Some((scope, tag)) => (scope, Name::new(&context.scopes[scope].tags[tag].name)),
+        None => (scope, name.clone()),
     }
 }
 

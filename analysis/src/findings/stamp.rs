@@ -19,7 +19,7 @@ pub(crate) fn of_network(context: &Context, network: NetworkAt<'_>) -> u64 {
         };
         let mut facts = &scope.tags[tag];
         // A tag of another scope adds both what it is here and what it is there.
-        while let Some((scope, tag)) = facts.rare.shared {
+        while let Some((scope, tag)) = context.leads_to(facts) {
             sum = sum.wrapping_add(hash((stamp(facts), number)));
             facts = &context.scopes[scope].tags[tag];
         }

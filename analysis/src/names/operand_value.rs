@@ -41,7 +41,7 @@ pub(crate) fn tag<'c>(
 ) -> Option<((usize, usize), &'c TagFacts)> {
     let index = context.scopes[scope].find(&Name::new(name))?;
     let facts = &context.scopes[scope].tags[index];
-    let place = facts.rare.shared.unwrap_or((scope, index));
+    let place = context.leads_to(facts).unwrap_or((scope, index));
     Some((place, &context.scopes[place.0].tags[place.1]))
 }
 

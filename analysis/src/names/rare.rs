@@ -4,6 +4,7 @@
 //! those the rest takes one word.
 
 use crate::value::Value;
+use ladder_syntax::Name;
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
@@ -14,10 +15,19 @@ pub struct RareFacts {
     pub initial: Vec<Value>,
     /// The address behind AT, or the address itself.
     pub address: Option<Box<str>>,
-    /// The scope and tag that this entry leads to, if it is one of another scope.
-    pub shared: Option<(usize, usize)>,
+    /// The tag that this entry leads to, if it is one of another scope.
+    pub(crate) lead: Option<Lead>,
     /// The file that declares it, if it is a VAR_GLOBAL tag of another one.
     pub foreign: Option<Arc<str>>,
+}
+
+/// Where an entry of a scope leads that is for a tag of another one.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Lead {
+    /// To the file's own tag of this name, or at this address: it is found while other tags come and go.
+    Named(Name),
+    /// To a tag of this scope that its name may not lead to, by its index, which is true for one text only.
+    Entry(usize, usize),
 }
 
 /// Of most tags.
@@ -28,7 +38,7 @@ impl RareFacts {
     pub(crate) const NONE: RareFacts = RareFacts {
         initial: Vec::new(),
         address: None,
-        shared: None,
+        lead: None,
         foreign: None,
     };
 }
@@ -41,7 +51,7 @@ impl From<RareFacts> for Rare {
     fn from(facts: RareFacts) -> Rare {
         let is_any = !facts.initial.is_empty()
             || facts.address.is_some()
-            || facts.shared.is_some()
+            || facts.lead.is_some()
             || facts.foreign.is_some();
         Rare(is_any.then(|| Box::new(facts)))
     }
@@ -76,7 +86,7 @@ mod tests {
     fn nothing_takes_nothing() {
         assert!(Rare::from(RareFacts::NONE).0.is_none());
         let mut rare = Rare::from(RareFacts::NONE);
-        rare.shared = Some((1, 2));
-        assert_eq!(rare.shared, Some((1, 2)));
+        rare.lead = Some(Lead::Entry(1, 2));
+        assert_eq!(rare.lead, Some(Lead::Entry(1, 2)));
     }
 }

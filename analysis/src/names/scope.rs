@@ -232,15 +232,20 @@ impl TagFacts {
         )
     }
 
+    /// Whether it is an entry for a tag of another scope, of which more is known there; see [`Context::leads_to`].
+    pub fn leads_elsewhere(&self) -> bool {
+        self.rare.lead.is_some()
+    }
+
     /// Of a declared tag, whether it may be shared with other scopes or files, or has no type by its declaration.
     fn is_unusual(&self) -> bool {
-        self.is_outward() || self.mistyped || self.ty.is_none() || self.rare.shared.is_some()
+        self.is_outward() || self.mistyped || self.ty.is_none() || self.leads_elsewhere()
     }
 
     /// Whether it is a tag of another file that this file names without a declaration: then it is where it is first used.
     pub(crate) fn is_imported_by_use(&self) -> bool {
         let nowhere = DeclaredAt::in_file(TextRange::default());
-        self.rare.foreign.is_some() && self.rare.shared.is_none() && self.declared_at == nowhere
+        self.rare.foreign.is_some() && !self.leads_elsewhere() && self.declared_at == nowhere
     }
 
     /// Whether it has a declaration.
@@ -319,7 +324,7 @@ impl Scope {
         let plain = |tag: &TagFacts| {
             let common = Origin::Declared(SectionKind::Global) == tag.origin
                 || Origin::Declared(SectionKind::External) == tag.origin;
-            !common && tag.rare.shared.is_none() && !tag.mistyped
+            !common && !tag.leads_elsewhere() && !tag.mistyped
         };
         let declared = self.tags.iter().take(self.declared);
         if !declared.clone().all(plain) {

@@ -8,7 +8,7 @@ use crate::declarations::DeclaredAt;
 use crate::diagnostic::Diagnostic;
 use crate::exports::{Exports, Global};
 use crate::mistakes::shared_globals;
-use crate::rare::{Rare, RareFacts};
+use crate::rare::{Lead, Rare, RareFacts};
 use crate::scope::{Origin, SectionKind, TagFacts, Uses};
 use crate::uses;
 use ladder_syntax::{Name, TextRange};
@@ -171,21 +171,24 @@ fn of_file(context: &mut Context, scope: usize, tag: usize) -> Entry {
 }
 
 fn lead(context: &mut Context, from: Entry, to: Entry) {
+    let name = Name::new(&context.scopes[from.0].tags[from.1].name);
+    let lead = match to {
+        (0, tag) if context.scopes[0].find(&name) == Some(tag) => Lead::Named(name),
+        (scope, tag) => Lead::Entry(scope, tag),
+    };
     let target = &context.scopes[to.0].tags[to.1];
-    let (ty, role, constant, retain, at, mistyped) = (
+    let (ty, role, constant, retain, mistyped) = (
         target.ty,
         target.role,
         target.constant,
         target.retain,
-        context.place_of(target),
         target.mistyped,
     );
     let foreign = target.rare.foreign.clone();
     let entry = &mut context.scopes[from.0].tags[from.1];
-    entry.rare.shared = Some(to);
+    entry.rare.lead = Some(lead);
     if !entry.is_declared() {
         entry.origin = Origin::Shared;
-        entry.declared_at = DeclaredAt::in_file(at);
     }
     (
         entry.ty,

@@ -47,7 +47,9 @@ impl<T> Chunked<T> {
     pub(crate) fn from(&self, first: usize) -> Iter<'_, T> {
         let (chunk, offset) = self.find(first);
         let rest = self.chunks.get(chunk..).unwrap_or_default();
-        let (begun, whole) = rest.split_first().map_or((None, rest), |(begun, whole)| (Some(begun), whole));
+        let (begun, whole) = rest
+            .split_first()
+            .map_or((None, rest), |(begun, whole)| (Some(begun), whole));
         let begun = begun.and_then(|begun| begun.get(offset..)).unwrap_or_default();
         let values: fn(&Arc<Vec<T>>) -> slice::Iter<'_, T> = |chunk| chunk.iter();
         Iter {
@@ -134,7 +136,10 @@ impl<T: Clone> Chunked<T> {
         } else if values.len() <= 2 * CHUNK {
             vec![Arc::new(values)]
         } else {
-            values.chunks(CHUNK).map(|chunk| Arc::new(chunk.to_vec())).collect()
+            values
+                .chunks(CHUNK)
+                .map(|chunk| Arc::new(chunk.to_vec()))
+                .collect()
         };
         self.chunks.splice(first..=last, chunks);
         self.number();
@@ -163,7 +168,8 @@ impl<T> Index<usize> for Chunked<T> {
     }
 }
 
-type Values<'l, T> = FlatMap<slice::Iter<'l, Arc<Vec<T>>>, slice::Iter<'l, T>, fn(&Arc<Vec<T>>) -> slice::Iter<'_, T>>;
+type Values<'l, T> =
+    FlatMap<slice::Iter<'l, Arc<Vec<T>>>, slice::Iter<'l, T>, fn(&Arc<Vec<T>>) -> slice::Iter<'_, T>>;
 
 /// Values of a list, in their order.
 #[derive(Debug, Clone)]

@@ -253,6 +253,13 @@ impl Networks {
         named.at(index, line)
     }
 
+    /// In what order a tag has the places at which it is used: those in the file's own scope, then those in bodies of
+    /// user-defined blocks that lead to it, each from top to bottom.
+    pub(crate) fn order_of(&self, place: UseRef) -> (bool, usize, u32) {
+        let index = self.index_of(place.network);
+        (self.places[index].scope > 0, index, place.named())
+    }
+
     /// The block at a place where a tag is used.
     pub(crate) fn block_of(&self, place: UseRef) -> &BoundBlock {
         let facts = &self.facts[place.network as usize];

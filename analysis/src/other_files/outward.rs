@@ -136,7 +136,9 @@ impl PartialEq for Outward {
 pub(crate) fn tags(context: &Context) -> ByName<TagUse> {
     let mut tags: FxHashMap<Name, TagUse> = FxHashMap::default();
     if context.settled {
-        for (_, tag) in context.scopes.iter().flat_map(Scope::unusual) {
+        let tags_of_all = context.scopes.iter().flat_map(Scope::unusual);
+        // What an entry of a body leads to has the body's uses too.
+        for (_, tag) in tags_of_all.filter(|(_, tag)| !tag.leads_elsewhere()) {
             if let Some(used) = use_of(context, tag) {
                 tags.insert(Name::new(&tag.name), used);
             }

@@ -29,7 +29,7 @@ pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program)
                     || context
                         .uses(tag)
                         .any(|place| unit.reaches(context.bodies[place.network]));
-                if tag.rare.shared.is_some() || !reached {
+                if tag.leads_elsewhere() || !reached {
                     return NOWHERE;
                 }
                 if !is_common(tag) {
@@ -59,7 +59,7 @@ pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program)
         }
         for (scope, facts) in context.scopes.iter().enumerate() {
             for (tag, facts) in facts.tags.iter().enumerate() {
-                if let Some((shared_scope, shared_tag)) = facts.rare.shared {
+                if let Some((shared_scope, shared_tag)) = context.leads_to(facts) {
                     ids[scope][tag] = ids[shared_scope][shared_tag];
                 }
             }

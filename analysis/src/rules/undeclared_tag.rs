@@ -151,7 +151,7 @@ fn in_body(context: &Context, scope: usize, tag: &TagFacts, range: TextRange) ->
     .help("a block sees its own tags and VAR_GLOBAL tags only: declare it in the block");
     if let Some(outside) = context.scopes[0].find(&Name::new(name)) {
         let outside = &context.scopes[0].tags[outside];
-        if outside.rare.shared.is_none() {
+        if !outside.leads_elsewhere() {
             found = found.related(
                 context.place_of(outside),
                 "a tag of this name is in the program: the block does not see it",

@@ -126,10 +126,7 @@ fn describe(
 /// looks at it already.
 pub(crate) fn tag_card(context: &Context, tag: &TagFacts, here: Option<TextSize>) -> String {
     // What several scopes share is shown where it is declared.
-    let tag = tag
-        .rare
-        .shared
-        .map_or(tag, |(scope, tag)| &context.scopes[scope].tags[tag]);
+    let tag = context.shared(tag);
     let ty = tag.ty.map(|ty| ty.to_string()).unwrap_or_default();
     let address = tag
         .rare

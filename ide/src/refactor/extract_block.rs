@@ -155,7 +155,7 @@ fn uses_in<'c>(context: &'c Context, tag: &'c TagFacts) -> impl Iterator<Item = 
 
 /// Global tags and direct addresses are the same in every body.
 fn is_seen_everywhere(tag: &TagFacts) -> bool {
-    tag.rare.shared.is_some()
+    tag.leads_elsewhere()
         || tag.rare.foreign.is_some()
         || matches!(
             tag.origin,

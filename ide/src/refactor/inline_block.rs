@@ -342,7 +342,7 @@ impl Words<'_> {
 
 /// Whether a tag is one of another scope, or the same in all.
 fn is_outside(tag: &TagFacts) -> bool {
-    tag.rare.shared.is_some()
+    tag.leads_elsewhere()
         || tag.rare.foreign.is_some()
         || tag.rare.address.is_some() && tag.origin != Origin::Declared(SectionKind::Var)
         || matches!(

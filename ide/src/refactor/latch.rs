@@ -177,7 +177,7 @@ fn obstacle(context: &Context, output: &Output<'_>, count: usize) -> Option<Stri
 }
 
 fn is_shared(context: &Context, tag: &TagFacts) -> bool {
-    tag.rare.shared.is_some()
+    tag.leads_elsewhere()
         || tag.rare.foreign.is_some()
         || matches!(
             tag.origin,

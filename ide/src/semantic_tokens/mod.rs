@@ -418,10 +418,7 @@ impl Walk<'_> {
         if own.origin == Origin::Shared {
             modifiers = modifiers.and(Modifiers::STATIC);
         }
-        let tag = own
-            .rare
-            .shared
-            .map_or(own, |(scope, tag)| &self.context.scopes[scope].tags[tag]);
+        let tag = self.context.shared(own);
         match tag.role {
             Role::Input => modifiers = modifiers.and(Modifiers::INPUT),
             Role::Output => modifiers = modifiers.and(Modifiers::OUTPUT),

@@ -51,7 +51,7 @@ pub(crate) fn find(file: &Context, offset: TextSize) -> Option<Found> {
 pub(crate) fn tag_of(file: &Context, scope: usize, name: &Name) -> Option<Symbol> {
     let scopes = &file.scopes;
     let mut entry = (scope, scopes[scope].find(name)?);
-    while let Some(leads_to) = scopes[entry.0].tags[entry.1].rare.shared {
+    while let Some(leads_to) = file.leads_to(&scopes[entry.0].tags[entry.1]) {
         entry = leads_to;
     }
     let tag = &scopes[entry.0].tags[entry.1];

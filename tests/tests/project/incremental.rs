@@ -183,7 +183,7 @@ fn tags(context: &Context) -> Vec<String> {
             let uses: Vec<Use> = context.uses(tag).collect();
             let what = (&tag.name, tag.ty, tag.role, tag.origin, tag.mistyped);
             let declared = (tag.retain, tag.constant, &tag.rare.initial, &tag.rare.address);
-            let elsewhere = (tag.rare.shared, &tag.rare.foreign);
+            let elsewhere = (context.leads_to(tag), &tag.rare.foreign);
             let place = context.place_of(tag);
             format!("{what:?} {declared:?} {elsewhere:?} {place:?} {uses:?}")
         });

@@ -6,7 +6,7 @@ use crate::incremental_files::Files;
 use ladder_tests::generator::Dice;
 
 /// What a file may begin with.
-const SECTIONS: [&str; 14] = [
+const SECTIONS: [&str; 16] = [
     "VAR_GLOBAL\n    ready, done : BOOL;\n    total : DINT := 3;\nEND_VAR\n",
     "VAR_GLOBAL\n    wait : TON;\n    unused : BOOL;\nEND_VAR\n",
     "VAR_GLOBAL\n    level AT %MW3 : INT;\n    open AT %QX0.1 : BOOL;\nEND_VAR\n",
@@ -21,11 +21,16 @@ const SECTIONS: [&str; 14] = [
     "VAR\n    wait, pause : TON;\nEND_VAR\n",
     "FUNCTION_BLOCK [$Hold]\nVAR_INPUT\n    a : BOOL;\nEND_VAR\nVAR_OUTPUT\n    q : BOOL;\nEND_VAR\n\
      +--[ ]( a )--( )( q )--+\nEND_FUNCTION_BLOCK\n",
+    "FUNCTION_BLOCK [$Bare]\n+--[ ]( EN )--[ ]( %IX0.1 )--[ ]( ready )--( )( %QX0.1 )--+\n+--[ ]( Done )--( )( ENO )--+\n\
+     END_FUNCTION_BLOCK\n",
+    "FUNCTION_BLOCK [$Wait]\nVAR\n    pause : TON;\nEND_VAR\nVAR_EXTERNAL\n    wait : TON;\nEND_VAR\n\
+     +--[ ]( EN )--[TON]( pause, T#2s )--[ ]( wait.Q )--[ ]( %ix0.1 )--( )( done )--+\n\
+     +--[ ]( %IX0.2 )--[TON]( wait, T#3s )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n",
     "FUNCTION_BLOCK [$Sum]\nVAR_EXTERNAL\n    total : DINT;\nEND_VAR\n\
      +--[ ]( EN )--[ADD]( total, 1, total )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n",
 ];
 
-const RUNGS: [&str; 16] = [
+const RUNGS: [&str; 19] = [
     "+--[ ]( go )--( )( ready )--+\n\n",
     "+--[ ]( ready )--( )( done )--+\n\n",
     "+--[ ]( Done )--[/]( own )--( )( lamp )--+\n\n",
@@ -40,6 +45,9 @@ const RUNGS: [&str; 16] = [
     "+--[MOV]( fresh, kept )--[LT]( fresh, other )--( )( lamp )--+\n\n",
     "+--[$Hold]( ready, done )--+\n\n",
     "+--[$Sum]()--( )( lamp )--+\n\n",
+    "+--[$Bare]()--[$Wait]()--( )( lamp )--+\n\n",
+    "+--[ ]( %IX0.1 )--( )( %QX0.1 )--+\n\n",
+    "+--[ ]( %ix0.2 )--[ ]( READY )--( )( beep )--+\n\n",
     "+--[ ]( M1 )--( )( M2 )--+\n\n",
     "+--[ ]( ready )--[ ]( \n\n",
 ];
@@ -207,6 +215,45 @@ fn a_tag_that_others_name_already() {
         files.becomes("b", drawn.to_owned());
         for name in ["all", "alll", "all", "al"] {
             files.becomes("a", declares(name));
+        }
+    }
+}
+
+/// What a body names of the file's tags has the order and the spelling of its first places in the body.
+#[test]
+fn rungs_of_a_body_that_come_and_go() {
+    let rungs = [
+        "+--[ ]( %IX0.1 )--[ ]( READY )--( )( %QX0.1 )--+\n\n",
+        "+--[ ]( EN )--[/]( Done )--[ ]( %ix0.1 )--(S)( ENO )--+\n\n",
+        "+--[ ]( %QX0.1 )--[ ]( done )--[/]( ready )--[ ]( %IX0.1 )--(R)( ENO )--+\n\n",
+    ];
+    let drawn = |body: &[&str]| {
+        format!(
+            "VAR_GLOBAL\n    ready, done : BOOL;\nEND_VAR\n\nFUNCTION_BLOCK [$Bare]\n{}END_FUNCTION_BLOCK\n\n\
+             +--[ ]( I1 )--( )( ready )--( )( done )--[$Bare]()--( )( %QX0.2 )--+\n\n+--[ ]( %QX0.1 )--( )( Q1 )--+\n",
+            body.concat()
+        )
+    };
+    let alike = rungs.map(|rung| rung.to_uppercase());
+    // With a connector that has no partner, so that the rung below is not read as it is drawn.
+    let open = "+--[ ]( EN )--\\--( )( ENO )--+\n";
+    for [first, second, third] in [rungs, alike.each_ref().map(String::as_str)] {
+        let mut files = Files::default();
+        for body in [
+            &[first, second, third][..],
+            &[second, third],
+            &[first, second, third],
+            &[first, third],
+            &[third, first, second],
+            &[third, second],
+            &[second, first, third],
+            &[second, open, first, third],
+            &[second, open, third],
+            &[third],
+            &[open, third],
+            &[third, third],
+        ] {
+            files.becomes("line", drawn(body));
         }
     }
 }

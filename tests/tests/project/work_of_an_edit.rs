@@ -66,8 +66,13 @@ fn does_not_grow_with_the_file() {
         ("a tag for all files", Program::in_a_global),
         ("a declaration for all files", Program::in_a_declaration_for_all),
     ];
+    let of_bodies: [(&str, Place); 1] = [("a number in a body", Program::in_a_body)];
     for (name, kind) in KINDS {
-        let of_kind = of_globals.iter().filter(|_| kind == Kind::Globals);
+        let of_kind: &[(&str, Place)] = match kind {
+            Kind::Globals => &of_globals,
+            Kind::Bodies => &of_bodies,
+            _ => &[],
+        };
         for &(what, spot) in spots.iter().chain(of_kind) {
             let (small, large) = (work(kind, 200, spot), work(kind, 2_000, spot));
             let looked_at = |all: [(Work, usize); 2]| all.map(|(work, _)| work);
