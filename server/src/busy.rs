@@ -1,4 +1,5 @@
-//! Whether work is under way that nobody asked for: what is played back waits for it, so that it says the same each time.
+//! Whether work is under way: the end of a session waits for what must be saved, and a recording that is played back for
+//! what nobody asked for, so that it says the same each time.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};

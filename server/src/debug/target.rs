@@ -83,9 +83,9 @@ impl Target {
         }
     }
 
-    /// At the end: saves retentive tags; what goes wrong is for the person.
+    /// At the end: saves retentive tags and leaves their file to others; what goes wrong is for the person.
     pub(super) fn save(&mut self) -> Option<String> {
-        let file = self.retention.as_mut()?;
+        let mut file = self.retention.take()?;
         let saved = file.save(&self.session.simulation().retained());
         saved.err().map(|error| error.to_string())
     }

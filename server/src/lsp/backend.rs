@@ -114,7 +114,7 @@ impl LanguageServer for Backend {
     }
 
     async fn shutdown(&self) -> Result<()> {
-        self.shared.sessions.stop_everything();
+        self.shared.sessions.stop_everything().await;
         Ok(())
     }
 

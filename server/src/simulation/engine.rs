@@ -203,10 +203,10 @@ impl Engine {
         self.session.scans_ahead()
     }
 
-    /// Writes the retentive file.
-    pub(super) fn save(&mut self) {
-        if let Some(retention) = &mut self.retention {
-            retention.finish(&self.session);
+    /// Writes the retentive file for the last time, and leaves it to others.
+    pub(super) fn let_go_of_file(&mut self) {
+        if let Some(mut retention) = self.retention.take() {
+            retention.save(&self.session);
         }
     }
 

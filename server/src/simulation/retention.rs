@@ -52,12 +52,12 @@ impl Retention {
     /// Between two scans: saves if that is due. What cannot be written is tried again a second later.
     pub(super) fn keep(&mut self, session: &Session) {
         if self.file.is_due(Instant::now()) {
-            self.finish(session);
+            self.save(session);
         }
     }
 
     /// Saves.
-    pub(super) fn finish(&mut self, session: &Session) {
+    pub(super) fn save(&mut self, session: &Session) {
         let _ = self.file.save(&session.simulation().retained());
     }
 }

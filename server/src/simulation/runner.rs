@@ -13,6 +13,7 @@ use super::messages::{State, Status};
 use super::request::Failure;
 use super::session::Command;
 use super::standing::{Simulation, Telling};
+use crate::busy::Work;
 use crate::cancel::Cancel;
 use crate::document::Revision;
 
@@ -55,6 +56,8 @@ pub(super) struct Runner {
     /// When it was last sent something.
     pub(super) shown: Instant,
     pub(super) states: watch::Sender<State>,
+    /// The last field: it counts until all others are dropped.
+    pub(super) _running: Work,
 }
 
 impl Runner {
@@ -79,7 +82,7 @@ impl Runner {
                 }
                 Err(RecvTimeoutError::Timeout) => self.go_on(),
                 Err(RecvTimeoutError::Disconnected) => {
-                    self.simulation.engine.save();
+                    self.simulation.engine.let_go_of_file();
                     return;
                 }
             }
@@ -243,7 +246,8 @@ impl Runner {
             Action::FollowOthers(revision) => self.follow(revision),
             Action::Stop => {
                 self.run = None;
-                self.simulation.engine.save();
+                // Before the answer: who has it may start anew, with the same file.
+                self.simulation.engine.let_go_of_file();
                 self.simulation.status = Status::Ended;
             }
         }

@@ -13,6 +13,7 @@ use super::messages::{Options, State, Status};
 use super::request::Failure;
 use super::runner::{Runner, brake};
 use super::standing::{Simulation, Telling};
+use crate::busy::Busy;
 use crate::cancel::Cancel;
 use crate::document::Revision;
 
@@ -41,11 +42,12 @@ pub(crate) struct Session {
 
 impl Session {
     /// Starts the thread of a program. Compiles it first: for a blocking thread. The receiver shows the newest
-    /// state, from before the first scan on.
+    /// state, from before the first scan on. `running` counts the thread until it has let go of everything.
     pub(crate) fn start(
         id: String,
         revision: Arc<Revision>,
         options: &Options,
+        running: &Busy,
     ) -> Result<(Self, watch::Receiver<State>, Vec<String>), Failure> {
         let (commands, inbox) = channel();
         let urgent = Arc::<AtomicUsize>::default();
@@ -72,6 +74,7 @@ impl Session {
             owes: false,
             shown: Instant::now(),
             states,
+            _running: running.begin(),
         };
         std::thread::Builder::new()
             .name(format!("simulation {id}"))

@@ -2,20 +2,26 @@
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 
 use super::action::Action;
 use super::request::Failure;
 use super::session::Session;
+use crate::busy::Busy;
 use crate::cancel::Cancel;
 use crate::document::Revision;
 
 /// No editor shows more simulations than this at once; a client that starts them in a loop is stopped here.
 const MOST: usize = 32;
 
+/// A disk that takes longer does not keep the editor from closing: some wait two seconds for the answer to `shutdown`.
+const SAVING: Duration = Duration::from_millis(1500);
+
 /// The sessions of one client, by name.
 #[derive(Debug, Default)]
 pub(crate) struct Sessions {
     table: Mutex<Table>,
+    running: Busy,
 }
 
 #[derive(Debug, Default)]
@@ -97,11 +103,17 @@ impl Sessions {
         });
     }
 
-    /// Stops all simulations.
-    pub(crate) fn stop_everything(&self) {
+    /// Counts the threads of the sessions; those that were asked to stop too, until they have.
+    pub(crate) fn running(&self) -> Busy {
+        self.running.clone()
+    }
+
+    /// Stops all simulations, and waits until they have saved what they keep: behind this the process may end.
+    pub(crate) async fn stop_everything(&self) {
         for session in std::mem::take(&mut self.lock().open).into_values() {
             drop(session.ask(Action::Stop, Cancel::default()));
         }
+        self.running.rest(SAVING).await;
     }
 
     fn lock(&self) -> MutexGuard<'_, Table> {

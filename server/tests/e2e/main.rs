@@ -21,6 +21,7 @@ mod plant;
 mod protocol_page;
 mod pull;
 mod rename;
+mod retained;
 mod scenario_files;
 mod semantic_tokens;
 mod several_files;

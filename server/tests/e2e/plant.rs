@@ -28,6 +28,16 @@ impl Plant {
         fs::write(path, text).unwrap();
     }
 
+    /// The names of what is in the folder, in their order.
+    pub(crate) fn names(&self) -> Vec<String> {
+        let entries = fs::read_dir(self.folder.path()).unwrap();
+        let mut names: Vec<_> = entries
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
+        names.sort();
+        names
+    }
+
     /// The address of a file.
     pub(crate) fn uri(&self, name: &str) -> String {
         format!("file://{}", self.folder.path().join(name).display())

@@ -124,7 +124,8 @@ async fn start(shared: &Arc<Shared>, Start { uri, options }: Start) -> Result<Op
         .ok_or_else(|| error(not_open(shared, &uri)))?;
     let (name, job) = (shared.sessions.new_name(), revision.clone());
     let deltas = options.deltas;
-    let started = blocking(move |_| Session::start(name, job, &options)).await?;
+    let running = shared.sessions.running();
+    let started = blocking(move |_| Session::start(name, job, &options, &running)).await?;
     let (session, states, notes) = started.map_err(error)?;
     // No `await` from here on: a request that is cancelled must not leave a session that nobody knows of.
     let session = shared.sessions.add(session).map_err(error)?;

@@ -67,7 +67,7 @@ where
         () = shared.orphaned.notified() => {}
     }
     reader.abort();
-    shared.sessions.stop_everything();
+    shared.sessions.stop_everything().await;
     if life.is_shut_down() {
         Ending::Clean
     } else {
