@@ -8,7 +8,7 @@ use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{self, Mistake};
 use ladder_syntax::TextRange;
 use ladder_workspace::{Named, Settings};
-use tower_lsp::ls_types::{Diagnostic, DiagnosticSeverity, NumberOrString};
+use tower_lsp::ls_types::Diagnostic;
 
 use super::{diagnostics, foreign, pull, settings_file};
 use crate::busy::Work;
@@ -131,10 +131,10 @@ fn scenarios(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
                 ));
             }
             // The program itself shows what is wrong with it.
-            Err(NotReady::Errors(message)) => found.push(Diagnostic {
-                severity: Some(DiagnosticSeverity::INFORMATION),
-                ..error(revision, *range, BAD_SCENARIO, message)
-            }),
+            Err(NotReady::Errors(message)) => {
+                let range = convert::range_in(revision, *range);
+                found.push(convert::diagnostic(range, Severity::Info, BAD_SCENARIO, message));
+            }
         }
     }
     let said = |Mistake { range, message, help }| {
@@ -180,12 +180,5 @@ fn is_error(finding: &Finding) -> bool {
 }
 
 fn error(revision: &Revision, range: TextRange, code: &str, message: String) -> Diagnostic {
-    Diagnostic {
-        range: convert::range_in(revision, range),
-        severity: Some(DiagnosticSeverity::ERROR),
-        code: Some(NumberOrString::String(code.into())),
-        source: Some("ladder".into()),
-        message,
-        ..Diagnostic::default()
-    }
+    convert::diagnostic(convert::range_in(revision, range), Severity::Error, code, message)
 }

@@ -4,14 +4,20 @@
 //! kept with the places of its line numbers, and each of these with the line that it counts from: that of a network or a
 //! line of declarations.
 
+use std::cell::{Cell, OnceCell};
 use std::fmt::Write;
 
 use ladder_analysis::Diagnostic;
 use ladder_syntax::TextRange;
+use tower_lsp::ls_types;
 
+use crate::document::positions::Positions;
 use crate::document::{Beside, Revision, position};
 use crate::lsp::capabilities::Agreed;
-use crate::lsp::convert::{self, Ranges};
+use crate::lsp::convert;
+
+/// The rules that mark text without effect: editors show it faded.
+const UNNECESSARY: [&str; 3] = ["unreachable", "unused-function", "unused-label"];
 
 /// The JSON of a diagnostic.
 #[derive(Debug, Default)]
@@ -50,8 +56,8 @@ impl<'r> Writer<'r> {
         }
     }
 
-    /// A finding as [`convert::diagnostics`] gives it. Its places count from these lines: all from one, or each from its own; none if
-    /// they are true for this text only.
+    /// A finding. Its places count from these lines: all from one, or each from its own; none if they are true for this text
+    /// only.
     pub(crate) fn write(&mut self, found: &Diagnostic, lines: &[u32]) -> Json {
         let mut json = Json::default();
         json.text.push_str("{\"range\":");
@@ -73,7 +79,7 @@ impl<'r> Writer<'r> {
             self.related_in_words(&mut json, found, lines);
             json.text.push('"');
         }
-        if convert::is_unnecessary(self.agreed, found) {
+        if self.agreed.unnecessary_tag && UNNECESSARY.contains(&found.rule.name()) {
             json.member("tags", "[1]");
         }
         if self.agreed.diagnostic_data && !found.fixes.is_empty() {
@@ -85,6 +91,11 @@ impl<'r> Writer<'r> {
         json.text.shrink_to_fit();
         json.numbers.shrink_to_fit();
         json
+    }
+
+    /// A finding in the protocol's own type, for those who send it within something else.
+    pub(crate) fn typed(&mut self, found: &Diagnostic) -> Option<ls_types::Diagnostic> {
+        serde_json::from_str(self.write(found, &[]).as_str()).ok()
     }
 
     /// The related places, each with its link.
@@ -149,6 +160,36 @@ impl<'r> Writer<'r> {
 fn first_line(lines: &[u32], place: usize) -> Option<(u32, u32)> {
     let number = if lines.len() == 1 { 0 } else { place };
     Some((*lines.get(number)?, number as u32))
+}
+
+/// So many places are looked up one by one; for more a table of all lines costs less.
+const FEW: usize = 100;
+
+/// What counts the lines and columns of findings.
+struct Ranges<'r> {
+    revision: &'r Revision,
+    asked: Cell<usize>,
+    many: OnceCell<Positions>,
+}
+
+impl<'r> Ranges<'r> {
+    /// Of a text, for places of which nobody knows yet how many there are.
+    fn new(revision: &'r Revision) -> Self {
+        Ranges {
+            revision,
+            asked: Cell::new(0),
+            many: OnceCell::new(),
+        }
+    }
+
+    /// The lines and columns of a stretch.
+    fn range(&self, place: TextRange) -> position::Range {
+        self.asked.update(|asked| asked + 1);
+        if self.asked.get() <= FEW {
+            return self.revision.range(place);
+        }
+        self.many.get_or_init(|| self.revision.positions()).range(place)
+    }
 }
 
 /// A text as JSON.
@@ -236,4 +277,62 @@ fn push_number(text: &mut String, number: u32) {
         }
     }
     text.extend(digits[first..].iter().map(|digit| char::from(*digit)));
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::{Expect, expect};
+
+    use super::*;
+    use crate::document::Documents;
+    use crate::document::position::Encoding;
+
+    /// Findings with a fix, with a related place, and about text without effect.
+    const TEXT: &str = "VAR x, y : BOOL; END_VAR\n\n+--[ ]( ö )--( )( y )--+\n\n+--[ ]( y )--( )( y )--+\n\n\
+        +--[ ]( y )--( )( x )--+\n\n+--<END>()--+\n\n+--[ ]( y )--( )( x )--+\n";
+
+    /// What a client gets that takes all of this, or nothing of it: a diagnostic a line.
+    fn check(can: bool, expected: &Expect) {
+        let agreed = Agreed {
+            related_information: can,
+            unnecessary_tag: can,
+            diagnostic_data: can,
+            ..Agreed::default()
+        };
+        let revision = Documents::default().open("file:///a.clad", 1, Encoding::Utf16, TEXT);
+        let analysis = revision.analysis().expect("the text is not too large");
+        let mut writer = Writer::new(agreed, &revision);
+        let mut all = String::new();
+        for finding in analysis.findings() {
+            all.push_str(writer.write(&analysis.diagnostic(finding), &[]).as_str());
+            all.push('\n');
+        }
+        expected.assert_eq(&all);
+    }
+
+    #[test]
+    fn all_that_a_diagnostic_consists_of() {
+        check(
+            true,
+            &expect![[r#"
+            {"range":{"start":{"line":2,"character":8},"end":{"line":2,"character":9}},"severity":2,"code":"undeclared-tag","source":"ladder","message":"`ö` is not declared\ndeclare it, so that a typing mistake cannot make a new tag","data":{"fixes":["Declare `ö : BOOL` in VAR_INPUT"]}}
+            {"range":{"start":{"line":4,"character":18},"end":{"line":4,"character":19}},"severity":2,"code":"double-coil","source":"ladder","message":"`y` is written by 2 coils: the last one alone decides\nlead all conditions to one coil, joined with \\ and /; or use (S) and (R)","relatedInformation":[{"location":{"uri":"file:///a.clad","range":{"start":{"line":2,"character":18},"end":{"line":2,"character":19}}},"message":"`y` is written here as well"}]}
+            {"range":{"start":{"line":8,"character":3},"end":{"line":8,"character":10}},"severity":2,"code":"unconditional-end","source":"ladder","message":"<END> stops the program for good, and no condition is before it: only one scan runs\na program needs no end; <RET> ends the scan, as END does in other controllers","data":{"fixes":["End the scan only: <RET>"]}}
+            {"range":{"start":{"line":10,"character":0},"end":{"line":10,"character":24}},"severity":2,"code":"unreachable","source":"ladder","message":"no scan ever comes to this rung\nput a condition before what leaves above it, mark it with a <LBL> that is jumped to, or remove it","relatedInformation":[{"location":{"uri":"file:///a.clad","range":{"start":{"line":8,"character":3},"end":{"line":8,"character":10}}},"message":"this always ends the program"}],"tags":[1]}
+        "#]],
+        );
+    }
+
+    #[test]
+    fn related_places_in_words() {
+        check(
+            false,
+            &expect![[r#"
+            {"range":{"start":{"line":2,"character":8},"end":{"line":2,"character":9}},"severity":2,"code":"undeclared-tag","source":"ladder","message":"`ö` is not declared\ndeclare it, so that a typing mistake cannot make a new tag"}
+            {"range":{"start":{"line":4,"character":18},"end":{"line":4,"character":19}},"severity":2,"code":"double-coil","source":"ladder","message":"`y` is written by 2 coils: the last one alone decides\nlead all conditions to one coil, joined with \\ and /; or use (S) and (R)\nline 3: `y` is written here as well"}
+            {"range":{"start":{"line":8,"character":3},"end":{"line":8,"character":10}},"severity":2,"code":"unconditional-end","source":"ladder","message":"<END> stops the program for good, and no condition is before it: only one scan runs\na program needs no end; <RET> ends the scan, as END does in other controllers"}
+            {"range":{"start":{"line":10,"character":0},"end":{"line":10,"character":24}},"severity":2,"code":"unreachable","source":"ladder","message":"no scan ever comes to this rung\nput a condition before what leaves above it, mark it with a <LBL> that is jumped to, or remove it\nline 9: this always ends the program"}
+        "#]],
+        );
+    }
 }

@@ -6,12 +6,12 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use ladder_analysis::Finding;
+use ladder_analysis::Severity;
 use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES};
 use ladder_workspace::SETTINGS_FILE;
-use tower_lsp::ls_types::{Diagnostic, DiagnosticSeverity, NumberOrString, Range};
+use tower_lsp::ls_types::{Diagnostic, Range};
 
-use super::{companions, folders, pull, settings_file, shown, typed};
+use super::{companions, folders, pull, settings_file, shown, typed, written};
 use crate::busy::Work;
 use crate::document::Revision;
 use crate::lsp::transport::blocking::caught;
@@ -71,9 +71,9 @@ fn publish(shared: &Arc<Shared>, agreed: Agreed, revision: &Arc<Revision>) {
     }
 }
 
-/// The diagnostics of a program. The other open files of its workspace are looked at again if they see something
-/// else in it than before. For a blocking thread.
-pub(crate) fn look_at(shared: &Arc<Shared>, revision: &Revision) -> Vec<Diagnostic> {
+/// The diagnostics of a program, as the JSON of a list. The other open files of its workspace are looked at again if they
+/// see something else in it than before. For a blocking thread.
+pub(crate) fn look_at(shared: &Arc<Shared>, revision: &Revision) -> String {
     let diagnostics = of_open(shared, revision);
     tell_others(shared, revision);
     diagnostics
@@ -179,43 +179,34 @@ pub(crate) fn look_at_everything_again(shared: &Arc<Shared>) {
 }
 
 /// What is found in a text that a person has open, without what is being typed. For a blocking thread.
-fn of_open(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
-    found_in(shared.agreed(), revision, |found| {
-        typed::without_waiting(shared, revision, found);
-    })
+fn of_open(shared: &Shared, revision: &Revision) -> String {
+    let Some(analysis) = revision.analysis() else {
+        return list(&[too_large(revision)]);
+    };
+    let mut chosen = shown::shown(analysis, revision);
+    typed::without_waiting(shared, revision, &mut chosen.0);
+    shared.written.list(shared.agreed(), revision, analysis, chosen)
 }
 
-/// What is found in a text. For a blocking thread.
-pub(crate) fn diagnostics_of(agreed: Agreed, revision: &Revision) -> Vec<Diagnostic> {
-    found_in(agreed, revision, |_| {})
-}
-
-fn found_in(agreed: Agreed, revision: &Revision, choose: impl FnOnce(&mut Vec<Finding>)) -> Vec<Diagnostic> {
+/// What is found in a text that nobody has open, as the JSON of a list. For a blocking thread.
+pub(crate) fn of_closed(agreed: Agreed, revision: &Revision) -> String {
     match revision.analysis() {
-        Some(analysis) => {
-            let (mut shown, left_out) = shown::shown(analysis, revision);
-            choose(&mut shown);
-            let shown: Vec<_> = shown.iter().map(|found| analysis.diagnostic(found)).collect();
-            let mut items = convert::diagnostics(agreed, revision, &shown);
-            items.extend(shown::rest(left_out));
-            items
-        }
-        None => vec![too_large(revision)],
+        Some(analysis) => written::list_once(agreed, revision, analysis, shown::shown(analysis, revision)),
+        None => list(&[too_large(revision)]),
     }
+}
+
+/// Diagnostics as the JSON of a list.
+pub(crate) fn list(items: &[Diagnostic]) -> String {
+    serde_json::to_string(items).unwrap_or_else(|_| "[]".into())
 }
 
 pub(crate) fn too_large(revision: &Revision) -> Diagnostic {
-    Diagnostic {
-        range: Range::default(),
-        severity: Some(DiagnosticSeverity::ERROR),
-        code: Some(NumberOrString::String("file-too-large".into())),
-        source: Some("ladder".into()),
-        message: format!(
-            "this file has {} bytes; files over {} MiB, or of more than {MAX_OPEN_LINES} lines, are not checked, \
-             formatted or simulated. Split the program, or open the right file",
-            revision.len(),
-            MAX_OPEN_BYTES >> 20
-        ),
-        ..Diagnostic::default()
-    }
+    let message = format!(
+        "this file has {} bytes; files over {} MiB, or of more than {MAX_OPEN_LINES} lines, are not checked, \
+         formatted or simulated. Split the program, or open the right file",
+        revision.len(),
+        MAX_OPEN_BYTES >> 20
+    );
+    convert::diagnostic(Range::default(), Severity::Error, "file-too-large", message)
 }

@@ -6,8 +6,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use ladder_analysis::{Diagnostic as Finding, Severity};
 use ladder_interchange::notation::{Lines, Mark, ReadError};
 use ladder_syntax::{TextRange, TextSize};
-use tower_lsp::ls_types::{Diagnostic, DiagnosticSeverity, NumberOrString};
+use tower_lsp::ls_types::Diagnostic;
 
+use super::diagnostic_json::Writer;
 use super::shown;
 use crate::document::Revision;
 use crate::lsp::capabilities::Agreed;
@@ -56,19 +57,20 @@ fn of_program(agreed: Agreed, revision: &Revision, opened: &Opened) -> Vec<Diagn
     all.extend(opened.findings().iter().map(Said::Finding));
     all.sort_by_key(Said::start);
     let (chosen, left_out) = shown::chosen(&all, revision.edited(), |said| (said.is_error(), said.start()));
+    let mut writer = Writer::new(agreed, revision);
     let mut items: Vec<Diagnostic> = Vec::with_capacity(chosen.len() + 1);
     for said in chosen {
         match said {
             Said::Mark(mark) => {
-                items.push(item(
-                    revision,
-                    mark.range,
+                let range = convert::range_in(revision, mark.range);
+                items.push(convert::diagnostic(
+                    range,
                     mark.severity,
                     mark.check,
-                    &mark.message,
+                    mark.message.clone(),
                 ));
             }
-            Said::Finding(finding) => items.extend(convert::diagnostics(agreed, revision, [*finding])),
+            Said::Finding(finding) => items.extend(writer.typed(finding)),
         }
     }
     items.extend(shown::rest(left_out));
@@ -83,25 +85,11 @@ fn of_broken(revision: &Revision, error: &ReadError) -> Vec<Diagnostic> {
         .map(|(place, message)| (lines.word(&text, place), message))
         .collect();
     let (chosen, left_out) = shown::chosen(&all, revision.edited(), |(range, _)| (true, range.start()));
-    let items = chosen
-        .into_iter()
-        .map(|(range, message)| item(revision, *range, Severity::Error, BAD_PROGRAM, message));
+    let items = chosen.into_iter().map(|(range, message)| {
+        let range = convert::range_in(revision, *range);
+        convert::diagnostic(range, Severity::Error, BAD_PROGRAM, (*message).to_owned())
+    });
     items.chain(shown::rest(left_out)).collect()
-}
-
-fn item(revision: &Revision, range: TextRange, severity: Severity, code: &str, message: &str) -> Diagnostic {
-    Diagnostic {
-        range: convert::range_in(revision, range),
-        severity: Some(match severity {
-            Severity::Error => DiagnosticSeverity::ERROR,
-            Severity::Warning => DiagnosticSeverity::WARNING,
-            Severity::Info => DiagnosticSeverity::INFORMATION,
-        }),
-        code: Some(NumberOrString::String(code.to_owned())),
-        source: Some("ladder".into()),
-        message: message.to_owned(),
-        ..Diagnostic::default()
-    }
 }
 
 /// Whose ladder text is followed: by address, with what was sent last.

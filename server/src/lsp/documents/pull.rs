@@ -11,15 +11,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 use ladder_analysis::Exported;
+use serde_json::Value;
 use tower_lsp::jsonrpc::{Error, Result};
 use tower_lsp::ls_types::{
-    Diagnostic, DiagnosticOptions, DiagnosticServerCapabilities, DocumentDiagnosticParams,
-    DocumentDiagnosticReport, DocumentDiagnosticReportKind, DocumentDiagnosticReportResult,
-    FullDocumentDiagnosticReport, RelatedFullDocumentDiagnosticReport,
-    RelatedUnchangedDocumentDiagnosticReport, UnchangedDocumentDiagnosticReport, Uri,
-    WorkDoneProgressOptions, WorkspaceDiagnosticParams, WorkspaceDiagnosticReport,
-    WorkspaceDiagnosticReportResult, WorkspaceDocumentDiagnosticReport,
-    WorkspaceFullDocumentDiagnosticReport, WorkspaceUnchangedDocumentDiagnosticReport,
+    DiagnosticOptions, DiagnosticServerCapabilities, DocumentDiagnosticParams, DocumentDiagnosticReport,
+    DocumentDiagnosticReportResult, RelatedFullDocumentDiagnosticReport, WorkDoneProgressOptions,
+    WorkspaceDiagnosticParams, WorkspaceDiagnosticReport, WorkspaceDiagnosticReportResult,
 };
 
 use super::{companions, diagnostics, folders, settings_file, watch};
@@ -27,8 +24,8 @@ use crate::document::Revision;
 use crate::document::address::{path_of, uri_of};
 use crate::document::membership::Membership;
 use crate::document::on_disk::OnDisk;
-use crate::lsp::transport::{blocking::blocking, progress::Progress};
-use crate::lsp::{convert, shared::Shared};
+use crate::lsp::shared::Shared;
+use crate::lsp::transport::{blocking::blocking, prepared, progress::Progress};
 
 /// Changes that come together are reported together.
 const GATHER: Duration = Duration::from_millis(50);
@@ -37,7 +34,7 @@ const GATHER: Duration = Duration::from_millis(50);
 const PATIENCE: Duration = Duration::from_secs(30);
 
 /// What was found in files that are not open, as long as they and what they see stay as they are.
-pub(crate) type Found = Mutex<HashMap<PathBuf, (Arc<OnDisk>, Arc<Exported>, Vec<Diagnostic>)>>;
+pub(crate) type Found = Mutex<HashMap<PathBuf, (Arc<OnDisk>, Arc<Exported>, Arc<str>)>>;
 
 /// What is offered to a client that asks for diagnostics.
 pub(crate) fn options() -> DiagnosticServerCapabilities {
@@ -78,50 +75,30 @@ pub(crate) async fn document(
     let uri = params.text_document.uri;
     watch::look_around(shared);
     let beside = shared.clone();
-    let (items, related) = blocking(move |_| {
+    let previous = params.previous_result_id;
+    let report = blocking(move |_| {
         let shared = beside;
         if let Some(revision) = shared.companions.get(uri.as_str()) {
-            return (companions::diagnostics_of(&shared, &revision), None);
+            let found = companions::diagnostics_of(&shared, &revision);
+            return report(&diagnostics::list(&found), previous.as_deref(), "");
         }
         let Some(revision) = shared.documents.get(uri.as_str()) else {
             // Not open: as it is on disk, if it is known.
             let found = path_of(uri.as_str()).and_then(|path| on_disk(&shared, &path));
-            return (found.unwrap_or_default(), None);
+            return report(found.as_deref().unwrap_or("[]"), previous.as_deref(), "");
         };
         let items = diagnostics::look_at(&shared, &revision);
-        let related = revision.place().filter(|_| shared.agreed().related_documents);
-        (
-            items,
-            related.and_then(|place| settings_file::of_program(&shared, &place.path)),
-        )
+        let place = revision.place().filter(|_| shared.agreed().related_documents);
+        let settings = place.and_then(|place| settings_file::of_program(&shared, &place.path));
+        let related = settings.map(|(path, found)| {
+            let settings = report(&diagnostics::list(&found), None, "");
+            format!(",\"relatedDocuments\":{{\"{}\":{settings}}}", uri_of(&path))
+        });
+        report(&items, previous.as_deref(), &related.unwrap_or_default())
     })
     .await?;
-    let related_documents = related.and_then(|(path, items)| {
-        let report = FullDocumentDiagnosticReport {
-            result_id: Some(identity(&items)),
-            items,
-        };
-        let uri: Uri = convert::uri(&uri_of(&path))?;
-        Some(HashMap::from([(uri, DocumentDiagnosticReportKind::Full(report))]))
-    });
-    let result_id = identity(&items);
-    Ok(
-        if params.previous_result_id.as_deref() == Some(result_id.as_str()) {
-            DocumentDiagnosticReport::Unchanged(RelatedUnchangedDocumentDiagnosticReport {
-                related_documents,
-                unchanged_document_diagnostic_report: UnchangedDocumentDiagnosticReport { result_id },
-            })
-        } else {
-            DocumentDiagnosticReport::Full(RelatedFullDocumentDiagnosticReport {
-                related_documents,
-                full_document_diagnostic_report: FullDocumentDiagnosticReport {
-                    result_id: Some(result_id),
-                    items,
-                },
-            })
-        }
-        .into(),
-    )
+    let unsent = DocumentDiagnosticReport::Full(RelatedFullDocumentDiagnosticReport::default());
+    prepared::answer_instead(unsent.into(), report)
 }
 
 /// `workspace/diagnostic`: of the open documents, of the programs in the client's folders, of those beside open ones,
@@ -133,7 +110,7 @@ pub(crate) async fn workspace(
     let token = params.work_done_progress_params.work_done_token.clone();
     let progress = Progress::of_request(shared, token, "Checking ladder programs");
     let beside = shared.clone();
-    let items = blocking(move |cancel| {
+    let reports = blocking(move |cancel| {
         let shared = beside;
         folders::read(&shared, &progress, &|| cancel.is_cancelled());
         let known: HashMap<&str, &str> = params
@@ -142,23 +119,23 @@ pub(crate) async fn workspace(
             .map(|it| (it.uri.as_str(), it.value.as_str()))
             .collect();
         // By address, so that the order is the same each time.
-        let mut reports: BTreeMap<String, (Option<i32>, Vec<Diagnostic>)> = BTreeMap::new();
+        let mut found: BTreeMap<String, (Option<i32>, Arc<str>)> = BTreeMap::new();
         for revision in shared.companions.all() {
-            let found = companions::diagnostics_of(&shared, &revision);
-            reports.insert(revision.uri.to_string(), (Some(revision.version), found));
+            let items = diagnostics::list(&companions::diagnostics_of(&shared, &revision));
+            found.insert(revision.uri.to_string(), (Some(revision.version), items.into()));
         }
         for revision in shared.documents.all() {
             if cancel.is_cancelled() {
                 return None;
             }
-            let found = diagnostics::look_at(&shared, &revision);
-            reports.insert(revision.uri.to_string(), (Some(revision.version), found));
+            let items = diagnostics::look_at(&shared, &revision);
+            found.insert(revision.uri.to_string(), (Some(revision.version), items.into()));
         }
-        let open: Vec<PathBuf> = reports.keys().filter_map(|uri| path_of(uri)).collect();
+        let open: Vec<PathBuf> = found.keys().filter_map(|uri| path_of(uri)).collect();
         for file in shared.neighbours.settings_files() {
             if !open.contains(&file.path) {
-                let found = settings_file::diagnostics(&file, shared.agreed().encoding);
-                reports.insert(uri_of(&file.path), (None, found));
+                let items = settings_file::diagnostics(&file, shared.agreed().encoding);
+                found.insert(uri_of(&file.path), (None, diagnostics::list(&items).into()));
             }
         }
         let closed = shared.neighbours.closed_programs();
@@ -168,59 +145,44 @@ pub(crate) async fn workspace(
             }
             progress.report(done, closed.len(), path);
             if !open.contains(path)
-                && let Some(found) = on_disk(&shared, path)
+                && let Some(items) = on_disk(&shared, path)
             {
-                reports.insert(uri_of(path), (None, found));
+                found.insert(uri_of(path), (None, items));
             }
         }
-        let reports = reports.into_iter();
-        Some(
-            reports
-                .filter_map(|(uri, (version, items))| report(&known, &uri, version, items))
-                .collect(),
-        )
+        let reports = found.into_iter().map(|(uri, (version, items))| {
+            let version = version.map_or("null".to_owned(), |version| version.to_string());
+            let of_file = format!(",\"uri\":{},\"version\":{version}", Value::from(&*uri));
+            report(&items, known.get(&*uri).copied(), &of_file)
+        });
+        Some(format!(
+            "{{\"items\":[{}]}}",
+            reports.collect::<Vec<_>>().join(",")
+        ))
     })
     .await?;
-    let items: Vec<WorkspaceDocumentDiagnosticReport> = items.ok_or_else(Error::request_cancelled)?;
-    Ok(WorkspaceDiagnosticReport { items }.into())
+    let unsent = WorkspaceDiagnosticReport { items: Vec::new() };
+    prepared::answer_instead(unsent.into(), reports.ok_or_else(Error::request_cancelled)?)
 }
 
-fn report(
-    known: &HashMap<&str, &str>,
-    uri: &str,
-    version: Option<i32>,
-    items: Vec<Diagnostic>,
-) -> Option<WorkspaceDocumentDiagnosticReport> {
-    let result_id = identity(&items);
-    let version = version.map(i64::from);
-    let unchanged = known.get(uri) == Some(&result_id.as_str());
-    let uri: Uri = convert::uri(uri)?;
-    Some(if unchanged {
-        WorkspaceUnchangedDocumentDiagnosticReport {
-            uri,
-            version,
-            unchanged_document_diagnostic_report: UnchangedDocumentDiagnosticReport { result_id },
-        }
-        .into()
-    } else {
-        WorkspaceFullDocumentDiagnosticReport {
-            uri,
-            version,
-            full_document_diagnostic_report: FullDocumentDiagnosticReport {
-                result_id: Some(result_id),
-                items,
-            },
-        }
-        .into()
-    })
+/// The report of a list of diagnostics, with more members behind. The client may have this list already.
+fn report(items: &str, previous: Option<&str>, more: &str) -> String {
+    let mut hasher = DefaultHasher::new();
+    items.hash(&mut hasher);
+    // The same for the same list, and for no other.
+    let identity = format!("{:016x}", hasher.finish());
+    if previous == Some(&*identity) {
+        return format!("{{\"kind\":\"unchanged\",\"resultId\":\"{identity}\"{more}}}");
+    }
+    format!("{{\"kind\":\"full\",\"resultId\":\"{identity}\",\"items\":{items}{more}}}")
 }
 
-/// What is found in a program that is not open, or in a settings file. None if the file is not known.
-fn on_disk(shared: &Shared, path: &Path) -> Option<Vec<Diagnostic>> {
+/// What is found in a program that is not open, or in a settings file, as the JSON of a list. None if the file is not known.
+fn on_disk(shared: &Shared, path: &Path) -> Option<Arc<str>> {
     let agreed = shared.agreed();
     let files = shared.neighbours.settings_files();
     if let Some(file) = files.iter().find(|file| file.path == path) {
-        return Some(settings_file::diagnostics(file, agreed.encoding));
+        return Some(diagnostics::list(&settings_file::diagnostics(file, agreed.encoding)).into());
     }
     let (file, exported) = shared.neighbours.closed_program(path)?;
     let lock = || shared.found.lock().unwrap_or_else(PoisonError::into_inner);
@@ -232,14 +194,7 @@ fn on_disk(shared: &Shared, path: &Path) -> Option<Vec<Diagnostic>> {
     }
     let place = Membership::new(path.to_owned(), &shared.neighbours);
     let revision = Revision::on_disk(&uri_of(path), agreed.encoding, file.text(), place);
-    let found = diagnostics::diagnostics_of(agreed, &revision);
+    let found: Arc<str> = diagnostics::of_closed(agreed, &revision).into();
     lock().insert(path.to_owned(), (file, exported, found.clone()));
     Some(found)
-}
-
-/// The same for the same list, and for no other.
-fn identity(items: &[Diagnostic]) -> String {
-    let mut hasher = DefaultHasher::new();
-    serde_json::to_string(items).unwrap_or_default().hash(&mut hasher);
-    format!("{:016x}", hasher.finish())
 }

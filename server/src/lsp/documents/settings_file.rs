@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
+use ladder_analysis::Severity;
 use ladder_workspace::shown;
 use ropey::Rope;
-use tower_lsp::ls_types::{Diagnostic, DiagnosticSeverity, NumberOrString};
+use tower_lsp::ls_types::Diagnostic;
 
 use super::companions::BAD_SETTING;
 use crate::document::SettingsFile;
@@ -110,13 +111,9 @@ pub(crate) fn diagnostics(file: &SettingsFile, encoding: Encoding) -> Vec<Diagno
     let rope = Rope::from_str(&file.text);
     let mistakes = file.mistakes.iter();
     mistakes
-        .map(|mistake| Diagnostic {
-            range: convert::range(position::range(&rope, encoding, mistake.range.into())),
-            severity: Some(DiagnosticSeverity::ERROR),
-            code: Some(NumberOrString::String(BAD_SETTING.into())),
-            source: Some("ladder".into()),
-            message: mistake.message.clone(),
-            ..Diagnostic::default()
+        .map(|mistake| {
+            let range = convert::range(position::range(&rope, encoding, mistake.range.into()));
+            convert::diagnostic(range, Severity::Error, BAD_SETTING, mistake.message.clone())
         })
         .collect()
 }

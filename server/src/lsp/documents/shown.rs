@@ -1,12 +1,13 @@
 //! Which findings of a file an editor is sent: it shows no more than so many, and each costs a message.
 
-use ladder_analysis::{Finding, keep_nearest};
+use ladder_analysis::{Finding, Severity, keep_nearest};
 use ladder_syntax::TextSize;
 use ladder_syntax::numeral::counted;
-use tower_lsp::ls_types::{Diagnostic, DiagnosticSeverity, NumberOrString, Range};
+use tower_lsp::ls_types::{Diagnostic, Range};
 
 use crate::document::Revision;
 use crate::language::Analysis;
+use crate::lsp::convert;
 
 /// So many, which is also what VS Code keeps of one file.
 const MOST: usize = 1_000;
@@ -36,17 +37,13 @@ pub(crate) fn chosen<T>(
 
 /// The finding that says how many there are beside those that are shown.
 pub(crate) fn rest(left_out: usize) -> Option<Diagnostic> {
-    (left_out > 0).then(|| Diagnostic {
-        range: Range::default(),
-        severity: Some(DiagnosticSeverity::INFORMATION),
-        code: Some(NumberOrString::String("more-findings".into())),
-        source: Some("ladder".into()),
-        message: format!(
+    (left_out > 0).then(|| {
+        let message = format!(
             "{} in this file: the {MOST} shown are the errors, and what is near to the last change. `ladder check` \
              shows all",
             counted(left_out, "more finding")
-        ),
-        ..Diagnostic::default()
+        );
+        convert::diagnostic(Range::default(), Severity::Info, "more-findings", message)
     })
 }
 

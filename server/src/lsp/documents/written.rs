@@ -55,22 +55,32 @@ impl Written {
         agreed: Agreed,
         revision: &Revision,
         analysis: &Analysis,
-        (shown, left_out): (Vec<Finding>, usize),
+        chosen: (Vec<Finding>, usize),
     ) -> String {
         let mut kept = self.take(&revision.uri).unwrap_or_default();
-        let mut params = String::with_capacity(kept.length + 400);
+        let mut params = kept.room();
         params.push_str("{\"uri\":");
         params.push_str(&serde_json::Value::from(&*revision.uri).to_string());
-        params.push_str(",\"diagnostics\":[");
-        kept.write(agreed, revision, analysis, &shown, &mut params);
-        if let Some(rest) = shown::rest(left_out).and_then(|rest| serde_json::to_string(&rest).ok()) {
-            separate(&mut params, shown.is_empty());
-            params.push_str(&rest);
-        }
-        params.push_str(&format!("],\"version\":{}}}", revision.version));
-        kept.length = params.len();
-        self.kept().insert(revision.uri.to_string(), kept);
+        params.push_str(",\"diagnostics\":");
+        kept.list(agreed, revision, analysis, chosen, &mut params);
+        params.push_str(&format!(",\"version\":{}}}", revision.version));
+        self.keep(revision, kept);
         params
+    }
+
+    /// The same findings as a list, for a client that asks for them.
+    pub(crate) fn list(
+        &self,
+        agreed: Agreed,
+        revision: &Revision,
+        analysis: &Analysis,
+        chosen: (Vec<Finding>, usize),
+    ) -> String {
+        let mut kept = self.take(&revision.uri).unwrap_or_default();
+        let mut list = kept.room();
+        kept.list(agreed, revision, analysis, chosen, &mut list);
+        self.keep(revision, kept);
+        list
     }
 
     /// A document is closed.
@@ -82,12 +92,52 @@ impl Written {
         self.kept().remove(uri)
     }
 
+    fn keep(&self, revision: &Revision, kept: Kept) {
+        self.kept().insert(revision.uri.to_string(), kept);
+    }
+
     fn kept(&self) -> std::sync::MutexGuard<'_, HashMap<String, Kept>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
+/// As [`Written::list`], of a text that nobody has open: nothing is kept.
+pub(crate) fn list_once(
+    agreed: Agreed,
+    revision: &Revision,
+    analysis: &Analysis,
+    chosen: (Vec<Finding>, usize),
+) -> String {
+    let mut list = String::new();
+    Kept::default().list(agreed, revision, analysis, chosen, &mut list);
+    list
+}
+
 impl Kept {
+    /// For what is written next, which is likely to be as long as what was written last.
+    fn room(&self) -> String {
+        String::with_capacity(self.length + 400)
+    }
+
+    /// Adds the JSON list of findings, with one that says how many are left out.
+    fn list(
+        &mut self,
+        agreed: Agreed,
+        revision: &Revision,
+        analysis: &Analysis,
+        (shown, left_out): (Vec<Finding>, usize),
+        out: &mut String,
+    ) {
+        out.push('[');
+        self.write(agreed, revision, analysis, &shown, out);
+        if let Some(rest) = shown::rest(left_out).and_then(|rest| serde_json::to_string(&rest).ok()) {
+            separate(out, shown.is_empty());
+            out.push_str(&rest);
+        }
+        out.push(']');
+        self.length = out.len();
+    }
+
     /// Adds the JSON of findings, in their order.
     fn write(
         &mut self,
@@ -150,13 +200,14 @@ fn separate(out: &mut String, is_first: bool) {
 
 #[cfg(test)]
 mod tests {
+    use serde::Deserialize;
     use serde_json::Value;
+    use tower_lsp::ls_types::PublishDiagnosticsParams;
 
     use super::*;
     use crate::document::Documents;
     use crate::document::edit::Change;
     use crate::document::position::{Encoding, Position, Range};
-    use crate::lsp::convert;
 
     const URI: &str = "file:///a%20b.clad";
 
@@ -187,13 +238,12 @@ mod tests {
         serde_json::from_str(&params).expect("what is written is JSON")
     }
 
-    /// What the protocol's own types say of it.
+    /// What is written without anything kept.
     fn expected(agreed: Agreed, revision: &Revision) -> Value {
-        let analysis = revision.analysis().expect("the text is not too large");
-        let found = analysis.findings().iter().map(|found| analysis.diagnostic(found));
-        let found: Vec<_> = found.collect();
-        let diagnostics = convert::diagnostics(agreed, revision, &found);
-        serde_json::json!({ "uri": URI, "diagnostics": diagnostics, "version": revision.version })
+        let fresh = written(&Written::default(), agreed, revision);
+        let typed = PublishDiagnosticsParams::deserialize(&fresh).expect("it is what the protocol asks for");
+        assert_eq!(serde_json::to_value(typed).expect("it can be written"), fresh);
+        fresh
     }
 
     #[test]

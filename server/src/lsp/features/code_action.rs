@@ -17,6 +17,7 @@ use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{
     capabilities::{Agreed, FIX_ALL},
     convert,
+    documents::diagnostic_json::Writer,
     shared::Shared,
 };
 use ladder_ide::{Action, ActionKind};
@@ -146,8 +147,10 @@ fn offer(
     CodeActionOrCommand::CodeAction(CodeAction {
         title: action.title.clone(),
         kind: Some(name(action.kind)),
-        diagnostics: finding
-            .map(|finding| convert::diagnostics(agreed, revision, [&analysis.diagnostic(finding)])),
+        diagnostics: finding.map(|finding| {
+            let typed = Writer::new(agreed, revision).typed(&analysis.diagnostic(finding));
+            typed.into_iter().collect()
+        }),
         edit: now.and_then(|text| edit(agreed, revision, analysis, action, text)),
         is_preferred: finding.map(|_| action.preferred),
         disabled: action

@@ -52,6 +52,11 @@ pub(crate) fn answer_ahead<T: DeserializeOwned>(
     })
 }
 
+/// As [`answer`], for a handler that has to return something: this, which is not sent.
+pub(crate) fn answer_instead<T: DeserializeOwned>(unsent: T, text: String) -> Result<T> {
+    Ok(answer(text)?.unwrap_or(unsent))
+}
+
 fn give<T: DeserializeOwned>(text: Text) -> Result<Option<T>> {
     let mut text = Some(text);
     if GIVEN.try_with(|given| given.set(text.take())).is_ok() {
