@@ -54,7 +54,7 @@ pub use file_lines::{AllLines, FileLines};
 pub use grammar::is_declaration_keyword;
 pub use kind::{LadderLanguage, SyntaxElement, SyntaxKind, SyntaxNode, SyntaxToken};
 pub use line::{Line, LineKind, Mode};
-pub use line_index::{LineColumn, LineIndex};
+pub use line_index::{LineColumn, LineIndex, line_around};
 pub use line_tree::{LineTree, Trees};
 pub use lines::{LineList, LineReader, Lines, read_lines};
 pub use name::{Name, is_identifier, is_reserved};

@@ -79,6 +79,19 @@ pub(crate) fn line_ends(text: &[u8]) -> impl Iterator<Item = usize> + '_ {
         .filter(|&at| text[at] == b'\n' || text.get(at + 1) != Some(&b'\n'))
 }
 
+/// The physical line around an offset, without its line end: for one look, where an index would be read through once more
+/// than the line. A place between the CR and the LF of a line end belongs to the line that they end.
+pub fn line_around(text: &str, offset: TextSize) -> TextRange {
+    let bytes = text.as_bytes();
+    let mut at = usize::from(offset).min(bytes.len());
+    if at > 0 && bytes[at - 1] == b'\r' && bytes.get(at) == Some(&b'\n') {
+        at -= 1;
+    }
+    let start = memchr::memrchr2(b'\n', b'\r', &bytes[..at]).map_or(0, |end| end + 1);
+    let end = memchr::memchr2(b'\n', b'\r', &bytes[at..]).map_or(bytes.len(), |end| at + end);
+    TextRange::new(TextSize::new(start as u32), TextSize::new(end as u32))
+}
+
 impl LineIndex {
     /// The index of a text.
     pub fn new(text: &str) -> LineIndex {
@@ -127,6 +140,13 @@ impl LineIndex {
         TextRange::new(at(line), at(line + 1))
     }
 
+    /// The range of a line, from 0, without its line end, in the text that the index was made of.
+    pub fn content(&self, text: &str, line: usize) -> TextRange {
+        let range = self.range(line);
+        let content = text[range].trim_end_matches(['\r', '\n']);
+        TextRange::at(range.start(), TextSize::of(content))
+    }
+
     /// The place of an offset in the text that the index was made of.
     pub fn line_column(&self, text: &str, offset: TextSize) -> LineColumn {
         let offset = offset.min(TextSize::new(self.len));
@@ -144,8 +164,8 @@ impl LineIndex {
 
     /// The other way: the offset of a place, brought back into its line and into the text if it lies outside.
     pub fn offset(&self, text: &str, place: LineColumn) -> TextSize {
-        let line = self.range((place.line.max(1) as usize - 1).min(self.starts.len() - 1));
-        let content = text[line].trim_end_matches(['\r', '\n']);
+        let line = self.content(text, (place.line.max(1) as usize - 1).min(self.starts.len() - 1));
+        let content = &text[line];
         let before = place.column.max(1) - 1;
         let mut characters = content.char_indices().filter(|&(_, c)| c != '\u{feff}');
         let at = characters
@@ -177,6 +197,19 @@ mod tests {
         assert_eq!(lines, ["a\n", "b\r\n", "c\r", "d\u{2028}e\n", ""]);
         assert!(index.range(99).is_empty());
         assert_eq!(LineIndex::new("").line_count(), 1);
+    }
+
+    /// Each offset of a text, with the line around it.
+    #[test]
+    fn lines_around() {
+        for text in ["", "\n", "ab", "a\nbc\r\nd\re\u{2028}f\r\n", "\r\r\n\n"] {
+            let index = LineIndex::new(text);
+            for offset in 0..=text.len() + 1 {
+                let offset = TextSize::new(offset as u32);
+                let line = index.content(text, index.line(offset));
+                assert_eq!(line_around(text, offset), line, "{text:?} {offset:?}");
+            }
+        }
     }
 
     /// In long lines columns are counted from the nearest known one.

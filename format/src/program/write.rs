@@ -8,7 +8,7 @@ use super::{
 };
 use crate::edit::Edit;
 use crate::{Options, PieceKind, apply, format};
-use ladder_syntax::{TextRange, TextSize, parse};
+use ladder_syntax::{TextRange, TextSize, line_around, parse};
 
 /// The text of a program, and where in it things are.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -24,11 +24,8 @@ impl WrittenProgram {
     /// line, else the next one.
     pub fn origin_at(&self, offset: TextSize) -> Option<Origin> {
         let before = || {
-            let line = self.text[..usize::from(offset)]
-                .rfind('\n')
-                .map_or(0, |at| at + 1);
-            self.nearest(offset)
-                .filter(|(range, _)| usize::from(range.start()) >= line)
+            let line = line_around(&self.text, offset).start();
+            self.nearest(offset).filter(|(range, _)| range.start() >= line)
         };
         let behind = || self.places.get(self.begun(offset));
         let place = before().or_else(behind).or(self.places.last());

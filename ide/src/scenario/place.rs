@@ -2,7 +2,7 @@
 
 use super::Scenarios;
 use ladder_simulator::scenario::{Row, Scenario};
-use ladder_syntax::{TextRange, TextSize};
+use ladder_syntax::{TextRange, TextSize, line_around};
 
 /// What the cursor is at.
 #[derive(Debug, Clone, Copy)]
@@ -55,8 +55,6 @@ pub(super) fn place<'s>(scenarios: &Scenarios<'s>, offset: TextSize) -> Option<A
 
 /// The line of an offset, up to its end, and where it begins.
 pub(super) fn line(text: &str, offset: TextSize) -> (TextSize, &str) {
-    let at = usize::from(offset).min(text.len());
-    let start = text[..at].rfind(['\n', '\r']).map_or(0, |end| end + 1);
-    let end = text[at..].find(['\n', '\r']).map_or(text.len(), |end| at + end);
-    (TextSize::new(start as u32), &text[start..end])
+    let line = line_around(text, offset);
+    (line.start(), &text[line])
 }

@@ -13,7 +13,7 @@ use declaration::declaration;
 use ladder_analysis::context::{Body, Context};
 use ladder_instructions::Shape;
 use ladder_syntax::rowan::GreenNodeData;
-use ladder_syntax::{LineKind, Mode, NodeOrToken, SyntaxKind, TextRange, TextSize};
+use ladder_syntax::{LineKind, Mode, NodeOrToken, SyntaxKind, TextRange, TextSize, line_around};
 use operand::{operand, parenthesis_closes};
 use std::ops::Range;
 
@@ -170,13 +170,7 @@ impl Typing<'_> {
 
     /// The physical line of the cursor, without its line end.
     pub(crate) fn physical_line(&self) -> Range<usize> {
-        let start = self.text[..self.cursor]
-            .rfind(['\n', '\r'])
-            .map_or(0, |at| at + 1);
-        let end = self.text[self.cursor..]
-            .find(['\n', '\r'])
-            .map_or(self.text.len(), |at| self.cursor + at);
-        start..end
+        line_around(&self.text, TextSize::new(self.cursor as u32)).into()
     }
 
     /// What is behind a place on its physical line.

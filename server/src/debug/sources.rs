@@ -41,9 +41,7 @@ impl Source {
 
     /// The range of a line, from 0, without its end.
     pub(super) fn line_range(&self, line: usize) -> TextRange {
-        let range = self.index.range(line);
-        let text = self.text[range].trim_end_matches(['\r', '\n']);
-        TextRange::at(range.start(), TextSize::of(text))
+        self.index.content(&self.text, line)
     }
 
     pub(super) fn line_count(&self) -> usize {

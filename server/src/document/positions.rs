@@ -2,30 +2,26 @@
 
 use std::cell::Cell;
 
-use ladder_syntax::TextRange;
+use ladder_syntax::{LineIndex, TextRange, TextSize};
 
 use super::position::{Encoding, Position, Range, length};
 
-/// A text with the starts of its lines. Places near to the one before cost least.
+/// A text with the index of its lines. Places near to the one before cost least: findings and symbols come in order.
 #[derive(Debug)]
 pub(crate) struct Positions {
     text: String,
     encoding: Encoding,
-    starts: Vec<usize>,
+    index: LineIndex,
     /// The line that was found last.
     last: Cell<usize>,
 }
 
 impl Positions {
     pub(crate) fn new(text: String, encoding: Encoding) -> Positions {
-        let bytes = text.as_bytes();
-        let ends = memchr::memchr2_iter(b'\n', b'\r', bytes)
-            .filter(|&at| bytes[at] == b'\n' || bytes.get(at + 1) != Some(&b'\n'));
-        let starts = std::iter::once(0).chain(ends.map(|at| at + 1)).collect();
         Positions {
+            index: LineIndex::new(&text),
             text,
             encoding,
-            starts,
             last: Cell::new(0),
         }
     }
@@ -34,17 +30,14 @@ impl Positions {
     /// its line, one within a character its beginning.
     pub(crate) fn position(&self, offset: usize) -> Position {
         let line = self.line(offset);
-        let start = self.starts[line];
-        let end = self.starts.get(line + 1).copied().unwrap_or(self.text.len());
-        let mut at = offset.min(end);
+        let range = self.index.range(line);
+        let start = usize::from(range.start());
+        let mut at = offset.min(range.end().into());
         while !self.text.is_char_boundary(at) {
             at -= 1;
         }
         let before = &self.text[start..at];
-        let before = match self.starts.len() - line {
-            1 => before,
-            _ => before.trim_end_matches(['\r', '\n']),
-        };
+        let before = before.trim_end_matches(['\r', '\n']);
         Position {
             line: line as u32,
             character: if before.is_ascii() {
@@ -65,13 +58,17 @@ impl Positions {
 
     fn line(&self, offset: usize) -> usize {
         let last = self.last.get();
-        let begins = |line: usize| self.starts.get(line).is_none_or(|&start| offset < start);
-        let line = if self.starts[last] <= offset && begins(last + 1) {
+        let holds = |line: usize| {
+            let range = self.index.range(line);
+            usize::from(range.start()) <= offset && offset < usize::from(range.end())
+        };
+        let line = if holds(last) {
             last
-        } else if self.starts[last] <= offset && begins(last + 2) {
+        } else if holds(last + 1) {
             last + 1
         } else {
-            self.starts.partition_point(|&start| start <= offset) - 1
+            let offset = offset.min(self.text.len());
+            self.index.line(TextSize::new(offset as u32))
         };
         self.last.set(line);
         line

@@ -1,4 +1,5 @@
-//! Positions of many places of a text in their order, in one pass over it.
+//! Positions of many places of a text in their order, in one pass over it: a line with thousands of tokens, whose columns
+//! [`Positions`](super::positions::Positions) counts from its beginning each time, costs no more than as many short ones.
 
 use super::position::{Encoding, Position};
 

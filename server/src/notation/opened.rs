@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use ladder_analysis::{Analysis, Diagnostic};
 use ladder_interchange::notation::{Companion, Foreign, Notation, Outcome, ReadError, Source};
-use ladder_syntax::{Parse, TextRange, TextSize};
+use ladder_syntax::{LineIndex, Parse, TextRange, TextSize, line_around};
 use ladder_workspace::read_beside;
 
 /// A hover shows no more lines of a drawing.
@@ -58,7 +58,9 @@ impl Opened {
 
     /// What the line around an offset becomes, in Markdown, and where it is.
     pub(crate) fn hover(&self, offset: TextSize) -> Option<(TextRange, String)> {
-        let line = self.line_with_parts(line_around(self.foreign.text(), offset))?;
+        let text = self.foreign.text();
+        let lines = LineIndex::new(text);
+        let line = self.line_with_parts(&lines, lines.line(offset))?;
         let mut shown: Vec<String> = Vec::new();
         let networks = self.networks(line);
         if !networks.is_empty() {
@@ -72,28 +74,29 @@ impl Opened {
             };
             shown.push(format!("**{what}** `{}`: {why}", entry.element));
         }
-        (!shown.is_empty()).then(|| (trimmed(self.foreign.text(), line), shown.join("\n\n")))
+        (!shown.is_empty()).then(|| (trimmed(text, line), shown.join("\n\n")))
     }
 
     /// The line, or the one where the statement begins that goes on in it, if anything was made from that. An `if True:`
     /// has no part of its own; its rung is that of the line below.
-    fn line_with_parts(&self, line: TextRange) -> Option<TextRange> {
+    fn line_with_parts(&self, lines: &LineIndex, number: usize) -> Option<TextRange> {
+        let text = self.foreign.text();
+        let line = lines.content(text, number);
         let has_parts = |line| {
             self.foreign.made_from(line).next().is_some() || self.foreign.entries_in(line).next().is_some()
         };
         if has_parts(line) {
             return Some(line);
         }
-        let text = self.foreign.text();
         if text[line].trim_start().starts_with("if ") {
-            let below = line_around(text, line.end() + TextSize::new(1));
+            let below = lines.content(text, number + 1);
             return (below.start() > line.end() && has_parts(below)).then_some(below);
         }
         let before = self.foreign.last_before(line.start())?;
         let between = &text[TextRange::new(before, line.start())];
         let count = |of: [char; 3]| between.chars().filter(|c| of.contains(c)).count();
         let goes_on = count(['(', '[', '{']) > count([')', ']', '}']);
-        let first = line_around(text, before);
+        let first = lines.content(text, lines.line(before));
         (goes_on && has_parts(first)).then_some(first)
     }
 
@@ -139,14 +142,6 @@ fn network_around(ladder: &str, offset: TextSize) -> Option<TextRange> {
         end = line_around(ladder, end + TextSize::new(1)).end();
     }
     Some(TextRange::new(first.start(), end))
-}
-
-/// The line around an offset, without its end.
-fn line_around(text: &str, offset: TextSize) -> TextRange {
-    let at = usize::from(offset).min(text.len());
-    let start = text[..at].rfind('\n').map_or(0, |before| before + 1);
-    let end = text[at..].find('\n').map_or(text.len(), |length| at + length);
-    TextRange::new(TextSize::new(start as u32), TextSize::new(end as u32))
 }
 
 /// The line without the blanks around what is on it.

@@ -6,6 +6,7 @@ use super::header::{self, Entry};
 use super::line::{self, Block, Piece};
 use ladder_analysis::Severity;
 use ladder_format::program::{Declaration, Drawing, Element, Item, Network, RungPiece, Section, SectionKind};
+use ladder_syntax::{LineIndex, TextSize};
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// Reads a program.
@@ -58,9 +59,11 @@ pub(super) fn read(text: &str) -> Result<Reading, ReadError> {
 fn without_comments(text: &str) -> Result<(String, Vec<(u32, String)>), ReadError> {
     let mut clean = String::with_capacity(text.len());
     let mut comments = Vec::new();
-    let mut number = 1;
-    let mut rest = text.trim_start_matches('\u{feff}');
+    let text = text.trim_start_matches('\u{feff}');
+    let lines = LineIndex::of_line_feeds(text);
+    let mut rest = text;
     while let Some(c) = rest.chars().next() {
+        let number = || lines.line(TextSize::of(text) - TextSize::of(rest)) as u32 + 1;
         let length = if rest.starts_with("//") {
             rest.find('\n').unwrap_or(rest.len())
         } else if rest.starts_with("/*") {
@@ -68,14 +71,13 @@ fn without_comments(text: &str) -> Result<(String, Vec<(u32, String)>), ReadErro
                 Some(at) => at + 2,
                 None => {
                     return Err(ReadError::at(
-                        LineColumn::line(number),
+                        LineColumn::line(number()),
                         "the comment that begins here has no `*/`",
                     ));
                 }
             }
         } else {
             clean.push(c);
-            number += u32::from(c == '\n');
             rest = &rest[c.len_utf8()..];
             continue;
         };
@@ -86,10 +88,9 @@ fn without_comments(text: &str) -> Result<(String, Vec<(u32, String)>), ReadErro
             .trim_end_matches("*/")
             .trim();
         if !inside.is_empty() {
-            comments.push((number, inside.to_owned()));
+            comments.push((number(), inside.to_owned()));
         }
         clean.extend(comment.chars().map(|c| if c == '\n' { '\n' } else { ' ' }));
-        number += comment.matches('\n').count() as u32;
         rest = &rest[length..];
     }
     Ok((clean, comments))

@@ -2,6 +2,7 @@
 
 use super::super::parse::{Cell, Row};
 use super::{at, is_expected, ruler, width};
+use ladder_syntax::line_around;
 
 /// What is between a tag and its values: an arrow with a blank at either side, or as many blanks.
 const ARROW: &str = " => ";
@@ -84,9 +85,8 @@ impl Columns {
         let Some(row) = longest else {
             return Vec::new();
         };
-        let before = &text[..usize::from(row.range.start())];
-        let line = before.rfind(['\n', '\r']).map_or(0, |end| end + 1);
-        let line = &text[line..];
+        let line = line_around(text, row.range.start()).start();
+        let line = &text[usize::from(line)..];
         let line = line.strip_prefix('\u{feff}').unwrap_or(line);
         let start = text.len() - line.len();
         let stood = row

@@ -1,5 +1,6 @@
 //! Comments of a Python file, handed out to what they are at.
 
+use ladder_syntax::{LineIndex, TextSize};
 use ruff_python_ast::token::{TokenKind, Tokens};
 use ruff_text_size::Ranged;
 
@@ -23,12 +24,13 @@ pub(super) struct Comments {
 impl Comments {
     pub(super) fn of(text: &str, tokens: &Tokens) -> Comments {
         let found = tokens.iter().filter(|token| token.kind() == TokenKind::Comment);
+        let lines = LineIndex::new(text);
         let mut waiting: Vec<Comment> = found
             .filter_map(|token| {
                 let start = usize::from(token.start());
                 let written = text.get(start..usize::from(token.end()))?;
-                let line = text[..start].rfind('\n').map_or(0, |at| at + 1);
-                let before = &text[line..start];
+                let line = lines.range(lines.line(TextSize::new(start as u32)));
+                let before = &text[line.start().into()..start];
                 Some(Comment {
                     start,
                     text: written.trim_start_matches('#').trim().to_owned(),

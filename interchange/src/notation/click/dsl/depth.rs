@@ -1,6 +1,6 @@
 //! How large and how deep a Python file may be. The parser calls itself for what nests, so this is asked before.
 
-use crate::notation::{LineColumn, Lines, ReadError};
+use crate::notation::{LineColumn, ReadError};
 use ruff_python_ast::token::TokenKind;
 use ruff_python_parser::{Mode, lexer};
 
@@ -39,25 +39,14 @@ pub(super) fn check(text: &str) -> Result<(), ReadError> {
             return Ok(());
         }
         if !depth.take(kind) {
-            let place = place_of(text, depth.newlines);
+            // Tokens have no places here, but they tell where lines end.
+            let place = LineColumn::line(depth.newlines as u32 + 1);
             return Err(ReadError::at(
                 place,
                 "what is written here nests too deeply to be read",
             ));
         }
     }
-}
-
-/// Tokens have no places here, but they tell where lines end.
-fn place_of(text: &str, newlines: usize) -> LineColumn {
-    let ends = text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
-    let start = ends.map(|(at, _)| at + 1).nth(newlines.wrapping_sub(1));
-    let offset = if newlines == 0 {
-        0
-    } else {
-        start.unwrap_or(text.len())
-    };
-    Lines::of(text).place(text, offset)
 }
 
 struct Depth {
