@@ -1,4 +1,4 @@
-//! What the grammar tells of a text, and to whom.
+//! What the grammar reports about a text, and to whom.
 
 use crate::SyntaxKind;
 use std::ops::Range;

@@ -56,7 +56,7 @@ pub struct Lines<N> {
     unclosed_comment: Option<TextRange>,
 }
 
-/// Reads all lines of a text, and tells the builder what is on them. [`parse`](crate::parse()) does this with the
+/// Reads all lines of a text, and reports to the builder what is on them. [`parse`](crate::parse()) does this with the
 /// builder of the tree.
 pub fn read_lines<B: Builder>(text: &str, builder: &mut B) -> Lines<B::Line> {
     let mut lines = Lines::with_capacity(text.len());

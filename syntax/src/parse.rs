@@ -18,7 +18,7 @@ use std::sync::OnceLock;
 pub const MAX_FILE_BYTES: usize = 64 << 20;
 
 /// The largest text that an editor's server reads: 24 MiB. What it knows of a text takes some thirty times as much memory;
-/// larger texts are kept, so that the editor can go on, and nothing is said about them.
+/// larger texts are kept, so that the editor can go on, and nothing is reported about them.
 pub const MAX_OPEN_BYTES: usize = 24 << 20;
 
 /// A text that an editor's server reads has at most so many lines. Each takes a kilobyte of memory, however short it is.

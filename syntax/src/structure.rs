@@ -24,7 +24,7 @@ pub struct Structure {
     pub(crate) problems: Vec<(usize, SyntaxErrorKind)>,
 }
 
-/// The sections and block definitions of a file: what of its [`Structure`] can be told without going through its networks.
+/// The sections and block definitions of a file: what of its [`Structure`] can be known without going through its networks.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Frame {
     /// As [`Structure::sections`].
@@ -186,7 +186,7 @@ impl Grouping {
             // Groups have made networks of them.
             LineKind::Rung => {}
             LineKind::Rail | LineKind::Comment | LineKind::Blank => out.items.push(Item::Decoration(index)),
-            // An END_VAR without a section; the parser said so.
+            // An END_VAR without a section; the parser reported it.
             LineKind::Stray | LineKind::Declaration | LineKind::SectionEnd => {
                 out.items.push(Item::Stray(index));
             }
@@ -196,7 +196,7 @@ impl Grouping {
                     .count()
                     .checked_sub(1)
                     .map(|last| lines.line(last).mode_after);
-                // Where a drawing or a block definition ends it, that line's parse has said so.
+                // Where a drawing or a block definition ends it, that line's parse has reported it.
                 if !closed
                     && last_mode == Some(Mode::Section)
                     && (end..lines.count()).all(|line| lines.line(line).kind.is_decoration())

@@ -4,7 +4,7 @@ use crate::SyntaxKind;
 use crate::builder::Builder;
 use std::ops::Range;
 
-/// Takes nothing: what a line is, its connectors and its mistakes the grammar says by itself.
+/// Takes nothing: what a line is, its connectors and its mistakes are in what the grammar returns.
 pub(crate) struct Summary;
 
 impl Builder for Summary {

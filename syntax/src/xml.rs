@@ -3,7 +3,7 @@
 use std::fmt::{self, Display, Write};
 
 /// A text as an element or an attribute in double quotes takes it. Characters that XML 1.0 cannot hold, and those that
-/// would steer a terminal, become U+FFFD; tabs and line ends stay.
+/// would control a terminal, become U+FFFD; tabs and line ends stay.
 #[derive(Debug, Clone, Copy)]
 pub struct Escaped<'t>(pub &'t str);
 

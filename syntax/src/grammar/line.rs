@@ -47,7 +47,7 @@ pub(crate) fn line<B: Builder>(text: &str, start: usize, entry: Entry, builder: 
     }
 }
 
-/// Where a comment is never closed, what is missing right before it may be in it: only the comment is said.
+/// Where a comment is never closed, what is missing right before it may be in it: only the comment is reported.
 fn drop_swallowed<B: Builder>(p: &mut Parser<'_, '_, B>) {
     if !p
         .errors

@@ -54,7 +54,7 @@ struct Parser<'t, 'b, B> {
     depth: u32,
     /// Operators in the operand that is being read.
     terms: u32,
-    /// Whether the operand that is being read was said to be too complex.
+    /// Whether the operand that is being read was reported as too complex.
     too_complex: bool,
     /// A string without its closing quote was met.
     string_cut: bool,
