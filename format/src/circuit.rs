@@ -48,7 +48,7 @@ const fn up<'c, T>(joined: bool) -> Piece<'c, T> {
 
 impl<T> Circuit<T> {
     /// Its rungs from top to bottom. Wire comes in at the left end of the first and goes out at its right end; the
-    /// other rungs hang below it. What is in series is evaluated from left to right, what is in parallel from
+    /// other rungs are joined to it from below. What is in series is evaluated from left to right, what is in parallel from
     /// top to bottom.
     pub fn rungs(&self) -> Vec<Vec<Piece<'_, T>>> {
         match self {
@@ -112,8 +112,8 @@ impl<T> Circuit<T> {
     }
 }
 
-/// The first branch is between two `\`, the others in the same way between the `/` below them. On the rungs that
-/// hang below the first branch the wires to the others pass on both sides.
+/// The first branch is between two `\`, the others in the same way between the `/` below them. On the rungs
+/// below the first branch the wires to the others pass on both sides.
 fn parallel<T>(branches: &[Circuit<T>]) -> Rungs<'_, T> {
     let [first, rest @ ..] = branches else {
         return vec![Vec::new()];

@@ -213,7 +213,7 @@ impl<S: Sink> File<'_, S> {
     }
 
     /// Writes what belongs between the last thing and the one that comes: a blank line if one was blank, a
-    /// rail line if only those stood there, else nothing. Before the first thing is nothing.
+    /// rail line if only those were there, else nothing. Before the first thing is nothing.
     fn begin(&mut self, part: &PendingPart<'_>) {
         let begun = std::mem::replace(&mut self.begun, true);
         let Some(&first) = self.between.first().filter(|_| begun) else {

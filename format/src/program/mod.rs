@@ -22,7 +22,7 @@ pub struct ProgramSketch {
 pub enum Item {
     /// A comment on lines of its own. It may have several lines; see [`comment_text`] for what it cannot hold.
     Comment(String),
-    /// A comment that speaks to the tools: `profile ldmicro`, `allow-file(never-read): reason`.
+    /// A comment for the tools: `profile ldmicro`, `allow-file(never-read): reason`.
     Directive(String),
     /// A blank line.
     Blank,
@@ -195,7 +195,7 @@ impl Element {
 }
 
 /// A text as it can be in a comment: a comment cannot hold `#`, so it becomes `\x23`. Lone carriage returns and
-/// other control characters become `\x..` too, and what would speak to the tools (`ladder: ..`) does not.
+/// other control characters become `\x..` too, and what would be a directive to the tools (`ladder: ..`) is none.
 pub fn comment_text(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     if text.trim_start().starts_with("ladder:") {
