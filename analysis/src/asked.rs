@@ -1,4 +1,4 @@
-//! What a comment that speaks to the tools asks for: `# ladder: profile ldmicro #`. Whoever looks for one kind of it
+//! What a directive, a comment for the tools, asks for: `# ladder: profile ldmicro #`. Whoever looks for one kind of it
 //! reads it here.
 
 /// A word, and what is behind it without the blanks around it.
@@ -9,16 +9,16 @@ pub(crate) struct Asked<'c> {
 }
 
 /// What is before the word.
-const SALUTATION: &str = "ladder:";
+const PREFIX: &str = "ladder:";
 
-/// Whether a text may hold a comment that speaks to the tools.
+/// Whether a text may hold a directive.
 pub(crate) fn may_ask(text: &str) -> bool {
-    text.contains(SALUTATION)
+    text.contains(PREFIX)
 }
 
-/// Reads a comment with its signs. None: it does not speak to the tools.
+/// Reads a comment with its signs. None: it is no directive.
 pub(crate) fn asked(comment: &str) -> Option<Asked<'_>> {
-    let words = comment.trim_matches('#').trim().strip_prefix(SALUTATION)?.trim();
+    let words = comment.trim_matches('#').trim().strip_prefix(PREFIX)?.trim();
     let end = words.find(|c: char| !is_word(c)).unwrap_or(words.len());
     let (word, behind) = words.split_at(end);
     Some(Asked {

@@ -586,7 +586,7 @@ fn respelled(context: &mut Context, scope: usize, tag: usize) {
 }
 
 /// A tag with the type and the role that its places give it, if neither a declaration nor its name says them. It has no type yet
-/// if that is for its company to say.
+/// if that follows from its company.
 pub(crate) fn typed(context: &Context, tag: &TagFacts) -> TagFacts {
     let mut tag = tag.clone();
     if !tag.is_inferred() {

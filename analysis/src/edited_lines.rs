@@ -45,7 +45,7 @@ pub(crate) fn change(before: &Context, parse: &Parse) -> Option<Change> {
     if above < before.declared_to && edited_declarations::are_lines_of(before, &change, new) {
         return Some(Change::Declarations(change));
     }
-    // In a file without networks all tags are new ones, of which nothing is said.
+    // In a file without networks all tags are new ones, of which nothing is known.
     let first = before.networks.first()?;
     let below_first = first.first_line + first.line_count() <= above;
     let says_the_same = || profile::profile(parse) == before.profile && profile::cycle(parse) == before.cycle;

@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-/// A noun with "a" or "an" before it, as one speaks it: `an INT`, `a UINT`, `an LREAL`, `an 8-bit`. Brackets and quotes
+/// A noun with "a" or "an" before it, as it is spoken: `an INT`, `a UINT`, `an LREAL`, `an 8-bit`. Brackets and quotes
 /// in front of it do not matter.
 pub fn with_article(noun: impl Display) -> String {
     let noun = noun.to_string();

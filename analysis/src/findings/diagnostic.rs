@@ -138,7 +138,7 @@ impl Diagnostic {
         self
     }
 
-    /// Whether all places that it speaks of lie in a stretch of the file.
+    /// Whether all places that it names lie in a stretch of the file.
     pub(crate) fn lies_in(&self, stretch: TextRange) -> bool {
         let related = |place: &Related| place.file.is_none() && stretch.contains_range(place.range);
         let edits = |fix: &Fix| fix.edits.iter().all(|edit| stretch.contains_range(edit.range));

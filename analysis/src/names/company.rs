@@ -1,6 +1,6 @@
 //! Which tags have another type behind an edit besides those that it names.
 //!
-//! A tag of which no place says the type has that of its company: of what it is compared with, or of what is written to
+//! A tag whose type no place gives has that of its company: of what it is compared with, or of what is written to
 //! it ([`infer`]). So it depends on the tags of its blocks, and through those of them that have
 //! no type by their places either on the tags of their blocks. No tag has a say beyond these.
 

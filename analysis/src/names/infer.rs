@@ -28,7 +28,7 @@ pub(crate) fn infer(context: &mut Context, wanted: &StillWanted<'_>) -> Option<(
     Some(())
 }
 
-/// Rules 2 and 3, for tags without a type that share no block with other ones of which rule 1 says nothing.
+/// Rules 2 and 3, for tags without a type that share no block with others that rule 1 gives no type.
 pub(crate) fn settle(context: &mut Context, untyped: &[Entry]) {
     by_company(context, untyped);
     let integer = Type::Scalar(Scalar::integer_of(context.profile.law()));
@@ -76,7 +76,7 @@ fn asked(context: &Context, bound: BlockAt<'_>, formal: Formal) -> Option<Type> 
     }
 }
 
-/// Rule 1. Only the places of tags without a type have a say. Gives the tags that have none behind it; nothing if that is not
+/// Rule 1. Only the places of tags without a type count. Gives the tags that have none behind it; nothing if that is not
 /// wanted any longer.
 fn by_place(context: &mut Context, wanted: &StillWanted<'_>) -> Option<Vec<Entry>> {
     let mut answers: Vec<(Entry, Type)> = Vec::new();
@@ -99,7 +99,7 @@ fn by_place(context: &mut Context, wanted: &StillWanted<'_>) -> Option<Vec<Entry
 }
 
 /// The type that a tag's places give it. One that is only in blocks that could not be read has neither places nor
-/// company that say anything.
+/// company that give one.
 pub(crate) fn answer(context: &Context, tag: &TagFacts) -> Option<Type> {
     let readable = |place: Use| !context.networks.at(place.network).block(place.block).faulty;
     let unread = || !context.uses(tag).any(readable);
@@ -211,7 +211,7 @@ fn company(law: &Law, scope: &Scope, bound: BlockAt<'_>, mut give: impl FnMut(us
     let type_among = |asked: fn(Accepts) -> bool| {
         operands()
             .filter(|(_, formal)| matches!(formal, Formal::Operand(o) if asked(o.accepts)))
-            .find_map(|(other, _)| telling(law, scope, &other.value))
+            .find_map(|(other, _)| type_given_by(law, scope, &other.value))
     };
     // All compared operands have one company: it is asked for once.
     let mut compared = None;
@@ -236,20 +236,20 @@ fn company(law: &Law, scope: &Scope, bound: BlockAt<'_>, mut give: impl FnMut(us
     }
 }
 
-/// The type that a value tells its company, if it is one that tells: TIME, STRING, a date, a real.
-fn telling(law: &Law, scope: &Scope, node: &Node) -> Option<Scalar> {
+/// The type that a value gives its company, if it gives one: TIME, STRING, a date, a real.
+fn type_given_by(law: &Law, scope: &Scope, node: &Node) -> Option<Scalar> {
     if let Some((literal, negative)) = signed_literal(node) {
         return literal
             .as_ref()
             .ok()
             .map(|l| natural_type(l, negative))
-            .and_then(|ty| tells(law, ty));
+            .and_then(|ty| given_type(law, ty));
     }
     match &node.kind {
         NodeKind::Name(_) | NodeKind::Address(_) | NodeKind::Member(..) | NodeKind::Index(..) => {
-            node_type(law, scope, node).and_then(|ty| tells(law, ty))
+            node_type(law, scope, node).and_then(|ty| given_type(law, ty))
         }
-        NodeKind::Paren(inner) | NodeKind::Unary(_, inner) => telling(law, scope, inner),
+        NodeKind::Paren(inner) | NodeKind::Unary(_, inner) => type_given_by(law, scope, inner),
         // A comparison gives BOOL, whatever it compares.
         NodeKind::Binary(
             Operator::Equal
@@ -260,15 +260,17 @@ fn telling(law: &Law, scope: &Scope, node: &Node) -> Option<Scalar> {
             | Operator::GreaterEqual,
             ..,
         ) => None,
-        NodeKind::Binary(_, left, right) => telling(law, scope, left).or_else(|| telling(law, scope, right)),
+        NodeKind::Binary(_, left, right) => {
+            type_given_by(law, scope, left).or_else(|| type_given_by(law, scope, right))
+        }
         NodeKind::Call(_, arguments) => arguments
             .iter()
-            .find_map(|argument| telling(law, scope, argument)),
+            .find_map(|argument| type_given_by(law, scope, argument)),
         _ => None,
     }
 }
 
-fn tells(law: &Law, ty: Scalar) -> Option<Scalar> {
+fn given_type(law: &Law, ty: Scalar) -> Option<Scalar> {
     match ty {
         Scalar::Real | Scalar::Lreal => Some(Scalar::real_of(law)),
         Scalar::String(_) => Some(Scalar::String(crate::types::DEFAULT_STRING)),

@@ -13,7 +13,7 @@ pub(crate) struct Misdeclared {
     /// By the numbers of the lines.
     found: BTreeMap<u32, Vec<Arc<Anchored>>>,
     /// The names in the file's own scope that are declared more than once, with the numbers of the lines that do it again.
-    /// Of a line that the parser has something to say about no finding says so.
+    /// A line that the parser reports something about has no finding of its own for that.
     repeated: FxHashMap<Name, Vec<u32>>,
 }
 

@@ -182,7 +182,7 @@ impl Resolver<'_, '_> {
             Type::Array { element, .. } => Some((tag, element)),
             ty => {
                 let facts = &self.scope.tags[tag];
-                // undeclared-tag speaks of an array without a declaration, once.
+                // undeclared-tag reports an array without a declaration, once.
                 if facts.origin != Origin::Undeclared && !facts.mistyped {
                     let diagnostic = type_mismatch::wrong(
                         range,

@@ -9,7 +9,7 @@ pub(super) type Use = (usize, TextRange);
 /// it has uses, each as long as the file.
 const MOST_USES: usize = 100_000;
 
-/// So many names are said of the way around a circle.
+/// At most so many names are listed on the way around a circle.
 const MOST_NAMES: usize = 20;
 
 /// The names of a way around, the first of them if there are many.

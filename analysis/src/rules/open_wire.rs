@@ -226,7 +226,7 @@ impl<'c> Reach<'c> {
             "the wire is cut here: no power can reach what is behind",
         )
         .help("a blank or a `|` breaks a wire: draw it through with `-`");
-        // A single blank in a wire is a slip. Where more is missing, a connector may have stood.
+        // A single blank in a wire is a slip. Where more is missing, a connector may be missing.
         let starts_with_connector = matches!(self.part(rung, first).kind, PartKind::Down | PartKind::Up);
         let is_slip = gap.len() == TextSize::new(1) && between.is_empty() && !starts_with_connector;
         let applicability = if is_slip {

@@ -18,7 +18,7 @@ pub(crate) fn check<'c>(
     areas.sort_by(|a, b| a.order().cmp(&b.order()).then_with(|| start(a).cmp(&start(b))));
     // Areas are of few sizes and begin at a multiple of their own: one is within another, or beside it.
     let mut around: Vec<usize> = Vec::new();
-    // For each area those that it overlaps and that stand before it.
+    // For each area those that it overlaps and that come before it.
     let mut earlier: Vec<Vec<usize>> = vec![Vec::new(); areas.len()];
     for (inner, area) in areas.iter().enumerate() {
         around.retain(|&outer| areas[outer].letter == area.letter && area.first <= areas[outer].last);

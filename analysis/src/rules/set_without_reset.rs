@@ -8,7 +8,7 @@ use crate::rule::Rule;
 pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
     let tag = summary.tag;
     let (all_set, all_reset) = (summary.sets == summary.writes, summary.resets == summary.writes);
-    // Of an input that is written input-written tells.
+    // An input that is written is reported by input-written.
     if tag.role == Role::Input || summary.writes == 0 || !(all_set || all_reset) {
         return;
     }

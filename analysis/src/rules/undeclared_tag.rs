@@ -63,7 +63,7 @@ pub(crate) fn is_usual(tag: &TagFacts) -> bool {
     tag.origin == Origin::Undeclared
 }
 
-/// Whether the place says that a tag is meant: the block is known and could be read, and no other rule speaks of
+/// Whether the place says that a tag is meant: the block is known and could be read, and no other rule reports
 /// the operand.
 fn is_clear(context: &Context, tag: &TagFacts, place: &Use) -> bool {
     let bound = context.networks.at(place.network).block(place.block);

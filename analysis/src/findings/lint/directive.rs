@@ -1,4 +1,4 @@
-//! Comments that speak to the tools: `# ladder: allow(double-coil): two modes, only one is wired #`.
+//! Directives, which are comments for the tools: `# ladder: allow(double-coil): two modes, only one is wired #`.
 
 use crate::asked::{Asked, asked};
 use crate::diagnostic::Diagnostic;
@@ -17,7 +17,7 @@ pub(super) enum Directive {
     Known,
 }
 
-/// Reads a comment that is at `at`. None: it does not speak to the tools. What is wrong goes to `out`.
+/// Reads a comment that is at `at`. None: it is no directive. What is wrong goes to `out`.
 pub(super) fn read(comment: &str, at: TextSize, out: &mut Vec<Diagnostic>) -> Option<Directive> {
     let Asked { word: name, behind } = asked(comment)?;
     let place = TextRange::at(at, TextSize::of(comment));

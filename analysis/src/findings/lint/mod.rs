@@ -53,7 +53,7 @@ pub(crate) fn level(settings: &RuleSettings, rule: Rule, severity: Severity) -> 
     match settings.level(rule) {
         None => Some(severity),
         Some(Level::Shown(severity)) => Some(severity),
-        // A rule that is off unless set may still have errors to tell.
+        // A rule that is off unless set may still have errors to report.
         Some(Level::Off) => None,
     }
 }

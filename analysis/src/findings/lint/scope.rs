@@ -33,7 +33,7 @@ pub(super) struct Switched {
 pub(super) fn allows(context: &Context, out: &mut Vec<Diagnostic>) -> Vec<Allow> {
     let parse = &context.parse;
     let mut allows = Vec::new();
-    // Comments between the things of a file: they speak of what is next.
+    // Comments between the things of a file: they apply to what is next.
     let structure = parse.structure_once();
     let items = &structure.items;
     // The next such thing, and which item it is.
@@ -56,7 +56,7 @@ pub(super) fn allows(context: &Context, out: &mut Vec<Diagnostic>) -> Vec<Allow>
             read_line(parse, line, next, &mut allows, out);
         }
     }
-    // Comments within a network, on lines of their own or behind its rungs, speak of it.
+    // Comments within a network, on lines of their own or behind its rungs, apply to it.
     for facts in context.networks.iter().filter(|network| network.commented) {
         for line in facts.first_line..facts.first_line + facts.line_count() {
             if holds_comments(parse.lines()[line].kind) {
@@ -80,7 +80,7 @@ const fn holds_comments(kind: LineKind) -> bool {
     matches!(kind, LineKind::Comment | LineKind::Rail)
 }
 
-/// What a comment before this item covers; none if it speaks of a later one.
+/// What a comment before this item covers; none if it applies to a later one.
 fn covered(context: &Context, item: Item) -> Option<TextRange> {
     let parse = &context.parse;
     let lines = |lines: std::ops::Range<usize>| {
