@@ -166,7 +166,7 @@ impl<W: Write> Adapter<W> {
         if session.step_back(1) == 0 {
             return Ok(false);
         }
-        // The last place of the scan before the one where it stood.
+        // The last place of the scan before the one where it was.
         let mut last = None;
         while let Stepped::At(_) = step(session) {
             let done = session.simulation().blocks_done();

@@ -8,7 +8,7 @@ pub(crate) fn path_of(uri: &str) -> Option<PathBuf> {
     // A host may be before the path; only this one's files can be read.
     let rest = rest.strip_prefix("localhost").unwrap_or(rest);
     let path = String::from_utf8(decoded(rest)?).ok()?;
-    // Two slashes of either kind name another machine on Windows, and to look there tells it who is asking.
+    // Two slashes of either kind name another machine on Windows, and to look there reveals to it who is asking.
     let elsewhere = path
         .as_bytes()
         .get(1)

@@ -225,7 +225,7 @@ impl Agreed {
             snippets: completion.and_then(|it| it.snippet_support).unwrap_or(false),
             completion_markdown: markdown(completion.and_then(|it| it.documentation_format.as_ref())),
             documented_at_once: completion.is_some_and(|it| {
-                // A client from before that could be said resolves it.
+                // A client from before this capability existed resolves it.
                 let resolved = it.resolve_support.as_ref();
                 resolved.is_some_and(|it| it.properties.iter().all(|name| name != "documentation"))
             }),

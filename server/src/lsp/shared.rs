@@ -28,9 +28,9 @@ pub(crate) struct Shared {
     editor: RwLock<Arc<EditorSettings>>,
     /// How often the client was asked for its settings, or sent them.
     editor_asked: AtomicU64,
-    /// What was said last about mistakes in them.
+    /// What was reported last about mistakes in them.
     settings_complaint: Mutex<String>,
-    /// What was said of settings files that are not open.
+    /// What was reported of settings files that are not open.
     pub(crate) settings_files: Sent,
     /// What was found in files that are not open.
     pub(crate) found: Found,
@@ -122,8 +122,8 @@ impl Shared {
         self.editor_asked.load(Ordering::Relaxed) == occasion
     }
 
-    /// Says what is wrong with the editor's settings, unless that was said last.
-    pub(crate) fn tell_once_of_settings(&self, complaint: String) {
+    /// Reports what is wrong with the editor's settings, unless that was reported last.
+    pub(crate) fn report_settings_once(&self, complaint: String) {
         let mut last = self
             .settings_complaint
             .lock()

@@ -31,9 +31,9 @@ pub struct Converted {
     pub extension: String,
     /// The program.
     pub text: String,
-    /// How many elements say the same.
+    /// How many elements mean the same.
     pub translated: usize,
-    /// How many say nearly the same.
+    /// How many mean nearly the same.
     pub approximated: usize,
     /// How many have no counterpart.
     pub refused: usize,

@@ -37,7 +37,7 @@ pub(crate) fn known() -> Notations {
 ///
 /// # Errors
 ///
-/// It is broken, or cannot be said in the other notation: a sentence, with the place in front of it.
+/// It is broken, or cannot be expressed in the other notation: a sentence, with the place in front of it.
 pub(crate) fn translate(
     task: &Task<'_>,
     analysis: Option<&ladder_analysis::Analysis>,

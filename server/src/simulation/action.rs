@@ -21,7 +21,7 @@ pub(crate) enum Action {
     StepRung,
     /// Go back so many scans.
     Back(u64),
-    /// Go to how things stood when so many scans were done.
+    /// Go to the state after so many scans.
     GoTo(u64),
     /// These lines of rungs and these tags stop a run.
     Breakpoints(Vec<u32>, Vec<String>),

@@ -78,7 +78,7 @@ pub(super) struct Named {
     pub(super) block: TextRange,
     /// The most telling one first.
     pub(super) points: Vec<Point>,
-    /// The power of the block tells the value.
+    /// The power of the block shows the value.
     pub(super) drawn: bool,
 }
 

@@ -180,7 +180,7 @@ impl Engine {
         self.look_at_what_runs();
     }
 
-    /// Goes to how things stood when so many scans were done.
+    /// Goes to the state after so many scans.
     pub(super) fn go_to(&mut self, scan: u64) -> Result<(), Failure> {
         if !self.session.go_to(scan) {
             let reach = self.reach();

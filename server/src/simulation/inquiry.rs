@@ -1,4 +1,4 @@
-//! What a simulation tells about its past, and where it stops.
+//! What a simulation reports about its past, and where it stops.
 
 use ladder_simulator::scenario;
 use ladder_simulator::{Breakpoint, Hit, value_text};

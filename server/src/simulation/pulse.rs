@@ -31,7 +31,7 @@ impl Engine {
         if self.pulses.iter().any(|pulse| pulse.tag == point.name) {
             return Ok(());
         }
-        // What is set in the midst of a scan waits for its end.
+        // What is set within a scan waits for its end.
         let until = simulation.scans() + 1 + u64::from(simulation.is_open());
         let set = self.session.set(&point, Value::Bool(!now));
         self.look_at_what_runs();

@@ -38,7 +38,7 @@ struct Tree<'e> {
 }
 
 impl Tree<'_> {
-    /// The blocks of the document that the first sentence speaks of.
+    /// The blocks of the document that the first sentence is about.
     fn blocks(&self, why: &ladder_simulator::Why) -> Vec<Range> {
         let mut blocks = Vec::new();
         for write in why.writes() {

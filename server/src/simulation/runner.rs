@@ -11,8 +11,8 @@ use tokio::sync::watch;
 use super::action::{Action, Answer};
 use super::messages::{State, Status};
 use super::request::Failure;
+use super::running_program::{Detail, Simulation};
 use super::session::Command;
-use super::standing::{Simulation, Telling};
 use crate::busy::Work;
 use crate::cancel::Cancel;
 use crate::document::Revision;
@@ -91,11 +91,11 @@ impl Runner {
 
     /// Waits for a command, until the next scan is due. What the client waits for meanwhile is sent in time.
     fn wait_until(&mut self, due: Instant) -> Result<Command, RecvTimeoutError> {
-        let telling = self.shown + SHOW;
-        if self.may_show() && self.owes && telling < due {
+        let may_show = self.shown + SHOW;
+        if self.may_show() && self.owes && may_show < due {
             let waited = self
                 .inbox
-                .recv_timeout(telling.saturating_duration_since(Instant::now()));
+                .recv_timeout(may_show.saturating_duration_since(Instant::now()));
             if !matches!(waited, Err(RecvTimeoutError::Timeout)) {
                 return waited;
             }
@@ -148,7 +148,7 @@ impl Runner {
             Action::Tags(search) => Ok(Answer::Found(self.simulation.engine.search(&search))),
             Action::ValuesAt(offset) => Ok(Answer::Values(self.simulation.engine.values_at(offset))),
             Action::HasShown => {
-                // A run tells by itself.
+                // A run publishes by itself.
                 if self.owes && self.run.is_none() {
                     self.publish();
                 }
@@ -166,7 +166,7 @@ impl Runner {
         let changes = action.changes();
         self.act(action, cancel)?;
         self.simulation.answers += 1;
-        let state = self.simulation.state(Telling::Answer);
+        let state = self.simulation.state(Detail::Answer);
         if self.simulation.engine.is_shown_in_part() {
             self.owes |= changes;
             if changes {
@@ -353,7 +353,7 @@ impl Runner {
         }
     }
 
-    /// Tells the client how things are; one that says what it shows only when it has shown what it was sent before.
+    /// Sends the client the state; to one that says what it shows only when it has shown what it was sent before.
     /// Whether that was done.
     fn publish(&mut self) -> bool {
         if self.simulation.engine.is_shown_in_part() && !self.has_shown.swap(false, Ordering::SeqCst) {
@@ -361,7 +361,7 @@ impl Runner {
         }
         self.owes = false;
         self.shown = Instant::now();
-        self.states.send_replace(self.simulation.state(Telling::Picture));
+        self.states.send_replace(self.simulation.state(Detail::Picture));
         true
     }
 }

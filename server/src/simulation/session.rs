@@ -12,7 +12,7 @@ use super::engine::Engine;
 use super::messages::{Options, State, Status};
 use super::request::Failure;
 use super::runner::{Runner, brake};
-use super::standing::{Simulation, Telling};
+use super::running_program::{Detail, Simulation};
 use crate::busy::Busy;
 use crate::cancel::Cancel;
 use crate::document::Revision;
@@ -61,7 +61,7 @@ impl Session {
             hit: None,
             answers: 0,
         };
-        let (states, receiver) = watch::channel(simulation.state(Telling::Picture));
+        let (states, receiver) = watch::channel(simulation.state(Detail::Picture));
         let has_shown = Arc::new(AtomicBool::new(true));
         let texts = Arc::<AtomicUsize>::default();
         let runner = Runner {

@@ -120,7 +120,7 @@ async fn a_run_stops_at_a_breakpoint_and_goes_on_from_there() {
     );
     set(&mut client, &s, "start", true).await;
     let state = act(&mut client, &s, "step").await;
-    // `start` was given in the midst of a scan and waited for its end.
+    // `start` was given within a scan and waited for its end.
     assert_eq!((&state["scan"], value(&state, "start")), (&json!(1), json!(true)));
     client.simulate("run", run).await.unwrap();
     let state = client

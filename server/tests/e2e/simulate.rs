@@ -457,7 +457,7 @@ VAR  on : DINT;  edges : DINT;  END_VAR
     let state = step(&mut client, &s, 3).await;
     assert_eq!(tag(&state, "on")["value"], 1);
 
-    // In the midst of a scan it waits for the next one.
+    // Within a scan it waits for the next one.
     client.simulate("stepBlock", json!({"session": s})).await.unwrap();
     client.simulate("pulse", pulse.clone()).await.unwrap();
     let state = step(&mut client, &s, 3).await;

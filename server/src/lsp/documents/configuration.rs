@@ -88,7 +88,7 @@ async fn pull(shared: Arc<Shared>) {
 fn take(shared: &Shared, settings: &Value) {
     let (settings, mistakes) = EditorSettings::read(&tree(settings));
     shared.set_editor(settings);
-    shared.tell_once_of_settings(mistakes.join("\n"));
+    shared.report_settings_once(mistakes.join("\n"));
 }
 
 /// Takes new settings, and does what follows from them: findings and hints may be other ones.

@@ -1,7 +1,7 @@
 //! Files that a person makes, renames and deletes in the editor.
 //!
 //! A client that reports such operations need not watch the disk. Before a file is renamed the scenarios are put right
-//! that name it: `program motor.clad` is the one place where a file says the name of another.
+//! that name it: `program motor.clad` is the one place where a file names another.
 
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
@@ -48,7 +48,7 @@ fn follow(shared: &Arc<Shared>, mut paths: Vec<PathBuf>) {
     });
 }
 
-/// `workspace/willRenameFiles`: what scenarios say of the files that are renamed.
+/// `workspace/willRenameFiles`: the edits of scenarios that name the files that are renamed.
 pub(crate) async fn will_rename(
     shared: &Arc<Shared>,
     params: RenameFilesParams,

@@ -18,7 +18,7 @@ use crate::lsp::{convert, shared::Shared};
 /// What was sent to the client, by file: the mistakes that were there last.
 pub(crate) type Sent = Mutex<BTreeMap<PathBuf, Vec<Diagnostic>>>;
 
-/// A settings file was closed: what was said of it was taken back, and is said again.
+/// A settings file was closed: what was reported of it was withdrawn, and is reported again.
 pub(crate) fn tell_anew(shared: &Arc<Shared>, uri: &str) {
     if let Some(path) = path_of(uri) {
         let mut sent = shared

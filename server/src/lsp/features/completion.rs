@@ -27,7 +27,7 @@ const TRIGGERS: [&str; 8] = ["[", "(", "<", ".", "$", "%", ",", ":"];
 /// So many files of a folder are looked at.
 const MOST_FILES: usize = 10_000;
 
-/// Cuts what stood behind the cursor and belongs to what was accepted: the text, and what is behind it on its line.
+/// Cuts what was behind the cursor and belongs to what was accepted: the text, and what is behind it on its line.
 const CUT: &str = "ladder.completion.cut";
 
 /// Whether the client names the command that cuts, because it replaces nothing behind the cursor by itself.

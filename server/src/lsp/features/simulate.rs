@@ -22,7 +22,7 @@ const REQUEST_FAILED: i64 = -32803;
 /// How many times as fast as real time a run may be.
 const SPEEDS: std::ops::RangeInclusive<f64> = 0.001..=1000.0;
 
-/// A hover does not wait longer for the values of a simulation, which may be in the midst of a long step.
+/// A hover does not wait longer for the values of a simulation, which may be within a long step.
 const PATIENCE: std::time::Duration = std::time::Duration::from_millis(200);
 
 /// The values of so many scans are sent unless more are asked for.
@@ -209,7 +209,7 @@ async fn report(
     deltas: bool,
     answered: oneshot::Receiver<()>,
 ) {
-    // The other end says nothing; it goes.
+    // Nothing is sent from the other end; it is dropped.
     let _ = answered.await;
     while states.changed().await.is_ok() {
         let state = states.borrow_and_update().clone();

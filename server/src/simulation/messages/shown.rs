@@ -90,7 +90,7 @@ pub struct Operand {
     pub block: Range,
     /// The tags whose values belong beside it, the most telling one first: of a timer `t1.ET` and `t1.Q`.
     pub tags: Vec<String>,
-    /// The power of the block, or what the contact does, tells the value already.
+    /// The power of the block, or what the contact does, shows the value already.
     #[serde(default, skip_serializing_if = "is_false")]
     pub drawn: bool,
 }

@@ -37,7 +37,7 @@ pub struct State {
     pub behind: usize,
     /// How many scans were stepped back from and are run again by the next steps.
     pub ahead: usize,
-    /// The block or rung that runs next, in the midst of a scan.
+    /// The block or rung that runs next, within a scan.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub next: Option<Range>,
     /// The breakpoint that stopped the last run.

@@ -14,7 +14,7 @@ pub struct Why {
     pub tag: String,
     /// The reasons, a line for each tag; what lies deeper is indented.
     pub text: String,
-    /// The blocks that the first line speaks of: the one that wrote the tag, then those that passed power on to it
+    /// The blocks that the first line is about: the one that wrote the tag, then those that passed power on to it
     /// or blocked it.
     pub blocks: Vec<Range>,
     /// The same as a tree.

@@ -1,18 +1,18 @@
-//! The program of a session and how it is.
+//! The program of a session and its state.
 
 use super::engine::Engine;
 use super::messages::{Hit, State, Status};
 
-/// How much a state tells of the drawing.
+/// How much of the drawing a state holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Telling {
+pub(super) enum Detail {
     /// Tags and power; to a client that says what it shows what has changed there.
     Picture,
     /// Nothing to a client that says what it shows: what has changed comes with the next notification.
     Answer,
 }
 
-/// The program and how it is.
+/// The program and its state.
 pub(super) struct Simulation {
     pub(super) id: String,
     pub(super) engine: Engine,
@@ -43,11 +43,11 @@ impl Simulation {
         }
     }
 
-    pub(super) fn state(&mut self, telling: Telling) -> State {
+    pub(super) fn state(&mut self, detail: Detail) -> State {
         let engine = &mut self.engine;
         let in_part = engine.is_shown_in_part();
-        let whole = telling == Telling::Picture && std::mem::take(&mut engine.is_anew);
-        let (tags, power, operands) = if in_part && telling == Telling::Answer {
+        let whole = detail == Detail::Picture && std::mem::take(&mut engine.is_anew);
+        let (tags, power, operands) = if in_part && detail == Detail::Answer {
             Default::default()
         } else {
             engine.news()
