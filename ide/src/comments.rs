@@ -34,7 +34,7 @@ fn gather(node: &GreenNodeData, start: TextSize, comments: &mut Vec<(TextRange, 
 }
 
 /// What a comment says: its first line with words, without the `#` and without lines drawn around it. None if it
-/// only tells the tools something.
+/// is only for the tools.
 pub(crate) fn words(comment: &str) -> Option<&str> {
     let inner = comment.strip_prefix('#').unwrap_or(comment);
     let inner = inner.strip_suffix('#').unwrap_or(inner);

@@ -10,7 +10,7 @@ use std::sync::Arc;
 pub(crate) struct Fixture {
     pub(crate) files: Vec<(Arc<Analysis>, String)>,
     pub(crate) scenarios: Vec<(String, String)>,
-    /// Where `$0` stood, and in which file.
+    /// Where `$0` was, and in which file.
     pub(crate) cursor: Option<(usize, TextSize)>,
 }
 

@@ -212,7 +212,7 @@ fn left_behind(context: &Context, offset: TextSize, options: &Options) -> Option
     again.or_else(|| drawn_again(context, above, options))
 }
 
-/// Enter right behind a `\` in the middle of a rung: what stood behind it stays on the rung, and the new line is
+/// Enter right behind a `\` in the middle of a rung: what was behind it stays on the rung, and the new line is
 /// the branch.
 fn split_behind_down(context: &Context, offset: TextSize) -> Option<Vec<Edit>> {
     let parse = &context.parse;

@@ -1,5 +1,5 @@
 //! Selected blocks become a user-defined block. Its power goes in as `EN` and out as `ENO`, so that it is where they
-//! stood; the tags that they use become its operands: those that are only read as inputs, all others by reference.
+//! were; the tags that they use become its operands: those that are only read as inputs, all others by reference.
 
 use super::drawing::{Drawing, Item, line_end, lines_text};
 use super::flow::is_flow;

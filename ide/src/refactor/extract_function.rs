@@ -115,7 +115,7 @@ pub(super) fn starts_with_mark(context: &Context, lines: &Range<usize>) -> bool 
     lines.start == 0 && lines_text(&context.parse, 0..1).starts_with(MARK)
 }
 
-/// A call is where a function stood: there is nothing to extract.
+/// A call takes the place of a function: there is nothing to extract.
 fn is_call_alone(context: &Context, networks: &Range<usize>) -> bool {
     let facts = context.networks.range(networks.clone());
     let mut blocks = facts.clone().flat_map(NetworkAt::blocks);

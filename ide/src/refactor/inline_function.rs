@@ -141,7 +141,7 @@ fn without_fun(context: &Context, network: usize, row: usize) -> Option<(String,
     drawing.take(row, fun);
     let has_block = drawing.rows.iter().flat_map(|row| &row.items).any(Item::is_block);
     if has_block {
-        // What `<FUN>` stood before must still be one network of the same order.
+        // What `<FUN>` was before must still be one network of the same order.
         drawing.order()?;
         let ends = lines_text(&context.parse, behind - 1..behind);
         let line_end = if ends.ends_with(['\n', '\r']) {

@@ -139,7 +139,7 @@ pub(super) fn with_branch(drawing: &Drawing, region: &Region, branch: Vec<Item>)
     (new.old_order()? == drawing.old_order()?).then_some(new)
 }
 
-/// Where on the row below a new segment can be that hangs behind an item of this row: what is left of it there has
+/// Where on the row below a new segment can be that is joined behind an item of this row: what is left of it there has
 /// been evaluated by then.
 fn room_beside(drawing: &Drawing, row: usize, item: usize) -> Option<usize> {
     let below = drawing.rows.get(row + 1)?;

@@ -101,7 +101,7 @@ impl<'c> Output<'c> {
         self.inverted(&Circuit::Series(parts.to_vec()))
     }
 
-    /// Whether parts speak of the tag itself.
+    /// Whether parts name the tag itself.
     fn any_mentions(&self, parts: &[Circuit<Item>]) -> bool {
         let blocks = parts.iter().flat_map(items).filter_map(|item| match item.kind {
             ItemKind::Block(Some(number)) => self.blocks.get(number),

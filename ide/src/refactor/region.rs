@@ -1,5 +1,5 @@
 //! A part of a network that power enters at one end and leaves at the other: some things in a row of one rung, with
-//! all that hangs below them.
+//! all that is joined below them.
 
 use super::drawing::{Drawing, Item, ItemKind, Row};
 use std::ops::Range;
@@ -14,7 +14,7 @@ pub(crate) struct Region {
 }
 
 impl Region {
-    /// The region that begins and ends on a row with these items. None if what hangs below them is also joined to
+    /// The region that begins and ends on a row with these items. None if what is below them is also joined to
     /// something else.
     pub(crate) fn of(drawing: &Drawing, top: usize, items: Range<usize>) -> Option<Region> {
         let on_top = drawing.rows.get(top)?.items.get(items.clone())?;

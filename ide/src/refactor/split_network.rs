@@ -1,4 +1,4 @@
-//! A network becomes two: where a rung hangs below another, or across a rung. Where power passes from the first to the
+//! A network becomes two: where a rung is joined below another, or across a rung. Where power passes from the first to the
 //! second, a new internal tag carries it.
 
 use super::drawing::{Drawing, Item, ItemKind, Row, comments};
@@ -110,7 +110,7 @@ fn blocks<'f>(on: &OnNetwork<'f>, rows: Range<usize>) -> impl Iterator<Item = &'
         .filter(move |block| rows.contains(&block.facts.rung))
 }
 
-/// The rungs from one on get a network of their own, if they hang at one point of the rung above.
+/// The rungs from one on get a network of their own, if they are joined to one point of the rung above.
 fn between_rows(on: &OnNetwork<'_>, row: usize, tag: &str) -> Option<Split> {
     let drawing = &on.drawing;
     let above = row.checked_sub(1)?;
@@ -174,7 +174,7 @@ fn is_rail(drawing: &Drawing, row: usize, down: usize) -> bool {
     }
 }
 
-/// What is from an item of the first row on, and hangs below that, gets a network of its own.
+/// What is from an item of the first row on, and is joined below that, gets a network of its own.
 fn across(on: &OnNetwork<'_>, row: usize, at: usize, tag: &str) -> Option<Split> {
     let drawing = &on.drawing;
     let items = &drawing.rows[0].items;

@@ -55,7 +55,7 @@ impl TokenKind {
     ];
 }
 
-/// What else is to be said of a word: a bit for each modifier.
+/// What else is known of a word: a bit for each modifier.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
 pub struct Modifiers(pub u16);
 

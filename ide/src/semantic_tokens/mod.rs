@@ -27,7 +27,7 @@ pub struct Token {
     pub range: TextRange,
     /// What it is.
     pub kind: TokenKind,
-    /// What else is to be said of it.
+    /// What else is known of it.
     pub modifiers: Modifiers,
 }
 

@@ -71,7 +71,7 @@ struct Token {
     end: usize,
 }
 
-/// What is being written at an offset. None in comments, and where nothing can be said.
+/// What is being written at an offset. None in comments, and where that cannot be known.
 pub(crate) fn typing(context: &Context, offset: TextSize) -> Option<Typing<'_>> {
     let parse = &context.parse;
     let behind_last = parse
