@@ -12,7 +12,7 @@ pub struct Fault {
     pub location: Location,
     /// The scan it happened in, from 0.
     pub scan: u64,
-    /// The simulation stopped: the watchdog, calls nested too deep, or by hand in the midst of a scan.
+    /// The simulation stopped: the watchdog, calls nested too deep, or by hand within a scan.
     pub stops: bool,
 }
 

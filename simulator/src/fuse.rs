@@ -41,7 +41,7 @@ impl Fused {
     }
 }
 
-/// Fuses a program's code. `temporary` tells of each bit whether nothing but code reads it; memory may grow by bits
+/// Fuses a program's code. `temporary` has for each bit whether nothing but code reads it; memory may grow by bits
 /// that fused code needs.
 pub(crate) fn fuse(plain: &Code, mut temporary: Vec<bool>, memory: &mut Memory) -> Fused {
     let mut is_target = vec![false; plain.instrs.len() + 1];

@@ -1,4 +1,4 @@
-//! A change of the running program: the new program goes on where the old one stood.
+//! A change of the running program: the new program goes on from where the old one was.
 //!
 //! Tags keep their values by name and type, timers and counters with all that they remember; a tag that has another name at
 //! all of its places is the same one. Edges and whatever else

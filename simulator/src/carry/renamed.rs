@@ -86,7 +86,7 @@ fn is_declared(program: &Program, tag: &Tag) -> bool {
     !networks.any(|it| it.file == tag.location.file && it.range.contains_range(tag.location.range))
 }
 
-/// In how many blocks something else stands now.
+/// In how many blocks there is something else now.
 fn places_changed(old: &Program, new: &Program) -> usize {
     let (olds, news) = (
         Signatures::of(old, &Renamed::default()),

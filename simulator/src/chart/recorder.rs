@@ -92,7 +92,7 @@ impl Recorder {
             }
             return;
         }
-        // What was given in the midst of the scan holds already.
+        // What was given within the scan holds already.
         let points: Vec<Point> = self.tracks.iter().map(|track| track.point.clone()).collect();
         for (track, mut values) in self.tracks.iter_mut().zip(session.past(&points, 1)) {
             if let Some(value) = values.pop() {

@@ -196,7 +196,7 @@ struct Compiler<'p> {
     edges: HashMap<EdgeOf, Bit>,
     /// What counters begin with, where it is not 0.
     starts: HashMap<TagId, Word>,
-    /// The bits that tell, when the block that is being compiled is done, whether it divided by zero.
+    /// The bits that show, when the block that is being compiled is done, whether it divided by zero.
     complaints: Vec<Bit>,
     /// What notes that the block that is being compiled went wrong, where it goes on all the same.
     slips: Option<formula::Slips>,

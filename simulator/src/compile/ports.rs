@@ -153,7 +153,7 @@ impl Compiler<'_> {
         Ok(out)
     }
 
-    /// The word that tells from which scan on the serial port is free.
+    /// The word that holds from which scan on the serial port is free.
     fn line_free(&mut self) -> Word {
         self.ports.serial = true;
         if let Some(word) = self.line_free {

@@ -20,7 +20,7 @@ pub struct Unmet {
 }
 
 impl Case {
-    /// The step whose first scan this is; none if it is in the midst of a step, or behind the last.
+    /// The step whose first scan this is; none if it is within a step, or behind the last.
     pub fn step_before(&self, scan: u64) -> Option<usize> {
         let step = usize::try_from(scan / self.scans).ok()?;
         (scan.is_multiple_of(self.scans) && step < self.steps).then_some(step)

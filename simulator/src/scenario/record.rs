@@ -2,7 +2,7 @@
 //!
 //! The inputs are played once more to the program as it is now, from a cold start, and what it does is what the scenario
 //! expects: so it passes, also where the program was changed meanwhile or tags were forced. Where what was seen was
-//! something else, that is said.
+//! something else, that is reported.
 
 use super::played::{Played, Track, divisor};
 use super::run::MOST_BLOCKS;

@@ -1,4 +1,4 @@
-//! Scenarios as texts, with what is said about them.
+//! Scenarios as texts, with what is reported about them.
 
 use super::{Ran, bind, draw, parse, run};
 use crate::simulation::{Options, Simulation};

@@ -198,7 +198,7 @@ impl Session {
         })
     }
 
-    /// Goes to the newest program, wherever that stood.
+    /// Goes to the newest program, wherever that was.
     pub(super) fn go_to_newest(&mut self) {
         while let Some(era) = self.later.pop() {
             self.enter(era);

@@ -213,7 +213,7 @@ impl Session {
         self.changed = true;
     }
 
-    /// Goes back up to so many scans, to how things stood then; what was given since is undone with them. How many
+    /// Goes back up to so many scans, to the state of then; what was given since is undone with them. How many
     /// scans it were: fewer if fewer are kept.
     ///
     /// A scan that is open counts: going back one goes to its start.
@@ -237,7 +237,7 @@ impl Session {
         }
     }
 
-    /// Goes to how things stood when so many scans were done, if that is kept: back, or forward over scans that were
+    /// Goes to the state after so many scans, if that is kept: back, or forward over scans that were
     /// stepped back from. Breakpoints are passed by, and a scan that is open is given up. False, and nothing happens, if it
     /// is not kept.
     pub fn go_to(&mut self, scans: u64) -> bool {

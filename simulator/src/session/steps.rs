@@ -32,7 +32,7 @@ impl Session {
     }
 
     /// Goes on up to the next block, into functions and the bodies of user-defined blocks too; begins a scan if none is
-    /// open. What is set or forced in the midst of a scan waits for its end.
+    /// open. What is set or forced within a scan waits for its end.
     pub fn step_block(&mut self) -> Stepped {
         self.go_on(Until::Block)
     }

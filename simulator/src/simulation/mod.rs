@@ -89,7 +89,7 @@ pub(crate) struct Force {
     pub(crate) underneath: Option<Value>,
 }
 
-/// What was asked for in the midst of a scan.
+/// What was asked for within a scan.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Change {
     Set(Point, Value),

@@ -13,7 +13,7 @@ pub enum Stepped {
     At(Location),
     /// The scan is over. [`Simulation::status`] shows whether another can follow.
     Done,
-    /// A fault stopped the program in the midst of this scan.
+    /// A fault stopped the program within this scan.
     Stopped,
 }
 

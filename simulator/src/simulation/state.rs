@@ -4,7 +4,7 @@ use super::{Change, Force, Simulation, Status};
 use crate::machine::MachineState;
 use std::collections::BTreeMap;
 
-/// A simulation at one moment: tags, clock, timers and edges, ports, forces, and in the midst of a scan how far it has
+/// A simulation at one moment: tags, clock, timers and edges, ports, forces, and within a scan how far it has
 /// come. Not the faults that wait to be taken.
 #[derive(Debug, Clone, PartialEq)]
 pub struct State {

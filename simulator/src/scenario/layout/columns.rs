@@ -16,7 +16,7 @@ pub(super) struct Columns {
     steps: Vec<(bool, usize)>,
     /// Where the comments behind rows begin.
     comments: usize,
-    /// For each step of the longest row, where it stood and where it goes.
+    /// For each step of the longest row, where it was and where it goes.
     moves: Vec<(usize, usize)>,
 }
 
@@ -89,12 +89,12 @@ impl Columns {
         let line = &text[usize::from(line)..];
         let line = line.strip_prefix('\u{feff}').unwrap_or(line);
         let start = text.len() - line.len();
-        let stood = row
+        let was = row
             .cells
             .iter()
             .map(|(_, place)| width(&text[start..usize::from(place.start())]));
         let goes = self.places().map(|(step, _)| self.names + ARROW.len() + step);
-        stood.zip(goes).collect()
+        was.zip(goes).collect()
     }
 
     /// A comment between the rows: one that names the steps below it goes with them.

@@ -2,7 +2,7 @@
 
 use super::width;
 
-/// A comment, with its words over the steps that they stood over: `moves` says where each step stood and where it goes. A
+/// A comment, with its words over the steps that they were over: `moves` has where each step was and where it goes. A
 /// comment that begins to the left of the first step is no ruler, and stays.
 pub(super) fn moved(comment: &str, moves: &[(usize, usize)]) -> String {
     let stays = comment.trim_start().to_owned();

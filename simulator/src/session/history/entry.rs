@@ -34,7 +34,7 @@ impl HistoryLimits {
 
 pub(in crate::session) type Forces = BTreeMap<String, Force>;
 
-/// The clock of a moment, and how the program stood.
+/// The clock of a moment, and the state of the program.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::session) struct Moment {
     pub(in crate::session) now: i64,

@@ -75,7 +75,7 @@ impl Question {
     }
 }
 
-/// The scan before a moment in the midst of one.
+/// The scan before a moment within one.
 pub(super) fn before(when: When) -> Option<When> {
     let entry = when.entry.checked_sub(1).filter(|_| when.limit != Limit::End)?;
     Some(When {

@@ -40,7 +40,7 @@ pub(super) fn passed(network: &Network, step: usize, powers: &[bool]) -> Vec<Blo
 }
 
 /// The sets of blockers of which all must give way so that power reaches a step without power; none holds another.
-/// `conducts` tells of contacts what they would do; any other block is taken to pass power on if none reaches it.
+/// `conducts` gives for contacts what they would do; any other block is taken to pass power on if none reaches it.
 pub(super) fn missing(
     network: &Network,
     step: usize,

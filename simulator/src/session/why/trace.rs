@@ -19,7 +19,7 @@ use std::collections::HashMap;
 pub(super) enum Limit {
     /// To its end.
     End,
-    /// Up to where a scan stood: the instruction that came next, and how many blocks it might still evaluate, which tells
+    /// Up to where a scan was: the instruction that came next, and how many blocks it might still evaluate, which tells
     /// the rounds of a loop apart.
     Position { pc: u32, budget: u64 },
 }
@@ -48,7 +48,7 @@ pub(super) struct Traced {
     pub(super) conducts: HashMap<usize, bool>,
     /// What blocks of the network looked at.
     pub(super) values: HashMap<usize, Vec<(Point, Value)>>,
-    /// Where the scan stood in front of them.
+    /// Where the scan was in front of them.
     pub(super) positions: HashMap<usize, Limit>,
 }
 
