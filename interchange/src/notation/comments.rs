@@ -12,7 +12,7 @@ pub(super) fn on_line(parse: &Parse, line: usize) -> Vec<String> {
         .collect()
 }
 
-/// The lines that a comment says to people: those that speak to the tools are not for another system.
+/// The lines of a comment that are for people: directives to the tools are not for another system.
 pub(super) fn said(comment: &str) -> impl Iterator<Item = &str> {
     let lines = inside(comment).lines().map(str::trim);
     lines.filter(|line| !line.is_empty() && !line.starts_with("ladder:"))

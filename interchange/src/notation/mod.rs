@@ -68,7 +68,7 @@ pub trait Notation: Sync {
     fn title(&self) -> &'static str;
 
     /// How its files' names end, without the dot, the usual one first. Other systems may use the same; none: the
-    /// names tell nothing.
+    /// names show nothing.
     fn extensions(&self) -> &'static [&'static str];
 
     /// Whether a file is in this notation, from its content alone. No more than the first lines are looked at.
@@ -96,7 +96,7 @@ pub trait Notation: Sync {
     ///
     /// # Errors
     ///
-    /// If nothing of it can be said in this notation. What cannot be said among other things is an entry of the report.
+    /// If nothing of it can be expressed in this notation. A part that cannot be is an entry of the report.
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError>;
 }
 

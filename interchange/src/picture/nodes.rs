@@ -64,7 +64,7 @@ impl Sets {
         }
     }
 
-    /// The one that speaks for its set.
+    /// The one that represents its set.
     pub(super) fn find(&mut self, mut one: usize) -> usize {
         while self.parent[one] != one {
             self.parent[one] = self.parent[self.parent[one]];
@@ -73,7 +73,7 @@ impl Sets {
         one
     }
 
-    /// Makes two sets one; the first speaks for it.
+    /// Makes two sets one; the first represents it.
     pub(super) fn join(&mut self, first: usize, second: usize) {
         let (first, second) = (self.find(first), self.find(second));
         self.parent[second] = first;

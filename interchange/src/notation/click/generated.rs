@@ -1,4 +1,4 @@
-//! Programs that nobody wrote: what is made at random is said in Python, in ladder text, and in Python again, and stays
+//! Programs that nobody wrote: what is made at random is written in Python, in ladder text, and in Python again, and stays
 //! the same; what is broken at random is refused or read, and never brings anything down.
 
 use super::super::{Converted, LineColumn, Notation, Report, Source, convert};

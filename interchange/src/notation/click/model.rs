@@ -42,10 +42,10 @@ pub(super) struct Routine {
     /// `main`, or what a call names.
     pub(super) name: String,
     pub(super) place: LineColumn,
-    /// What is said above it.
+    /// The comment above it.
     pub(super) comments: Vec<String>,
     pub(super) rungs: Vec<Rung>,
-    /// What is said behind its last rung.
+    /// The comments behind its last rung.
     pub(super) behind: Vec<String>,
 }
 
@@ -65,7 +65,7 @@ impl Default for Routine {
 #[derive(Debug, Clone)]
 pub(super) struct Rung {
     pub(super) place: LineColumn,
-    /// What is said above it, a line each.
+    /// The comments above it, a line each.
     pub(super) comments: Vec<String>,
     pub(super) condition: Condition,
     pub(super) actions: Vec<Action>,
@@ -217,7 +217,7 @@ pub(super) struct Action {
     pub(super) what: Instruction,
     /// Only on the scan in which the power comes.
     pub(super) oneshot: bool,
-    /// What is said about it on its line.
+    /// The comments on its line.
     pub(super) comment: Option<String>,
 }
 

@@ -31,7 +31,7 @@ pub(super) fn read(text: &str) -> Result<Reading, ReadError> {
     reader.declare(&file.entries);
     let items = &mut reader.reading.program.items;
     let mut comments = comments.into_iter().peekable();
-    // What is said before the first network is said of the program.
+    // A comment before the first network is about the program.
     let first = networks.first().map_or(u32::MAX, |(line, _)| *line);
     let mut head: Vec<Item> = Vec::new();
     while let Some((_, comment)) = comments.next_if(|(line, _)| *line < first) {

@@ -226,7 +226,7 @@ fn words(text: &str) -> Option<String> {
     Some(all.join(" "))
 }
 
-/// `T1 (PRE 3, B 50)`: what is not said has the editor's default.
+/// `T1 (PRE 3, B 50)`: what is not given has the editor's default.
 fn state(word: &str, text: &str, members: [&str; 2]) -> Option<String> {
     let Some((name, said)) = text.split_once('(') else {
         return Some(format!("{word} {}", text.trim()));

@@ -38,7 +38,7 @@ pub(super) struct Plan {
 /// What is known of the power in a part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Flow {
-    /// Nothing is said about power.
+    /// Nothing is known about power.
     Unknown,
     Dead,
     Live,

@@ -199,7 +199,7 @@ fn labelled(
     let value = (standing.value)(label.operand);
     let is_forced = value.as_ref().is_some_and(|value| value.forced);
     let centred = |text: &str| left + (right - left).saturating_sub(columns(text) as usize) / 2;
-    // A contact tells the value of its tag by itself, but not that it is forced.
+    // A contact shows the value of its tag by itself, but not that it is forced.
     let (text, ink) = if is_forced && !label.room {
         (format!("{}!", label.text), Ink::Forced)
     } else {

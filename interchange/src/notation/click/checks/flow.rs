@@ -170,7 +170,7 @@ fn outputs(program: &Program, out: &mut Found) {
                 }
             },
         };
-        // What does not exist is said elsewhere.
+        // What does not exist is reported elsewhere.
         let length = usize::from(bank.last()) + 1;
         let there = numbered.entry(bank).or_insert_with(|| vec![None; length]);
         let bits = usize::from(low).min(length)..(usize::from(high) + 1).min(length);

@@ -99,7 +99,7 @@ fn registers(program: &Program, out: &mut Found) {
         let length = usize::from(bank.last()) + 1;
         let there = taken.entry(bank).or_insert_with(|| vec![None; length]);
         let (low, high) = shift.bits.bounds();
-        // What does not exist is said elsewhere.
+        // What does not exist is reported elsewhere.
         let bits = usize::from(low).min(length)..(usize::from(high) + 1).min(length);
         let mut shared = None;
         for (number, first) in there[bits.clone()].iter_mut().enumerate() {

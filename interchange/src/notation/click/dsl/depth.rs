@@ -39,7 +39,7 @@ pub(super) fn check(text: &str) -> Result<(), ReadError> {
             return Ok(());
         }
         if !depth.take(kind) {
-            // Tokens have no places here, but they tell where lines end.
+            // Tokens have no places here, but they show where lines end.
             let place = LineColumn::line(depth.newlines as u32 + 1);
             return Err(ReadError::at(
                 place,

@@ -212,7 +212,7 @@ fn rung(mistakes: &mut Mistakes<'_>, comments: &mut Comments, stmt: &StmtIf) -> 
     let mut actions: Vec<Action> = Vec::with_capacity(stmt.body.len());
     let mut failed = false;
     for inner in &stmt.body {
-        // What was said on the lines above: at the end of the last action's line, or on lines of its own.
+        // Comments on the lines above: at the end of the last action's line, or on lines of its own.
         let trailing = comments.trailing(inner.start().into());
         say(&mut actions, &mut above, trailing);
         above.extend(comments.before(inner.start().into()));

@@ -7,7 +7,7 @@ use super::super::model::{Bits, Comparison, Condition, Contact, ContactKind, Rel
 use super::addresses::Addresses;
 use super::operand::{operand, operand_text};
 
-/// What a cell says, and what of it is only nearly said.
+/// What a cell means, and what of it is only nearly expressed.
 pub(super) struct Read {
     pub(super) condition: Condition,
     pub(super) remark: Option<&'static str>,

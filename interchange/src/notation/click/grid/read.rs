@@ -193,7 +193,7 @@ struct File<'s> {
 }
 
 impl File<'_> {
-    /// What is said of its places is said of the call, with the place in words.
+    /// What is reported at its places is reported at the call, with the place in words.
     fn bring_home(&self, reading: &mut Reading) {
         let own = |place: LineColumn| {
             (place.line > self.before).then(|| LineColumn {

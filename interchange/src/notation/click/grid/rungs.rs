@@ -10,7 +10,7 @@ use super::subcircuit::{Kind, Subcircuit};
 use super::{action, contact};
 use ladder_analysis::Severity;
 
-/// What is said above a rung of the model that a rung of the grid goes on with.
+/// The comment above a rung of the model that a rung of the grid goes on with.
 pub(in super::super) const CONTINUES: &str = "click: goes on in the same rung of the grid";
 
 /// What a line of the grid begins with that is kept as a comment.

@@ -90,7 +90,7 @@ impl Back<'_> {
                     let waiting = std::mem::take(&mut routine.behind);
                     first.comments = waiting.into_iter().chain(said).collect();
                 } else if !is_reset {
-                    // They stood above a rung of the importer's, and belong to the one that follows.
+                    // They were above a rung of the importer's, and belong to the one that follows.
                     routine.behind.extend(said);
                 }
                 routine.rungs.append(&mut rungs);

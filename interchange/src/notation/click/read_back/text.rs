@@ -87,7 +87,7 @@ fn inside(comment: &str) -> Option<String> {
     Some(as_said(&text.trim().replace("\\x23", "#")).to_owned())
 }
 
-/// Comments between networks, in groups that blank lines part. Declarations and what speaks to the tools are left out.
+/// Comments between networks, in groups that blank lines part. Declarations and directives to the tools are left out.
 pub(super) fn between(text: &str) -> Vec<Vec<String>> {
     let mut groups: Vec<Vec<String>> = vec![Vec::new()];
     let mut in_section = false;
@@ -144,7 +144,7 @@ fn as_said(comment: &str) -> &str {
     }
 }
 
-/// Where what is said of the program as a whole ends: at its directives, or at its declarations.
+/// Where the comments about the program as a whole end: at its directives, or at its declarations.
 pub(super) fn head_end(text: &str) -> usize {
     let directive = text.find("# ladder:");
     let section = text.find("VAR");

@@ -13,7 +13,7 @@ use ladder_analysis::value::Value;
 use ladder_instructions::Op;
 use ladder_syntax::TextRange;
 
-/// Why something cannot be said in Click.
+/// Why something cannot be expressed in Click.
 pub(super) type Refusal = String;
 
 impl Back<'_> {

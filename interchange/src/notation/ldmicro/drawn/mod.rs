@@ -50,7 +50,7 @@ impl Notation for LdmicroText {
     }
 
     fn extensions(&self) -> &'static [&'static str] {
-        // `.txt`, like so much else: only the content tells.
+        // `.txt`, like so much else: only the content shows it.
         &[]
     }
 
