@@ -1,7 +1,7 @@
 //! A file that only one run may use at a time.
 //!
 //! Who uses `plant.retain` holds a lock on `.plant.retain.lock` beside it: the file itself is replaced with each save, and
-//! a lock would go with it. The operating system lets go of it however the process ends; what then stays is an empty
+//! a lock would go with it. The operating system releases it however the process ends; what then stays is an empty
 //! file, which the next run takes over and removes.
 
 use crate::{FileError, Problem, regular};

@@ -1,6 +1,6 @@
 //! The file that keeps retentive tags over a restart (LANGUAGE §6).
 //!
-//! A line for each tag, between a head that names the format and an end that tells a whole file from a damaged one:
+//! A line for each tag, between a head that names the format and an end by which a whole file differs from a damaged one:
 //!
 //! ```text
 //! ladder-retain 1

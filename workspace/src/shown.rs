@@ -1,6 +1,6 @@
 //! Text that others wrote, on its way to a terminal or a log: of programs, of scenarios, the names of files.
 //!
-//! A terminal obeys some characters instead of showing them: it moves, erases, renames its window, or turns the order of
+//! A terminal takes some characters as commands instead of showing them: it moves, erases, renames its window, or turns the order of
 //! what follows. So these are written as what they are: `\u{1b}`. Everything that a program, a name or a message of
 //! another holds goes through here before it is shown; what the tools themselves colour does not.
 
@@ -17,7 +17,7 @@ pub fn text(text: &str) -> Cow<'_, str> {
     escaped(text, is_obeyed_in_text)
 }
 
-/// Whether a character of a text of several lines is obeyed; `next` is the one behind it.
+/// Whether a character of a text of several lines is such a command; `next` is the one behind it.
 pub fn is_obeyed_in_text(c: char, next: Option<char>) -> bool {
     match c {
         '\n' | '\t' => false,
