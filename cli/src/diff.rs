@@ -11,7 +11,7 @@ const OLD: Style = AnsiColor::Red.on_default();
 const NEW: Style = AnsiColor::Green.on_default();
 const PLACE: Style = AnsiColor::Cyan.on_default();
 
-/// Prints it, so that `patch` can read it; only what a terminal obeys is written out.
+/// Prints it, so that `patch` can read it; only what a terminal would interpret is escaped.
 pub(crate) fn print(file: &Path, old: &str, new: &str, out: &mut impl Write) -> io::Result<()> {
     let (removed, added, place) = if stdout_has_colours() {
         (OLD, NEW, PLACE)

@@ -16,7 +16,7 @@ pub(crate) enum Outcome {
     Fine,
     /// Errors in a program, a file that would change.
     Findings,
-    /// Some of the work could not be done; what was wrong has been said.
+    /// Some of the work could not be done; what was wrong has been reported.
     Failed,
 }
 

@@ -12,10 +12,10 @@ pub(crate) struct SettingsFiles {
 }
 
 impl SettingsFiles {
-    /// The settings that hold for a program. None: its settings file cannot be used, and that has been said.
+    /// The settings that hold for a program. None: its settings file cannot be used, and that has been reported.
     ///
     /// # Errors
-    /// The settings file cannot be used, and that has not been said yet.
+    /// The settings file cannot be used, and that has not been reported yet.
     pub(crate) fn of(&mut self, program: &Path) -> Result<Option<&Settings>, Failure> {
         let root = Root::of(program).ok();
         let file = root.as_ref().and_then(Root::settings_file);

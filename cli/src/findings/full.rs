@@ -187,7 +187,7 @@ impl<'a> Excerpt<'a> {
     }
 }
 
-/// The text with what a terminal obeys written out, and how much longer that makes it.
+/// The text with what a terminal would interpret escaped, and how much longer that makes it.
 fn written_out(text: Cow<'_, str>) -> (Cow<'_, str>, Vec<(usize, usize)>) {
     if !text.contains(shown::is_obeyed) {
         return (text, Vec::new());

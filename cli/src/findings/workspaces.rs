@@ -14,10 +14,10 @@ pub(crate) struct Workspaces {
 }
 
 impl Workspaces {
-    /// The workspace of a file. None: its settings cannot be used, and that has been said.
+    /// The workspace of a file. None: its settings cannot be used, and that has been reported.
     ///
     /// # Errors
-    /// The settings cannot be used, and that has not been said yet.
+    /// The settings cannot be used, and that has not been reported yet.
     pub(crate) fn of(&mut self, file: &Path) -> Result<Option<Arc<Workspace>>, Failure> {
         let folder = match Root::of(file) {
             Ok(root) => root.folder().to_owned(),

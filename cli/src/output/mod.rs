@@ -36,7 +36,7 @@ impl Output {
         matches!(self, Output::File(_))
     }
 
-    /// Writes a text that others wrote parts of: into a file as it is, on stdout with what a terminal obeys written out.
+    /// Writes a text that others wrote parts of: into a file as it is, on stdout with what a terminal would interpret escaped.
     pub(crate) fn write_text(&mut self, text: &str) -> io::Result<()> {
         match self {
             Output::Stdout(out) => out.write_all(shown::text(text).as_bytes()),

@@ -32,7 +32,7 @@ pub(crate) struct Stimulus {
 }
 
 impl Stimulus {
-    /// Whether anything is said about a run.
+    /// Whether anything is given for a run.
     pub(crate) fn is_given(&self) -> bool {
         self.dt.is_some()
             || self.inputs.is_some()

@@ -192,7 +192,7 @@ impl<'r> App<'r> {
         std::mem::replace(&mut self.view.changed_on_disk, changed) != changed
     }
 
-    /// Loads the file again. The program goes on where it stood; if what the file holds cannot be run, the old one goes
+    /// Loads the file again. The program goes on from where it was; if what the file holds cannot be run, the old one goes
     /// on.
     fn reload(&mut self) {
         let stamp = self.request.stamp();

@@ -18,7 +18,7 @@ const ENDING: [i32; 4] = [
 #[cfg(not(unix))]
 const ENDING: [i32; 2] = [SIGINT, SIGTERM];
 
-/// Within about this time a signal is obeyed by a program that is well.
+/// Within about this time a sound program ends on a signal.
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// The signal that came, if one did.
@@ -37,7 +37,7 @@ impl Signals {
         Ok(signals)
     }
 
-    /// Ends the process if it has not obeyed a signal within a second. Reading from a terminal that is gone never
+    /// Ends the process if it has not ended on a signal within a second. Reading from a terminal that is gone never
     /// comes back: without this the program would go on for ever, and keep a processor busy.
     fn insist(&self) -> io::Result<()> {
         let signals = Signals(self.0.clone());

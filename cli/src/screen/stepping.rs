@@ -7,7 +7,7 @@ use ladder_analysis::value::Value;
 use ladder_simulator::{Breakpoint, Hit, Status, Stepped, value_text};
 
 impl App<'_> {
-    /// Whether the program can go on; if not, that is said.
+    /// Whether the program can go on; if not, a message says so.
     fn is_ready(&mut self) -> bool {
         match self.plant.status() {
             Status::Ready => return true,

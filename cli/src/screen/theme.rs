@@ -37,7 +37,7 @@ pub(super) fn reversed() -> Style {
 }
 
 impl Theme {
-    /// As the environment has it. `NO_COLOR` is obeyed; characters beyond ASCII are used where the locale says that
+    /// As the environment has it. `NO_COLOR` is respected; characters beyond ASCII are used where the locale says that
     /// the terminal knows them.
     pub(super) fn of_environment() -> Theme {
         let set = |name: &str| std::env::var(name).ok().filter(|value| !value.is_empty());

@@ -26,7 +26,7 @@ pub(super) struct View {
     /// How many scans a column of a waveform stands for.
     pub(super) scale: Scale,
     pub(super) mode: Mode,
-    /// What was said last; the next key takes it away.
+    /// The last message; the next key takes it away.
     pub(super) note: Option<Note>,
     /// The file is not what runs any more.
     pub(super) changed_on_disk: bool,
@@ -57,7 +57,7 @@ pub(super) struct Reasons {
     pub(super) top: usize,
 }
 
-/// Something that is said in the line above the keys.
+/// A message in the line above the keys.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Note {
     pub(super) text: String,

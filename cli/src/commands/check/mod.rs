@@ -118,7 +118,7 @@ enum Deny {
 }
 
 impl Arguments {
-    /// What the programs are written in, if that is said.
+    /// What the programs are written in, if that is given.
     fn form(&self) -> Option<Form> {
         self.from.as_deref().map(form::named)
     }
@@ -285,7 +285,7 @@ fn check(source: Source, task: Option<mend::Task>, renderer: &Renderer) -> Check
     }
 }
 
-/// A file among the others of its workspace. None: that cannot be used, and it has been said why.
+/// A file among the others of its workspace. None: that cannot be used, and it has been reported why.
 fn source(
     file: &Path,
     arguments: &Arguments,

@@ -17,7 +17,7 @@ pub(super) struct Job {
     pub(super) output: Option<PathBuf>,
 }
 
-/// The programs that the inputs stand for. What is wrong with single ones has been said, and is in the outcome.
+/// The programs that the inputs stand for. What is wrong with single ones has been reported, and is in the outcome.
 pub(super) fn jobs(
     inputs: &[PathBuf],
     output: Option<&Path>,

@@ -1,4 +1,4 @@
-//! Files: which are meant, and aligning them all at once. What is said of them comes in their order.
+//! Files: which are meant, and aligning them all at once. Their messages come in their order.
 
 use super::{Arguments, Task, diff, layout, would_change};
 use crate::form::{self, Form};
@@ -68,7 +68,7 @@ fn is_left_out(file: &PathBuf, arguments: &Arguments, config: Option<&Settings>)
     by_config || named && ladder_workspace::is_excluded(file)
 }
 
-/// A file, and how it is to be laid out; or why that is not known (none: it was said for another file).
+/// A file, and how it is to be laid out; or why that is not known (none: it was reported for another file).
 struct Job {
     file: PathBuf,
     options: Result<Options, Option<String>>,

@@ -269,7 +269,7 @@ fn at_rest(source: &Source) -> (Scene, Outcome) {
     (scene, rest(source))
 }
 
-/// What is said of a program that is drawn without being run.
+/// What is reported of a program that is drawn without being run.
 fn rest(source: &Source) -> Outcome {
     if !source.has_errors() {
         return Outcome::Fine;

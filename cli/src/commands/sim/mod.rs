@@ -104,7 +104,7 @@ enum Format {
 }
 
 impl Arguments {
-    /// Nothing is said that only a batch can do.
+    /// Nothing is asked for that only a batch can do.
     fn asks_for_the_screen(&self) -> bool {
         self.scans.is_none() && self.output.is_none() && self.format == Format::Csv
     }

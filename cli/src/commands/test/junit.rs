@@ -116,7 +116,7 @@ fn attribute(text: &str) -> String {
     escaped(&shown::line(text))
 }
 
-/// Text inside of XML. What a terminal obeys, the control characters that are no part of XML among it, is written out.
+/// Text inside of XML. What a terminal would interpret, including the control characters that are no part of XML, is escaped.
 fn escaped(text: &str) -> String {
     Escaped(&shown::text(text)).to_string()
 }
