@@ -15,7 +15,7 @@ use crate::unclosed_comment::unclosed_comment;
 use rowan::{TextRange, TextSize};
 use std::ops::Range;
 
-/// So many lines behind an edit are looked at first.
+/// This many lines behind an edit are looked at first.
 const FEW_LINES: usize = 8;
 
 /// Some of a text's lines: from the first that an edit touches to one behind it.

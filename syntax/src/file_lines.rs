@@ -88,7 +88,7 @@ impl FileLines {
         self.parts.is_empty()
     }
 
-    /// A line, if there are so many.
+    /// A line, if there are that many.
     pub fn get(&self, line: usize) -> Option<&Line> {
         (line < self.len()).then(|| &self[line])
     }

@@ -41,7 +41,7 @@ pub struct LineIndex {
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct LongLine {
     start: u32,
-    /// At least every so many bytes ([`STRIDE`]) an offset, with the characters of the line before it.
+    /// Offsets at most [`STRIDE`] bytes apart, each with the characters of the line before it.
     columns: Vec<(u32, u32)>,
 }
 
@@ -65,7 +65,7 @@ impl LongLine {
     }
 }
 
-/// Between two known columns of a long line are so many bytes.
+/// Between two known columns of a long line are this many bytes.
 const STRIDE: usize = 1024;
 
 /// Characters as people count them: a byte order mark is none.

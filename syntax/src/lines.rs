@@ -15,7 +15,7 @@ pub trait LineList {
     /// How many there are.
     fn count(&self) -> usize;
 
-    /// A line. Panics where there are not so many.
+    /// A line. Panics if there is none of this number.
     fn line(&self, line: usize) -> &Line<Self::Node>;
 
     /// Where it starts, in bytes from the start of the text.
@@ -107,7 +107,7 @@ impl<'t> LineReader<'t> {
         self.at
     }
 
-    /// Reads the next part: at least so many bytes, then to a place where no network, section or block definition
+    /// Reads the next part: at least this many bytes, then to a place where no network, section or block definition
     /// is open, or to the end of the text. The part's lines take the place of those in `lines`; offsets count from
     /// the start of the text. What they form is what they form in the whole text; only
     /// [`Lines::unclosed_comment`], which shows in the last part, may belong into an earlier one.
@@ -167,7 +167,7 @@ impl<N> Default for Lines<N> {
 }
 
 impl<N> Lines<N> {
-    /// No lines yet, with room for those of a text of so many bytes.
+    /// No lines yet, with room for those of a text of this many bytes.
     fn with_capacity(bytes: usize) -> Lines<N> {
         Lines {
             all: Vec::with_capacity(bytes / 48 + 1),

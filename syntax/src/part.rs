@@ -6,7 +6,7 @@ use crate::structure::{PartItem, group};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Where nothing is open a part ends once it has so many lines. Edits let it grow to twice as many. So they take
+/// Where nothing is open a part ends once it has this many lines. Edits let it grow to twice as many. So they take
 /// no more than 10 KiB: pieces up to there come from small pages, longer ones from pages of half a megabyte, of which each
 /// thread that has made some keeps its own.
 const USUAL_LINES: usize = 112;
@@ -174,7 +174,7 @@ pub(crate) fn cut(lines: Vec<Line>) -> Vec<Arc<Part>> {
     cut_at(usual, usual.min(lines.len()), lines.into_iter())
 }
 
-/// Cuts lines into parts of about so many; there are at least `least` lines.
+/// Cuts lines into parts of about this many; there are at least `least` lines.
 fn cut_at(usual: usize, least: usize, lines: impl Iterator<Item = Line>) -> Vec<Arc<Part>> {
     let mut parts = Vec::new();
     let mut part = Vec::with_capacity(least);
