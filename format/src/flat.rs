@@ -34,7 +34,7 @@ pub(crate) struct Flat {
 }
 
 impl Flat {
-    /// Reads the next part of a text, of at least so many bytes. The list takes the place of the one before, and its
+    /// Reads the next part of a text, of at least this many bytes. The list takes the place of the one before, and its
     /// memory.
     pub(crate) fn read(&mut self, reader: &mut LineReader<'_>, least: usize) {
         self.builder.begin(reader.at());
