@@ -43,7 +43,7 @@ impl Analysis {
         self.shown.len()
     }
 
-    /// At most so many of the findings, in the order of their places: errors come before all others, and then what is near
+    /// At most this many of the findings, in the order of their places: errors come before all others, and then what is near
     /// to a place.
     pub fn findings_near(&self, most: usize, place: TextSize) -> Vec<Finding> {
         self.shown.nearest(&self.context, most, place)

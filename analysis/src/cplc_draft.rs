@@ -4,7 +4,7 @@
 use ladder_instructions::{Shape, lookup};
 use ladder_syntax::{LineKind, Parse, TextRange, TextSize};
 
-/// So many lines are looked at.
+/// This many lines are looked at.
 const LINES: usize = 200;
 
 /// Whether a text is in the draft: it has a header of the draft, or draws a contact with `[ ]<tag>`.

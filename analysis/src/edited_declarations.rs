@@ -1,6 +1,6 @@
 //! The tags of a text behind an edit of lines that declare some.
 //!
-//! What these lines declare takes the place of what they declared before, and every line below is so many bytes further
+//! What these lines declare takes the place of what they declared before, and every line below is some bytes further
 //! down. A name that is declared no more is one that is only used, and the other way round.
 
 use crate::context::Context;

@@ -2,13 +2,13 @@
 
 use std::cell::Cell;
 
-/// So many networks, tags or declarations are looked at between two questions. What an edit usually concerns is less, and is never given up.
+/// This many networks, tags or declarations are looked at between two questions. What an edit usually concerns is less, and is never given up.
 pub const BETWEEN: usize = 256;
 
 /// Asks again and again while something is being read or looked for.
 pub(crate) struct StillWanted<'a> {
     ask: &'a dyn Fn() -> bool,
-    /// So many more are looked at before the next question.
+    /// This many more are looked at before the next question.
     left: Cell<usize>,
 }
 

@@ -21,7 +21,7 @@ pub(crate) struct Set {
 }
 
 impl Space {
-    /// The space of variables with so many values each; none if it is too large.
+    /// The space of variables with this many values each; none if it is too large.
     pub(crate) fn new(sizes: Vec<usize>) -> Option<Space> {
         let mut points = 1usize;
         for &size in &sizes {

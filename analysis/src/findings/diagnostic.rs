@@ -7,7 +7,7 @@ use ladder_syntax::TextRange;
 use std::borrow::Cow;
 use std::sync::Arc;
 
-/// A finding names at most so many other places.
+/// A finding names at most this many other places.
 pub const MOST_RELATED: usize = 20;
 
 /// A finding of a rule. Ranges count bytes from the start of the file.

@@ -4,7 +4,7 @@ use ladder_syntax::Name;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::sync::Arc;
 
-/// So many names are looked through one by one before all of them are put together anew.
+/// This many names are looked through one by one before all of them are put together anew.
 const MOST: usize = 32;
 
 /// What names lead to. Copies share what they have in common.
@@ -43,7 +43,7 @@ impl<T: Copy + PartialEq> ByName<T> {
         }
     }
 
-    /// Makes room for so many names more, so that the table need not be made anew as it grows.
+    /// Makes room for this many names more, so that the table need not be made anew as it grows.
     pub(crate) fn reserve(&mut self, names: usize) {
         Arc::make_mut(&mut self.names).reserve(names);
     }

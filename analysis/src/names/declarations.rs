@@ -85,7 +85,7 @@ impl Declarations {
         behind.checked_sub(1)
     }
 
-    /// Puts lines that start here in the place of some; what is below is so many bytes further down.
+    /// Puts lines that start here in the place of some; what is below is this many bytes further down.
     pub(crate) fn exchange(&mut self, old: Range<usize>, starts: Vec<u32>, bytes: i64) {
         for start in &mut self.starts[old.end..] {
             *start = start.wrapping_add_signed(bytes as i32);

@@ -19,7 +19,7 @@ pub(crate) struct Joined {
 }
 
 impl Joined {
-    /// No names yet, with room for those of so many networks.
+    /// No names yet, with room for those of this many networks.
     pub(crate) fn with_networks(networks: usize) -> Joined {
         let mut first = Vec::with_capacity(networks + 1);
         first.push(0);

@@ -16,7 +16,7 @@ pub(crate) struct Numbering {
 }
 
 impl Numbering {
-    /// Makes room for so many things more.
+    /// Makes room for this many things more.
     pub(crate) fn reserve(&mut self, things: usize) {
         self.numbers.reserve(things);
         self.index_of.reserve(things);
@@ -46,7 +46,7 @@ impl Numbering {
         (index != GONE).then_some(index as usize)
     }
 
-    /// Puts so many things in the place of some. As many of these as there are new ones hand their numbers on.
+    /// Puts this many things in the place of some. As many of these as there are new ones hand their numbers on.
     pub(crate) fn exchange(&mut self, old: Range<usize>, count: usize) {
         let kept = old.start + old.len().min(count);
         for index in kept..old.end {

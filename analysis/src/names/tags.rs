@@ -20,7 +20,7 @@ impl Tags {
         self.0.len() == 0
     }
 
-    /// A tag, if there are so many.
+    /// A tag, if there are that many.
     pub fn get(&self, tag: usize) -> Option<&TagFacts> {
         (tag < self.len()).then(|| &self[tag])
     }
@@ -64,7 +64,7 @@ impl Tags {
         gone
     }
 
-    /// Leaves the first so many, and gives the others.
+    /// Leaves this many at the beginning, and gives the others.
     pub(crate) fn split_off(&mut self, first: usize) -> Vec<Arc<TagFacts>> {
         self.0.split_off(first)
     }

@@ -35,7 +35,7 @@ pub(crate) enum Deed {
 }
 
 impl UseKind {
-    /// So many bits hold one.
+    /// This many bits hold one.
     pub(crate) const BITS: u32 = 7;
 
     const ACCESSES: [Access; 3] = [Access::Read, Access::Write, Access::ReadWrite];

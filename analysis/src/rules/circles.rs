@@ -5,11 +5,11 @@ use ladder_syntax::TextRange;
 /// What is used, and where.
 pub(super) type Use = (usize, TextRange);
 
-/// Once the circles that are reported have so many uses together, no more of them are reported. A file can hold as many circles as
+/// Once the circles that are reported have this many uses together, no more of them are reported. A file can hold as many circles as
 /// it has uses, each as long as the file.
 const MOST_USES: usize = 100_000;
 
-/// At most so many names are listed on the way around a circle.
+/// At most this many names are listed on the way around a circle.
 const MOST_NAMES: usize = 20;
 
 /// The names of a way around, the first of them if there are many.

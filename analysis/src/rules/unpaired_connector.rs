@@ -17,7 +17,7 @@ use ladder_syntax::{Parse, TextRange};
 /// How many connectors of one line are reported: whoever draws more of them without partners knows.
 const MOST: usize = 10;
 
-/// With so many connectors on a line the columns are compared one by one.
+/// With this many connectors on a line the columns are compared one by one.
 const MOST_COMPARED: usize = 64;
 
 pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {

@@ -44,7 +44,7 @@ pub enum Scalar {
     Tod,
     /// A day and time, in nanoseconds since 1970-01-01.
     Dt,
-    /// Text of at most so many bytes.
+    /// Text of at most this many bytes.
     String(u16),
 }
 

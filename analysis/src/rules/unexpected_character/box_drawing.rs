@@ -8,7 +8,7 @@ use ladder_syntax::{Parse, TextRange, TextSize, is_identifier};
 /// A contact's first part is no longer than this: `┤ ├`, `┤/├`.
 const LONGEST: usize = 3;
 
-/// So many lines above and below a place are drawn anew at once.
+/// This many lines above and below a place are drawn anew at once.
 const MOST: usize = 50;
 
 /// What a box-drawing character stands for.

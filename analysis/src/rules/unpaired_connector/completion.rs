@@ -10,7 +10,7 @@ use ladder_format::Edit;
 use ladder_syntax::wiring::{self, PartKind, Rung};
 use ladder_syntax::{Parse, TextRange, TextSize};
 
-/// So many columns beside a connector its partner is looked for.
+/// This many columns beside a connector its partner is looked for.
 pub(super) const NEAR: usize = 2;
 
 /// A rung with the columns of its parts.
