@@ -127,7 +127,7 @@ impl InkName {
     }
 }
 
-/// The lines that are asked for, as far as there are so many.
+/// The lines that are asked for, as far as there are that many.
 pub(crate) fn lines_asked(asked: &DiagramText, last_line: u32) -> Lines {
     let first = asked.lines.first.min(last_line);
     let most = first.saturating_add(MOST_LINES - 1);

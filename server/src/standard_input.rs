@@ -12,7 +12,7 @@ use std::thread;
 use tokio::io::{AsyncRead, ReadBuf};
 use tokio::sync::mpsc;
 
-/// So many bytes are read at once at most.
+/// This many bytes are read at once at most.
 const PIECE: usize = 64 << 10;
 
 /// What the process is given, piece by piece.

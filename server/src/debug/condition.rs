@@ -33,7 +33,7 @@ impl HitCondition {
         }
     }
 
-    /// Whether the breakpoint counts when it is met the so many-th time.
+    /// Whether the breakpoint counts when it is met the n-th time.
     pub(super) fn holds(self, hits: u64) -> bool {
         match self {
             HitCondition::Is(number) => hits == number,

@@ -55,7 +55,7 @@ impl Default for GivenInputs {
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(untagged)]
 pub(super) enum Speed {
-    /// So many times as fast as real time.
+    /// How many times as fast as real time.
     Times(f64),
     Named(NamedSpeed),
 }
@@ -84,7 +84,7 @@ const SPEEDS: std::ops::RangeInclusive<f64> = 0.001..=1000.0;
 const LONGEST: f64 = 86_400_000.0;
 
 impl Configuration {
-    /// So many times as fast as real time; none for as fast as it goes.
+    /// How many times as fast as real time; none for as fast as it goes.
     pub(super) fn speed(&self) -> Result<Option<f64>, String> {
         match self.speed {
             Some(Speed::Named(NamedSpeed::Max)) => Ok(None),

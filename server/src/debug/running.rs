@@ -15,7 +15,7 @@ pub(super) const FAULTS: &str = "faults";
 /// The filter of expectations that are not met.
 pub(super) const EXPECTATIONS: &str = "expectations";
 
-/// Each fault is written once; behind so many none any more.
+/// Each fault is written once; behind this many none any more.
 const MOST_FAULTS: usize = 100;
 
 /// The longest time between two scans: a day.
@@ -388,7 +388,7 @@ impl<W: Write> Adapter<W> {
         })
     }
 
-    /// Runs the scan again up to right behind its so many-th fault. Where the scan is not kept it stays at its end.
+    /// Runs the scan again up to right behind its n-th fault. Where the scan is not kept it stays at its end.
     fn go_behind_fault(&mut self, scan: u64, number: usize) {
         let Some(target) = &mut self.target else {
             return;

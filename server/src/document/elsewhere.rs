@@ -79,7 +79,7 @@ pub(crate) struct FileText {
     positions: OnceCell<Positions>,
 }
 
-/// So many ranges of a file are looked up in its rope, before its lines are gone through for all that follow.
+/// This many ranges of a file are looked up in its rope, before its lines are gone through for all that follow.
 const FEW: u32 = 16;
 
 impl FileText {

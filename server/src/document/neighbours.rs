@@ -73,7 +73,7 @@ impl Neighbours {
         (name, others, folder.changes)
     }
 
-    /// Enters the analysis of an open file, which was read when there had been so many changes.
+    /// Enters the analysis of an open file, which was read when there had been this many changes.
     pub(super) fn analysed(&self, path: &Path, analysis: &Arc<Analysis>, read_at: Option<u64>) -> News {
         let exports = Arc::new(Exports::of_edited(&analysis.context, &analysis.context.name));
         let mut state = self.lock();

@@ -8,7 +8,7 @@ use ladder_analysis::{Exported, Exports, exports};
 use ladder_syntax::Parse;
 use ladder_workspace::Stamp;
 
-/// The names of files that no editor shows are kept in workspaces with so many bytes of text; in larger ones they are read
+/// The names of files that no editor shows are kept in workspaces with this many bytes of text; in larger ones they are read
 /// again when somebody asks.
 const MOST_KEPT: u64 = 2 << 20;
 

@@ -67,7 +67,7 @@ pub(crate) struct Revision {
     names: OnceLock<Names>,
     /// Held by who joins the names.
     joining: Mutex<()>,
-    /// So many wait for the names and cannot do without.
+    /// This many wait for the names and cannot do without.
     waiting: AtomicUsize,
     analysis: OnceLock<Analysis>,
     /// Held by who looks for what is wrong.

@@ -6,7 +6,7 @@ use std::thread;
 
 use ladder_ide::gathered;
 
-/// So many items a thread takes at once: for fewer it would take longer to begin.
+/// This many items a thread takes at once: for fewer it would take longer to begin.
 const BATCH: usize = 8;
 
 /// Does some work for each item, with its number. The threads end with the work: one that waits for more keeps the memory

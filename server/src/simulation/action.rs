@@ -13,15 +13,15 @@ use crate::document::Revision;
 /// What a session is asked to do.
 #[derive(Debug)]
 pub(crate) enum Action {
-    /// Do so many scans, then pause.
+    /// Do this many scans, then pause.
     Step(u64),
     /// Go on to the next block.
     StepBlock,
     /// Go on to the next rung.
     StepRung,
-    /// Go back so many scans.
+    /// Go back this many scans.
     Back(u64),
-    /// Go to the state after so many scans.
+    /// Go to the state after this many scans.
     GoTo(u64),
     /// These lines of rungs and these tags stop a run.
     Breakpoints(Vec<u32>, Vec<String>),
@@ -37,9 +37,9 @@ pub(crate) enum Action {
     DiagramText(DiagramText),
     /// Scan until another action comes.
     Run {
-        /// Pause after so many scans.
+        /// Pause after this many scans.
         scans: Option<u64>,
-        /// So many times as fast as real time; as fast as it goes if there is no number.
+        /// How many times as fast as real time; as fast as it goes if there is no number.
         speed: Option<f64>,
     },
     /// Stop scanning.

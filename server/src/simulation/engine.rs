@@ -23,7 +23,7 @@ use super::view::View;
 use crate::document::position::Range;
 use crate::document::{Beside, Revision};
 
-/// So many faults are reported: those that happened last.
+/// This many faults are reported: those that happened last.
 const FAULTS: usize = 100;
 
 /// The interval that may be asked for, in milliseconds: from a nanosecond to a day.
@@ -172,7 +172,7 @@ impl Engine {
         self.look_at_what_runs();
     }
 
-    /// Goes back up to so many scans.
+    /// Goes back up to this many scans.
     pub(super) fn back(&mut self, scans: u64) {
         self.pulses.clear();
         self.session
@@ -180,7 +180,7 @@ impl Engine {
         self.look_at_what_runs();
     }
 
-    /// Goes to the state after so many scans.
+    /// Goes to the state after this many scans.
     pub(super) fn go_to(&mut self, scan: u64) -> Result<(), Failure> {
         if !self.session.go_to(scan) {
             let reach = self.reach();

@@ -122,7 +122,7 @@ pub struct Run {
     /// One scan in each interval of real time (which is what `true`, the default, asks for), or as fast as it goes.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub real_time: Option<bool>,
-    /// So many times as fast as real time: 0.1 is slow motion; 1 unless given.
+    /// How many times as fast as real time: 0.1 is slow motion; 1 unless given.
     #[serde(
         default,
         skip_serializing_if = "Option::is_none",

@@ -10,7 +10,7 @@ use super::request::Failure;
 pub(super) struct Pulse {
     tag: String,
     back: Value,
-    /// So many scans are done then.
+    /// This many scans are done then.
     until: u64,
 }
 

@@ -23,7 +23,7 @@ const TICKS: u64 = 8;
 /// More ticks than this nobody can read.
 const MOST_TICKS: u64 = 100;
 
-/// So many ticks a scale of values has, more or less.
+/// This many ticks a scale of values has, more or less.
 const TICKS_OF_SCALE: u64 = 3;
 
 impl Engine {

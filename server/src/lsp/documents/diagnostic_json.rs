@@ -162,7 +162,7 @@ fn first_line(lines: &[u32], place: usize) -> Option<(u32, u32)> {
     Some((*lines.get(number)?, number as u32))
 }
 
-/// So many places are looked up one by one; for more a table of all lines costs less.
+/// This many places are looked up one by one; for more a table of all lines costs less.
 const FEW: usize = 100;
 
 /// What counts the lines and columns of findings.

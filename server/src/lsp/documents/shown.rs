@@ -1,4 +1,4 @@
-//! Which findings of a file an editor is sent: it shows no more than so many, and each costs a message.
+//! Which findings of a file an editor is sent: it shows only some, and each costs a message.
 
 use ladder_analysis::{Finding, Severity, keep_nearest};
 use ladder_syntax::TextSize;
@@ -9,7 +9,7 @@ use crate::document::Revision;
 use crate::language::Analysis;
 use crate::lsp::convert;
 
-/// So many, which is also what VS Code keeps of one file.
+/// At most this many, which is also what VS Code keeps of one file.
 const MOST: usize = 1_000;
 
 /// What is shown of the findings of a file, in their order, and how many are left out: errors come before all others,

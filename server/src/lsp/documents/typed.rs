@@ -28,7 +28,7 @@ use crate::typing_messages::Cursor;
 /// The command by which a client says where its cursor is.
 pub(crate) const CURSOR: &str = "ladder.cursor";
 
-/// A comment that is open for so many lines was forgotten.
+/// A comment that is open for this many lines was forgotten.
 const LONGEST_COMMENT: u32 = 20;
 
 /// What is known of a document in which a person types.

@@ -24,7 +24,7 @@ use crate::lsp::{capabilities::Agreed, convert, markup, shared::Shared};
 /// The characters that open a list by themselves. Which of them do so in which place is for `ladder-ide` to say.
 const TRIGGERS: [&str; 8] = ["[", "(", "<", ".", "$", "%", ",", ":"];
 
-/// So many files of a folder are looked at.
+/// This many files of a folder are looked at.
 const MOST_FILES: usize = 10_000;
 
 /// Cuts what was behind the cursor and belongs to what was accepted: the text, and what is behind it on its line.

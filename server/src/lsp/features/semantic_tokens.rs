@@ -106,7 +106,7 @@ impl Serialize for Numbers<'_> {
     }
 }
 
-/// A token usually takes so many bytes of JSON, or a few less.
+/// A token usually takes this many bytes of JSON, or a few less.
 const BYTES_EACH: usize = 14;
 
 /// Answers with all of these tokens.
@@ -178,7 +178,7 @@ async fn tokens(shared: &Arc<Shared>, uri: &str, range: Option<crate::Range>) ->
     .await
 }
 
-/// So many lines are gone through at once. Those of a short program are too few for a second thread.
+/// This many lines are gone through at once. Those of a short program are too few for a second thread.
 const STRETCH: usize = 256;
 
 /// The tokens of stretches, each behind the one before it.

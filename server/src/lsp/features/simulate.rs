@@ -25,7 +25,7 @@ const SPEEDS: std::ops::RangeInclusive<f64> = 0.001..=1000.0;
 /// A hover does not wait longer for the values of a simulation, which may be within a long step.
 const PATIENCE: std::time::Duration = std::time::Duration::from_millis(200);
 
-/// The values of so many scans are sent unless more are asked for.
+/// The values of this many scans are sent unless more are asked for.
 const PAST: u64 = 100;
 
 /// The notification that shows how a simulation is.

@@ -18,7 +18,7 @@ const LONGEST_HEADER: usize = 4096;
 /// No `Content-Length: 123` is longer than this.
 const LONGEST_FIELD: usize = 128;
 
-/// So many bytes are read at once.
+/// This many bytes are read at once.
 const CHUNK: usize = 64 << 10;
 
 const FIELD: &[u8] = b"content-length";

@@ -97,7 +97,7 @@ const BEFORE: [&[u8]; 2] = [
     br#"{"jsonrpc":"2.0","method":"textDocument/publishDiagnostics","params":"#,
 ];
 
-/// So many bytes are written at once at most.
+/// This many bytes are written at once at most.
 const AT_ONCE: usize = 256 << 10;
 
 /// The longest of them with what a ticket begins with.
@@ -159,7 +159,7 @@ enum State {
         header: usize,
         length: usize,
     },
-    /// So many bytes of a body are to come.
+    /// This many bytes of a body are to come.
     Rest(usize),
 }
 

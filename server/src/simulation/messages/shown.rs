@@ -50,10 +50,10 @@ pub struct Search {
     /// Only tags whose names hold this, in any case.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub containing: Option<String>,
-    /// So many of them are left out at the beginning of the list.
+    /// This many of them are left out at the beginning of the list.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub first: Option<usize>,
-    /// No more than so many; all unless given.
+    /// No more than this many; all unless given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub count: Option<usize>,
 }

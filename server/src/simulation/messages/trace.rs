@@ -29,13 +29,13 @@ pub struct Trace {
     /// The last of them; the newest unless given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub last: Option<u64>,
-    /// In no more columns than so many; 1000 unless given.
+    /// In no more columns than this many; 1000 unless given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub columns: Option<u64>,
     /// Only the columns from that of this scan on; all of them unless given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub since: Option<u64>,
-    /// So many ticks for the time, more or less; 8 unless given.
+    /// This many ticks for the time, more or less; 8 unless given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ticks: Option<u64>,
     /// Scans whose values are to be read, two at most.
