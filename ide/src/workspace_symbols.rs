@@ -21,7 +21,7 @@ pub struct Named {
     pub container: Option<String>,
 }
 
-/// So many are listed: more are no help.
+/// This many are listed: more are no help.
 const MOST: usize = 500;
 
 /// The names that have the letters of `query` in their order, the likeliest first; all names for an empty query. They

@@ -4,7 +4,7 @@ use super::item::{Completion, CompletionKind, Completions, Snippet, Topic};
 use crate::typing::Typing;
 use ladder_syntax::TextRange;
 
-/// So many are proposed at once. A longer list helps nobody, and a large program has thousands of tags.
+/// This many are proposed at once. A longer list helps nobody, and a large program has thousands of tags.
 pub(super) const MOST: usize = 128;
 
 /// Proposals for the word at a place.

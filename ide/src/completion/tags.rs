@@ -26,7 +26,7 @@ const ITSELF: u8 = 6;
 /// A duration is written out more often than it is a count of milliseconds or a member of another timer.
 const WRITTEN: (u8, u8) = (0, 9);
 
-/// So many tags are gone through before another processor could begin to help.
+/// This many tags are gone through before another processor could begin to help.
 const ALONE: usize = 1 << 15;
 
 /// A tag, how well it fits, and what else speaks for it.
@@ -80,7 +80,7 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
     }
 }
 
-/// So many of the tags that have a rank, in their order. Of more than `alone` another processor takes half.
+/// This many of the tags that have a rank, in their order. Of more than `alone` another processor takes half.
 fn best<'c>(
     tags: &'c Tags,
     (most, alone): (usize, usize),

@@ -7,7 +7,7 @@ use ladder_syntax::TextSize;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// So many files are named.
+/// This many files are named.
 const MOST: usize = 6;
 
 /// How often each other file writes, reads or names what is at an offset. None where none does.

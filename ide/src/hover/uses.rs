@@ -6,10 +6,10 @@ use ladder_analysis::scope::{Access, Origin, SectionKind, TagFacts};
 use ladder_syntax::{LineKind, TextSize};
 use std::fmt::Write;
 
-/// So many lines are named.
+/// This many lines are named.
 const MOST_LINES: usize = 8;
 
-/// So many rungs are shown.
+/// This many rungs are shown.
 const MOST_RUNGS: usize = 3;
 
 /// A rung that is wider than this is cut.

@@ -6,7 +6,7 @@ use ladder_analysis::context::Context;
 use ladder_analysis::formulas;
 use ladder_syntax::wiring::PartKind;
 
-/// So many effects of a network are shown.
+/// This many effects of a network are shown.
 const MOST: usize = 8;
 
 pub(super) fn hover(context: &Context, place: &OnRung<'_>) -> Option<Hover> {

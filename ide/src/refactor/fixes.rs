@@ -5,7 +5,7 @@ use ladder_analysis::{Analysis, Applicability, Diagnostic, Finding, fix};
 use ladder_format::Edit;
 use ladder_syntax::TextRange;
 
-/// So many fixes back a fix is looked for that is the same.
+/// This many fixes back a fix is looked for that is the same.
 const NEAR: usize = 16;
 
 /// The fixes of the findings that a range touches, the best of each first. Only a safe one is preferred: editors may

@@ -55,7 +55,7 @@ pub struct Redrawn {
 enum Cursor {
     /// To the first place of a name.
     Name(String),
-    /// Behind so many characters that layout does not change.
+    /// Behind this many characters that layout does not change.
     Behind(usize),
     Stays,
 }

@@ -12,7 +12,7 @@ use ladder_analysis::types::Scalar;
 use ladder_simulator::scenario::{Direction, HEADINGS, Scenario, TextLine};
 use ladder_syntax::{Name, TextRange, TextSize};
 
-/// So many are proposed at once.
+/// This many are proposed at once.
 const MOST: usize = 128;
 
 /// Tags of other files are behind those of the program.

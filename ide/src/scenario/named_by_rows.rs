@@ -10,7 +10,7 @@ use ladder_simulator::members_of;
 use ladder_simulator::scenario::Direction;
 use ladder_syntax::Name;
 
-/// So many elements of an array are proposed.
+/// This many elements of an array are proposed.
 const ELEMENTS: i64 = 16;
 
 /// A tag, or a part of one, that can begin a row.
