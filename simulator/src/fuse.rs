@@ -129,7 +129,7 @@ struct Fuser<'c> {
     may_extend: bool,
 }
 
-/// A group writes at most so many bits: each of them is looked for among the others.
+/// A group writes at most this many bits: each of them is looked for among the others.
 const MOST_WRITTEN: usize = 64;
 
 /// Boolean instructions that together read at most three bits.

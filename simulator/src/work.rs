@@ -3,10 +3,10 @@
 use std::fmt;
 use std::sync::Arc;
 
-/// So many elements of an array, characters of a text, or operands count as one block.
+/// This many elements of an array, characters of a text, or operands count as one block.
 pub(crate) const ELEMENTS: usize = 100;
 
-/// A scan that has done the work of so many blocks asks its [`Brake`]; a shorter one always comes to its end.
+/// A scan that has done the work of this many blocks asks its [`Brake`]; a shorter one always comes to its end.
 pub(crate) const UNBRAKED: u64 = 100_000;
 
 /// For how many further blocks these elements count.

@@ -1,4 +1,4 @@
-//! Tracks in so many columns as a client can show: what is drawn of each.
+//! Tracks in as many columns as a client can show: what is drawn of each.
 
 use super::Tick;
 use super::track::{Change, Kind, Track};
@@ -48,7 +48,7 @@ pub enum Mark {
 /// What is drawn in a column and in those behind it, up to the next that is listed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Column {
-    /// The column: its first scan is so many times the length of a column.
+    /// The column: its first scan is this many times the length of a column.
     pub number: u64,
     /// What is drawn.
     pub mark: Mark,

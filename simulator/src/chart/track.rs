@@ -7,10 +7,10 @@ use ladder_analysis::value::Value;
 use std::cell::Cell;
 use std::collections::VecDeque;
 
-/// So many changes of a tag are kept: of one that changes in every scan those of eleven minutes at 10 ms.
+/// This many changes of a tag are kept: of one that changes in every scan those of eleven minutes at 10 ms.
 const MOST_CHANGES: usize = 1 << 16;
 
-/// A text takes the place of a change for each so many of its bytes.
+/// A text takes the place of a change for this many of its bytes.
 const BYTES_OF_CHANGE: usize = 32;
 
 /// How a tag is drawn.
@@ -69,7 +69,7 @@ impl Track {
         self.changes.front().map(|change| change.scan)
     }
 
-    /// What the tag held when so many scans were done; none where that is not known. What it held last holds for all scans
+    /// What the tag held when this many scans were done; none where that is not known. What it held last holds for all scans
     /// behind it.
     pub fn at(&self, scan: u64) -> Option<&Value> {
         let behind = self.changes_until(scan);
@@ -105,7 +105,7 @@ impl Track {
         self.range.get()
     }
 
-    /// Ticks of the scale that it is drawn over, at most so many and one more.
+    /// Ticks of the scale that it is drawn over, at most this many and one more.
     pub fn ticks(&self, most: u64) -> Vec<Tick> {
         match (self.kind(), self.range()) {
             (Kind::Number, Some((least, greatest))) => scale::ticks(least, greatest, most, self.point.ty),
@@ -139,7 +139,7 @@ impl Track {
         }
     }
 
-    /// What happened behind so many scans is not so any more.
+    /// What happened behind this many scans is not so any more.
     pub(super) fn truncate(&mut self, scans: u64) {
         let kept = self.changes_until(scans);
         while self.changes.len() > kept {

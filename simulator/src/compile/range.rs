@@ -56,7 +56,7 @@ impl Compiler<'_> {
         Ok(span)
     }
 
-    /// A range that begins at an index and has so many elements.
+    /// A range that begins at an index and has this many elements.
     pub(super) fn range_from(&mut self, range: &RangeRef, count: Word) -> Result<Span> {
         let (base, first, last) = self.bounds(range);
         let from = self.count(&range.first)?;

@@ -7,7 +7,7 @@ use crate::code::ElementPlace;
 use crate::memory::Bit;
 use crate::simulation::{PowerSource, Simulation};
 
-/// So many bytes are compared at once.
+/// This many bytes are compared at once.
 const STRETCH: usize = 64;
 
 /// What the last scan left, and who reads it.

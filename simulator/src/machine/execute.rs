@@ -18,7 +18,7 @@ pub(super) enum Onward {
     Next,
     /// A later one of the same block.
     Skip(u32),
-    /// The next one; what was done counts for so many further blocks.
+    /// The next one; what was done counts for this many further blocks.
     Work(u32),
     /// [`Machine::flow`](super::Machine::flow) decides.
     Flow,

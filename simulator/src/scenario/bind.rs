@@ -63,7 +63,7 @@ impl Target {
     }
 }
 
-/// A scenario runs at most so many scans: 27 hours at 10 ms.
+/// A scenario runs at most this many scans: 27 hours at 10 ms.
 const MOST_SCANS: u64 = 10_000_000;
 
 /// Binds all scenarios of a file. With mistakes, those of the file itself included, none of them is to be run.

@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 /// With more rows than this only outputs are looked at.
 const MOST_ROWS: usize = 8;
 
-/// So many columns can be read; with more a step takes no account of what the outputs do in between.
+/// This many columns can be read; with more a step takes no account of what the outputs do in between.
 const READABLE: u64 = 200;
 
 /// What one point held.
@@ -21,7 +21,7 @@ pub(super) struct Track {
     cold: Value,
     /// From which scan on, the earliest first.
     changes: Vec<(u64, Value)>,
-    /// Of what was given, and of these changes, all moments are a multiple of so many scans.
+    /// Of what was given, and of these changes, all moments are a multiple of this many scans.
     moments: u64,
 }
 
@@ -59,7 +59,7 @@ pub(super) struct Played {
     pub(super) tracks: Vec<Track>,
     /// How many there are to play.
     whole: u64,
-    /// Of what was given all moments are a multiple of so many scans.
+    /// Of what was given all moments are a multiple of this many scans.
     of_given: u64,
     /// There are too many columns for what the outputs do in between.
     is_coarse: bool,

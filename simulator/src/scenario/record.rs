@@ -25,7 +25,7 @@ pub struct Recorded {
     pub notes: Vec<String>,
 }
 
-/// So many values are written at most: a file of about as many bytes.
+/// This many values are written at most: a file of about as many bytes.
 const MOST_CELLS: u64 = 10_000_000;
 
 /// A session up to where it is as a scenario of this name; `program` is the program's file, as the scenario file
@@ -156,7 +156,7 @@ fn not_known(why: NotKnown) -> String {
     }
 }
 
-/// Whether a file of so many columns and rows is one that can be read.
+/// Whether a file of this many columns and rows is one that can be read.
 fn fits(columns: u64, rows: usize, interval: i64) -> Result<(), String> {
     let cells = columns.saturating_mul(rows as u64);
     if cells <= MOST_CELLS {

@@ -7,7 +7,7 @@ use crate::simulation::{Simulation, Status};
 use ladder_analysis::value::Value;
 use ladder_syntax::TextRange;
 
-/// A scenario may do the work of so many blocks.
+/// A scenario may do the work of this many blocks.
 pub(super) const MOST_BLOCKS: u64 = 10_000_000_000;
 
 /// What came of a scenario.
@@ -51,7 +51,7 @@ pub fn run(case: &Case, simulation: &mut Simulation, observe: impl FnMut(&Simula
     run_within(MOST_BLOCKS, case, simulation, observe)
 }
 
-/// Runs a scenario that may do the work of so many blocks.
+/// Runs a scenario that may do the work of this many blocks.
 pub(super) fn run_within(
     most: u64,
     case: &Case,

@@ -87,7 +87,7 @@ impl Session {
         &self.breakpoints
     }
 
-    /// Runs up to so many scans; one that is open counts. How many came to their end, and why there were no more.
+    /// Runs up to this many scans; one that is open counts. How many came to their end, and why there were no more.
     pub fn run(&mut self, scans: u64, cancel: &AtomicBool) -> (u64, Stop) {
         for run in 0..scans {
             if cancel.load(Ordering::Relaxed) {

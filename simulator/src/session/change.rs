@@ -21,7 +21,7 @@ use std::cell::OnceCell;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-/// So many programs that ran before are kept.
+/// This many programs that ran before are kept.
 const MOST_ERAS: usize = 64;
 
 /// The time in which one program ran.

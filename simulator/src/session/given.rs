@@ -10,7 +10,7 @@ use ladder_analysis::value::Value;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// So many values are kept at most.
+/// This many values are kept at most.
 pub(crate) const MOST_GIVEN: usize = 100_000;
 
 /// A value that was given.

@@ -40,7 +40,7 @@ use std::sync::Arc;
 use why::Writers;
 pub use why::{Cause, Reason, Since, Why, Wording, Write};
 
-/// So many faults are kept: those that happened last.
+/// This many faults are kept: those that happened last.
 const FAULTS: usize = 4096;
 
 /// Why a run stopped.
@@ -213,7 +213,7 @@ impl Session {
         self.changed = true;
     }
 
-    /// Goes back up to so many scans, to the state of then; what was given since is undone with them. How many
+    /// Goes back up to this many scans, to the state of then; what was given since is undone with them. How many
     /// scans it were: fewer if fewer are kept.
     ///
     /// A scan that is open counts: going back one goes to its start.
@@ -237,7 +237,7 @@ impl Session {
         }
     }
 
-    /// Goes to the state after so many scans, if that is kept: back, or forward over scans that were
+    /// Goes to the state after this many scans, if that is kept: back, or forward over scans that were
     /// stepped back from. Breakpoints are passed by, and a scan that is open is given up. False, and nothing happens, if it
     /// is not kept.
     pub fn go_to(&mut self, scans: u64) -> bool {

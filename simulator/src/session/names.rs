@@ -6,7 +6,7 @@ use crate::simulation::Simulation;
 use crate::tags::{Point, UnknownTag};
 use ladder_syntax::Name;
 
-/// So many changes of a name are remembered.
+/// This many changes of a name are remembered.
 const MOST: usize = 256;
 
 impl Session {

@@ -67,7 +67,7 @@ impl Session {
     }
 }
 
-/// Goes back and notes values after so many scans, but for the newest few.
+/// Goes back and notes values after this many scans, but for the newest few.
 fn note(
     history: &History,
     simulation: &Simulation,

@@ -46,7 +46,7 @@ impl SerialLog {
         self.bytes.truncate(self.here);
     }
 
-    /// The oldest kept scan, which sent so many bytes, is kept no longer.
+    /// The oldest kept scan, which sent this many bytes, is kept no longer.
     pub(super) fn forget_oldest(&mut self, count: u32) {
         self.old += count as usize;
         let gone = self.old.saturating_sub(SERIAL_ROOM);

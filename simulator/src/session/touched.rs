@@ -5,7 +5,7 @@ use crate::memory::Memory;
 use crate::tags::{Point, PointSlot};
 use std::ops::Range;
 
-/// So many scans have one mark.
+/// This many scans have one mark.
 pub(super) const SPAN: i64 = 256;
 
 /// A mark for each cell of the memory of tags: 0 if it has never changed.

@@ -38,7 +38,7 @@ impl Simulation {
         self.settle(halt) == Stepped::Done
     }
 
-    /// Runs up to so many scans; fewer if the program stops, or when `cancel` is set. How many were run.
+    /// Runs up to this many scans; fewer if the program stops, or when `cancel` is set. How many were run.
     pub fn run(&mut self, scans: u64, cancel: &AtomicBool) -> u64 {
         (0..scans)
             .take_while(|_| !cancel.load(Ordering::Relaxed) && self.scan())

@@ -6,9 +6,9 @@ use std::collections::BTreeMap;
 /// How much of the past is kept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct HistoryLimits {
-    /// At most so many scans; none with 0.
+    /// At most this many scans; none with 0.
     pub scans: usize,
-    /// At most so many bytes.
+    /// At most this many bytes.
     pub bytes: usize,
 }
 
@@ -23,7 +23,7 @@ impl Default for HistoryLimits {
 }
 
 impl HistoryLimits {
-    /// So many scans, in at most as many bytes as by default.
+    /// This many scans, in at most as many bytes as by default.
     pub fn of_scans(scans: usize) -> HistoryLimits {
         HistoryLimits {
             scans,

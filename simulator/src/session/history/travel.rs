@@ -6,7 +6,7 @@ use crate::memory::Memory;
 use crate::simulation::Simulation;
 
 impl History {
-    /// Goes back up to so many scans; how many it were. What was given since the last scan (`changed`) is kept for
+    /// Goes back up to this many scans; how many it were. What was given since the last scan (`changed`) is kept for
     /// when the simulation comes forward again.
     pub(in crate::session) fn back(
         &mut self,
@@ -46,7 +46,7 @@ impl History {
         (self.forward_by(simulation, 1) == 1).then(|| self.give_what_waits(simulation))
     }
 
-    /// Goes forward up to so many kept scans; how many it were. What was given behind the newest one still waits.
+    /// Goes forward up to this many kept scans; how many it were. What was given behind the newest one still waits.
     pub(in crate::session) fn forward_by(&mut self, simulation: &mut Simulation, scans: usize) -> usize {
         let scans = scans.min(self.ahead());
         for _ in 0..scans {

@@ -25,7 +25,7 @@ use ladder_analysis::types::Scalar;
 use ladder_analysis::value::Value;
 use std::ops::Range;
 
-/// So many scans are run again at most for one question.
+/// This many scans are run again at most for one question.
 const MOST_TRACES: usize = 60;
 /// So far the chain is followed.
 const DEEPEST: usize = 4;
@@ -51,7 +51,7 @@ pub(super) struct Inquiry<'s> {
     history: &'s History,
     writers: &'s Writers,
     traces: usize,
-    /// So many kept scans, and spans of such, were gone back over.
+    /// This many kept scans, and spans of such, were gone back over.
     scans: usize,
     questions: Vec<Question>,
     /// Those whose last change is looked for on this way back.
