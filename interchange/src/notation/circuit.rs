@@ -60,7 +60,7 @@ impl Wires {
     /// The right rail, and the end of every wire that leads nowhere.
     pub(super) const SINK: usize = SINK;
 
-    /// Without wires, and with so many points between the rails.
+    /// Without wires, and with this many points between the rails.
     pub(super) fn new(points: usize) -> Wires {
         Wires {
             same: (0..points + 2).collect(),
@@ -143,7 +143,7 @@ const SOURCE: usize = 0;
 const SINK: usize = 1;
 
 impl Graph {
-    /// Without edges, between so many points.
+    /// Without edges, between this many points.
     fn between(points: usize) -> Graph {
         Graph {
             edges: Vec::new(),

@@ -143,7 +143,7 @@ pub struct ReadError {
     pub more: Vec<(LineColumn, String)>,
 }
 
-/// No more than so many places are named in one sentence.
+/// No more than this many places are named in one sentence.
 const MOST_TOLD: usize = 20;
 
 impl ReadError {

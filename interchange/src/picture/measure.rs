@@ -20,7 +20,7 @@ mod tests {
         pub(super) static MEASURED: Cell<usize> = const { Cell::new(0) };
     }
 
-    /// How many texts are measured to draw a block with so many operands.
+    /// How many texts are measured to draw a block with this many operands.
     fn measured(operands: usize) -> usize {
         let text = format!("+--[ADD]( y{} )--+\n", ", a".repeat(operands));
         let analysis = analyze(&Arc::new(parse(&text)), "program");

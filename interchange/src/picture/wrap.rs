@@ -2,7 +2,7 @@
 
 use super::measure::columns;
 
-/// A text in lines of at most so many columns. Words that are longer are broken.
+/// A text in lines of at most this many columns. Words that are longer are broken.
 pub(super) fn wrap(text: &str, width: u32) -> Vec<String> {
     let width = width.max(1);
     let mut lines = Vec::new();
@@ -37,7 +37,7 @@ pub(super) fn wrap(text: &str, width: u32) -> Vec<String> {
     lines
 }
 
-/// Lines of text as lines of at most so many columns. What does not fit on a line goes before the next one, as far as
+/// Lines of text as lines of at most this many columns. What does not fit on a line goes before the next one, as far as
 /// that goes on with the same sentence.
 pub(super) fn paragraph(lines: &[String], width: u32) -> Vec<String> {
     let mut out = Vec::new();

@@ -22,7 +22,7 @@ pub(super) enum What<'p> {
     Many(Span),
     /// An address that is found when the program runs.
     Somewhere(&'p Pointer),
-    /// So many addresses from this one on.
+    /// This many addresses from this one on.
     From(&'p Tag, usize),
 }
 

@@ -8,7 +8,7 @@ use super::model::Version;
 pub(super) enum Piece {
     /// A character below 256.
     Char(char),
-    /// The variable, with so many digits; with its sign.
+    /// The variable, with this many digits; with its sign.
     Number { digits: char, signed: bool },
 }
 

@@ -149,7 +149,7 @@ impl Drawing<'_> {
         }
     }
 
-    /// A column from which on so many are free of the lines that come down to a rung.
+    /// A column from which on this many are free of the lines that come down to a rung.
     fn free_of_lines(&self, rung: usize, wide: usize) -> usize {
         let Some(above) = rung.checked_sub(1) else {
             return COMMENT;

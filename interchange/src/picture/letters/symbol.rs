@@ -180,7 +180,7 @@ enum Side {
     Under,
 }
 
-/// A tag so many lines beside the wire, and its value beyond it.
+/// A tag this many lines beside the wire, and its value beyond it.
 fn labelled(
     canvas: &mut Canvas,
     label: &Label,
@@ -213,7 +213,7 @@ fn labelled(
     }
 }
 
-/// A value in so many columns, with `!` if it is forced.
+/// A value in this many columns, with `!` if it is forced.
 fn valued(value: &Shown, room: usize) -> String {
     let sign = if value.forced { "!" } else { "" };
     let room = room.saturating_sub(sign.len());

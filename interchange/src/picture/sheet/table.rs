@@ -28,7 +28,7 @@ pub(super) struct Table {
 }
 
 impl Table {
-    /// Columns for these tags on a page that is so many columns wide.
+    /// Columns for these tags on a page that is this many columns wide.
     pub(super) fn new(groups: &[Group], width: u32) -> Table {
         let mut places = [(0, 0); 5];
         let mut at = 0;

@@ -64,7 +64,7 @@ pub(super) fn unpacked(place: LineColumn, from: Bank, to: Bank, count: usize, ou
     no_more_than(most, count, place, (from, "unpacked", to), out);
 }
 
-/// What goes into what, and by which way: none of it may, or so many addresses.
+/// What goes into what, and by which way: none of it may, or this many addresses.
 fn no_more_than(
     most: usize,
     count: usize,

@@ -8,7 +8,7 @@ use super::super::model::{
 use super::mistakes::{Mistakes, Unread, expression};
 use ruff_python_ast::{CmpOp, Expr, ExprCall, ExprSubscript, Number, Operator, UnaryOp};
 
-/// A range of timers or counters has a contact each, so it may have no more than so many.
+/// A range of timers or counters has a contact each, so it may have no more than this many.
 const MOST_IN_RANGE: usize = 32;
 
 /// A condition of more contacts is not read: its drawing grows with the square of them.

@@ -8,13 +8,13 @@ use ruff_python_parser::{Mode, lexer};
 const LARGEST: usize = 1024 * 1024;
 /// A longer line is not read, in bytes.
 const LONGEST_LINE: usize = 10_000;
-/// So many brackets may be in one another.
+/// This many brackets may be in one another.
 const DEEPEST: usize = 24;
-/// So many levels of indentation.
+/// This many levels of indentation.
 const MOST_INDENTED: usize = 24;
 /// What a statement may have one behind the other, between commas, with all the brackets around.
 const LONGEST_CHAIN: usize = 100;
-/// So many of these may a statement have that nest without brackets, and across commas.
+/// This many of these may a statement have that nest without brackets, and across commas.
 const MOST_LAMBDAS: usize = 24;
 
 /// Refuses what is too large or too deep.

@@ -22,7 +22,7 @@ impl Numbers {
     }
 }
 
-/// So many control relays are in the contacts.
+/// This many control relays are in the contacts.
 const RELAYS: u16 = 5;
 
 /// A rung with wires and contacts anywhere in its first columns.

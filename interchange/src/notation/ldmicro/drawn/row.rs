@@ -50,7 +50,7 @@ impl Body<'_> {
         self.above.iter().skip(self.column).take(length).collect()
     }
 
-    /// The name above an element, which is centred over so many cells.
+    /// The name above an element, which is centred over this many cells.
     fn name(&self, cells: usize) -> Result<String, String> {
         let start = self.column / CELL * CELL;
         let last = start + cells * CELL - 1;
@@ -106,7 +106,7 @@ impl Body<'_> {
         Ok(Found::new(format!("COIL {} {flags}", self.name(1)?), 3))
     }
 
-    /// Where a body ends that was centred in so many cells: with a character behind which wire goes on.
+    /// Where a body ends that was centred in this many cells: with a character behind which wire goes on.
     fn end(&self, close: char, cells: usize) -> Option<usize> {
         let before = self.column % CELL;
         let room = cells * CELL;

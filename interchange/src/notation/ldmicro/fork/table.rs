@@ -172,7 +172,7 @@ impl Row {
         }
     }
 
-    /// Whether it is this instruction on so many operands.
+    /// Whether it is this instruction on this many operands.
     pub(in crate::notation::ldmicro) fn is(&self, op: Op, operands: usize) -> bool {
         match self.form {
             Form::Values(own, slots) => own == op && slots.len() == operands,
