@@ -10,7 +10,7 @@ use ladder_workspace::shown;
 use std::borrow::Cow;
 use std::ops::Range;
 
-/// Related places at most so many lines away are shown in one excerpt with the finding's own place.
+/// Related places at most this many lines away are shown in one excerpt with the finding's own place.
 const NEAR: usize = 8;
 
 /// A finding with its excerpt, without a line end behind it.
@@ -113,7 +113,7 @@ fn origin(source: &Source, range: TextRange) -> Origin<'_> {
 /// In texts up to this length a fix is shown with the drawing laid out again: that reads the whole text for each.
 const SHORT: usize = 64 << 10;
 
-/// So many bytes are read again for the fixes of all findings together.
+/// This many bytes are read again for the fixes of all findings together.
 const MOST_READ: usize = 4 << 20;
 
 /// Excerpts that are longer are not shown: nobody could see the place in them, and each is read as a whole.

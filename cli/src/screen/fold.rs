@@ -19,19 +19,19 @@ use std::ops::Range;
 /// Wider drawings are only scrolled: they are no work of people.
 const WIDEST: usize = 4096;
 
-/// The left part has at least so many columns beside right-hand blocks that are held at the edge.
+/// The left part has at least this many columns beside right-hand blocks that are held at the edge.
 const LEFT_PART: usize = 16;
 
 /// Between the rail and the values behind it.
 const GAP: usize = 2;
 
-/// What is brought into sight has so many columns around it.
+/// What is brought into sight has this many columns around it.
 const AROUND: usize = 4;
 
 /// Less room is none for a value.
 const VALUE: usize = 6;
 
-/// So many equal columns stay of a wire.
+/// This many equal columns stay of a wire.
 const KEPT: usize = 2;
 
 /// What one column of a line holds.
@@ -75,7 +75,7 @@ pub(super) struct Band {
 struct Tail {
     /// Where the first of them begins.
     start: usize,
-    /// So many columns of wire before it go with it, to show that there is something between.
+    /// This many columns of wire before it go with it, to show that there is something between.
     wire: usize,
 }
 
@@ -248,7 +248,7 @@ pub(super) struct Cut {
     before: usize,
 }
 
-/// Leaves out so many columns of the runs, of the longest first, each from its start.
+/// Leaves out this many columns of the runs, of the longest first, each from its start.
 pub(super) fn cuts(spare: &[Range<usize>], number: usize) -> Vec<Cut> {
     if number == 0 {
         return Vec::new();

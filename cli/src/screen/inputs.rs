@@ -7,10 +7,10 @@ use ladder_analysis::value::Value;
 use ladder_format::display_width;
 use ladder_simulator::Point;
 
-/// So many have a key of their own.
+/// This many have a key of their own.
 const NUMBERED: usize = 9;
 
-/// The bar takes at most so many lines.
+/// The bar takes at most this many lines.
 const LINES: u16 = 2;
 
 /// The inputs that have a key, in their order.

@@ -13,7 +13,7 @@ use ladder_workspace::{Settings, Stamp};
 use std::path::Path;
 use std::sync::Arc;
 
-/// So many tags are watched where none are asked for.
+/// This many tags are watched where none are asked for.
 const WATCHED: usize = 4;
 
 /// What is to be run.

@@ -8,7 +8,7 @@ use super::{columns, inputs};
 use ratatui::crossterm::event::{KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
 use ratatui::layout::{Position, Rect};
 
-/// So many lines or columns are scrolled by one notch of the wheel.
+/// This many lines or columns are scrolled by one notch of the wheel.
 const NOTCH: isize = 3;
 
 /// Takes in what the mouse did.

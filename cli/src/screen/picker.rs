@@ -3,7 +3,7 @@
 use super::plant::Plant;
 use ladder_simulator::Point;
 
-/// So many are offered.
+/// This many are offered.
 const OFFERED: usize = 100;
 
 /// A list of tags that match what was typed.

@@ -178,7 +178,7 @@ impl Sheet {
         }
     }
 
-    /// What a pane of so many columns asks of all lines.
+    /// What a pane of this many columns asks of all lines.
     pub(super) fn folding(&self, pane: usize) -> Folding {
         Folding::new(&self.bands, pane)
     }

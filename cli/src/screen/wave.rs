@@ -3,7 +3,7 @@
 use super::theme::Charset;
 use ladder_simulator::chart::{Kind, Level, Mark, Track, Window};
 
-/// The past of a tag in so many columns of `scans` each, up to the scan that is done now; the newest column is the last. Columns
+/// The past of a tag in this many columns of `scans` each, up to the scan that is done now; the newest column is the last. Columns
 /// begin at whole multiples of their length, so that the picture does not flicker while it moves. Texts have none.
 pub(super) fn wave(track: &Track, columns: usize, scans: u64, now: u64, charset: Charset) -> String {
     match (track.kind(), charset) {
@@ -29,7 +29,7 @@ pub(super) fn wave(track: &Track, columns: usize, scans: u64, now: u64, charset:
     }
 }
 
-/// What is drawn in each of so many columns; nothing where nothing is known.
+/// What is drawn in each of the columns; nothing where nothing is known.
 fn marks(track: &Track, columns: usize, per: u64, now: u64) -> Vec<Option<Mark>> {
     if track.first().is_none_or(|first| now < first) {
         return vec![None; columns];
@@ -134,7 +134,7 @@ mod tests {
     use ladder_simulator::chart::Recorder;
     use ladder_simulator::{HistoryLimits, Options, Session};
 
-    /// The wave of a tag that held these values in the last scans of so many.
+    /// The wave of a tag that held these values in the last of this many scans.
     fn check(charset: Charset, tag: &str, values: &[i64], scans: u64, now: u64, columns: usize, is: Expect) {
         let text = "VAR  bit : BOOL; number : INT;  END_VAR\n";
         let analysis = ladder_analysis::analyze(&ladder_syntax::parse(text).into(), "test.clad");

@@ -140,7 +140,7 @@ fn without_a_name_all_are_listed() {
     expect_test::expect_file!["explain_list.txt"].assert_eq(&run.stdout);
 }
 
-/// The widest line of a page on a terminal of so many columns, but for drawings.
+/// The widest line of a page on a terminal of this many columns, but for drawings.
 fn widest(arguments: &[&str], columns: &str) -> usize {
     let run = Folder::with(&[]).run(
         env!("CARGO_BIN_EXE_ladder"),

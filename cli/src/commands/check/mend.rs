@@ -8,7 +8,7 @@ use ladder_syntax::LineColumn;
 use ladder_workspace::shown;
 use std::fmt;
 
-/// A fix may bring out what another mistake hid; so many rounds are enough for all that was seen.
+/// A fix may bring out what another mistake hid; this many rounds are enough for all that was seen.
 const ROUNDS: usize = 16;
 
 /// What is mended.

@@ -231,7 +231,7 @@ fn exit_of(tally: &Tally, arguments: &Arguments) -> Outcome {
     }
 }
 
-/// So many files are checked at once: what is found in them is kept until their turn comes.
+/// This many files are checked at once: what is found in them is kept until their turn comes.
 const AT_ONCE: usize = 64;
 
 /// A program, or a file of scenarios, that was checked.

@@ -44,7 +44,7 @@ impl Tally {
         }
     }
 
-    /// Counts a file, with so many mended findings.
+    /// Counts a file, with this many mended findings.
     pub(super) fn file(&mut self, mended: usize) {
         self.files += 1;
         self.mended += mended;

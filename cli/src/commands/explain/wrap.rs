@@ -5,7 +5,7 @@ use ladder_format::display_width;
 /// A code span of more columns than this is broken like any other text.
 const LONGEST_SPAN: usize = 40;
 
-/// The text in lines of at most so many columns, each with its line end. The first line begins with `first`, the others
+/// The text in lines of at most this many columns, each with its line end. The first line begins with `first`, the others
 /// with `rest`. Code between backticks stays together where it can; a word that is wider than a line is out.
 pub(super) fn wrap(text: &str, first: &str, rest: &str, columns: usize) -> String {
     let mut wrapped = first.to_owned();

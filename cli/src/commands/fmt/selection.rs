@@ -73,7 +73,7 @@ impl Selection {
     }
 }
 
-/// Behind so many characters of a line.
+/// Behind this many characters of a line.
 fn at_column(text: &str, line: TextRange, characters: u32) -> TextSize {
     let bytes: usize = text[line]
         .trim_end_matches(['\r', '\n'])

@@ -81,7 +81,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "TEXT")]
     title: Option<String>,
 
-    /// Run so many scans first, and show the power and the values after the last
+    /// Run this many scans first, and show the power and the values after the last
     #[arg(long, value_name = "N", value_parser = number_of_scans, allow_negative_numbers = true)]
     scans: Option<u64>,
 
@@ -156,7 +156,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(outcome)
 }
 
-/// The diagram drawn with characters, at rest or after so many scans.
+/// The diagram drawn with characters, at rest or after this many scans.
 fn characters(arguments: &Arguments, source: &Source) -> Result<Outcome, Failure> {
     let (drawn, outcome) = match arguments.scans {
         None => (text::drawn(source, None), rest(source)),
@@ -282,7 +282,7 @@ fn rest(source: &Source) -> Outcome {
     Outcome::Findings
 }
 
-/// The program after so many scans; none if it has errors, which stderr then shows.
+/// The program after this many scans; none if it has errors, which stderr then shows.
 fn simulated<'s>(arguments: &Arguments, source: &'s Source, scans: u64) -> Result<Option<Run<'s>>, Failure> {
     let Some(program) = program(source) else {
         return Ok(None);
@@ -302,7 +302,7 @@ fn simulated<'s>(arguments: &Arguments, source: &'s Source, scans: u64) -> Resul
     Ok(Some(run))
 }
 
-/// The picture of the program after so many scans; none if it has errors.
+/// The picture of the program after this many scans; none if it has errors.
 fn running(arguments: &Arguments, source: &Source, scans: u64) -> Result<Option<(Scene, Outcome)>, Failure> {
     let Some(run) = simulated(arguments, source, scans)? else {
         return Ok(None);

@@ -11,7 +11,7 @@ use std::sync::Arc;
 /// More pixels than this in one direction are refused: they would take gigabytes.
 const LARGEST: f32 = 16_384.0;
 
-/// The PNG of a document, with so many pixels for each of its units.
+/// The PNG of a document, with this many pixels for each of its units.
 ///
 /// # Errors
 /// The picture would be too large, in words for a person.
@@ -44,7 +44,7 @@ pub(super) fn png(svg: &str, scale: f32) -> Result<Vec<u8>, String> {
         .map_err(|error| format!("the picture cannot be written as PNG: {error}"))
 }
 
-/// So many bytes a PNG begins with: its signature and its header.
+/// This many bytes a PNG begins with: its signature and its header.
 const HEAD: usize = 8 + 25;
 
 /// The picture with the name of the program that made it, as PNG has a place for it.

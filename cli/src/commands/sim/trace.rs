@@ -8,7 +8,7 @@ pub(super) use ladder_simulator::trace::Format;
 use ladder_simulator::trace::Trace;
 use std::io::{self, Write};
 
-/// So many bytes are gathered before they are written.
+/// This many bytes are gathered before they are written.
 const CHUNK: usize = 1 << 16;
 
 /// Runs all scans and writes their trace. `watched` has the tags by the names that it shows.

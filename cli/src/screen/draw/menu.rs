@@ -10,7 +10,7 @@ use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 use ratatui::widgets::{Block, Clear, Widget};
 
-/// So many tags are shown at once.
+/// This many tags are shown at once.
 const LINES: u16 = 10;
 
 /// Draws the list at the bottom of an area.

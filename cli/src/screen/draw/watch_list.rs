@@ -11,7 +11,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-/// Names and values have so many columns at most.
+/// Names and values have this many columns at most.
 const NAME: u16 = 20;
 const VALUE: u16 = 12;
 

@@ -37,7 +37,7 @@ pub(super) fn draw(buffer: &mut Buffer, reasons: &Reasons, scene: Scene) {
     }
 }
 
-/// The lines of a text in so many columns. What goes on in a further line is deeper than where it began.
+/// The lines of a text in this many columns. What goes on in a further line is deeper than where it began.
 fn wrapped(text: &str, width: usize) -> Vec<String> {
     let mut lines = Vec::new();
     for line in text.lines() {

@@ -4,7 +4,7 @@ use super::{Bench, MOTOR};
 use expect_test::expect;
 use std::fmt::Write;
 
-/// A program of so many rungs.
+/// A program of this many rungs.
 pub(super) fn long(rungs: usize) -> String {
     let mut text = String::new();
     for rung in 0..rungs {
