@@ -58,7 +58,7 @@ pub struct Spot {
 }
 
 impl Program {
-    /// About so many rungs, aligned.
+    /// About this many rungs, aligned.
     pub fn new(kind: Kind, rungs: usize) -> Program {
         let mut sections: [String; 5] = Default::default();
         let mut beside = String::new();
