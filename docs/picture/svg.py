@@ -142,7 +142,7 @@ def draw_rows(screen, theme):
 
 
 def opening(columns, rows, theme):
-    """The beginning of a picture of so many columns and rows."""
+    """The beginning of a picture of this many columns and rows."""
     width, height = columns * CELL_WIDTH + 2 * MARGIN, rows * LINE_HEIGHT + 2 * MARGIN
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0f} {height}" width="{width:.0f}" height="{height}"'

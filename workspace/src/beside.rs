@@ -4,10 +4,10 @@ use crate::{FileError, MAX_FILE_BYTES, Problem, named, regular, text};
 use std::fs::{self, File};
 use std::path::Path;
 
-/// So many names of a folder are looked at. Whoever keeps more files in it does without those beside a program.
+/// This many names of a folder are looked at. Whoever keeps more files in it does without those beside a program.
 const MOST_NAMES: usize = 10_000;
 
-/// So many files belong to one program.
+/// This many files belong to one program.
 const MOST_FILES: usize = 100;
 
 /// The files in a program's folder that belong to it, as `wanted` knows them by their names: each with its name, sorted.

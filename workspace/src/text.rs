@@ -37,7 +37,7 @@ pub(crate) fn read_from(opened: (File, Metadata), path: &Path) -> Result<String,
     decode(path, bytes(opened, path)?)
 }
 
-/// One byte more than a file may have, if there are so many.
+/// One byte more than a file may have, if there are that many.
 fn bytes((file, metadata): (File, Metadata), path: &Path) -> Result<Vec<u8>, FileError> {
     if metadata.is_dir() {
         return Err(FileError::new(path, Problem::Directory));

@@ -98,7 +98,7 @@ pub(super) const WIDTH: Setting = Setting {
     place: SetBy::FileOrEditor,
     default: Some("100"),
     example: "120",
-    about: "A network up to so many columns shares the file's right rail; a wider one keeps its own.",
+    about: "A network of up to this many columns shares the file's right rail; a wider one keeps its own.",
 };
 
 pub(super) const SPACING: Setting = Setting {

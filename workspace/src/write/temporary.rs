@@ -9,7 +9,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// So many processes may write one file at once.
+/// This many processes may write one file at once.
 const MOST: usize = 16;
 /// A file that nobody has locked and that is so old was left behind. A younger one may be about to be locked.
 const STALE: Duration = Duration::from_secs(60);

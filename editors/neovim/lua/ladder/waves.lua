@@ -210,7 +210,7 @@ function M.line(cells)
   return table.concat(parts), marks
 end
 
---- A text as cells, in so many columns; what is too long ends in `…`.
+--- A text as cells, in this many columns; what is too long ends in `…`.
 --- @param text string
 --- @param width integer
 --- @param group string|nil
