@@ -9,7 +9,8 @@ use crate::network::Meaning;
 use crate::networks::{BlockAt, NetworkAt};
 use crate::rule::Rule;
 use ladder_instructions::{Accepts, Instruction, Operand, Profile, Shape, TABLE, closest};
-use ladder_syntax::{Name, is_identifier};
+use ladder_syntax::is_identifier;
+use std::fmt::Write;
 
 pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
     for (index, bound) in network.blocks().enumerate() {
@@ -26,7 +27,7 @@ pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Dia
         }
         out.push(match wrong_shape::elsewhere(bound) {
             Some(row) => wrong_shape::brackets(context, bound, row),
-            None => unknown(context, network, bound),
+            None => unknown(bound),
         });
     }
 }
@@ -50,7 +51,7 @@ fn not_in_profile(profile: Profile, row: &Instruction, bound: BlockAt<'_>) -> Op
     Some(found.help(format!("its timers and counters are {}", known.join(" "))))
 }
 
-fn unknown(context: &Context, network: NetworkAt<'_>, bound: BlockAt<'_>) -> Diagnostic {
+fn unknown(bound: BlockAt<'_>) -> Diagnostic {
     let found = Diagnostic::new(
         Rule::UnknownInstruction,
         bound.head_range(),
@@ -61,41 +62,38 @@ fn unknown(context: &Context, network: NetworkAt<'_>, bound: BlockAt<'_>) -> Dia
     let count = bound.positional_count();
     // A likeness across shapes says something only if the operands fit as well.
     let near = closest(shape, text).filter(|row| row.shape == shape || row.takes(count));
-    // `[start]`, `(run)`: the tag is where the kind of contact or coil belongs.
+    // `[start]`, `(run)`: the tag is where the kind of contact or coil belongs. Which tags there are is not asked: the finding
+    // stays while the network is as it is.
     let bare = bound.facts.list_range.is_none() && is_identifier(text) && shape != Shape::Function;
-    let is_tag = || context.scopes[network.scope].find(&Name::new(text)).is_some();
+    let (block, kind) = match shape {
+        Shape::Coil => ("( )", "coil"),
+        _ => ("[ ]", "contact"),
+    };
+    let written = format!("{block}( {text} )");
+    let title = format!("Write {written}");
     let like_a_tag = || text.chars().count() > 3 && text.chars().any(char::is_lowercase);
-    if bare && (near.is_none() || is_tag() || like_a_tag()) {
-        let (block, kind) = match shape {
-            Shape::Coil => ("( )", "coil"),
-            _ => ("[ ]", "contact"),
-        };
-        let written = format!("{block}( {text} )");
+    if bare && (near.is_none() || like_a_tag()) {
         return found
             .help(format!(
                 "{} of the tag `{text}` is written {written}",
                 with_article(kind)
             ))
-            .fix(
-                Applicability::Unsafe,
-                format!("Write {written}"),
-                bound.head_range(),
-                written,
-            );
+            .fix(Applicability::Unsafe, title, bound.head_range(), written);
     }
     match near {
-        Some(row) => found
-            .help(format!(
-                "did you mean {} ({})?",
-                row.block(),
-                in_sentence(row.title)
-            ))
-            .fix(
-                Applicability::Unsafe,
-                format!("Replace with {}", row.block()),
-                bound.head_range(),
-                row.block(),
-            ),
+        Some(row) => {
+            let mut meant = format!("did you mean {} ({})?", row.block(), in_sentence(row.title));
+            if bare {
+                let _ = write!(meant, " The {kind} of a tag is written {written}");
+            }
+            let replace = format!("Replace with {}", row.block());
+            let found = found.help(meant);
+            let found = found.fix(Applicability::Unsafe, replace, bound.head_range(), row.block());
+            if !bare {
+                return found;
+            }
+            found.fix(Applicability::Unsafe, title, bound.head_range(), written)
+        }
         None if shape == Shape::Coil => {
             found.help("a coil is ( ), (/), (S), (R), (P), (N), (M), (SM), (RM) or (RES)")
         }

@@ -77,6 +77,30 @@ fn the_tag_in_the_place_of_the_kind() {
     );
 }
 
+/// Whichever tags there are.
+#[test]
+fn a_word_that_may_be_an_instruction_or_a_tag() {
+    check(
+        "+--[ ]( TOM )--[TOM]--(RSE)--+\n",
+        expect![[r#"
+            > +--[ ]( TOM )--[TOM]--(RSE)--+
+                             ^^^^^ error[unknown-instruction]: there is no instruction [TOM]
+                help: did you mean [TON] (on-delay timer)? The contact of a tag is written [ ]( TOM )
+                fix: Replace with [TON]
+                  +--[ ]( TOM )------------[TON]--(RSE)--+
+                fix: Write [ ]( TOM )
+                  +--[ ]( TOM )--[ ]( TOM )-------(RSE)--+
+            > +--[ ]( TOM )--[TOM]--(RSE)--+
+                                    ^^^^^ error[unknown-instruction]: there is no instruction (RSE)
+                help: did you mean (RES) (reset timer or counter)? The coil of a tag is written ( )( RSE )
+                fix: Replace with (RES)
+                  +--[ ]( TOM )------------[TOM]--(RES)--+
+                fix: Write ( )( RSE )
+                  +--[ ]( TOM )-------[TOM]--( )( RSE )--+
+        "#]],
+    );
+}
+
 #[test]
 fn wrong_brackets() {
     check(

@@ -441,6 +441,17 @@ fn findings_whose_reasons_stand_elsewhere() {
 }
 
 /// An edit in one network that decides about findings in another, which is not looked at for its own sake.
+/// What an unknown word in brackets could be is not another one because of what is elsewhere in the file.
+#[test]
+fn a_word_in_brackets_that_a_tag_has_as_well() {
+    let text = "+--[TOM]--( )( y )--+\n\n+--[ ]( a )--( )( b )--+\n".to_owned();
+    let mut document = Document::new(text.clone());
+    document.becomes(text.replace("( a )", "( TOM )"));
+    document.becomes(text.clone());
+    document.becomes(format!("VAR TOM : BOOL; END_VAR\n{text}"));
+    document.becomes(text);
+}
+
 #[test]
 fn edits_that_decide_about_other_networks() {
     let network = |drawn: &str| format!("+--[ ]( first )--( )( second )--+\n\n{drawn}\n");
