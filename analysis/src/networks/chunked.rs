@@ -112,7 +112,9 @@ impl<T: Clone> Chunked<T> {
     /// Puts others in the place of some. All other chunks than theirs stay as they are.
     pub(crate) fn splice(&mut self, old: Range<usize>, new: impl IntoIterator<Item = T>) {
         if old.start == self.len {
-            new.into_iter().for_each(|value| self.push(value));
+            for value in new {
+                self.push(value);
+            }
             return;
         }
         let (first, from) = self.find(old.start);
@@ -225,7 +227,9 @@ mod tests {
         fn it_is_what_a_plain_list_is(first in 0..1000usize, changes in changes()) {
             let mut list = Chunked::default();
             let mut plain: Vec<usize> = (0..first).collect();
-            plain.iter().for_each(|value| list.push(*value));
+            for value in &plain {
+                list.push(*value);
+            }
             for (number, (share, out, into)) in changes.into_iter().enumerate() {
                 let start = plain.len() * share / 1000;
                 let old = start..(start + out).min(plain.len());
@@ -254,7 +258,9 @@ mod tests {
     #[test]
     fn a_value_that_comes_or_goes_copies_one_chunk() {
         let mut list = Chunked::default();
-        (0..20 * CHUNK).for_each(|value| list.push(value));
+        for value in 0..20 * CHUNK {
+            list.push(value);
+        }
         for (old, new) in [(700..700, vec![1]), (700..701, vec![]), (900..902, vec![5])] {
             let before = list.clone();
             list.splice(old, new);

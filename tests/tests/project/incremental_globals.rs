@@ -234,7 +234,7 @@ fn rungs_of_a_body_that_come_and_go() {
             body.concat()
         )
     };
-    let alike = rungs.map(|rung| rung.to_uppercase());
+    let alike = rungs.map(str::to_uppercase);
     // With a connector that has no partner, so that the rung below is not read as it is drawn.
     let open = "+--[ ]( EN )--\\--( )( ENO )--+\n";
     for [first, second, third] in [rungs, alike.each_ref().map(String::as_str)] {
