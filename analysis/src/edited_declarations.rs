@@ -109,11 +109,11 @@ fn around(parse: &Parse, line: usize) -> Option<Around> {
     let mut sections = parse.frame().sections.iter().rev();
     let section = sections.find(|section| section.lines.start < line)?;
     let around = declare::around(parse, section)?;
-    let is_plain_section = matches!(
+    let is_followed = matches!(
         around.kind,
         SectionKind::Var | SectionKind::Input | SectionKind::Output | SectionKind::Global
     );
-    (is_plain_section && !around.constant && !around.in_block).then_some(around)
+    (is_followed && !around.in_block).then_some(around)
 }
 
 /// The lines to read again, from top to bottom: those of an edit, and all others that declare one of their names, for it is the

@@ -392,3 +392,37 @@ fn names_that_take_the_place_of_others() {
         }
     }
 }
+
+/// The value of a constant decides about what is found in networks: an index, a comparison, a divisor, a preset.
+#[test]
+fn the_value_of_a_constant() {
+    let program = |constants: &str| {
+        format!(
+            "VAR CONSTANT\n    first : INT := 1;\n{constants}END_VAR\nVAR\n    list : ARRAY[0..5] OF INT;\n    small : SINT;\n\
+             \x20   wait : TON;\nEND_VAR\n\n\
+             +--[MOV]( small, n )--[MOV]( list[n], 7 )--[DIV]( list[0], list[1], n )--( )( Q1 )--+\n\n\
+             +--[GT]( n, 3 )--( )( Q2 )--+\n\n\
+             +--[ ]( I1 )--[TON]( wait, t )--( )( Q3 )--+\n\n\
+             +--[CALC]( list[2], n * 40000 )--[GT]( list[first], n )--( )( Q4 )--+\n"
+        )
+    };
+    let mut document = Document::with(
+        program("    n : INT := 5;\n    t : TIME := 5s;\n"),
+        settings(&mut Dice::new(0)),
+    );
+    for constants in [
+        "    n : INT := 6;\n    t : TIME := 5s;\n",
+        "    n : INT := 0;\n    t : TIME := 5ms;\n",
+        "    n : INT := 2;\n    t : TIME := -5ms;\n",
+        "    n : INT := 300;\n    t : TIME := T#0s;\n",
+        "    n : INT := -1;\n",
+        "    n : DINT;\n    t : TIME := 5s;\n",
+        "    n : INT := ;\n    t : TIME := 5s;\n",
+        "    n, t : INT := 4;\n",
+        "    n : REAL := 2.5;\n    t : TIME := 5s;\n",
+        "    t : TIME := 5s;\n    n : INT := 6;\n    n : INT := 1;\n",
+        "    n : INT := 1;\n    t : TIME := 5s;\n",
+    ] {
+        document.becomes(program(constants));
+    }
+}
