@@ -1,5 +1,6 @@
 //! All that is known of a file before its program is put together: what rules and the editor's features read.
 
+use crate::at_address::AtAddress;
 use crate::by_name::ByName;
 use crate::declarations::Declarations;
 use crate::declaring::PlacesOfScopes;
@@ -55,6 +56,8 @@ pub struct Context {
     pub(crate) declarations: Arc<Declarations>,
     /// What is wrong with them but for what the parser says.
     pub(crate) misdeclared: Arc<Misdeclared>,
+    /// Which names mean one direct address.
+    pub(crate) at_address: AtAddress,
     /// The line behind the last section, and behind the last first line of a block definition.
     pub(crate) declared_to: usize,
     /// An edit between the declarations and the end changes what it names, and nothing else; see [`edited`].
@@ -286,6 +289,21 @@ impl Context {
         scope.find(name).map(|tag| &scope.tags[tag])
     }
 
+    /// The other tags of the file that are at the same direct address: together they are one tag.
+    pub(crate) fn others_at_address<'c>(
+        &'c self,
+        tag: &'c TagFacts,
+    ) -> impl Iterator<Item = &'c TagFacts> + use<'c> {
+        self.at_address.others(self, tag)
+    }
+
+    /// The tag that stands for all at a tag's direct address: of most tags that is the tag itself.
+    pub(crate) fn first_at_address(&self, (scope, tag): (usize, usize)) -> (usize, usize) {
+        let first = self.at_address.first(&self.scopes[scope].tags[tag]);
+        let first = first.and_then(|(scope, name)| Some((*scope, self.scopes[*scope].find(name)?)));
+        first.unwrap_or((scope, tag))
+    }
+
     /// The tags of all scopes, each once.
     pub(crate) fn own_tags(&self) -> impl Iterator<Item = &TagFacts> {
         let tags = self.scopes.iter().flat_map(|scope| &scope.tags);
@@ -355,6 +373,7 @@ pub fn context_while(
     uses::collect(&mut context, &wanted)?;
     let mut found = Vec::new();
     shared::share(&mut context, &mut found);
+    context.at_address = AtAddress::of(&context.scopes);
     infer::infer(&mut context, &wanted)?;
     context.settled = found.is_empty() && edited::may_settle(&context);
     if context.settled {

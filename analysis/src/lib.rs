@@ -51,8 +51,8 @@ mod values;
 pub(crate) use findings::{article, excerpt, foreign_comment, lint, stamp, verdict};
 pub use findings::{diagnostic, fix, rule, rule_settings};
 pub(crate) use names::{
-    by_name, company, declarations, declare, declaring, did_you_mean, infer, joined, misdeclared, numbering,
-    operand_value, shared, use_kind, uses,
+    at_address, by_name, company, declarations, declare, declaring, did_you_mean, infer, joined, misdeclared,
+    numbering, operand_value, shared, use_kind, uses,
 };
 pub use names::{rare, scope, system_tag, tags};
 pub(crate) use networks::{

@@ -33,8 +33,12 @@ pub struct Program {
     pub cycle: Option<i64>,
     /// Of each file whose arithmetic and timing its blocks have.
     pub profiles: Vec<Profile>,
-    /// The tags, in the order of their declaration or first use.
+    /// The tags, in the order of their declaration or first use. What several names at one direct address mean is one tag.
     pub tags: Vec<Tag>,
+    /// The names that tags at direct addresses have besides their own.
+    pub other_names: Vec<OtherName>,
+    /// The first address on whose names the files do not agree: such a program must not run.
+    pub disagreement: Option<Disagreement>,
     /// All networks: those of the program's file first, from top to bottom.
     pub networks: Vec<Network>,
     /// The networks of the main program: all before the first `<FUN>`.
@@ -57,6 +61,12 @@ impl Program {
     /// What they do otherwise.
     pub fn law(&self, place: Location) -> &'static Law {
         self.profile(place).law()
+    }
+
+    /// The names that tags have besides their own: those that are seen everywhere, or in the body of a block.
+    pub fn other_names_in(&self, block: Option<usize>) -> impl Iterator<Item = (&str, &Tag)> {
+        let names = self.other_names.iter().filter(move |name| name.block == block);
+        names.map(|name| (name.name.as_str(), &self.tags[name.tag.0 as usize]))
     }
 
     /// The type of a member of a tag.
@@ -134,6 +144,26 @@ pub struct Tag {
     /// The user-defined block whose body it belongs to (index into [`Program::blocks`]).
     pub block: Option<usize>,
     /// Where it is declared, or first used.
+    pub location: Location,
+}
+
+/// Another name of a tag at a direct address.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct OtherName {
+    /// As declared, with the file's stem before it where the name of a tag of that file has it.
+    pub name: String,
+    /// The tag.
+    pub tag: TagId,
+    /// The user-defined block whose body declares it.
+    pub block: Option<usize>,
+}
+
+/// What is said of a direct address in one place, and otherwise in another.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Disagreement {
+    /// What is wrong and what to do.
+    pub message: String,
+    /// Where it is said otherwise.
     pub location: Location,
 }
 
@@ -270,7 +300,7 @@ impl Place {
     pub fn root(&self) -> Option<TagId> {
         match self {
             Place::Tag(tag) | Place::Element(tag, _) | Place::Member(tag, _) => Some(*tag),
-            Place::Bit(inner, ..) => inner.root(),
+            Place::Bit(inner, ..) | Place::As(inner, ..) => inner.root(),
             Place::System(_) => None,
         }
     }
@@ -309,6 +339,9 @@ pub enum Place {
     Member(TagId, Member),
     /// One bit of an integer or bit string, from 0.
     Bit(Box<Place>, Scalar, u8),
+    /// A tag at a direct address which this place knows in another type than the tag has: the bits of the first type,
+    /// read and written as the second. Both are integers or bit strings of one width.
+    As(Box<Place>, Scalar, Scalar),
     /// A system tag.
     System(SystemTag),
 }

@@ -1,6 +1,7 @@
 //! From the lines of a text to what is known before any use of a tag is looked at: declared tags, blocks, networks, and the
 //! bodies that these belong to.
 
+use crate::at_address::AtAddress;
 use crate::context::{Body, Context, FunctionFacts, LabelFacts, next_serial};
 use crate::control_flow::ControlFlow;
 use crate::declarations::{Declarations, DeclaredAt};
@@ -90,6 +91,7 @@ pub(crate) fn skeleton(
         scopes,
         declarations,
         misdeclared,
+        at_address: AtAddress::default(),
         declared_to: declared_to(structure),
         settled: false,
         mistyped: Vec::new(),

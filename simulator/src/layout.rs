@@ -50,6 +50,12 @@ pub(crate) enum Home {
         bit: u8,
         width: Width,
     },
+    /// An in-out parameter that stands for a tag at a direct address which is known in another type there.
+    As {
+        word: Word,
+        stored: Scalar,
+        ty: Scalar,
+    },
     /// A parameter that is not bound yet.
     Unbound,
 }

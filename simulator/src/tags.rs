@@ -65,6 +65,31 @@ pub(crate) enum PointSlot {
     Timing { input: Bit, done: Bit },
 }
 
+impl Home {
+    /// Whether a point is what lives here, or a part of it.
+    pub(crate) fn holds(self, slot: PointSlot) -> bool {
+        let bit = |slot: Bit, at: Bit, len: u32| (at.0..at.0 + len).contains(&slot.0);
+        let word = |slot: Word, at: Word, len: u32| (at.0..at.0 + len).contains(&slot.0);
+        match (self, slot) {
+            (Home::Bits { at, len, .. }, PointSlot::Bit(slot)) => bit(slot, at, len),
+            (Home::Words { at, len, .. }, PointSlot::Word(slot) | PointSlot::BitOf { word: slot, .. }) => {
+                word(slot, at, len)
+            }
+            (Home::Texts { at, len, .. }, PointSlot::Text(TextSlot(slot))) => {
+                (at.0..at.0 + len).contains(&slot)
+            }
+            (
+                Home::State { state, bits, .. },
+                PointSlot::Bit(slot) | PointSlot::Timing { input: slot, .. },
+            ) => bit(slot, bits, layout::state_size(state).0),
+            (Home::State { state, words, .. }, PointSlot::Word(slot)) => {
+                word(slot, words, layout::state_size(state).1)
+            }
+            _ => false,
+        }
+    }
+}
+
 /// Why a name leads to no value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct UnknownTag {
@@ -104,6 +129,9 @@ impl Names {
         for (index, tag) in visible {
             tags.entry(Name::new(&tag.name)).or_insert(index as u32);
         }
+        for other in program.other_names.iter().filter(|other| other.block.is_none()) {
+            tags.entry(Name::new(&other.name)).or_insert(other.tag.0);
+        }
         let addresses = (0u32..).zip(&program.tags).filter(|(_, tag)| tag.block.is_none());
         for (index, address) in addresses.filter_map(|(index, tag)| Some((index, tag.address.as_ref()?))) {
             tags.entry(Name::new(address)).or_insert(index);
@@ -111,11 +139,14 @@ impl Names {
         Names { tags }
     }
 
-    /// The tags of one place where a user-defined block is.
-    pub(crate) fn of_instance(program: &Program, tags: impl Iterator<Item = TagId>) -> Names {
+    /// The tags of one place where a user-defined block is, and those at direct addresses that its body has names for.
+    pub(crate) fn of_instance(program: &Program, block: usize, tags: impl Iterator<Item = TagId>) -> Names {
         let named = tags.map(|tag| (Name::new(&program.tags[tag.0 as usize].name), tag.0));
+        let others = program.other_names.iter();
+        let others = others.filter(|other| other.block == Some(block));
+        let others = others.map(|other| (Name::new(&other.name), other.tag.0));
         Names {
-            tags: named.collect(),
+            tags: named.chain(others).collect(),
         }
     }
 

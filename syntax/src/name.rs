@@ -1,9 +1,11 @@
 //! Names: two spellings that mean one thing.
 
 use smol_str::SmolStr;
+use std::borrow::Cow;
 use unicode_normalization::{UnicodeNormalization, is_nfc_quick};
 
-/// A name as it is compared: NFC, then simple case folding (LANGUAGE §1). How a person wrote it is kept elsewhere.
+/// A name as it is compared: NFC, then simple case folding (LANGUAGE §1); the numbers of a direct address without the
+/// zeros before them, so that `%QX00.0` is `%QX0.0`. How a person wrote it is kept elsewhere.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Name(SmolStr);
 
@@ -11,7 +13,7 @@ impl Name {
     /// The name that `text` spells.
     pub fn new(text: &str) -> Name {
         if text.is_ascii() {
-            return Name(lower(text));
+            return Name(lower(&without_leading_zeros(text)));
         }
         let normal = if is_nfc_quick(text.chars()) == unicode_normalization::IsNormalized::Yes {
             text.to_owned()
@@ -26,6 +28,24 @@ impl Name {
     pub fn as_str(&self) -> &str {
         &self.0
     }
+}
+
+/// An address whose numbers have no zeros before them; any other name as it is.
+fn without_leading_zeros(text: &str) -> Cow<'_, str> {
+    let is_superfluous = |pair: &[u8]| pair[0] == b'0' && pair[1].is_ascii_digit();
+    if !text.starts_with('%') || !text.as_bytes().windows(2).any(is_superfluous) {
+        return Cow::Borrowed(text);
+    }
+    let mut short = String::with_capacity(text.len());
+    let mut letters = text.chars().peekable();
+    while let Some(letter) = letters.next() {
+        let begins_number = !short.ends_with(|last: char| last.is_ascii_digit());
+        let goes_on = letters.peek().is_some_and(char::is_ascii_digit);
+        if !(letter == '0' && begins_number && goes_on) {
+            short.push(letter);
+        }
+    }
+    Cow::Owned(short)
 }
 
 /// The longest text that a `SmolStr` holds in itself.
@@ -98,10 +118,19 @@ mod tests {
             ("ΣΑΣ", "σας"),
             ("µm", "ΜM"),
             ("ẞ", "ß"),
+            ("%QX00.0", "%qx0.00"),
+            ("%MW007", "%MW7"),
         ] {
             assert_eq!(Name::new(a), Name::new(b), "{a} {b}");
         }
-        for (a, b) in [("ß", "ss"), ("i", "ı"), ("a", "á")] {
+        for (a, b) in [
+            ("ß", "ss"),
+            ("i", "ı"),
+            ("a", "á"),
+            ("%QX10.0", "%QX1.0"),
+            ("%MW100", "%MW10"),
+            ("a01", "a1"),
+        ] {
             assert_ne!(Name::new(a), Name::new(b), "{a} {b}");
         }
     }

@@ -257,7 +257,8 @@ impl Reader<'_> {
     fn base(&self, node: &Node) -> Option<TagId> {
         match &node.kind {
             NodeKind::Name(name) | NodeKind::Address(name) => {
-                Some(tag(self.context, self.network.scope, name)?.0)
+                let (id, _) = tag(self.context, self.network.scope, name)?;
+                Some(self.context.first_at_address(id))
             }
             NodeKind::Member(base, _) | NodeKind::Index(base, _) | NodeKind::Range(base, ..) => {
                 self.base(base)
@@ -272,8 +273,12 @@ impl Reader<'_> {
     pub(super) fn key(&self, node: &Node) -> Option<(String, Vec<TagId>)> {
         match &node.kind {
             NodeKind::Name(name) | NodeKind::Address(name) => {
-                let (id, _) = tag(self.context, self.network.scope, name)?;
-                Some((format!("{}:{}", id.0, id.1), vec![id]))
+                let (id, facts) = tag(self.context, self.network.scope, name)?;
+                // What is at one address changes together, and is one thing where it has one type.
+                let first = self.context.first_at_address(id);
+                let is_one = self.context.scopes[first.0].tags[first.1].ty == facts.ty;
+                let of = if is_one { first } else { id };
+                Some((format!("{}:{}", of.0, of.1), vec![first]))
             }
             NodeKind::Paren(inner) => self.key(inner),
             NodeKind::Member(base, word) => {

@@ -79,6 +79,11 @@ impl AtTags {
             let named = network.facts().named.iter();
             again.extend(named.map(|named| key_of(context, network.scope, &named.key)));
         }
+        let others = again
+            .iter()
+            .flat_map(|key| context.at_address.names(context, key));
+        let others: Vec<TagKey> = others.collect();
+        again.extend(others);
         self.undeclared.follow(context, change, &mut again);
         let mut count = again.len();
         for key in again {

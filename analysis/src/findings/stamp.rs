@@ -24,6 +24,9 @@ pub(crate) fn of_network(context: &Context, network: NetworkAt<'_>) -> u64 {
             facts = &context.scopes[scope].tags[tag];
         }
         sum = sum.wrapping_add(hash((stamp(facts), number)));
+        if let Some(first) = context.at_address.first(facts) {
+            sum = sum.wrapping_add(hash((first, number)));
+        }
     }
     sum
 }

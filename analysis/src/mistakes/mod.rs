@@ -6,6 +6,7 @@ pub(crate) mod bad_operand;
 pub(crate) mod constant_write;
 pub(crate) mod duplicate_declaration;
 pub(crate) mod duplicate_function;
+pub(crate) mod one_address;
 pub(crate) mod shared_globals;
 pub(crate) mod type_mismatch;
 pub(crate) mod unknown_function;

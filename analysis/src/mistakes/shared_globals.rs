@@ -3,15 +3,16 @@
 
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
-use crate::exports::{Exports, Global};
+use crate::exports::{Exports, Global, is_one_address};
 use crate::others::Others;
 use crate::rule::Rule;
 use crate::scope::TagFacts;
 use crate::types::Type;
+use crate::value::Value;
 use ladder_syntax::Name;
 
 const HELP: &str =
-    "a global is one tag for the whole workspace: its declarations agree in type and initial value";
+    "a global is one tag for the whole workspace: its declarations agree in type, initial value and address";
 
 /// A VAR_GLOBAL declaration of the file against the one before it, and against those of other files.
 pub(crate) fn check_declared(
@@ -22,12 +23,17 @@ pub(crate) fn check_declared(
 ) {
     if let Some(&(scope, index)) = first {
         let first = &context.scopes[scope].tags[index];
-        if !agree(tag, first.ty, &first.rare.initial) && !first.mistyped {
-            let message = format!(
-                "`{}` is declared otherwise before, as {}",
-                tag.name,
-                shown(first.ty)
-            );
+        let said = Said {
+            ty: first.ty,
+            initial: &first.rare.initial,
+            address: first.rare.address.as_deref(),
+        };
+        if let Some(differs) = difference(tag, &said).filter(|_| !first.mistyped) {
+            let otherwise = match differs {
+                Differs::Address => said.address.map_or_else(String::new, |at| format!("at {at}")),
+                Differs::Type | Differs::Value => format!("as {}", shown(first.ty)),
+            };
+            let message = format!("`{}` is declared otherwise before, {otherwise}", tag.name);
             out.push(
                 Diagnostic::new(Rule::DuplicateDeclaration, context.declared_at(tag), message)
                     .help(HELP)
@@ -40,26 +46,61 @@ pub(crate) fn check_declared(
     }
     let key = Name::new(&tag.name);
     for (file, global) in context.others.globals(&key) {
-        if global.ty.is_some() && !agree(tag, global.ty, &global.initial) {
-            out.push(otherwise(context, tag, file, global));
+        let said = Said {
+            ty: global.ty,
+            initial: &global.initial,
+            address: global.address.as_deref(),
+        };
+        if let Some(differs) = difference(tag, &said).filter(|_| global.ty.is_some()) {
+            out.push(otherwise(context, tag, differs, file, global));
             return;
         }
     }
 }
 
-fn agree(tag: &TagFacts, ty: Option<Type>, initial: &[crate::value::Value]) -> bool {
-    tag.mistyped || (tag.ty == ty && *tag.rare.initial == *initial)
+/// What a declaration says.
+struct Said<'d> {
+    ty: Option<Type>,
+    initial: &'d [Value],
+    address: Option<&'d str>,
+}
+
+/// What one declaration says otherwise than another.
+#[derive(Clone, Copy)]
+enum Differs {
+    Type,
+    Value,
+    Address,
+}
+
+fn difference(tag: &TagFacts, other: &Said<'_>) -> Option<Differs> {
+    if tag.mistyped {
+        return None;
+    }
+    if tag.ty != other.ty {
+        return Some(Differs::Type);
+    }
+    if *tag.rare.initial != *other.initial {
+        return Some(Differs::Value);
+    }
+    (!is_one_address(tag.rare.address.as_deref(), other.address)).then_some(Differs::Address)
 }
 
 fn shown(ty: Option<Type>) -> String {
     ty.map_or_else(|| "another type".to_owned(), |ty| ty.to_string())
 }
 
-fn otherwise(context: &Context, tag: &TagFacts, file: &Exports, global: &Global) -> Diagnostic {
-    let message = if tag.ty == global.ty {
-        format!("`{}` starts with another value in {}", tag.name, file.file)
-    } else {
-        format!("`{}` is {} in {}", tag.name, shown(global.ty), file.file)
+fn otherwise(
+    context: &Context,
+    tag: &TagFacts,
+    differs: Differs,
+    file: &Exports,
+    global: &Global,
+) -> Diagnostic {
+    let message = match differs {
+        Differs::Type => format!("`{}` is {} in {}", tag.name, shown(global.ty), file.file),
+        Differs::Value => format!("`{}` starts with another value in {}", tag.name, file.file),
+        Differs::Address => format!("`{}` lies at another address in {}", tag.name, file.file),
     };
     Diagnostic::new(Rule::DuplicateDeclaration, context.declared_at(tag), message)
         .help(HELP)

@@ -162,6 +162,12 @@ fn declaration(
         None => None,
     };
     let address = node.address();
+    if let Some(token) = &address
+        && let Some(message) = refused_address(context)
+    {
+        out.push(here(bad_declaration::wrong(token.text_range(), message)));
+    }
+    let address = address.filter(|_| refused_address(context).is_none());
     let mut initial = Vec::new();
     if let (Some(value), Some(ty)) = (node.initial_value(), ty) {
         match constant::initial_values(&facts::node(&value), ty) {
@@ -250,6 +256,18 @@ fn role(kind: SectionKind, address: Option<Role>) -> Role {
         SectionKind::Output => Role::Output,
         _ => address.unwrap_or(Role::Internal),
     }
+}
+
+/// Why a declaration may not have an address.
+fn refused_address(context: Around) -> Option<&'static str> {
+    let is_parameter = matches!(context.kind, SectionKind::Input | SectionKind::Output) && context.in_block;
+    if is_parameter || context.kind == SectionKind::InOut {
+        return Some(
+            "an operand of a block is given where the block stands: take AT away, or declare the tag in VAR",
+        );
+    }
+    (context.kind == SectionKind::External)
+        .then_some("VAR_EXTERNAL names a global that is declared elsewhere, with its address: take AT away")
 }
 
 /// Why a name may not be declared.

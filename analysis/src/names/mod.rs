@@ -6,6 +6,7 @@
 //!          --infer----> the types of undeclared ones
 //! ```
 
+pub(crate) mod at_address;
 pub(crate) mod by_name;
 pub(crate) mod company;
 pub(crate) mod declarations;

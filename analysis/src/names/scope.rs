@@ -274,6 +274,8 @@ pub struct Scope {
     pub(crate) declared: usize,
     /// One of these may be shared with other scopes or files, or its declaration leaves its type open.
     unusual: bool,
+    /// Those that are declared at an address.
+    addressed: Vec<Name>,
     /// The block definition whose body it is.
     pub block: Option<usize>,
 }
@@ -346,6 +348,7 @@ impl Scope {
             found_numbering: Arc::default(),
             declared: self.declared,
             unusual: false,
+            addressed: self.addressed.clone(),
             block: self.block,
         })
     }
@@ -359,6 +362,9 @@ impl Scope {
     /// Adds a tag before any use is looked at, by its name; the first one of a name is found by it.
     pub(crate) fn declare(&mut self, name: Name, tag: TagFacts) -> usize {
         let number = Arc::make_mut(&mut self.numbering).push();
+        if tag.rare.address.is_some() {
+            self.addressed.push(name.clone());
+        }
         self.declared_names.add(name, number);
         self.unusual |= tag.is_unusual();
         self.tags.push(tag);
@@ -435,6 +441,11 @@ impl Scope {
     pub(crate) fn find_by_address(&mut self, address: &str, index: usize) {
         let number = self.numbering.number(index);
         self.declared_names.add(Name::new(address), number);
+    }
+
+    /// The tags that are declared at an address, as far as the whole text was read for them.
+    pub(crate) fn addressed(&self) -> &[Name] {
+        &self.addressed
     }
 
     /// Whether the scope has at least one declaration.

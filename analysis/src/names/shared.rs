@@ -133,6 +133,7 @@ fn imported_tag(file: &Exports, global: &Global) -> TagFacts {
         constant: global.constant,
         rare: Rare::from(RareFacts {
             initial: global.initial.clone(),
+            address: global.address.clone(),
             foreign: Some(Arc::clone(&file.file)),
             ..RareFacts::NONE
         }),

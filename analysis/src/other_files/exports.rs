@@ -86,6 +86,8 @@ pub struct Global {
     pub retain: bool,
     /// Initial values; empty for the type's own.
     pub initial: Vec<Value>,
+    /// The direct address that it is declared at.
+    pub address: Option<Box<str>>,
     /// Where its name is.
     declared_at: DeclaredAt,
 }
@@ -100,6 +102,7 @@ impl Global {
             self.constant,
             self.retain,
             &self.initial,
+            &self.address,
         ) == (
             &other.name,
             other.ty,
@@ -107,14 +110,26 @@ impl Global {
             other.constant,
             other.retain,
             &other.initial,
+            &other.address,
         )
     }
 
-    /// Whether two declarations are of one tag: they agree in type and initial value.
+    /// Whether two declarations are of one tag: they agree in type and initial value, and lie at one address if both
+    /// have one.
     pub fn agrees(&self, other: &Global) -> bool {
         // One that cannot be read is a mistake of its own.
-        self.ty.is_none() || other.ty.is_none() || (self.ty == other.ty && self.initial == other.initial)
+        self.ty.is_none()
+            || other.ty.is_none()
+            || (self.ty == other.ty
+                && self.initial == other.initial
+                && is_one_address(self.address.as_deref(), other.address.as_deref()))
     }
+}
+
+/// Whether two declarations may be of one tag as far as their addresses say.
+pub(crate) fn is_one_address(one: Option<&str>, other: Option<&str>) -> bool {
+    one.zip(other)
+        .is_none_or(|(one, other)| Name::new(one) == Name::new(other))
 }
 
 /// What a file shows to the others. `file` is its name in messages.
@@ -276,6 +291,7 @@ pub(crate) fn globals(context: &Context) -> Vec<Global> {
             constant: tag.constant,
             retain: tag.retain,
             initial: tag.rare.initial.clone(),
+            address: tag.rare.address.clone(),
             declared_at: tag.declared_at,
         });
     }

@@ -26,13 +26,17 @@ use crate::diagnostic::Diagnostic;
 use crate::joined::NamedTags;
 use crate::network::Meaning;
 use crate::networks::{BlockAt, NetworkAt};
-use crate::program::{Block, BlockKind, Element, Function, Location, Network, Program, TagId, UserBlock};
+use crate::program::{
+    Block, BlockKind, Element, Function, Location, Network, Place, Program, TagId, UserBlock,
+};
 use crate::scope::Scope;
+use crate::types::Scalar;
 use ladder_instructions::{Law, Op};
 use ladder_syntax::{Name, TextRange, TextSize};
 use numbers::{Numbers, Unit};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
+use tags::Ids;
 
 /// What is known while the operands of one block are resolved.
 pub(crate) struct Resolver<'c, 'o> {
@@ -52,7 +56,7 @@ pub(crate) struct Resolver<'c, 'o> {
 #[derive(Clone, Copy)]
 struct Lowering<'c> {
     /// The ids of the scope's tags.
-    ids: &'c [TagId],
+    ids: &'c Ids,
     numbers: &'c Numbers,
     /// Which of the numbers' units this is: also the number of its file.
     unit: usize,
@@ -118,7 +122,7 @@ fn networks(
     unit: &Unit<'_>,
     index: usize,
     numbers: &Numbers,
-    ids: &[Vec<TagId>],
+    ids: &[Ids],
     program: &mut Program,
 ) -> Option<TextRange> {
     let context = unit.context;
@@ -190,7 +194,7 @@ fn lower(context: &Context, file: u32, facts: NetworkAt<'_>, blocks: Vec<Block>)
 
 /// `(M)`, `(SM)`, `(RM)` and `[PERSIST]` make their tag retentive.
 fn retain(program: &mut Program, blocks: &[Block]) {
-    use crate::program::{Argument, Place};
+    use crate::program::Argument;
     for block in blocks {
         let BlockKind::Instruction(row) = block.kind else {
             continue;
@@ -203,22 +207,19 @@ fn retain(program: &mut Program, blocks: &[Block]) {
         }
         for bound in &block.arguments {
             let tag = match &bound.argument {
-                Argument::Place(Place::Tag(tag) | Place::Element(tag, _) | Place::Member(tag, _), _)
-                | Argument::State(tag) => *tag,
-                Argument::Place(Place::Bit(base, ..), _) => match base.as_ref() {
-                    Place::Tag(tag) | Place::Element(tag, _) => *tag,
-                    _ => continue,
-                },
-                Argument::Range(range) => range.tag,
-                _ => continue,
+                Argument::Place(place, _) => place.root(),
+                Argument::State(tag) => Some(*tag),
+                Argument::Range(range) => Some(range.tag),
+                _ => None,
             };
+            let Some(tag) = tag else { continue };
             program.tags[tag.0 as usize].retain = true;
         }
     }
 }
 
 /// The main program, the functions and blocks with their networks, and the labels.
-fn bodies(units: &[Unit<'_>], numbers: &Numbers, ids: &[Vec<Vec<TagId>>], program: &mut Program) {
+fn bodies(units: &[Unit<'_>], numbers: &Numbers, ids: &[Vec<Ids>], program: &mut Program) {
     for (index, unit) in units.iter().enumerate() {
         let context = unit.context;
         let mut ranges: FxHashMap<Body, Range<usize>> = FxHashMap::default();
@@ -245,7 +246,7 @@ fn bodies(units: &[Unit<'_>], numbers: &Numbers, ids: &[Vec<Vec<TagId>>], progra
                 continue;
             }
             let scope = &context.scopes[item + 1];
-            let id = |tag: usize| ids[index][item + 1][tag];
+            let id = |tag: usize| ids[index][item + 1].of_tags[tag];
             let own = |name: &str| id(scope.find(&Name::new(name)).unwrap_or(0));
             program.blocks.push(UserBlock {
                 name: block.name.clone(),
@@ -282,7 +283,17 @@ impl Resolver<'_, '_> {
 
     fn tag_id(&self, index: usize) -> TagId {
         self.lowering
-            .map_or(TagId(index as u32), |lowering| lowering.ids[index])
+            .map_or(TagId(index as u32), |lowering| lowering.ids.of_tags[index])
+    }
+
+    /// A tag as a whole, which this file knows in this type.
+    fn tag_as_place(&self, index: usize, ty: Scalar) -> Place {
+        let place = Place::Tag(self.tag_id(index));
+        let stored = self.lowering.and_then(|lowering| lowering.ids.stored.get(&index));
+        match stored {
+            Some(stored) => Place::As(Box::new(place), *stored, ty),
+            None => place,
+        }
     }
 
     /// The number of the network that a label of the file marks.

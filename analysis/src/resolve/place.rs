@@ -73,7 +73,7 @@ impl Resolver<'_, '_> {
             NodeKind::Name(name) | NodeKind::Address(name) => {
                 let tag = self.named_tag(node)?;
                 match self.tag_type(tag) {
-                    Type::Scalar(scalar) => Some((Place::Tag(self.tag_id(tag)), scalar)),
+                    Type::Scalar(scalar) => Some((self.tag_as_place(tag, scalar), scalar)),
                     Type::State(state) => {
                         self.report(type_mismatch::state_as_value(name, state, range));
                         None
@@ -283,7 +283,9 @@ impl Resolver<'_, '_> {
                 self.report(bad_operand::wrong(range, message));
                 return false;
             }
-            Place::Bit(base, ..) => return self.check_writable(base, node, access),
+            Place::Bit(base, ..) | Place::As(base, ..) => {
+                return self.check_writable(base, node, access);
+            }
             Place::Tag(_) | Place::Element(..) => self.written_tag(node),
         };
         let Some(tag) = tag.filter(|&tag| self.scope.tags[tag].constant) else {

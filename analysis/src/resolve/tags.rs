@@ -1,9 +1,10 @@
 //! The tags of a program: those of its own file, and of other files what the reached bodies name. A VAR_GLOBAL tag and
-//! a direct address are one tag, whichever file names them.
+//! a direct address are one tag, whichever file names them, and so are all that are declared at one address.
 
 use super::numbers::{Numbers, Unit};
-use crate::program::{Location, Program, Tag, TagId};
-use crate::scope::{Origin, SectionKind, TagFacts};
+use crate::mistakes::one_address::{self, Said};
+use crate::program::{Disagreement, Location, OtherName, Program, Role, Tag, TagId};
+use crate::scope::{Origin, SectionKind, TagFacts, type_by_form};
 use crate::types::{Scalar, Type};
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;
@@ -11,16 +12,22 @@ use rustc_hash::FxHashMap;
 /// The id of a tag that no reached body names: it is never asked for.
 const NOWHERE: TagId = TagId(u32::MAX);
 
-/// Adds the units' tags to the program. Gives the id of each tag of each scope of each unit; what is shared has the
-/// id of the tag that it leads to.
-pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program) -> Vec<Vec<Vec<TagId>>> {
-    // One file alone has its globals under one entry each.
-    let mut common: FxHashMap<Name, TagId> = FxHashMap::default();
+/// What the tags of a scope are in the program.
+pub(super) struct Ids {
+    /// The id of each; what is shared has the id of the tag that it leads to.
+    pub(super) of_tags: Vec<TagId>,
+    /// The types of those tags at direct addresses that the program has in another type than the scope.
+    pub(super) stored: FxHashMap<usize, Scalar>,
+}
+
+/// Adds the units' tags to the program. Gives the ids of each scope of each unit.
+pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program) -> Vec<Vec<Ids>> {
+    let mut common = Common::default();
     let prefixes = prefixes(units);
     let mut all = Vec::with_capacity(units.len());
     for (index, unit) in units.iter().enumerate() {
         let context = unit.context;
-        let mut ids: Vec<Vec<TagId>> = Vec::with_capacity(context.scopes.len());
+        let mut ids: Vec<Ids> = Vec::with_capacity(context.scopes.len());
         for (scope, facts) in context.scopes.iter().enumerate() {
             let block = numbers.block_of_scope(index, scope);
             let of_scope = facts.tags.iter().map(|tag| {
@@ -32,39 +39,34 @@ pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program)
                 if tag.leads_elsewhere() || !reached {
                     return NOWHERE;
                 }
-                if !is_common(tag) {
-                    let location = place(unit, index, tag, program);
-                    let id = add(program, tag, block, location);
-                    if let Some(prefix) = prefixes[index].as_ref().filter(|_| block.is_none()) {
-                        program.tags[id.0 as usize].name = format!("{prefix}.{}", tag.name);
-                    }
-                    // Files that use the address itself mean this tag.
-                    if let Some(address) = tag.rare.address.as_deref().filter(|_| block.is_none()) {
-                        common.entry(Name::new(address)).or_insert(id);
-                    }
-                    return id;
-                }
-                let key = Name::new(&tag.name);
-                if let Some(&id) = common.get(&key)
-                    && program.tags[id.0 as usize].ty == type_of(tag)
-                {
-                    return id;
-                }
-                let location = place(unit, index, tag, program);
-                let id = add(program, tag, None, location);
-                common.insert(key, id);
-                id
+                let named = Named {
+                    tag,
+                    block: block.filter(|_| !is_global(tag)),
+                    prefix: prefixes[index].as_deref(),
+                    location: place(unit, index, tag, program),
+                };
+                common.enter(&named, program)
             });
-            ids.push(of_scope.collect());
+            ids.push(Ids {
+                of_tags: of_scope.collect(),
+                stored: FxHashMap::default(),
+            });
         }
         for (scope, facts) in context.scopes.iter().enumerate() {
             for (tag, facts) in facts.tags.iter().enumerate() {
                 if let Some((shared_scope, shared_tag)) = context.leads_to(facts) {
-                    ids[scope][tag] = ids[shared_scope][shared_tag];
+                    ids[scope].of_tags[tag] = ids[shared_scope].of_tags[shared_tag];
                 }
             }
         }
         all.push(ids);
+    }
+    if common.has_two_types {
+        for (unit, ids) in units.iter().zip(&mut all) {
+            for (scope, ids) in unit.context.scopes.iter().zip(ids) {
+                ids.stored = stored(scope.tags.iter(), &ids.of_tags, program);
+            }
+        }
     }
     all
 }
@@ -85,11 +87,180 @@ fn prefixes(units: &[Unit<'_>]) -> Vec<Option<String>> {
     (0..units.len()).map(prefix).collect()
 }
 
-/// Whether a tag is the same in all files.
-fn is_common(tag: &TagFacts) -> bool {
-    tag.rare.foreign.is_some()
-        || tag.origin == Origin::Declared(SectionKind::Global)
-        || (tag.origin == Origin::Form && tag.rare.address.is_some())
+/// A tag as one file knows it.
+struct Named<'t> {
+    tag: &'t TagFacts,
+    /// The block whose body declares it for itself.
+    block: Option<usize>,
+    /// What is before the names of the file's own tags.
+    prefix: Option<&'t str>,
+    location: Location,
+}
+
+impl Named<'_> {
+    /// Its name in the program. One of a body has no file before it: it has the block's place there.
+    fn name(&self) -> String {
+        match self.prefix {
+            Some(prefix) if !is_global(self.tag) && self.block.is_none() => {
+                format!("{prefix}.{}", self.tag.name)
+            }
+            _ => self.tag.name.to_string(),
+        }
+    }
+
+    fn address(&self) -> Option<&str> {
+        let address = self.tag.rare.address.as_deref();
+        address.filter(|address| type_by_form(address).is_some())
+    }
+
+    /// Whether it is an address itself, without a declaration.
+    fn is_bare(&self) -> bool {
+        self.tag.name.starts_with('%')
+    }
+}
+
+/// The tags that several files, or names, mean.
+#[derive(Default)]
+struct Common {
+    globals: FxHashMap<Name, TagId>,
+    addresses: FxHashMap<Name, AtAddress>,
+    /// An address is known in two types.
+    has_two_types: bool,
+}
+
+/// The tag at an address.
+struct AtAddress {
+    id: TagId,
+    /// So far the address itself is all that is known of it.
+    is_bare: bool,
+    /// It was written by its address.
+    is_written: bool,
+}
+
+impl Common {
+    /// The id of a tag, which is new or there already.
+    fn enter(&mut self, named: &Named<'_>, program: &mut Program) -> TagId {
+        let global = is_global(named.tag).then(|| Name::new(&named.tag.name));
+        if let Some(&id) = global.as_ref().and_then(|global| self.globals.get(global))
+            && program.tags[id.0 as usize].ty == type_of(named.tag)
+        {
+            return id;
+        }
+        let id = match named.address() {
+            Some(address) => self.enter_address(named, address, program),
+            None => add(program, named, named.name(), named.block),
+        };
+        if let Some(global) = global {
+            self.globals.insert(global, id);
+        }
+        id
+    }
+
+    fn enter_address(&mut self, named: &Named<'_>, address: &str, program: &mut Program) -> TagId {
+        let key = Name::new(address);
+        let is_written = named.tag.uses.writers().next().is_some();
+        let Some(known) = self.addresses.get_mut(&key) else {
+            // A body is there several times, its address once.
+            let name = match named.block {
+                Some(_) => address.to_owned(),
+                None if named.is_bare() => named.tag.name.to_string(),
+                None => named.name(),
+            };
+            let id = add(program, named, name, None);
+            if named.block.is_some() {
+                other_name(named, id, program);
+            }
+            self.addresses.insert(
+                key,
+                AtAddress {
+                    id,
+                    is_bare: named.is_bare(),
+                    is_written,
+                },
+            );
+            return id;
+        };
+        let id = known.id;
+        if !named.is_bare() {
+            other_name(named, id, program);
+        }
+        let tag = &mut program.tags[id.0 as usize];
+        self.has_two_types |= tag.ty != type_of(named.tag);
+        if let Some(message) = disagreement(known, tag, named, address) {
+            program.disagreement.get_or_insert(Disagreement {
+                message: format!("{message}: {}", one_address::HELP),
+                location: named.location,
+            });
+            return id;
+        }
+        if known.is_bare && !named.is_bare() {
+            tag.ty = type_of(named.tag);
+        }
+        if tag.initial.is_empty() {
+            tag.initial = one_address::with_same_bits(&named.tag.rare.initial, tag.ty);
+        }
+        if tag.role == Role::Internal {
+            tag.role = named.tag.role;
+        }
+        tag.retain |= named.tag.retain;
+        tag.constant |= named.tag.constant;
+        known.is_written |= named.is_bare() && is_written;
+        known.is_bare &= named.is_bare();
+        id
+    }
+}
+
+/// What a name says otherwise of its address than the names before it. An address by itself says nothing of CONSTANT.
+fn disagreement(known: &AtAddress, tag: &Tag, named: &Named<'_>, address: &str) -> Option<String> {
+    let mut first = Said::from(tag);
+    let mut second = Said::from(named.tag);
+    let name = named.name();
+    if !named.is_bare() {
+        second.name = &name;
+    }
+    if second.ty.is_none() {
+        second.ty = Some(type_of(named.tag));
+    }
+    if known.is_bare && !known.is_written {
+        first.constant = second.constant;
+    }
+    if named.is_bare() && named.tag.uses.writers().next().is_none() {
+        second.constant = first.constant;
+    }
+    one_address::disagreement(first, second, address)
+}
+
+/// Enters that a name leads to a tag.
+fn other_name(named: &Named<'_>, tag: TagId, program: &mut Program) {
+    let other = OtherName {
+        name: named.name(),
+        tag,
+        block: named.block,
+    };
+    let is_known = program.tags[tag.0 as usize].name == other.name && other.block.is_none();
+    if !is_known && !program.other_names.contains(&other) {
+        program.other_names.push(other);
+    }
+}
+
+/// The types of the tags of a scope that the program has in another type.
+fn stored<'t>(
+    tags: impl Iterator<Item = &'t TagFacts>,
+    ids: &[TagId],
+    program: &Program,
+) -> FxHashMap<usize, Scalar> {
+    let known = tags.zip(ids).enumerate().filter(|(_, (_, id))| **id != NOWHERE);
+    let other = known.filter_map(|(index, (tag, id))| {
+        let ty = program.tags[id.0 as usize].ty;
+        let is_other = ty != type_of(tag) && program.tags[id.0 as usize].address.is_some();
+        Some((index, ty.scalar().filter(|_| is_other)?))
+    });
+    other.collect()
+}
+
+/// Whether it is a VAR_GLOBAL tag, of its file or another one.
+fn is_global(tag: &TagFacts) -> bool {
+    tag.rare.foreign.is_some() || tag.origin == Origin::Declared(SectionKind::Global)
 }
 
 /// Where a tag is declared or first used; a global of another file there.
@@ -119,10 +290,11 @@ fn type_of(tag: &TagFacts) -> Type {
     tag.ty.unwrap_or(Type::Scalar(Scalar::Dint))
 }
 
-fn add(program: &mut Program, tag: &TagFacts, block: Option<usize>, location: Location) -> TagId {
+fn add(program: &mut Program, named: &Named<'_>, name: String, block: Option<usize>) -> TagId {
+    let tag = named.tag;
     let id = TagId(program.tags.len() as u32);
     program.tags.push(Tag {
-        name: tag.name.to_string(),
+        name,
         ty: type_of(tag),
         role: tag.role,
         retain: tag.retain,
@@ -130,7 +302,7 @@ fn add(program: &mut Program, tag: &TagFacts, block: Option<usize>, location: Lo
         initial: tag.rare.initial.clone(),
         address: tag.rare.address.as_deref().map(str::to_owned),
         block,
-        location,
+        location: named.location,
     });
     id
 }

@@ -12,11 +12,19 @@ use std::collections::HashMap;
 
 /// Looks at the coils of one tag. `leaving` is asked for where there are two of them.
 pub(super) fn check(context: &Context, tag: &TagFacts, leaving: &Leaving, out: &mut Vec<Diagnostic>) {
-    if tag.uses.writers().nth(1).is_none() {
+    let mut others = context.others_at_address(tag).peekable();
+    let shared_address = tag.rare.address.as_deref().filter(|_| others.peek().is_some());
+    if tag.uses.writers().nth(1).is_none() && shared_address.is_none() {
         return;
     }
-    let coils = context.writers(tag).filter(|place| is_plain_coil(context, place));
-    if coils.clone().nth(1).is_none() {
+    let is_coil = |place: &Use| is_plain_coil(context, place);
+    let own = context.writers(tag).filter(is_coil);
+    let Some(first) = own.clone().next() else { return };
+    let mut coils: Vec<Use> = own.collect();
+    coils.extend(others.flat_map(|other| context.writers(other)).filter(is_coil));
+    coils.sort_by_key(|coil| coil.range.start());
+    // Of the names of one address that of the first coil tells.
+    if coils.len() < 2 || coils[0] != first {
         return;
     }
     // A tag as a whole, or its bits and elements one by one.
@@ -28,7 +36,7 @@ pub(super) fn check(context: &Context, tag: &TagFacts, leaving: &Leaving, out: &
         places.entry(part).or_default().push(coil);
     }
     for (part, coils) in places {
-        let name = format!("{}{part}", tag.name);
+        let name = format!("{}{part}", shared_address.unwrap_or(&tag.name));
         for together in coils.chunk_by(|a, b| both_run(context, leaving, a, b)) {
             out.extend(double(context, &name, together));
         }

@@ -38,6 +38,7 @@ pub(crate) mod near_names;
 mod never_read;
 mod never_written;
 mod no_output;
+pub(crate) mod one_address;
 mod open_wire;
 mod order_sensitive;
 pub(crate) mod overlapping_address;

@@ -22,7 +22,9 @@ pub(crate) fn check<'c>(
     let mut earlier: Vec<Vec<usize>> = vec![Vec::new(); areas.len()];
     for (inner, area) in areas.iter().enumerate() {
         around.retain(|&outer| areas[outer].letter == area.letter && area.first <= areas[outer].last);
-        for &outer in &around {
+        // What is at one address is one tag.
+        let is_other = |outer: &&usize| areas[**outer].order() != area.order();
+        for &outer in around.iter().filter(is_other) {
             if start(&areas[outer]) < start(area) {
                 earlier[inner].push(outer);
             } else {

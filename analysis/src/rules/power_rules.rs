@@ -156,7 +156,10 @@ fn is_worth_it(context: &Context, network: NetworkAt<'_>) -> bool {
         return true;
     }
     let scope = &context.scopes[network.scope];
-    let shared = |tag: usize| context.leads_to(&scope.tags[tag]).unwrap_or((network.scope, tag));
+    let shared = |tag: usize| {
+        let shared = context.leads_to(&scope.tags[tag]).unwrap_or((network.scope, tag));
+        context.first_at_address(shared)
+    };
     let mut uses: SmallVec<[((usize, usize), &Named); 16]> = NamedTags::of(context, network)
         .iter()
         .filter_map(|(named, tag)| Some((shared(tag?), named)))

@@ -75,6 +75,10 @@ impl<'c> Late<'c> {
         if shared || tag.role == Role::Input || tag.retain || tag.constant || !tag.rare.initial.is_empty() {
             return None;
         }
+        // What is done by another name of its address may come first.
+        if context.others_at_address(tag).next().is_some() {
+            return None;
+        }
         let network = |place: &UseRef| context.networks.index_of(place.network);
         let write = tag.uses.writers().min_by_key(network)?;
         let above = network(&write);

@@ -155,9 +155,12 @@ fn is_changed_between(context: &Context, earlier: &Latch, later: &Latch) -> bool
         return true;
     }
     earlier.asked.iter().any(|&(scope, tag)| {
-        context
-            .writers(&context.scopes[scope].tags[tag])
-            .any(|place| networks.contains(&place.network))
+        let tag = &context.scopes[scope].tags[tag];
+        let mut names = std::iter::once(tag).chain(context.others_at_address(tag));
+        names.any(|name| {
+            let mut writers = context.writers(name);
+            writers.any(|place| networks.contains(&place.network))
+        })
     })
 }
 

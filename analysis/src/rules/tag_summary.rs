@@ -5,7 +5,7 @@ use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::outward::TagUse;
 use crate::rule::Rule;
-use crate::scope::{Origin, SectionKind, TagFacts};
+use crate::scope::{Origin, SectionKind, TagFacts, Uses};
 use crate::types::Type;
 use crate::use_kind::Deed;
 use ladder_syntax::Name;
@@ -18,9 +18,9 @@ pub(super) struct Summary<'c> {
     pub(super) scope: usize,
     /// The file has outputs. In one that has none, its internal tags are what people look at.
     pub(super) has_outputs: bool,
-    /// How many places of the file read it.
+    /// How many places of the file read it, by whichever of the names of its address.
     pub(super) reads: usize,
-    /// How many places of the file write it.
+    /// How many places of the file write it, likewise.
     pub(super) writes: usize,
     /// How the other files of the workspace use it, if it is a VAR_GLOBAL tag.
     pub(super) elsewhere: TagUse,
@@ -46,18 +46,25 @@ impl<'c> Summary<'c> {
             summary.elsewhere = context.others.tag_use(&Name::new(&tag.name));
         }
         let can_be_set = !matches!(tag.ty, Some(Type::State(_)));
-        for access in tag.uses.accesses() {
-            summary.reads += usize::from(access.reads());
-            summary.writes += usize::from(access.writes());
+        summary.count(&tag.uses, can_be_set);
+        for other in context.others_at_address(tag) {
+            summary.count(&other.uses, can_be_set);
         }
-        for place in tag.uses.writers().filter(|_| can_be_set) {
+        summary
+    }
+
+    fn count(&mut self, uses: &Uses, can_be_set: bool) {
+        for access in uses.accesses() {
+            self.reads += usize::from(access.reads());
+            self.writes += usize::from(access.writes());
+        }
+        for place in uses.writers().filter(|_| can_be_set) {
             match place.deed() {
-                Deed::Sets => summary.sets += 1,
-                Deed::Resets => summary.resets += 1,
+                Deed::Sets => self.sets += 1,
+                Deed::Resets => self.resets += 1,
                 _ => {}
             }
         }
-        summary
     }
 
     /// Whether something reads it, in whichever file.

@@ -199,30 +199,30 @@ VAR_GLOBAL RETAIN speed : INT := 3; END_VAR
             == a.clad
             > VAR_GLOBAL speed : INT := 3; level : INT; END_VAR
                          ^^^^^ error[duplicate-declaration]: `speed` starts with another value in b.clad
-                help: a global is one tag for the whole workspace: its declarations agree in type and initial value
+                help: a global is one tag for the whole workspace: its declarations agree in type, initial value and address
                 at b.clad:1:12 `speed`: `speed` is declared here as well
             > VAR_GLOBAL speed : INT := 3; level : INT; END_VAR
                                            ^^^^^ error[duplicate-declaration]: `level` is DINT in b.clad
-                help: a global is one tag for the whole workspace: its declarations agree in type and initial value
+                help: a global is one tag for the whole workspace: its declarations agree in type, initial value and address
                 at b.clad:1:30 `level`: `level` is declared here as well
             == b.clad
             > VAR_GLOBAL speed : INT := 4; level : DINT; END_VAR
                          ^^^^^ error[duplicate-declaration]: `speed` starts with another value in a.clad
-                help: a global is one tag for the whole workspace: its declarations agree in type and initial value
+                help: a global is one tag for the whole workspace: its declarations agree in type, initial value and address
                 at a.clad:1:12 `speed`: `speed` is declared here as well
             > VAR_GLOBAL speed : INT := 4; level : DINT; END_VAR
                                            ^^^^^ error[duplicate-declaration]: `level` is INT in a.clad
-                help: a global is one tag for the whole workspace: its declarations agree in type and initial value
+                help: a global is one tag for the whole workspace: its declarations agree in type, initial value and address
                 at a.clad:1:30 `level`: `level` is declared here as well
             == c.clad
             > VAR_GLOBAL RETAIN speed : INT := 3; END_VAR
                                 ^^^^^ error[duplicate-declaration]: `speed` starts with another value in b.clad
-                help: a global is one tag for the whole workspace: its declarations agree in type and initial value
+                help: a global is one tag for the whole workspace: its declarations agree in type, initial value and address
                 at b.clad:1:12 `speed`: `speed` is declared here as well
             == d.clad
             > +--[MOV]( level, 1 )--[MOV]( level, 2 )--+
                         ^^^^^ error[duplicate-declaration]: `level` is declared in a.clad and in b.clad, and not alike
-                help: a global is one tag for the whole workspace: its declarations agree in type and initial value
+                help: a global is one tag for the whole workspace: its declarations agree in type, initial value and address
                 at a.clad:1:30 `level`: `level` is declared here
                 at b.clad:1:30 `level`: and here
         "#]],

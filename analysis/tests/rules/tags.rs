@@ -252,3 +252,130 @@ fn addresses() {
         "+--[ ]( %IX0.3 )--[ ]( %IX0.4 )--( )( %QX0.3 )--+\n\n+--[GT]( %IW1, %IW2 )--[GT]( %IB1, 5 )--( )( %QX2.1 )--+\n",
     );
 }
+
+#[test]
+fn names_of_one_address_are_one_tag() {
+    // Nothing is said that another name makes untrue.
+    clean_program(
+        "VAR_INPUT\n    go, seen AT %IX0.0 : BOOL;\nEND_VAR\nVAR_OUTPUT\n    run AT %QX0.0 : BOOL;\n    shown AT %QX00.0 : BOOL;\n    level AT %QW2 : INT;\n    bits AT %QW2 : WORD;\nEND_VAR\n\
+         +--[ ]( go )--[MOV]( level, 5 )--(S)( run )--+\n\n+--[/]( seen )--[MOV]( bits, 16#FFFF )--(R)( shown )--+\n",
+    );
+    clean_program(
+        "VAR\n    flag, mark AT %MX0.0 : BOOL;\nEND_VAR\n+--[ ]( I1 )--( )( mark )--+\n\n+--[ ]( flag )--( )( Q1 )--+\n\n+--[ ]( I2 )--[OSR]--(S)( flag )--+\n",
+    );
+    check_program(
+        "VAR\n    flag, mark AT %MX0.0 : BOOL;\n    kept, held AT %MX0.1 : BOOL;\nEND_VAR\n+--[ ]( I1 )--( )( mark )--(S)( kept )--+\n\n+--[ ]( I2 )--( )( flag )--[ ]( %mx0.00 )--(S)( held )--+\n",
+        expect![[r#"
+            > +--[ ]( I1 )--( )( mark )--(S)( kept )--+
+                                              ^^^^ info[set-without-reset]: `kept` is set, and nothing resets it: once on, it stays on
+                help: reset it with (R)( kept ); or write ( )( kept ) if it should follow the power
+            > +--[ ]( I2 )--( )( flag )--[ ]( %mx0.00 )--(S)( held )--+
+                                 ^^^^ warning[double-coil]: `%MX0.0` is written by 2 coils: the last one alone decides
+                help: lead all conditions to one coil, joined with \ and /; or use (S) and (R)
+                at 5:20 `mark`: `%MX0.0` is written here as well
+            > +--[ ]( I2 )--( )( flag )--[ ]( %mx0.00 )--(S)( held )--+
+                                         ^^^^^^^^^^^^^^ warning[redundant-element]: [ ]( %mx0.00 ) changes nothing here
+                help: a wire in its place does the same: remove it, or correct the tag that was meant
+            > +--[ ]( I2 )--( )( flag )--[ ]( %mx0.00 )--(S)( held )--+
+                                         ^^^^^^^^^^^^^^ warning[contact-after-coil]: [ ]( %mx0.00 ) is behind a coil: whoever looks for it looks left of the coils
+                help: draw a branch before the coil: the coil on one line, this contact and what it leads to on the other
+                at 7:15 `( )( flag )`: this is the coil
+            > +--[ ]( I2 )--( )( flag )--[ ]( %mx0.00 )--(S)( held )--+
+                                                         ^^^^^^^^^^^ info[order-sensitive]: the order of this network matters: with I2 = 1, flag = 0, held = 0: `held` becomes 1, but 0 if all contacts were read first
+                help: a contact reads what a coil of the same network has just written: give the later part a rung of its own
+                at 7:28 `[ ]( %mx0.00 )`: this contact sees what the network has just written
+            > +--[ ]( I2 )--( )( flag )--[ ]( %mx0.00 )--(S)( held )--+
+                                                              ^^^^ info[set-without-reset]: `held` is set, and nothing resets it: once on, it stays on
+                help: reset it with (R)( held ); or write ( )( held ) if it should follow the power
+        "#]],
+    );
+    // Power knows it too.
+    check_program(
+        "VAR\n    flag, mark AT %MX0.0 : BOOL;\nEND_VAR\n+--[ ]( flag )--[/]( mark )--( )( Q1 )--+\n\n+--[/]( flag )--(S)( mark )--\\--[/]( flag )--( )( Q2 )--+\n|                            /--(R)( %MX0.0 )-----------+\n",
+        expect![[r#"
+            > +--[ ]( flag )--[/]( mark )--( )( Q1 )--+
+                              ^^^^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what is before it does not
+                help: change one of the conditions; to switch a rung off on purpose use [ ]( SYS.OFF )
+                at 4:4 `[ ]( flag )`: this is off whenever the other is on
+            > +--[/]( flag )--(S)( mark )--\--[/]( flag )--( )( Q2 )--+
+                                              ^^^^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what is before it does not
+                help: change one of the conditions; to switch a rung off on purpose use [ ]( SYS.OFF )
+            > +--[/]( flag )--(S)( mark )--\--[/]( flag )--( )( Q2 )--+
+                                              ^^^^^^^^^^^ warning[contact-after-coil]: [/]( flag ) is behind a coil: whoever looks for it looks left of the coils
+                help: draw a branch before the coil: the coil on one line, this contact and what it leads to on the other
+                at 6:17 `(S)( mark )`: this is the coil
+            > +--[/]( flag )--(S)( mark )--\--[/]( flag )--( )( Q2 )--+
+                                              ^^^^^^^^^^^ info[latched-power]: [/]( flag ) is behind (S): its power is `mark`, and stays on when the rung before goes off
+                help: if that is meant, keep it; else draw a branch before the set coil
+                at 6:17 `(S)( mark )`: the set coil
+            > +--[/]( flag )--(S)( mark )--\--[/]( flag )--( )( Q2 )--+
+                                                           ^^^^^^^^^ info[order-sensitive]: the order of this network matters: with flag = 0: `Q2` becomes 0, but 1 if all contacts were read first
+                help: a contact reads what a coil of the same network has just written: give the later part a rung of its own
+                at 6:33 `[/]( flag )`: this contact sees what the network has just written
+        "#]],
+    );
+    for address in ["%MW3", "%MX0.3", "%MD3"] {
+        assert_eq!(overlaps(&format!("{address} {}", address.replace('3', "03"))), "");
+    }
+}
+
+#[test]
+fn names_of_one_address_agree() {
+    check_program(
+        "VAR\n    level AT %MD3 : REAL := 1.5;\n    bits AT %MD03 : DWORD;\n    more AT %MD3 : REAL;\n    other AT %md3 : REAL := 2.5;\nEND_VAR\nVAR CONSTANT\n    fixed AT %MD3 : REAL;\nEND_VAR\n+--[GT]( level, 1.0 )--( )( y )--+\n",
+        expect![[r#"
+            >     bits AT %MD03 : DWORD;
+                  ^^^^ error[duplicate-declaration]: `bits` is DWORD, and `level` at the same address %MD03 is REAL
+                help: an address is one tag, whatever its names: they agree in type, initial value and CONSTANT
+                at 2:5 `level`: `level` is declared here
+            >     other AT %md3 : REAL := 2.5;
+                  ^^^^^ error[duplicate-declaration]: `other` starts with another value than `level` at the same address %md3
+                help: an address is one tag, whatever its names: they agree in type, initial value and CONSTANT
+                at 2:5 `level`: `level` is declared here
+            >     fixed AT %MD3 : REAL;
+                  ^^^^^ error[duplicate-declaration]: `fixed` is CONSTANT, and `level` at the same address %MD3 is not
+                help: an address is one tag, whatever its names: they agree in type, initial value and CONSTANT
+                at 2:5 `level`: `level` is declared here
+            > +--[GT]( level, 1.0 )--( )( y )--+
+                                          ^ warning[undeclared-tag]: `y` is not declared
+                help: declare it, so that a typing mistake cannot make a new tag
+                fix: Declare `y : BOOL` in VAR_OUTPUT
+                  VAR_OUTPUT
+                      y : BOOL;
+                  END_VAR
+        "#]],
+    );
+    check_program(
+        "VAR\n    y : BOOL;\nEND_VAR\n+--[EQ]( %MD3, 16#5 )--[$High]( )--( )( y )--+\n\nFUNCTION_BLOCK [$High]\nVAR n AT %MD3 : REAL; END_VAR\n+--[ ]( EN )--[MOV]( n, 1.0 )--+\nEND_FUNCTION_BLOCK\n",
+        expect![[r#"
+            > +--[EQ]( %MD3, 16#5 )--[$High]( )--( )( y )--+
+                       ^^^^ error[duplicate-declaration]: `%MD3` is DWORD here, and `n` at this address is REAL
+                help: an address is one tag, whatever its names: they agree in type, initial value and CONSTANT
+                at 7:5 `n`: `n` is declared here
+        "#]],
+    );
+    // Integers and bit strings of one width keep their bits; what says nothing agrees.
+    clean_program(
+        "VAR\n    level AT %MW3 : INT := -1;\n    bits AT %MW3 : WORD := 16#FFFF;\n    more AT %MW3 : UINT;\nEND_VAR\n+--[GT]( level, 1 )--[EQ]( bits, more )--( )( Q1 )--+\n",
+    );
+}
+
+#[test]
+fn what_is_given_has_no_address() {
+    check_program(
+        "VAR_EXTERNAL\n    total AT %MW3 : INT;\nEND_VAR\n\nFUNCTION_BLOCK [$B]\nVAR_INPUT p AT %IX0.0 : BOOL; END_VAR\nVAR_OUTPUT r AT %QX0.1 : BOOL; END_VAR\nVAR_IN_OUT q AT %QX0.0 : BOOL; END_VAR\n+--[ ]( p )--( )( q )--( )( r )--+\nEND_FUNCTION_BLOCK\n",
+        expect![[r#"
+            >     total AT %MW3 : INT;
+                  ^^^^^ error[bad-declaration]: no file of the workspace declares `total` as VAR_GLOBAL
+                help: VAR_EXTERNAL names a global that is declared elsewhere: declare it, or correct the name
+            >     total AT %MW3 : INT;
+                           ^^^^ error[bad-declaration]: VAR_EXTERNAL names a global that is declared elsewhere, with its address: take AT away
+            > VAR_INPUT p AT %IX0.0 : BOOL; END_VAR
+                             ^^^^^^ error[bad-declaration]: an operand of a block is given where the block stands: take AT away, or declare the tag in VAR
+            > VAR_OUTPUT r AT %QX0.1 : BOOL; END_VAR
+                              ^^^^^^ error[bad-declaration]: an operand of a block is given where the block stands: take AT away, or declare the tag in VAR
+            > VAR_IN_OUT q AT %QX0.0 : BOOL; END_VAR
+                              ^^^^^^ error[bad-declaration]: an operand of a block is given where the block stands: take AT away, or declare the tag in VAR
+        "#]],
+    );
+}

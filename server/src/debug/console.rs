@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use ladder_analysis::types::Type;
-use ladder_simulator::{Point, members_of};
+use ladder_simulator::{Instance, Point, members_of};
 use serde_json::{Value as Json, json};
 
 use super::adapter::Adapter;
@@ -218,21 +218,24 @@ fn names(scope: super::watch::Scope<'_>) -> Vec<(String, String)> {
         }
         names.push((name, ty.to_string()));
     };
-    for tag in scope
-        .instance
-        .into_iter()
-        .flat_map(ladder_simulator::Instance::tags)
-    {
-        let tag = &program.tags[tag.0 as usize];
-        push(tag.name.clone(), tag.ty);
+    let of_instance = |instance: &Instance| -> Vec<(&str, Type)> {
+        let tags = instance.tags().map(|tag| &program.tags[tag.0 as usize]);
+        let own = tags.map(|tag| (tag.name.as_str(), tag.ty));
+        let others = program.other_names_in(Some(instance.block));
+        own.chain(others.map(|(name, tag)| (name, tag.ty))).collect()
+    };
+    for (name, ty) in scope.instance.into_iter().flat_map(of_instance) {
+        push(name.to_owned(), ty);
     }
     for tag in program.tags.iter().filter(|tag| tag.block.is_none()) {
         push(tag.name.clone(), tag.ty);
     }
+    for (name, tag) in program.other_names_in(None) {
+        push(name.to_owned(), tag.ty);
+    }
     for instance in scope.simulation.instances() {
-        for tag in instance.tags() {
-            let tag = &program.tags[tag.0 as usize];
-            push(format!("{}.{}", instance.name, tag.name), tag.ty);
+        for (name, ty) in of_instance(instance) {
+            push(format!("{}.{name}", instance.name), ty);
         }
     }
     names.sort_by_cached_key(|(name, _)| ladder_syntax::Name::new(name));

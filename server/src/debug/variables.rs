@@ -174,9 +174,12 @@ pub(super) fn list(
                 .collect()
         }
         Container::Tags(group) => {
-            let tags = simulation.program().tags.iter().filter(|tag| tag.block.is_none());
-            let tags = tags.filter(|tag| Group::of(tag) == *group);
-            tags.filter_map(|tag| row(simulation, &tag.name, &tag.name, tag.ty))
+            let program = simulation.program();
+            let own = program.tags.iter().filter(|tag| tag.block.is_none());
+            let own = own.map(|tag| (tag.name.as_str(), tag));
+            let tags = own.chain(program.other_names_in(None));
+            let tags = tags.filter(|(_, tag)| Group::of(tag) == *group);
+            tags.filter_map(|(name, tag)| row(simulation, name, name, tag.ty))
                 .skip(start)
                 .take(take)
                 .collect()
@@ -185,16 +188,12 @@ pub(super) fn list(
             let Some(instance) = simulation.instances().get(*number) else {
                 return Vec::new();
             };
-            let tags = instance
-                .tags()
-                .map(|tag| &simulation.program().tags[tag.0 as usize]);
-            let own = tags.filter_map(|tag| {
-                row(
-                    simulation,
-                    &tag.name,
-                    &format!("{}.{}", instance.name, tag.name),
-                    tag.ty,
-                )
+            let program = simulation.program();
+            let tags = instance.tags().map(|tag| &program.tags[tag.0 as usize]);
+            let tags = tags.map(|tag| (tag.name.as_str(), tag));
+            let tags = tags.chain(program.other_names_in(Some(instance.block)));
+            let own = tags.filter_map(|(name, tag)| {
+                row(simulation, name, &format!("{}.{name}", instance.name), tag.ty)
             });
             own.chain(inner(simulation, Some(instance)))
                 .skip(start)

@@ -48,6 +48,7 @@ pub(crate) fn is_same(old: &Simulation, new: &Simulation) -> bool {
     does_the_same(old, new)
         && old.compiled.retained == new.compiled.retained
         && names.all(|(was, is)| was.name == is.name)
+        && old.program.other_names == new.program.other_names
 }
 
 /// Whether two programs are the same but for their places in the text and the names of their tags.

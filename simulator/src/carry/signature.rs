@@ -135,6 +135,10 @@ impl<'p> Signatures<'p> {
                 self.hash_place(word, hasher);
                 (ty, bit).hash(hasher);
             }
+            Place::As(inner, stored, ty) => {
+                self.hash_place(inner, hasher);
+                (stored, ty).hash(hasher);
+            }
             Place::System(system) => system.name().hash(hasher),
         }
     }

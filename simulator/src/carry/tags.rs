@@ -76,15 +76,13 @@ fn pairs<'s>(
 ) -> (Vec<Pair<'s>>, Vec<Living<'s>>) {
     let mut pairs = Vec::new();
     let mut known: HashMap<Name, TagId> = HashMap::new();
-    let olds = (0..).map(TagId).zip(&old.program.tags);
-    for (id, tag) in olds.filter(|(_, tag)| tag.block.is_none()) {
-        if let Some(address) = &tag.address {
-            known.entry(Name::new(address)).or_insert(id);
-        }
-    }
+    let mut at_address: HashMap<Name, TagId> = HashMap::new();
     let olds = (0..).map(TagId).zip(&old.program.tags);
     for (id, tag) in olds.filter(|(_, tag)| tag.block.is_none()) {
         known.insert(Name::new(&tag.name), id);
+        if let Some(address) = &tag.address {
+            at_address.insert(Name::new(address), id);
+        }
     }
     let old_tag = |id: TagId| {
         (
@@ -93,22 +91,24 @@ fn pairs<'s>(
         )
     };
     let mut taken = HashSet::new();
-    let mut match_tag = |tag: &Tag, home: Home, by: &str| {
-        let Some(&id) = known.get(&Name::new(by)) else {
-            return false;
-        };
+    let mut match_tag = |tag: &Tag, home: Home, id: TagId| {
         if taken.insert(id) {
             pairs.push((old_tag(id), (tag.clone(), home)));
         }
-        true
     };
-    for (tag, &home) in new.program.tags.iter().zip(&new.compiled.homes) {
-        if tag.block.is_some() || match_tag(tag, home, renamed.former_name(tag)) {
-            continue;
+    let news = new.program.tags.iter().zip(&new.compiled.homes);
+    let mut by_name = Vec::new();
+    for (tag, &home) in news.filter(|(tag, _)| tag.block.is_none()) {
+        // What is at an address is the same tag by whichever names.
+        let was = tag.address.as_deref().map(Name::new);
+        match was.and_then(|address| at_address.get(&address)) {
+            Some(&id) => match_tag(tag, home, id),
+            None => by_name.push((tag, home)),
         }
-        // It has a name now, or another one, for the same address.
-        if let Some(address) = &tag.address {
-            match_tag(tag, home, address);
+    }
+    for (tag, home) in by_name {
+        if let Some(&id) = known.get(&Name::new(renamed.former_name(tag))) {
+            match_tag(tag, home, id);
         }
     }
     let mut gone = Vec::new();
@@ -268,6 +268,10 @@ fn is_initial(home: Home, memory: &Memory, initial: &Memory) -> bool {
             let (bit_count, word_count) = state_size(state);
             same_bits(bits, bit_count) && same_words(words, word_count)
         }
-        Home::Element { .. } | Home::BitOf { .. } | Home::BitOfAt { .. } | Home::Unbound => true,
+        Home::Element { .. }
+        | Home::BitOf { .. }
+        | Home::BitOfAt { .. }
+        | Home::As { .. }
+        | Home::Unbound => true,
     }
 }

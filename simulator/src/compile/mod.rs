@@ -101,6 +101,12 @@ type Result<T> = std::result::Result<T, CompileError>;
 /// Compiles a program that is to run a scan in each interval, in nanoseconds. Each file's blocks are compiled for its
 /// profile: what differs there is other code, so that nothing is asked about profiles while scanning.
 pub(crate) fn compile(program: &Program, interval: i64) -> Result<Compiled> {
+    if let Some(disagreement) = &program.disagreement {
+        return Err(CompileError {
+            message: disagreement.message.clone(),
+            location: disagreement.location,
+        });
+    }
     let mut layout = Layout::new();
     let homes = program
         .tags

@@ -33,6 +33,12 @@ pub(super) enum Spot {
         bit: u8,
         width: Width,
     },
+    /// A word that is known in another type: see [`Place::As`].
+    As {
+        word: Word,
+        stored: Scalar,
+        ty: Scalar,
+    },
     /// A timer's `TT`.
     Timing {
         input: Bit,
@@ -71,6 +77,7 @@ impl Compiler<'_> {
                 Home::Element { at, ty } => element_spot(at, ty),
                 Home::BitOf { word, bit, width } => Spot::BitOf { word, bit, width },
                 Home::BitOfAt { at, bit, width } => Spot::BitOfAt { at, bit, width },
+                Home::As { word, stored, ty } => Spot::As { word, stored, ty },
                 Home::Unbound => Spot::Bit(Bit::LOW),
             },
             Place::Element(tag, index) => self.element(*tag, index)?,
@@ -89,10 +96,23 @@ impl Compiler<'_> {
                     bit: *bit,
                     width: Width::of(*ty),
                 },
+                Spot::As { word, stored, .. } => Spot::BitOf {
+                    word,
+                    bit: *bit,
+                    width: Width::of(stored),
+                },
                 Spot::WordAt(at) => Spot::BitOfAt {
                     at,
                     bit: *bit,
                     width: Width::of(*ty),
+                },
+                other => other,
+            },
+            Place::As(inner, stored, ty) => match self.spot(inner)? {
+                Spot::Word(word) if Width::of(*stored) != Width::of(*ty) => Spot::As {
+                    word,
+                    stored: *stored,
+                    ty: *ty,
                 },
                 other => other,
             },
@@ -169,6 +189,7 @@ impl Compiler<'_> {
                 self.emit(Instr::LoadBitOf { to, word, bit });
                 Slot::Bit(to)
             }
+            Spot::As { word, stored, ty } => self.pass(Slot::Word(word), stored, ty),
             Spot::Timing { input, done } => {
                 let to = self.layout.bit();
                 self.emit(Instr::NotBit { to, a: done });
@@ -205,6 +226,11 @@ impl Compiler<'_> {
                     from,
                 });
                 self.emit(Instr::StoreWord { at, from: word });
+            }
+            (Spot::As { word: to, stored, ty }, value @ Slot::Word(_)) => {
+                if let Slot::Word(from) = self.pass(value, ty, stored) {
+                    self.emit(Instr::Move { to, from });
+                }
             }
             // Types were checked before; there is nothing else.
             _ => debug_assert!(false, "{value:?} does not fit {spot:?}"),

@@ -221,6 +221,7 @@ fn home_of(spot: Spot, ty: Scalar) -> Option<Home> {
         Spot::BitAt(at) | Spot::WordAt(at) | Spot::TextAt { at, .. } => Home::Element { at, ty },
         Spot::BitOf { word, bit, width } => Home::BitOf { word, bit, width },
         Spot::BitOfAt { at, bit, width } => Home::BitOfAt { at, bit, width },
+        Spot::As { word, stored, ty } => Home::As { word, stored, ty },
         Spot::Timing { .. } => return None,
     })
 }

@@ -9,7 +9,7 @@ use crate::layout::{Home, state_size, timer};
 use crate::memory::{Bit, Memory, TextSlot, Word};
 pub use kept::Kept;
 pub(crate) use kept::{kept, restore};
-use ladder_analysis::program::{Argument, BlockKind, ParameterKind, Place, Program, Tag, TagId};
+use ladder_analysis::program::{Argument, BlockKind, ParameterKind, Program, Tag, TagId};
 use ladder_instructions::Op;
 use std::collections::HashMap;
 
@@ -61,7 +61,11 @@ impl Retained {
                     *since = since.saturating_sub(then);
                 }
             }
-            Home::Element { .. } | Home::BitOf { .. } | Home::BitOfAt { .. } | Home::Unbound => {}
+            Home::Element { .. }
+            | Home::BitOf { .. }
+            | Home::BitOfAt { .. }
+            | Home::As { .. }
+            | Home::Unbound => {}
         }
     }
 }
@@ -144,17 +148,9 @@ pub(crate) fn kept_tags(program: &Program) -> Vec<bool> {
 
 fn tag_of(argument: &Argument) -> Option<TagId> {
     match argument {
-        Argument::Place(place, _) => tag_of_place(place),
+        Argument::Place(place, _) => place.root(),
         Argument::Range(range) => Some(range.tag),
         Argument::State(tag) => Some(*tag),
         _ => None,
-    }
-}
-
-fn tag_of_place(place: &Place) -> Option<TagId> {
-    match place {
-        Place::Tag(tag) | Place::Element(tag, _) | Place::Member(tag, _) => Some(*tag),
-        Place::Bit(word, ..) => tag_of_place(word),
-        Place::System(_) => None,
     }
 }

@@ -107,9 +107,14 @@ impl Simulation {
         for (tag, home) in &instance.tags {
             homes[tag.0 as usize] = *home;
         }
-        let names = Names::of_instance(&self.program, instance.tags());
+        let names = Names::of_instance(&self.program, instance.block, instance.tags());
         let mut point = names.resolve(&self.program, &homes, tag)?;
-        point.name = format!("{}.{}", instance.name, point.name);
+        // A tag at an address is the program's, whatever a body calls it.
+        let word = tag.trim().split('.').next().unwrap_or_default();
+        let mut others = self.program.other_names_in(Some(instance.block));
+        if !others.any(|(name, _)| Name::new(name) == Name::new(word)) {
+            point.name = format!("{}.{}", instance.name, point.name);
+        }
         Ok(point)
     }
 }

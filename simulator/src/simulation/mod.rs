@@ -232,7 +232,10 @@ impl Simulation {
         if place.root().is_some_and(in_body) {
             return None;
         }
-        self.resolve(written).ok()
+        // What a body calls so may be another tag here.
+        let point = self.resolve(written).ok()?;
+        let is_it = |tag: TagId| self.compiled.homes[tag.0 as usize].holds(point.slot);
+        place.root().is_none_or(is_it).then_some(point)
     }
 
     /// Whether the program uses the serial port.

@@ -1,5 +1,6 @@
 //! Programs that run: instructions, faults, stepping, and what a session remembers.
 
+mod addresses;
 mod calc;
 mod change;
 mod change_and_back;

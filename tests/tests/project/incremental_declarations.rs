@@ -4,7 +4,7 @@ use crate::incremental::{Document, asked, settings, type_in_an_operand};
 use ladder_tests::generator::Dice;
 
 /// Names are close to each other: a letter more or less makes one of another.
-const DECLARED: [&str; 4] = [
+const DECLARED: [&str; 5] = [
     "\
 VAR_INPUT
     a, b : BOOL;
@@ -70,9 +70,20 @@ VAR
     y : BOOL;
 END_VAR
 ",
+    "\
+VAR
+    held AT %QX0.1 : BOOL;
+    n AT %MW3 : INT;
+    m : INT;
+END_VAR
+VAR_OUTPUT
+    lamp, y AT %QX0.1 : BOOL;
+    nn AT %MW03 : WORD;
+END_VAR
+",
 ];
 
-const RUNGS: [&str; 14] = [
+const RUNGS: [&str; 16] = [
     "+--[ ]( a )--[/]( b )--( )( y )--+\n\n",
     "+--[ ]( ab )--( )( y1 )--+\n\n",
     "+--[ ]( a1 )--(S)( held )--+\n\n",
@@ -86,6 +97,9 @@ const RUNGS: [&str; 14] = [
     "+--\\--[ ]( start )--\\--( )( lamp )--+\n|  /--[ ]( Start )--/              |\n\n",
     "+--[ ]( y )--[ ]( y1 )--( )( b )--+\n\n",
     "+--[$F]( a )--( )( held )--+\n\n",
+    "+--[ ]( %QX0.1 )--(S)( %qx00.1 )--[MOV]( %MW3, 16#5 )--+\n\n",
+    "FUNCTION_BLOCK [$H]\nVAR own AT %QX0.1 : BOOL; w AT %MW3 : UINT; END_VAR\n\
+     +--[ ]( EN )--(R)( own )--[MOV]( w, 3 )--+\nEND_FUNCTION_BLOCK\n\n",
     "FUNCTION_BLOCK [$G]\nVAR_INPUT p : BOOL; END_VAR\n+--[ ]( p )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n\n",
 ];
 
@@ -424,5 +438,32 @@ fn the_value_of_a_constant() {
         "    n : INT := 1;\n    t : TIME := 5s;\n",
     ] {
         document.becomes(program(constants));
+    }
+}
+
+/// What is done by one of the names of an address is done to all of them.
+#[test]
+fn names_of_one_address() {
+    let program = |rung: &str| {
+        format!(
+            "VAR\n    held, lamp AT %QX0.1 : BOOL;\n    level AT %MD3 : REAL;\nEND_VAR\n\
+             VAR_OUTPUT\n    high AT %QX0.2 : BOOL;\nEND_VAR\n\n\
+             FUNCTION_BLOCK [$High]\nVAR own AT %QX0.2 : BOOL; n AT %MD4 : REAL; END_VAR\n\
+             +--[ ]( EN )--[MOV]( n, 1.0 )--( )( own )--+\nEND_FUNCTION_BLOCK\n\n\
+             +--[ ]( I1 )--(S)( held )--+\n\n\
+             {rung}\n\n\
+             +--[ ]( lamp )--[$High]( )--[GT]( level, 1.0 )--( )( Q2 )--+\n"
+        )
+    };
+    let mut document = Document::new(program("+--[ ]( I2 )--( )( Q1 )--+"));
+    for rung in [
+        "+--[ ]( I2 )--(R)( lamp )--+",
+        "+--[ ]( lamp )--( )( Q1 )--+",
+        "+--[ ]( I2 )--(S)( lamp )--+",
+        "+--[ ]( I2 )--[EQ]( %MD4, 16#5 )--( )( Q1 )--+",
+        "+--[ ]( I2 )--[MOV]( %MD04, 16#5 )--(R)( %QX00.1 )--+",
+        "+--[ ]( I2 )--( )( Q1 )--+",
+    ] {
+        document.becomes(program(rung));
     }
 }

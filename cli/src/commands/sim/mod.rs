@@ -228,12 +228,19 @@ fn watched(
         .foreign()
         .filter(|foreign| foreign.shows_coils())
         .map(|_| written_tags(program));
-    let mut names: Vec<&str> = (0..)
-        .map(TagId)
-        .zip(&program.tags)
-        .filter(|(_, tag)| tag.block.is_none() && !tag.constant && matches!(tag.ty, Type::Scalar(_)))
-        .filter(|(id, _)| written.as_ref().is_none_or(|written| written.contains(id)))
-        .map(|(_, tag)| tag.name.as_str())
+    let own = (0..).map(TagId).zip(&program.tags);
+    let own = own.filter(|(_, tag)| tag.block.is_none());
+    let own = own.map(|(id, tag)| (id, tag.name.as_str()));
+    let others = program.other_names.iter().filter(|other| other.block.is_none());
+    let others = others.map(|other| (other.tag, other.name.as_str()));
+    let shown = |id: TagId| {
+        let tag = &program.tags[id.0 as usize];
+        !tag.constant && matches!(tag.ty, Type::Scalar(_))
+    };
+    let mut names: Vec<&str> = own
+        .chain(others)
+        .filter(|(id, _)| shown(*id) && written.as_ref().is_none_or(|written| written.contains(id)))
+        .map(|(_, name)| name)
         .collect();
     names.sort_by_cached_key(|name| ladder_syntax::Name::new(name));
     // A tag that the simulation does not know by its name is shadowed by another of that name.

@@ -256,6 +256,35 @@ fn files_of_the_workspace_belong_to_the_program() {
     assert_eq!(set["breakpoints"][0]["verified"], false);
 }
 
+/// Each name of a tag at a direct address is shown and can be given.
+#[test]
+fn names_of_one_address_are_variables() {
+    let mut client = Client::launched(
+        "VAR a, b AT %MW3 : INT; END_VAR\n+--[ADD]( a, b, 1 )--[$More]( )--+\n\
+         FUNCTION_BLOCK [$More]\nVAR own AT %MW3 : INT; END_VAR\n+--[ADD]( own, own, 1 )--+\nEND_FUNCTION_BLOCK\n",
+    );
+    let names = |client: &mut Client, scope: &str| {
+        let scopes = client.body("scopes", json!({"frameId": 1}));
+        let scopes = scopes["scopes"].as_array().unwrap();
+        let scope = scopes.iter().find(|it| it["name"] == scope).unwrap();
+        let reference = json!({"variablesReference": scope["variablesReference"]});
+        let variables = client.body("variables", reference);
+        let shown = variables["variables"].as_array().unwrap().iter();
+        let shown = shown.map(|it| format!("{}={}", it["name"], it["value"]).replace('"', ""));
+        shown.collect::<Vec<_>>().join(" ")
+    };
+    assert_eq!(names(&mut client, "Internal"), "a=0 b=0");
+    client.evaluate("b := 5", "repl");
+    client.evaluate("force b := 7", "repl");
+    assert_eq!(names(&mut client, "Internal"), "a=7 (forced) b=7 (forced)");
+    assert_eq!(client.evaluate("a + 1", "watch"), "8");
+    client.evaluate("unforce a", "repl");
+    client.body("stepIn", json!({"threadId": 1}));
+    client.body("stepIn", json!({"threadId": 1}));
+    assert_eq!(names(&mut client, "$More#1"), "EN=TRUE ENO=TRUE own=8");
+    assert_eq!(client.evaluate("own", "watch"), "8");
+}
+
 /// An editor asks about a tag before it opens a menu: by then the program may have gone on.
 #[test]
 fn a_question_about_a_tag_of_a_stop_that_is_over_is_no_error() {

@@ -1,9 +1,8 @@
 //! From what blocks name to points, and back.
 
-use crate::layout::{Home, state_size};
-use crate::memory::{Bit, TextSlot, Word};
+use crate::memory::Bit;
 use crate::simulation::Simulation;
-use crate::tags::{Point, PointSlot};
+use crate::tags::Point;
 use ladder_analysis::program::{
     Argument, Block, BlockKind, Expr, ExprKind, Member, Place, RangeRef, Step, TagId,
 };
@@ -14,42 +13,17 @@ use std::ops::Range;
 /// The tag that a point is, or is a part of. None for system tags and ports.
 pub(super) fn tag_of(simulation: &Simulation, point: &Point) -> Option<TagId> {
     let homes = simulation.compiled.homes.iter();
-    let found = homes.zip(0..).find(|(home, _)| holds(home, point.slot));
+    let found = homes.zip(0..).find(|(home, _)| home.holds(point.slot));
     found.map(|(_, tag)| TagId(tag))
-}
-
-fn holds(home: &Home, slot: PointSlot) -> bool {
-    let bit = |slot: Bit, at: Bit, len: u32| (at.0..at.0 + len).contains(&slot.0);
-    let word = |slot: Word, at: Word, len: u32| (at.0..at.0 + len).contains(&slot.0);
-    match (*home, slot) {
-        (Home::Bits { at, len, .. }, PointSlot::Bit(slot)) => bit(slot, at, len),
-        (Home::Words { at, len, .. }, PointSlot::Word(slot) | PointSlot::BitOf { word: slot, .. }) => {
-            word(slot, at, len)
-        }
-        (Home::Texts { at, len, .. }, PointSlot::Text(TextSlot(slot))) => (at.0..at.0 + len).contains(&slot),
-        (Home::State { state, bits, .. }, PointSlot::Bit(slot) | PointSlot::Timing { input: slot, .. }) => {
-            bit(slot, bits, state_size(state).0)
-        }
-        (Home::State { state, words, .. }, PointSlot::Word(slot)) => word(slot, words, state_size(state).1),
-        _ => false,
-    }
 }
 
 /// The tag that an argument names.
 pub(super) fn argument_tag(argument: &Argument) -> Option<TagId> {
     match argument {
-        Argument::Place(place, _) => place_tag(place),
+        Argument::Place(place, _) => place.root(),
         Argument::Range(range) => Some(range.tag),
         Argument::State(tag) => Some(*tag),
         _ => None,
-    }
-}
-
-fn place_tag(place: &Place) -> Option<TagId> {
-    match place {
-        Place::Tag(tag) | Place::Element(tag, _) | Place::Member(tag, _) => Some(*tag),
-        Place::Bit(word, ..) => place_tag(word),
-        Place::System(_) => None,
     }
 }
 
@@ -74,6 +48,7 @@ fn name(simulation: &Simulation, place: &Place) -> Option<String> {
         Place::Member(it, member) => format!("{}.{}", tag(it), member_name(*member)),
         Place::Element(it, index) => format!("{}[{}]", tag(it), number(simulation, index)?),
         Place::Bit(word, _, bit) => format!("{}.{bit}", name(simulation, word)?),
+        Place::As(inner, ..) => name(simulation, inner)?,
         Place::System(system) => format!("SYS.{}", system.name()),
     })
 }

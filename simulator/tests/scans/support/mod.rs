@@ -1,7 +1,8 @@
 //! Programs as text, inputs and traces as rows of a timing diagram.
 #![allow(dead_code, reason = "each test file takes what it needs")]
 
-use ladder_analysis::analyze;
+use ladder_analysis::program::Program;
+use ladder_analysis::{Exported, NotWhole, analyze, analyze_in, exports, link};
 use ladder_simulator::value_text::{cell, parse};
 use ladder_simulator::{Options, Simulation};
 use ladder_syntax as syntax;
@@ -26,6 +27,28 @@ pub(crate) fn simulation_with(text: &str, options: Options) -> Simulation {
             panic!("errors in the program:\n{}\n{text}", messages.join("\n"));
         }
     }
+}
+
+/// The program of the first of several files, each with its name and text.
+pub(crate) fn linked(files: &[(&str, &str)]) -> Result<Arc<Program>, NotWhole> {
+    let parsed: Vec<_> = files
+        .iter()
+        .map(|(name, text)| (*name, Arc::new(syntax::parse(text))))
+        .collect();
+    let summaries = parsed.iter().map(|(name, parse)| Arc::new(exports(parse, name)));
+    let exported = Arc::new(Exported::new(summaries.collect()));
+    let analysis = |wanted: &str| {
+        let (name, parse) = parsed.iter().find(|(name, _)| *name == wanted)?;
+        Some(Arc::new(analyze_in(parse, name, &exported.others_of(name))))
+    };
+    let own = analysis(files[0].0).expect("the first file is one of them");
+    link(&own, &analysis)
+}
+
+/// A simulation of the first of several files.
+pub(crate) fn simulation_of(files: &[(&str, &str)]) -> Simulation {
+    let program = linked(files).unwrap_or_else(|not_whole| panic!("{not_whole:?}"));
+    Simulation::new(program, Options::default()).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Assigns a tag as a person would.

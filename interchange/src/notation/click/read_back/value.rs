@@ -125,6 +125,9 @@ impl Back<'_> {
                 let number = system_number(self.written(range)).ok_or("Click has no such system tag")?;
                 Ok(Operand::Tag(Tag::number(Bank::Sc, number)))
             }
+            Place::As(..) => {
+                Err("Click has one kind for each address: give all names of it one type".to_owned())
+            }
             Place::Bit(..) => Err("Click has no single bits of words: unpack the word".to_owned()),
         }
     }
