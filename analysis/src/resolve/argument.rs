@@ -127,6 +127,9 @@ impl Resolver<'_, '_> {
         if row.op == Op::Search {
             self.check_search(bound);
         }
+        if arguments.len() == bound.formals.len() {
+            self.check_ranges(row.op, bound, &arguments);
+        }
         (arguments, works_in)
     }
 

@@ -11,6 +11,7 @@ mod expression;
 mod formula_type;
 pub(crate) mod numbers;
 mod place;
+mod ranges;
 mod search;
 mod tags;
 mod times;

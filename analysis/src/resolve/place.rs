@@ -195,7 +195,7 @@ impl Resolver<'_, '_> {
         }
     }
 
-    /// An index: any integer. One that is written as a number must lie in the array.
+    /// An index: any integer. One that is written as a number, or is CONSTANT, must lie in the array.
     fn index(&mut self, base: &Node, tag: usize, index: &Node) -> Option<Expr> {
         let Type::Array { first, last, .. } = self.tag_type(tag) else {
             return None;
@@ -209,7 +209,7 @@ impl Resolver<'_, '_> {
             return None;
         }
         let expr = self.integer(index)?;
-        if let ExprKind::Constant(Value::Int(n)) = expr.kind
+        if let Some(n) = self.known_index(index)
             && !(first..=last).contains(&n)
         {
             let NodeKind::Name(name) = &base.kind else {
@@ -229,8 +229,7 @@ impl Resolver<'_, '_> {
                 let (tag, element) = self.array(base)?;
                 let first_expr = self.index(base, tag, first)?;
                 let last_expr = self.index(base, tag, last)?;
-                if let (ExprKind::Constant(Value::Int(a)), ExprKind::Constant(Value::Int(b))) =
-                    (&first_expr.kind, &last_expr.kind)
+                if let (Some(a), Some(b)) = (self.known_index(first), self.known_index(last))
                     && a > b
                 {
                     let message = format!("the range ends at {b}, before it begins at {a}: swap them");

@@ -412,3 +412,63 @@ fn what_is_no_address() {
         "#]],
     );
 }
+
+#[test]
+fn ranges_that_cannot_fit() {
+    let declared = "VAR CONSTANT\n    TOP : INT := 9;\nEND_VAR\nVAR\n    a, b : ARRAY[1..10] OF INT;\n    bits : ARRAY[0..40] OF BOOL;\n    texts : ARRAY[1..300] OF STRING;\n    wide : ARRAY[0..3] OF DWORD;\n    i : INT;\n    w : WORD;\n    s : SINT;\n    u : USINT;\n    d : DWORD;\n    r : REAL;\n    t : STRING;\nEND_VAR\n";
+    check(
+        &format!(
+            "{declared}+--[BMOV]( a[1..3], b[1..4] )--[BMOV]( a[1..3], b[TOP] )--[BMOV]( a[8], b[1..4] )--+\n\n\
+             +--[BMOV]( a[TOP..10], b[1..3] )--[FILL]( a[TOP..3], 5 )--+\n\n\
+             +--[PACK]( w, bits[0..16] )--[PACK]( d, a[1..3] )--[PACK]( w, wide[1..i] )--[PACK]( r, bits[0..3] )--[PACK]( w, i )--+\n\n\
+             +--[UNPACK]( bits[0..40], r )--[UNPACK]( i, w )--+\n\n\
+             +--[SEARCH]( s, EQ, 't', texts[1..200] )--[SEARCH]( u, EQ, 't', texts[i..255] )--[SEARCH]( u, EQ, 't', texts[2] )--+\n"
+        ),
+        expect![[r#"
+            > +--[BMOV]( a[1..3], b[1..4] )--[BMOV]( a[1..3], b[TOP] )--[BMOV]( a[8], b[1..4] )--+
+                                  ^^^^^^^ error[bad-operand]: this range has 4 elements, and the one it is copied to has 3
+                help: give both one length; or write one of them as an index alone, where it starts: it is as long as the other
+            > +--[BMOV]( a[1..3], b[1..4] )--[BMOV]( a[1..3], b[TOP] )--[BMOV]( a[8], b[1..4] )--+
+                                                              ^^^^^^ error[bad-operand]: the array ends at 10: there are no 3 elements from 9 on
+                help: the range is as long as the other one: begin further up, or copy fewer
+            > +--[BMOV]( a[1..3], b[1..4] )--[BMOV]( a[1..3], b[TOP] )--[BMOV]( a[8], b[1..4] )--+
+                                                                                ^^^^ error[bad-operand]: the array ends at 10: there are no 4 elements from 8 on
+                help: the range is as long as the other one: begin further up, or copy fewer
+            > +--[BMOV]( a[TOP..10], b[1..3] )--[FILL]( a[TOP..3], 5 )--+
+                                     ^^^^^^^ error[bad-operand]: this range has 3 elements, and the one it is copied to has 2
+                help: give both one length; or write one of them as an index alone, where it starts: it is as long as the other
+            > +--[BMOV]( a[TOP..10], b[1..3] )--[FILL]( a[TOP..3], 5 )--+
+                                                        ^^^^^^^^^ error[bad-operand]: the range ends at 3, before it begins at 9: swap them
+            > +--[PACK]( w, bits[0..16] )--[PACK]( d, a[1..3] )--[PACK]( w, wide[1..i] )--[PACK]( r, bits[0..3] )--[PACK]( w, i )--+
+                            ^^^^^^^^^^^ error[bad-operand]: 17 elements of BOOL do not fit into a WORD: it takes 16
+            > +--[PACK]( w, bits[0..16] )--[PACK]( d, a[1..3] )--[PACK]( w, wide[1..i] )--[PACK]( r, bits[0..3] )--[PACK]( w, i )--+
+                                                      ^^^^^^^ error[bad-operand]: 3 elements of INT do not fit into a DWORD: it takes 2
+            > +--[PACK]( w, bits[0..16] )--[PACK]( d, a[1..3] )--[PACK]( w, wide[1..i] )--[PACK]( r, bits[0..3] )--[PACK]( w, i )--+
+                                                                            ^^^^^^^^^^ error[type-mismatch]: a DWORD does not fit into a WORD
+            > +--[PACK]( w, bits[0..16] )--[PACK]( d, a[1..3] )--[PACK]( w, wide[1..i] )--[PACK]( r, bits[0..3] )--[PACK]( w, i )--+
+                                                                                                     ^^^^^^^^^^ error[type-mismatch]: BOOL cannot be packed into REAL
+            > +--[PACK]( w, bits[0..16] )--[PACK]( d, a[1..3] )--[PACK]( w, wide[1..i] )--[PACK]( r, bits[0..3] )--[PACK]( w, i )--+
+                                                                                                                              ^ error[type-mismatch]: a range or a STRING is packed, this is an INT
+            > +--[UNPACK]( bits[0..40], r )--[UNPACK]( i, w )--+
+                                        ^ error[type-mismatch]: REAL cannot be unpacked into BOOL
+            > +--[UNPACK]( bits[0..40], r )--[UNPACK]( i, w )--+
+                                                       ^ error[type-mismatch]: a value is unpacked into a range or a STRING, this is an INT
+            > +--[SEARCH]( s, EQ, 't', texts[1..200] )--[SEARCH]( u, EQ, 't', texts[i..255] )--[SEARCH]( u, EQ, 't', texts[2] )--+
+                           ^ error[bad-operand]: the result is SINT, which cannot hold the index 200 that may be found
+                help: declare the result as DINT
+            > +--[SEARCH]( s, EQ, 't', texts[1..200] )--[SEARCH]( u, EQ, 't', texts[i..255] )--[SEARCH]( u, EQ, 't', texts[2] )--+
+                                                                  ^ error[bad-operand]: the result is USINT, which cannot hold the index 255 that may be found
+                help: declare the result as DINT
+            > +--[SEARCH]( s, EQ, 't', texts[1..200] )--[SEARCH]( u, EQ, 't', texts[i..255] )--[SEARCH]( u, EQ, 't', texts[2] )--+
+                                                                                                         ^ error[bad-operand]: the result is USINT, which cannot hold the index 300 that may be found
+                help: declare the result as DINT
+        "#]],
+    );
+    // What is right, and what nobody knows before it runs.
+    clean(&format!(
+        "{declared}+--[BMOV]( a[1..3], b[2..4] )--[BMOV]( a[1..3], b[8] )--[BMOV]( a[TOP], b[TOP..10] )--[BMOV]( a[i], b[1..10] )--[BMOV]( a[1..i], b[1..4] )--+\n\n\
+         +--[PACK]( w, bits[0..15] )--[PACK]( d, a[1..2] )--[PACK]( d, bits[i..40] )--[PACK]( i, t )--[PACK]( w, a[3..3] )--+\n\n\
+         +--[UNPACK]( bits[0..40], w )--[UNPACK]( a[1..10], d )--[UNPACK]( t, r )--+\n\n\
+         +--[SEARCH]( s, EQ, 't', texts[1..127] )--[SEARCH]( u, EQ, 't', texts[1..254] )--[SEARCH]( i, EQ, 't', texts[1..300] )--[SHIFT]( a[1..1], 5 )--+\n"
+    ));
+}
