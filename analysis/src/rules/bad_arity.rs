@@ -1,18 +1,19 @@
 //! `bad-arity`: a block has too few or too many operands.
 
+use super::form::Form;
 use super::{missing_wire, wrong_shape};
-use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic, Fix};
 use crate::network::{Formal, Meaning};
-use crate::networks::{BlockAt, NetworkAt};
+use crate::networks::BlockAt;
 use crate::program::ParameterKind;
 use crate::rule::Rule;
 use crate::user_block::UserBlockFacts;
 use ladder_format::Edit;
 use ladder_instructions::{Accepts, Instruction, Operand};
-use ladder_syntax::TextRange;
+use ladder_syntax::{Parse, TextRange};
 
-pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
+    let network = form.network;
     for (index, bound) in network.blocks().enumerate() {
         if bound.faulty {
             continue;
@@ -20,17 +21,17 @@ pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Dia
         match bound.meaning {
             Meaning::Instruction(row) => {
                 if !row.takes(bound.positional_count()) && !missing_wire::takes_next_head(network, index) {
-                    out.extend(instruction(context, bound, row));
+                    out.extend(instruction(form.parse, bound, row));
                 }
             }
-            Meaning::User(block) => user_block(context, bound, block, out),
+            Meaning::User(block) => user_block(&form.user_blocks[block], bound, out),
             Meaning::Unknown | Meaning::UnknownUser => continue,
         }
         given_twice(bound, out);
     }
 }
 
-fn instruction(context: &Context, bound: BlockAt<'_>, row: &'static Instruction) -> Option<Diagnostic> {
+fn instruction(parse: &Parse, bound: BlockAt<'_>, row: &'static Instruction) -> Option<Diagnostic> {
     let given = bound.positional_count();
     // `PT := T#5s`: bad-operand says that it is given by its place.
     let by_name = |operand: &&Operand| {
@@ -50,7 +51,7 @@ fn instruction(context: &Context, bound: BlockAt<'_>, row: &'static Instruction)
     if given > 0
         && let Some(other) = wrong_shape::taking_operands(bound)
     {
-        return Some(wrong_shape::brackets(context, bound, other));
+        return Some(wrong_shape::brackets(parse, bound, other));
     }
     let excess: Vec<usize> = (0..bound.formals.len())
         .filter(|&n| matches!(bound.formals[n], Formal::Excess))
@@ -178,8 +179,7 @@ fn placeholder(operand: &Operand) -> &'static str {
     }
 }
 
-fn user_block(context: &Context, bound: BlockAt<'_>, block: usize, out: &mut Vec<Diagnostic>) {
-    let facts = &context.user_blocks[block];
+fn user_block(facts: &UserBlockFacts, bound: BlockAt<'_>, out: &mut Vec<Diagnostic>) {
     if facts.doubtful {
         return;
     }

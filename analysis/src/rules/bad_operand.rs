@@ -1,35 +1,35 @@
 //! `bad-operand`: something is in an operand's place that cannot be there.
 
-use crate::context::Context;
+use super::form::Form;
 use crate::diagnostic::{Applicability, Diagnostic};
 use crate::did_you_mean;
 use crate::facts::{OperandFacts, Word};
 use crate::mistakes::bad_operand::wrong;
 use crate::network::{Formal, Meaning};
-use crate::networks::{BlockAt, NetworkAt};
+use crate::networks::BlockAt;
 use crate::program::ParameterKind;
 use ladder_instructions::{Direction, Presence, Profile, Profiles};
 use ladder_syntax::TextRange;
 
-pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
-    for bound in network.blocks() {
+pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
+    for bound in form.network.blocks() {
         if bound.faulty {
             continue;
         }
         for (operand, formal) in bound.facts.operands.iter().zip(bound.formals.iter()) {
             let Some(name) = operand.name() else { continue };
             let is_read = match (*formal, bound.meaning) {
-                (Formal::UnknownName, Meaning::User(block)) if context.user_blocks[block].doubtful => {
+                (Formal::UnknownName, Meaning::User(block)) if form.user_blocks[block].doubtful => {
                     continue;
                 }
                 (Formal::UnknownName, _) => {
-                    out.push(unknown_name(context, bound, operand, name));
+                    out.push(unknown_name(form, bound, operand, name));
                     continue;
                 }
                 (Formal::Operand(row), _) => {
-                    if !row.profiles.contain(context.profile) {
+                    if !row.profiles.contain(form.profile) {
                         out.push(of_another_profile(
-                            context.profile,
+                            form.profile,
                             row.profiles,
                             bound,
                             operand,
@@ -40,7 +40,7 @@ pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Dia
                     row.direction == Direction::In
                 }
                 (Formal::Parameter(index), Meaning::User(block)) => {
-                    context.user_blocks[block].parameters[index].kind == ParameterKind::Input
+                    form.user_blocks[block].parameters[index].kind == ParameterKind::Input
                 }
                 _ => continue,
             };
@@ -97,14 +97,14 @@ fn arrow(bound: BlockAt<'_>, operand: &OperandFacts, name: &Word) -> Diagnostic 
 }
 
 /// A name before `:=` that the block does not have.
-fn unknown_name(context: &Context, bound: BlockAt<'_>, operand: &OperandFacts, name: &Word) -> Diagnostic {
+fn unknown_name(form: &Form<'_>, bound: BlockAt<'_>, operand: &OperandFacts, name: &Word) -> Diagnostic {
     let head = bound.head_text();
     let (names, by_place): (Vec<&str>, bool) = match bound.meaning {
         Meaning::Instruction(row) => {
             let named = row
                 .operands
                 .iter()
-                .filter(|o| o.presence == Presence::Named && o.profiles.contain(context.profile));
+                .filter(|o| o.presence == Presence::Named && o.profiles.contain(form.profile));
             let by_place = row
                 .operands
                 .iter()
@@ -112,7 +112,7 @@ fn unknown_name(context: &Context, bound: BlockAt<'_>, operand: &OperandFacts, n
             (named.map(|o| o.name).collect(), by_place)
         }
         Meaning::User(block) => {
-            let parameters = context.user_blocks[block].parameters.iter();
+            let parameters = form.user_blocks[block].parameters.iter();
             (parameters.map(|p| p.name.as_str()).collect(), false)
         }
         _ => (Vec::new(), false),

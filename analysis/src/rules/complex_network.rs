@@ -27,7 +27,7 @@ pub(super) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Dia
     } else {
         return;
     };
-    let Some(range) = super::no_output::first_rung(context, network) else {
+    let Some(range) = super::no_output::first_rung(&context.parse, network) else {
         return;
     };
     out.push(Diagnostic::new(Rule::ComplexNetwork, range, message).help(

@@ -1,6 +1,6 @@
 //! `misleading-alignment`: two connectors are in one column and belong to two pairs.
 
-use crate::context::Context;
+use super::form::Form;
 use crate::diagnostic::{Applicability, Diagnostic};
 use crate::excerpt::columns;
 use crate::networks::NetworkAt;
@@ -9,14 +9,15 @@ use ladder_syntax::TextRange;
 use ladder_syntax::numeral::nth;
 use ladder_syntax::wiring::{PartKind, Point};
 
-pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
+    let network = form.network;
     if network.broken {
         return;
     }
     for points in network.wiring.points.chunk_by(|a, b| a.upper == b.upper) {
         // With one pair there is nothing to mistake it for; and nearly every drawing is straight.
         if points.len() > 1 && points.iter().any(|point| !is_straight(network, point)) {
-            out.extend(misleading(context, network, points));
+            out.extend(misleading(form, points));
         }
     }
 }
@@ -29,13 +30,14 @@ fn is_straight(network: NetworkAt<'_>, point: &Point) -> bool {
 }
 
 /// The first pair whose `\` is above the `/` of another pair.
-fn misleading(context: &Context, network: NetworkAt<'_>, points: &[Point]) -> Option<Diagnostic> {
+fn misleading(form: &Form<'_>, points: &[Point]) -> Option<Diagnostic> {
+    let network = form.network;
     let wiring = &network.wiring;
     let upper = points[0].upper;
     let starts = |rung: usize, part: usize| wiring.rungs[rung].parts[part].range.start();
     let of_rung = |rung: usize, part: fn(&Point) -> usize| {
         let offsets = points.iter().map(|point| starts(rung, part(point)));
-        columns(&context.parse, network.line(rung), offsets)
+        columns(form.parse, network.line(rung), offsets)
     };
     let downs = of_rung(upper, |point| point.down);
     let ups = of_rung(upper + 1, |point| point.up);
@@ -43,7 +45,7 @@ fn misleading(context: &Context, network: NetworkAt<'_>, points: &[Point]) -> Op
         let other = ups.binary_search(column).ok()?;
         (other != pair).then_some((pair, other))
     })?;
-    let place = |rung: usize, part: usize| network.part_range(&context.parse, rung, part);
+    let place = |rung: usize, part: usize| network.part_range(form.parse, rung, part);
     let down = place(upper, points[pair].down);
     debug_assert_eq!(wiring.rungs[upper].parts[points[pair].down].kind, PartKind::Down);
     Some(

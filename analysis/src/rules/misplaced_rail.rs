@@ -1,25 +1,25 @@
 //! `misplaced-rail`: a `+` in the middle of a line, or a `|` in the middle of a wire.
 
+use super::form::Form;
 use super::unpaired_connector::completion;
-use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic};
 use crate::excerpt::columns;
 use crate::network::breaks_drawing;
-use crate::networks::NetworkAt;
 use crate::rule::Rule;
 use ladder_syntax::TextRange;
 use ladder_syntax::wiring::{PartKind, RungPart};
 
-pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
+    let network = form.network;
     for (rung, drawing) in network.wiring.rungs.iter().enumerate() {
         let is_stray = |part: &RungPart| matches!(part.kind, PartKind::StrayRail | PartKind::StrayBar);
-        let line = &context.parse.lines()[network.line(rung)];
+        let line = &form.parse.lines()[network.line(rung)];
         if !drawing.parts.iter().any(is_stray) || line.errors.iter().any(breaks_drawing) {
             continue;
         }
-        let missing = completion::missing(&context.parse, network.line(rung));
+        let missing = completion::missing(form.parse, network.line(rung));
         let starts = drawing.parts.iter().map(|part| part.range.start());
-        let columns = columns(&context.parse, network.line(rung), starts);
+        let columns = columns(form.parse, network.line(rung), starts);
         for (index, part) in drawing.parts.iter().enumerate() {
             let (message, help) = match part.kind {
                 PartKind::StrayRail => (
@@ -32,7 +32,7 @@ pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Dia
                 ),
                 _ => continue,
             };
-            let range = network.part_range(&context.parse, rung, index);
+            let range = network.part_range(form.parse, rung, index);
             let right = index > 0 && drawing.parts[index - 1].kind == PartKind::StrayRail && !part.touches;
             if part.kind == PartKind::StrayRail && right {
                 // Said with the `+` before it.
@@ -43,7 +43,7 @@ pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Dia
                 && next.kind == PartKind::StrayRail
                 && !next.touches
             {
-                let next = network.part_range(&context.parse, rung, index + 1);
+                let next = network.part_range(form.parse, rung, index + 1);
                 out.push(
                     Diagnostic::new(
                         Rule::MisplacedRail,

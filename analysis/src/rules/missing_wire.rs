@@ -1,6 +1,6 @@
 //! `missing-wire`: two blocks, or a block and a connector, touch without a `-` between them.
 
-use crate::context::Context;
+use super::form::Form;
 use crate::diagnostic::{Applicability, Diagnostic};
 use crate::facts::Head;
 use crate::network::breaks_drawing;
@@ -10,14 +10,15 @@ use ladder_instructions::{Shape, lookup};
 use ladder_syntax::wiring::PartKind;
 use ladder_syntax::{TextRange, TextSize};
 
-pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
+    let network = form.network;
     // Blocks are in the order of the rungs and parts, so one index follows them.
     let mut block = 0;
     for (rung, drawing) in network.wiring.rungs.iter().enumerate() {
         let line = network.line(rung);
-        let start = context.parse.line_start(line);
+        let start = form.parse.line_start(line);
         // Where a bracket is missing, two blocks touch because of that.
-        let misread = context.parse.lines()[line].errors.iter().any(breaks_drawing);
+        let misread = form.parse.lines()[line].errors.iter().any(breaks_drawing);
         for (index, part) in drawing.parts.iter().enumerate() {
             let is_block = part.kind == PartKind::Block;
             block += usize::from(is_block);

@@ -1,6 +1,6 @@
 //! The rules, one file each: what they find, their sentences and their fixes.
 //!
-//! Each has a `check` over the [`Context`]. What is found while names are declared and operands resolved is in
+//! Each has a `check`: over the [`Form`] of a network, what its file makes of a block, or the [`Context`]. What is found while names are declared and operands resolved is in
 //! `mistakes`.
 
 mod alternative_mnemonic;
@@ -28,6 +28,7 @@ mod endless_jump;
 mod flow;
 pub(crate) mod follow_ups;
 pub(crate) mod foreign_comment;
+mod form;
 mod frame_keyword;
 mod input_written;
 mod latched_power;
@@ -82,11 +83,10 @@ use crate::networks::NetworkAt;
 use crate::rule::Severity;
 use crate::scope::TagFacts;
 use crate::verdict::{self, InNetwork, Pass};
-use rustc_hash::FxHasher;
-use std::hash::{Hash, Hasher};
+use form::Form;
 use survey::Survey;
 
-type NetworkCheck = fn(&Context, NetworkAt<'_>, &mut Vec<Diagnostic>);
+type NetworkCheck = fn(&Form<'_>, &mut Vec<Diagnostic>);
 
 /// The rules that look at a network by itself: its drawing and the form of its blocks.
 const OF_NETWORKS: &[NetworkCheck] = &[
@@ -151,15 +151,10 @@ pub(crate) fn say_enough(last: &mut Diagnostic) {
 
 /// Looks at a network by itself: its drawing and the form of its blocks.
 pub(crate) fn of_network(context: &Context, network: NetworkAt<'_>) -> InNetwork {
-    // Elsewhere what surrounds the network, or another file, has a say.
-    let key = (network.names_tags_only && !network.broken).then(|| {
-        let mut hasher = FxHasher::default();
-        (context.profile, context.signatures, network.scope).hash(&mut hasher);
-        hasher.finish()
-    });
-    verdict::once(Pass::Form, key, network, |out| {
+    let form = Form::of(context, network);
+    verdict::once(Pass::Form, form.key(), network, |out| {
         for check in OF_NETWORKS {
-            check(context, network, out);
+            check(&form, out);
         }
         true
     })

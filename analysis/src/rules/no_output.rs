@@ -1,18 +1,19 @@
 //! `no-output`: a network that writes nothing and calls, jumps or ends nothing.
 
-use crate::context::Context;
+use super::form::Form;
 use crate::diagnostic::Diagnostic;
 use crate::networks::{BlockAt, NetworkAt};
 use crate::rule::Rule;
 use ladder_instructions::{Op, Role};
-use ladder_syntax::TextRange;
 use ladder_syntax::wiring::PartKind;
+use ladder_syntax::{Parse, TextRange};
 
-pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
+    let network = form.network;
     if network.broken || network.blocks().any(may_act) {
         return;
     }
-    let Some(range) = first_rung(context, network) else {
+    let Some(range) = first_rung(form.parse, network) else {
         return;
     };
     let found = Diagnostic::new(
@@ -30,13 +31,13 @@ pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Dia
 }
 
 /// The drawing of the first rung, without the comments at its ends.
-pub(super) fn first_rung(context: &Context, network: NetworkAt<'_>) -> Option<TextRange> {
+pub(super) fn first_rung(parse: &Parse, network: NetworkAt<'_>) -> Option<TextRange> {
     (0..network.wiring.rungs[0].parts.len())
         .filter(|&part| {
             let kind = network.wiring.rungs[0].parts[part].kind;
             !matches!(kind, PartKind::Comment | PartKind::Bar)
         })
-        .map(|part| network.part_range(&context.parse, 0, part))
+        .map(|part| network.part_range(parse, 0, part))
         .reduce(TextRange::cover)
 }
 

@@ -3,17 +3,18 @@
 //! A line that begins without power and gets it later through a connector has a dead stretch before that. What
 //! is behind it on other lines is dead as well: the finding is at the place where the power is lost.
 
+use super::form::Form;
 use super::rung_not_powered;
-use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic, Fix};
 use crate::networks::NetworkAt;
 use crate::program::Step;
 use crate::rule::Rule;
 use ladder_format::Edit;
 use ladder_syntax::wiring::{PartKind, RungPart, Segment};
-use ladder_syntax::{TextRange, TextSize};
+use ladder_syntax::{Parse, TextRange, TextSize};
 
-pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
+    let network = form.network;
     if network.broken {
         return;
     }
@@ -21,7 +22,7 @@ pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Dia
     if network.order.elements.iter().all(|&(_, _, step, _)| live[step]) {
         return;
     }
-    let reach = Reach::new(context, network, &live);
+    let reach = Reach::new(form, &live);
     for rung in 0..network.wiring.rungs.len() {
         for segment in 0..network.wiring.rungs[rung].segments.len() {
             out.extend(reach.lost_at(rung, segment));
@@ -43,24 +44,21 @@ fn live_steps(network: NetworkAt<'_>) -> Vec<bool> {
 }
 
 struct Reach<'c> {
-    context: &'c Context,
+    parse: &'c Parse,
     network: NetworkAt<'c>,
     /// For each rung and part whether power can leave it.
     live: Vec<Vec<bool>>,
 }
 
 impl<'c> Reach<'c> {
-    fn new(context: &'c Context, network: NetworkAt<'c>, steps: &[bool]) -> Reach<'c> {
+    fn new(form: &Form<'c>, steps: &[bool]) -> Reach<'c> {
+        let (parse, network) = (form.parse, form.network);
         let rungs = &network.wiring.rungs;
         let mut live: Vec<Vec<bool>> = rungs.iter().map(|rung| vec![false; rung.parts.len()]).collect();
         for &(rung, part, step, _) in &network.order.elements {
             live[rung][part] = steps[step];
         }
-        Reach {
-            context,
-            network,
-            live,
-        }
+        Reach { parse, network, live }
     }
 
     fn part(&self, rung: usize, part: usize) -> &RungPart {
@@ -73,7 +71,7 @@ impl<'c> Reach<'c> {
 
     fn range(&self, rung: usize, first: usize, last: usize) -> TextRange {
         let range = self.part(rung, first).range.cover(self.part(rung, last).range);
-        range + self.context.parse.line_start(self.network.line(rung))
+        range + self.parse.line_start(self.network.line(rung))
     }
 
     /// The finding for a segment that begins without power, if the power is lost there.
@@ -198,7 +196,7 @@ impl<'c> Reach<'c> {
         if !self.live[rung][before] || said {
             return None;
         }
-        let start = self.context.parse.line_start(self.network.line(rung));
+        let start = self.parse.line_start(self.network.line(rung));
         let gap = TextRange::new(
             self.part(rung, before).range.end(),
             self.part(rung, first).range.start(),
@@ -241,7 +239,7 @@ impl<'c> Reach<'c> {
     /// Lets the line begin at the left rail. It may be meant to get its power through a connector, or none.
     fn with_rail(&self, rung: usize, found: Diagnostic) -> Diagnostic {
         let first = &self.network.wiring.rungs[rung].parts[self.segments(rung)[0].parts.start];
-        let start = self.context.parse.line_start(self.network.line(rung));
+        let start = self.parse.line_start(self.network.line(rung));
         let title = "Begin at the left rail";
         let bar = &self.network.wiring.rungs[rung].parts[0];
         if bar.kind == PartKind::Bar {

@@ -1,15 +1,18 @@
 //! `unknown-block`: a user-defined block that nobody defines, or that is drawn in another shape.
 
+use super::form::Form;
 use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic};
 use crate::did_you_mean;
 use crate::network::Meaning;
-use crate::networks::{BlockAt, NetworkAt};
+use crate::networks::BlockAt;
 use crate::rule::Rule;
 use ladder_syntax::Name;
 
-pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
-    for bound in network.blocks() {
+pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
+    // A network with a block that is not known may name one of another file.
+    let Some(context) = form.file else { return };
+    for bound in form.network.blocks() {
         if matches!(bound.meaning, Meaning::UnknownUser) && !bound.faulty {
             out.push(unknown(context, bound));
         }

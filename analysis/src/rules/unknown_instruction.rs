@@ -1,21 +1,22 @@
 //! `unknown-instruction`: no instruction has this name.
 
+use super::form::Form;
 use super::{missing_wire, wrong_shape};
 use crate::article::with_article;
-use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic};
 use crate::excerpt::in_sentence;
 use crate::network::Meaning;
-use crate::networks::{BlockAt, NetworkAt};
+use crate::networks::BlockAt;
 use crate::rule::Rule;
 use ladder_instructions::{Accepts, Instruction, Operand, Profile, Shape, TABLE, closest};
 use ladder_syntax::is_identifier;
 use std::fmt::Write;
 
-pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
+    let network = form.network;
     for (index, bound) in network.blocks().enumerate() {
         if let Meaning::Instruction(row) = bound.meaning {
-            out.extend(not_in_profile(context.profile, row, bound));
+            out.extend(not_in_profile(form.profile, row, bound));
             continue;
         }
         if !matches!(bound.meaning, Meaning::Unknown) || bound.faulty {
@@ -26,7 +27,7 @@ pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Dia
             continue;
         }
         out.push(match wrong_shape::elsewhere(bound) {
-            Some(row) => wrong_shape::brackets(context, bound, row),
+            Some(row) => wrong_shape::brackets(form.parse, bound, row),
             None => unknown(bound),
         });
     }
@@ -62,8 +63,7 @@ fn unknown(bound: BlockAt<'_>) -> Diagnostic {
     let count = bound.positional_count();
     // A likeness across shapes says something only if the operands fit as well.
     let near = closest(shape, text).filter(|row| row.shape == shape || row.takes(count));
-    // `[start]`, `(run)`: the tag is where the kind of contact or coil belongs. Which tags there are is not asked: the finding
-    // stays while the network is as it is.
+    // `[start]`, `(run)`: the tag is where the kind of contact or coil belongs.
     let bare = bound.facts.list_range.is_none() && is_identifier(text) && shape != Shape::Function;
     let (block, kind) = match shape {
         Shape::Coil => ("( )", "coil"),

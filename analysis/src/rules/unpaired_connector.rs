@@ -3,11 +3,11 @@
 mod barred;
 pub(super) mod completion;
 
+use super::form::Form;
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::excerpt::{columns, trimmed_line};
 use crate::network::breaks_drawing;
-use crate::networks::NetworkAt;
 use crate::networks::neighbours::{rung_above, rung_below};
 use crate::rule::Rule;
 use ladder_syntax::numeral::nth;
@@ -20,7 +20,10 @@ const MOST: usize = 10;
 /// With this many connectors on a line the columns are compared one by one.
 const MOST_COMPARED: usize = 64;
 
-pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
+    let network = form.network;
+    // A network with a connector that lacks its partner is broken.
+    let Some(context) = form.file else { return };
     let wiring = &network.wiring;
     for of_rung in wiring.unpaired.chunk_by(|a, b| a.0 == b.0) {
         let rung = of_rung[0].0;

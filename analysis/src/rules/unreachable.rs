@@ -23,7 +23,7 @@ pub(super) fn check(flow: &Flow<'_>, reached: &[bool], out: &mut Vec<Diagnostic>
             continue;
         }
         let network = flow.context.networks.at(flow.networks[at]);
-        let Some(range) = first_rung(flow.context, network) else {
+        let Some(range) = first_rung(&flow.context.parse, network) else {
             continue;
         };
         let more = (at + 1..reached.len()).take_while(|&at| !reached[at]).count();

@@ -1,16 +1,14 @@
 //! `wrong-place`: `<END>` or `<FUN>` in the body of a `[$B]` or `($B)` block, or a second `<FUN>` in one network.
 
-use crate::context::Context;
+use super::form::Form;
 use crate::diagnostic::Diagnostic;
-use crate::networks::{BlockAt, NetworkAt};
+use crate::networks::BlockAt;
 use crate::rule::Rule;
 use ladder_instructions::{Op, Shape};
 
-pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
-    let body = network
-        .scope
-        .checked_sub(1)
-        .map(|block| &context.user_blocks[block]);
+pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
+    let network = form.network;
+    let body = network.scope.checked_sub(1).map(|block| &form.user_blocks[block]);
     let mut functions = 0;
     for bound in network.blocks() {
         match (bound.op(), body) {

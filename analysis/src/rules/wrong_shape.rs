@@ -1,11 +1,11 @@
 //! `wrong-shape`: an instruction in brackets that it does not have, as in `<TON>` or `[SET]( run )`.
 
-use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic};
 use crate::excerpt;
 use crate::networks::BlockAt;
 use crate::rule::Rule;
 use ladder_instructions::{Instruction, Op, in_other_shape};
+use ladder_syntax::Parse;
 
 /// The instruction of this name in other brackets; one that takes the operands as they are comes first.
 pub(crate) fn elsewhere(bound: BlockAt<'_>) -> Option<&'static Instruction> {
@@ -32,11 +32,11 @@ fn applicability(bound: BlockAt<'_>, row: &Instruction) -> Applicability {
     }
 }
 
-pub(crate) fn brackets(context: &Context, bound: BlockAt<'_>, row: &'static Instruction) -> Diagnostic {
+pub(crate) fn brackets(parse: &Parse, bound: BlockAt<'_>, row: &'static Instruction) -> Diagnostic {
     let list = bound
         .facts
         .list_range
-        .map(|range| excerpt::text(&context.parse, bound.absolute(range)))
+        .map(|range| excerpt::text(parse, bound.absolute(range)))
         .unwrap_or_default();
     let written = format!("{}{list}", row.block());
     let head = bound.head_text();

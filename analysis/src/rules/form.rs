@@ -1,0 +1,50 @@
+//! What the rules about the form of a network are given, and nothing else of the file: what they find is kept with the network
+//! while this is the same.
+
+use crate::context::Context;
+use crate::networks::NetworkAt;
+use crate::user_block::UserBlockFacts;
+use ladder_instructions::Profile;
+use ladder_syntax::Parse;
+use rustc_hash::FxHasher;
+use std::hash::{Hash, Hasher};
+
+/// A network with what else decides about its drawing and the form of its blocks.
+pub(super) struct Form<'c> {
+    pub(super) network: NetworkAt<'c>,
+    /// For the places and the text of its own lines. Beside them a rule may look at connectors that lack their partners:
+    /// where they are the network is [broken](NetworkAt::broken).
+    pub(super) parse: &'c Parse,
+    pub(super) profile: Profile,
+    /// For the signatures of the blocks that it holds, and of the one whose body it is in.
+    pub(super) user_blocks: &'c [UserBlockFacts],
+    /// The whole file, for a network of which nothing is kept.
+    pub(super) file: Option<&'c Context>,
+    /// Stands for the signatures of the file's own blocks.
+    signatures: u64,
+}
+
+impl<'c> Form<'c> {
+    pub(super) fn of(context: &'c Context, network: NetworkAt<'c>) -> Form<'c> {
+        // Elsewhere what surrounds the network, or another file, has a say.
+        let is_kept = network.names_tags_only && !network.broken;
+        Form {
+            network,
+            parse: &context.parse,
+            profile: context.profile,
+            user_blocks: &context.user_blocks,
+            file: (!is_kept).then_some(context),
+            signatures: context.signatures,
+        }
+    }
+
+    /// The same while all of this is; none if nothing is kept.
+    pub(super) fn key(&self) -> Option<u64> {
+        if self.file.is_some() {
+            return None;
+        }
+        let mut hasher = FxHasher::default();
+        (self.profile, self.signatures, self.network.scope).hash(&mut hasher);
+        Some(hasher.finish())
+    }
+}
