@@ -152,6 +152,14 @@ fn comments_that_the_tools_do_not_understand() {
         "#]],
         ),
         (
+            "profile iec #\n# ladder: cycle 5ms #  # ladder: profile click #\n\n# ladder: cycle 5ms",
+            expect![[r#"
+                2 warning bad-directive: `profile` stands on line 1 already, and the first one counts: this changes nothing <# ladder: profile click #>
+                4 warning bad-directive: `cycle` stands on line 2 already, and the first one counts: this changes nothing <# ladder: cycle 5ms #>
+                6 warning double-coil: `y` is written by 2 coils: the last one alone decides <y>
+            "#]],
+        ),
+        (
             "profile iec",
             expect![[r#"
             3 warning double-coil: `y` is written by 2 coils: the last one alone decides <y>
@@ -160,6 +168,27 @@ fn comments_that_the_tools_do_not_understand() {
     ] {
         check(&format!("# ladder: {comment} #\n{TWICE}"), &[], expected);
     }
+}
+
+/// What speaks of the whole file counts above its first network, and once.
+#[test]
+fn comments_that_come_too_late() {
+    let text = "VAR a : BOOL; END_VAR\n# ladder: profile iec #\n# before # +--[ ]( a )--( )( b )--+ # ladder: profile click #\n\n\
+                # ladder: cycle 5ms #\n+--[ ]( a )--( )( y )--+\n|  # ladder: profile iec #\n\n\
+                FUNCTION_BLOCK [$B]\n# ladder: profile iot #\n+--[ ]( EN )--+\nEND_FUNCTION_BLOCK\n";
+    check(
+        text,
+        &[],
+        expect![[r#"
+            3 warning undeclared-tag: `b` is not declared <b>
+            3 warning bad-directive: `profile` counts above the first network only: here it changes nothing <# ladder: profile click #>
+            5 warning bad-directive: `cycle` counts above the first network only: here it changes nothing <# ladder: cycle 5ms #>
+            6 warning undeclared-tag: `y` is not declared <y>
+            7 warning bad-directive: `profile` counts above the first network only: here it changes nothing <# ladder: profile iec #>
+            10 warning bad-directive: `profile` counts above the first network only: here it changes nothing <# ladder: profile iot #>
+            11 warning no-output: this network does nothing: no block in it acts <+--[ ]( EN )--+>
+        "#]],
+    );
 }
 
 #[test]

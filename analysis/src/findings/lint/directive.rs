@@ -13,8 +13,26 @@ use ladder_syntax::{TextRange, TextSize};
 pub(super) enum Directive {
     /// Switch rules off for what is next, or for the file.
     Allow { rules: Vec<Rule>, file: bool },
-    /// Something else that the tools know: `fmt off`, `profile iec`.
+    /// Say something of the file: counts before its first network, and once.
+    Says(Word),
+    /// Something else that the tools know: `fmt off`.
     Known,
+}
+
+/// What a comment says of a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Word {
+    Profile,
+    Cycle,
+}
+
+impl Word {
+    const fn text(self) -> &'static str {
+        match self {
+            Word::Profile => "profile",
+            Word::Cycle => "cycle",
+        }
+    }
 }
 
 /// Reads a comment that is at `at`. None: it is no directive. What is wrong goes to `out`.
@@ -29,7 +47,7 @@ pub(super) fn read(comment: &str, at: TextSize, out: &mut Vec<Diagnostic>) -> Op
             out.push(bad(place, "`fmt` is followed by `on` or `off`"));
             return None;
         }
-        "cycle" if profile::cycle_time(behind).is_some() => return Some(Directive::Known),
+        "cycle" if profile::cycle_time(behind).is_some() => return Some(Directive::Says(Word::Cycle)),
         "cycle" => {
             out.push(
                 bad(place, "`cycle` is followed by the time from one scan to the next")
@@ -70,7 +88,7 @@ fn rules(text: &str, place: TextRange, out: &mut Vec<Diagnostic>) -> Option<Vec<
 
 fn selected(name: &str, place: TextRange, out: &mut Vec<Diagnostic>) -> Option<Directive> {
     match Profile::from_name(name) {
-        Some(_) => Some(Directive::Known),
+        Some(_) => Some(Directive::Says(Word::Profile)),
         None => {
             let names = Profile::ALL.map(|profile| format!("`{profile}`"));
             out.push(
@@ -107,6 +125,27 @@ fn no_rule(name: &str, place: TextRange) -> Diagnostic {
         Some(near) => format!("did you mean `{near}`?"),
         None => "the reference of the rules lists them all".to_owned(),
     })
+}
+
+/// A comment that says something of the file, and comes too late for it.
+pub(super) fn too_late(word: Word, place: TextRange) -> Diagnostic {
+    let word = word.text();
+    bad(
+        place,
+        format!("`{word}` counts above the first network only: here it changes nothing"),
+    )
+    .help("move it to the beginning of the file, or remove it")
+}
+
+/// A comment that says once more what another one says of the file.
+pub(super) fn said_before(word: Word, place: TextRange, first: TextRange, line: usize) -> Diagnostic {
+    let word = word.text();
+    bad(
+        place,
+        format!("`{word}` stands on line {line} already, and the first one counts: this changes nothing"),
+    )
+    .help("remove the one that is not meant")
+    .related(first, "this one counts")
 }
 
 fn bad(place: TextRange, message: impl Into<String>) -> Diagnostic {

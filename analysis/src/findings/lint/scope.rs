@@ -1,11 +1,11 @@
 //! Where the comments are that switch rules off, and what each of them covers.
 
-use super::directive::{self, Directive};
+use super::directive::{self, Directive, Word};
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::rule::Rule;
 use ladder_syntax::wiring::PartKind;
-use ladder_syntax::{Item, LineKind, NodeOrToken, Parse, TextRange, TextSize};
+use ladder_syntax::{Item, LineKind, NodeOrToken, TextRange, TextSize};
 
 /// A comment that switches rules off.
 #[derive(Debug)]
@@ -33,6 +33,7 @@ pub(super) struct Switched {
 pub(super) fn allows(context: &Context, out: &mut Vec<Diagnostic>) -> Vec<Allow> {
     let parse = &context.parse;
     let mut allows = Vec::new();
+    let mut said = Said::default();
     // Comments between the things of a file: they apply to what is next.
     let structure = parse.structure_once();
     let items = &structure.items;
@@ -53,14 +54,14 @@ pub(super) fn allows(context: &Context, out: &mut Vec<Diagnostic>) -> Vec<Allow>
                     range
                 }
             };
-            read_line(parse, line, next, &mut allows, out);
+            read_line(context, line, next, (&mut allows, &mut said), out);
         }
     }
     // Comments within a network, on lines of their own or behind its rungs, apply to it.
     for facts in context.networks.iter().filter(|network| network.commented) {
         for line in facts.first_line..facts.first_line + facts.line_count() {
             if holds_comments(parse.lines()[line].kind) {
-                read_line(parse, line, || facts.range, &mut allows, out);
+                read_line(context, line, || facts.range, (&mut allows, &mut said), out);
             }
         }
         for (number, rung) in facts.wiring.rungs.iter().enumerate() {
@@ -69,7 +70,7 @@ pub(super) fn allows(context: &Context, out: &mut Vec<Diagnostic>) -> Vec<Allow>
                 part.kind == PartKind::Comment && part.segment.is_none()
             };
             if rung.parts.iter().any(aside) {
-                read_line(parse, line, || facts.range, &mut allows, out);
+                read_line(context, line, || facts.range, (&mut allows, &mut said), out);
             }
         }
     }
@@ -101,14 +102,43 @@ fn covered(context: &Context, item: Item) -> Option<TextRange> {
     }
 }
 
+/// The comments so far that say something of the file.
+#[derive(Default)]
+struct Said(Vec<(Word, TextRange)>);
+
+impl Said {
+    /// Enters a comment on a line. Says so if it changes nothing.
+    fn enter(
+        &mut self,
+        context: &Context,
+        (word, comment): (Word, TextRange),
+        line: usize,
+        out: &mut Vec<Diagnostic>,
+    ) {
+        let first_network = context.parse.lines().first_network();
+        if first_network.is_some_and(|first| line >= first) {
+            out.push(directive::too_late(word, comment));
+            return;
+        }
+        match self.0.iter().find(|(other, _)| *other == word) {
+            Some((_, first)) => {
+                let line = context.line_number(first.start());
+                out.push(directive::said_before(word, comment, *first, line));
+            }
+            None => self.0.push((word, comment)),
+        }
+    }
+}
+
 /// Reads the comments of a line.
 fn read_line(
-    parse: &Parse,
+    context: &Context,
     line: usize,
     mut covers: impl FnMut() -> TextRange,
-    allows: &mut Vec<Allow>,
+    (allows, said): (&mut Vec<Allow>, &mut Said),
     out: &mut Vec<Diagnostic>,
 ) {
+    let parse = &context.parse;
     let mut at = parse.line_start(line);
     let kind = parse.lines()[line].kind;
     let mut comments = 0;
@@ -130,9 +160,14 @@ fn read_line(
             continue;
         }
         comments += 1;
-        if let Some(Directive::Allow { rules, file }) = directive::read(text, start, out) {
+        let comment = TextRange::at(start, TextSize::of(text));
+        let asked = directive::read(text, start, out);
+        if let Some(Directive::Says(word)) = asked {
+            said.enter(context, (word, comment), line, out);
+        }
+        if let Some(Directive::Allow { rules, file }) = asked {
             allows.push(Allow {
-                comment: TextRange::at(start, TextSize::of(text)),
+                comment,
                 rules: rules
                     .into_iter()
                     .map(|rule| Switched { rule, used: false })
