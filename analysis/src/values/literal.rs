@@ -114,7 +114,7 @@ fn typed(scalar: Scalar, rest: &str) -> Parsed<Literal> {
 fn based(base: &str, digits: &str) -> Parsed<i128> {
     let radix = base.parse().unwrap_or(10);
     let digits = digits.strip_prefix('+').unwrap_or(digits);
-    let plain = without_underscores(digits)?;
+    let plain = without_underscores(digits, radix)?;
     if plain.is_empty() || !plain.chars().all(|c| c.is_digit(radix)) {
         return malformed(format!("`{digits}` is no number in base {base}"));
     }
@@ -125,8 +125,12 @@ fn based(base: &str, digits: &str) -> Parsed<i128> {
 }
 
 /// An underscore is between two digits.
-fn without_underscores(text: &str) -> Parsed<String> {
-    if text.starts_with('_') || text.ends_with('_') || text.contains("__") {
+fn without_underscores(text: &str, radix: u32) -> Parsed<String> {
+    let is_digit = |letter: Option<char>| letter.is_some_and(|letter| letter.is_digit(radix));
+    let is_between = |(at, _): (usize, &str)| {
+        is_digit(text[..at].chars().next_back()) && is_digit(text[at + 1..].chars().next())
+    };
+    if !text.match_indices('_').all(is_between) {
         return malformed("an underscore belongs between two digits");
     }
     Ok(text.replace('_', ""))
@@ -138,7 +142,7 @@ fn number(text: &str) -> Parsed<Literal> {
     let real = text.contains('.') || mantissa.ends_with(['e', 'E']);
     let digits_only = |s: &str| s.chars().all(|c| c.is_ascii_digit() || c == '_');
     if digits_only(text) {
-        let plain = without_underscores(text)?;
+        let plain = without_underscores(text, 10)?;
         return match plain.parse::<u64>() {
             Ok(n) => Ok(Literal::Int(i128::from(n))),
             Err(_) => out_of_range("numbers have at most 64 bits"),
@@ -149,7 +153,7 @@ fn number(text: &str) -> Parsed<Literal> {
             .chars()
             .all(|c| c.is_ascii_digit() || matches!(c, '.' | '_' | 'e' | 'E' | '-' | '+'));
     if real_shape {
-        let plain = without_underscores(text)?;
+        let plain = without_underscores(text, 10)?;
         return match plain.parse::<f64>() {
             Ok(value) if value.is_finite() => Ok(Literal::Real(value)),
             Ok(_) => out_of_range("the number is too large for LREAL"),
@@ -214,7 +218,7 @@ fn time(text: &str) -> Parsed<i64> {
             }
             None => (number, ""),
         };
-        let whole: i128 = match without_underscores(whole)?.parse() {
+        let whole: i128 = match without_underscores(whole, 10)?.parse() {
             Ok(n) => n,
             Err(_) => return malformed(format!("a number is missing before `{unit}`")),
         };
@@ -230,14 +234,29 @@ fn time(text: &str) -> Parsed<i64> {
         }
         total = total.saturating_add(whole.saturating_mul(size));
         if fraction_seen {
-            let digits = without_underscores(fraction)?;
+            let digits = without_underscores(fraction, 10)?;
             if digits.is_empty() || digits.len() > 18 || !digits.bytes().all(|b| b.is_ascii_digit()) {
                 return malformed("a fraction has 1 to 18 digits");
             }
-            let value: i128 = digits.parse().unwrap_or(0);
-            total = total.saturating_add(value * size / 10i128.pow(digits.len() as u32));
+            let nanoseconds = digits.parse().unwrap_or(0i128) * size;
+            let parts = 10i128.pow(digits.len() as u32);
+            if nanoseconds % parts != 0 {
+                return out_of_range(format!(
+                    "a TIME is a whole number of nanoseconds, and {number}{unit} is none: write fewer decimals"
+                ));
+            }
+            total = total.saturating_add(nanoseconds / parts);
         }
-        rest = behind.strip_prefix('_').unwrap_or(behind);
+        rest = match behind.strip_prefix('_') {
+            // Two parts may be held apart by one.
+            Some("") => {
+                return malformed(
+                    "an underscore belongs between two digits, or between the parts of a duration",
+                );
+            }
+            Some(next) => next,
+            None => behind,
+        };
     }
     let signed = if negative { -total } else { total };
     match i64::try_from(signed) {
@@ -258,10 +277,16 @@ fn days(year: i64, month: i64, day: i64) -> i64 {
 
 const DAY: i64 = 86_400_000_000_000;
 
+/// A number of digits and nothing else.
+fn digits(text: &str) -> Option<i64> {
+    let is_plain = text.bytes().all(|byte| byte.is_ascii_digit());
+    text.parse().ok().filter(|_| is_plain)
+}
+
 fn date(text: &str) -> Parsed<i64> {
     let example = "a date is written like D#2026-11-21";
-    let parts: Vec<i64> = text.split('-').filter_map(|p| p.parse().ok()).collect();
-    let &[year, month, day] = parts.as_slice() else {
+    let parts: Option<Vec<i64>> = text.split('-').map(digits).collect();
+    let Some(&[year, month, day]) = parts.as_deref() else {
         return malformed(example);
     };
     let leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
@@ -287,7 +312,7 @@ fn time_of_day(text: &str) -> Parsed<i64> {
         return malformed(example);
     };
     let (second, fraction) = second.split_once('.').unwrap_or((second, ""));
-    let (Ok(h), Ok(m), Ok(s)) = (hour.parse::<i64>(), minute.parse::<i64>(), second.parse::<i64>()) else {
+    let (Some(h), Some(m), Some(s)) = (digits(hour), digits(minute), digits(second)) else {
         return malformed(example);
     };
     if !(0..24).contains(&h) || !(0..60).contains(&m) || !(0..60).contains(&s) {
@@ -378,8 +403,17 @@ mod tests {
                 "SINT#200",
                 "18446744073709551616",
                 "FOO#1",
+                "16#F_F",
+                "1_e5",
+                "1.0e_5",
+                "1_0.2_5e1_0",
+                "1_",
+                "16#FF_",
+                "2#_1",
+                "INT#5_",
+                "REAL#1_",
             ],
-            expect![[r"
+            expect![[r#"
                 42  Int(42)
                 1_000  Int(1000)
                 16#FF  Int(255)
@@ -400,7 +434,16 @@ mod tests {
                 SINT#200  out of range: SINT holds -128 to 127
                 18446744073709551616  out of range: numbers have at most 64 bits
                 FOO#1  malformed: `FOO` names no type
-            "]],
+                16#F_F  Int(255)
+                1_e5  malformed: an underscore belongs between two digits
+                1.0e_5  malformed: an underscore belongs between two digits
+                1_0.2_5e1_0  Real(102500000000.0)
+                1_  malformed: an underscore belongs between two digits
+                16#FF_  malformed: an underscore belongs between two digits
+                2#_1  malformed: an underscore belongs between two digits
+                INT#5_  malformed: an underscore belongs between two digits
+                REAL#1_  malformed: an underscore belongs between two digits
+            "#]],
         );
     }
 
@@ -432,6 +475,17 @@ mod tests {
                 "D#2023-02-29",
                 "TOD#13:45:00.5",
                 "DT#2026-11-21-13:45:00",
+                "T#5_s",
+                "T#5s_",
+                "T#1_000ms",
+                "T#1h__2m",
+                "T#0.5us",
+                "T#0.5ns",
+                "T#1.0000000001s",
+                "T#1.0000000000s",
+                "TOD#+1:00:00",
+                "TOD#1_0:00:00",
+                "D#2026-11-21-",
             ],
             expect![[r#"
                 T#5s  Time(5000000000)
@@ -458,6 +512,17 @@ mod tests {
                 D#2023-02-29  malformed: this month has no day 29; a date is written like D#2026-11-21
                 TOD#13:45:00.5  Tod(49500500000000)
                 DT#2026-11-21-13:45:00  Dt(1795268700000000000)
+                T#5_s  malformed: an underscore belongs between two digits
+                T#5s_  malformed: an underscore belongs between two digits, or between the parts of a duration
+                T#1_000ms  Time(1000000000)
+                T#1h__2m  malformed: an underscore belongs between two digits
+                T#0.5us  Time(500)
+                T#0.5ns  out of range: a TIME is a whole number of nanoseconds, and 0.5ns is none: write fewer decimals
+                T#1.0000000001s  out of range: a TIME is a whole number of nanoseconds, and 1.0000000001s is none: write fewer decimals
+                T#1.0000000000s  Time(1000000000)
+                TOD#+1:00:00  malformed: a time of day is written like TOD#13:45:00.5
+                TOD#1_0:00:00  malformed: a time of day is written like TOD#13:45:00.5
+                D#2026-11-21-  malformed: a date is written like D#2026-11-21
             "#]],
         );
     }
