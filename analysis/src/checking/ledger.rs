@@ -172,8 +172,10 @@ impl Ledger {
         let rungs = ledger.notes.rungs(context.parse.lines());
         of_file.names.extend(rungs.map(rules::commented_out_rung::found));
         ledger.of_tags(context, change, any, wanted)?;
-        let addressed = ledger.tags.addressed(context);
-        rules::one_address::check(context, addressed, &mut of_file.names);
+        if context.at_address.may_be_shared(context) {
+            let addressed = ledger.tags.addressed(context);
+            rules::one_address::check(context, addressed, &mut of_file.names);
+        }
         let toggled = ledger.find_unsound(context, &of_file.names);
         of_file.known.names = !ledger.tags.any_undeclared();
         let is_error = |found: &Diagnostic| found.severity == Severity::Error;

@@ -37,6 +37,11 @@ impl AtAddress {
         AtAddress((!all.is_empty()).then(|| Arc::new(all)))
     }
 
+    /// Whether an address may have several names: of the file itself, or one that is a global of another.
+    pub(crate) fn may_be_shared(&self, context: &Context) -> bool {
+        self.0.is_some() || context.others.have_globals()
+    }
+
     /// The first tag that is declared at a tag's address, if the address has several names.
     pub(crate) fn first(&self, tag: &TagFacts) -> Option<&(usize, Name)> {
         let (all, address) = self.0.as_ref().zip(tag.rare.address.as_deref())?;

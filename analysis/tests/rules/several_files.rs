@@ -559,3 +559,44 @@ VAR_OUTPUT z : BOOL; END_VAR
         "#]],
     );
 }
+
+#[test]
+fn a_global_of_another_file_may_lie_at_an_address() {
+    check_files(
+        "\
+%% main.clad
+VAR own AT %MD3 : REAL; bit AT %MX8.0 : BOOL; END_VAR
++--[GT]( own, 1.0 )--[ ]( bit )--[MOV]( level, 5 )--[MOV]( high, 5 )--+
+%% library.clad
+VAR_GLOBAL level AT %MD3 : DINT; high AT %MW4 : INT; END_VAR
+%% again.clad
+VAR_GLOBAL high AT %MW5 : INT; END_VAR
+",
+        expect![[r#"
+            == main.clad
+            > +--[GT]( own, 1.0 )--[ ]( bit )--[MOV]( level, 5 )--[MOV]( high, 5 )--+
+                                                      ^^^^^ error[duplicate-declaration]: `level` is DINT, and `own` at the same address %MD3 is REAL
+                help: an address is one tag, whatever its names: they agree in type, initial value and CONSTANT
+                at 1:5 `own`: `own` is declared here
+            > +--[GT]( own, 1.0 )--[ ]( bit )--[MOV]( level, 5 )--[MOV]( high, 5 )--+
+                                                                         ^^^^ error[duplicate-declaration]: `high` is declared in library.clad and in again.clad, and not alike
+                help: a global is one tag for the whole workspace: its declarations agree in type, initial value and address
+                at library.clad:1:34 `high`: `high` is declared here
+                at again.clad:1:12 `high`: and here
+            > +--[GT]( own, 1.0 )--[ ]( bit )--[MOV]( level, 5 )--[MOV]( high, 5 )--+
+                                                                         ^^^^ warning[overlapping-address]: `high` at %MW4 and `bit` at %MX8.0 would share memory in a controller; here each is a tag of its own
+                help: use one address for one thing: name a bit of the word (tag.3), or put the bits into it with [PACK]
+                at 1:25 `bit`: `bit` at %MX8.0 is here
+            == library.clad
+            > VAR_GLOBAL level AT %MD3 : DINT; high AT %MW4 : INT; END_VAR
+                                               ^^^^ error[duplicate-declaration]: `high` lies at another address in again.clad
+                help: a global is one tag for the whole workspace: its declarations agree in type, initial value and address
+                at again.clad:1:12 `high`: `high` is declared here as well
+            == again.clad
+            > VAR_GLOBAL high AT %MW5 : INT; END_VAR
+                         ^^^^ error[duplicate-declaration]: `high` lies at another address in library.clad
+                help: a global is one tag for the whole workspace: its declarations agree in type, initial value and address
+                at library.clad:1:34 `high`: `high` is declared here as well
+        "#]],
+    );
+}

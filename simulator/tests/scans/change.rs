@@ -521,3 +521,27 @@ fn a_program_that_hangs_is_mended() {
     assert!(session.scan());
     assert_ne!(held(&session, "n"), before);
 }
+
+/// What is at an address stays there, whatever it is called now; a new name of it is a change.
+#[test]
+fn addresses_keep_what_they_hold() {
+    let rung = "+--[ADD]( n, n, 1 )--+\n";
+    let old = format!("VAR n AT %MW3 : INT; END_VAR\n{rung}");
+    let mut other = session(&old);
+    run(&mut other, "3");
+    let renamed = "VAR m AT %MW003 : INT; END_VAR\n+--[ADD]( m, m, 1 )--+\n";
+    assert_eq!(change(&mut other, renamed), "");
+    assert_eq!(held(&other, "m %MW3"), "m 3, %MW3 3");
+    // The name that it had is another tag now.
+    let both = "VAR n : INT; m, k AT %MW3 : INT; END_VAR\n+--[ADD]( n, n, 1 )--[ADD]( k, m, 1 )--+\n";
+    assert_eq!(change(&mut other, both), "");
+    assert_eq!(held(&other, "n m k"), "n 0, m 3, k 3");
+    let more = both.replace("m, k AT", "m, k, more AT");
+    assert_eq!(change(&mut other, &more), "");
+    assert_eq!(held(&other, "more"), "more 3");
+    // It has moved, and nothing was there.
+    run(&mut other, "1");
+    let moved = more.replace("%MW3", "%MW4");
+    assert_eq!(change(&mut other, &moved), "");
+    assert_eq!(held(&other, "n m more %MW4"), "n 1, m 4, more 4, %MW4 4");
+}

@@ -22,7 +22,7 @@ fn compare(text: &str, settings: &RuleSettings) {
         return;
     }
     let kept = said(text, "# says nothing here! #", settings);
-    let gone_through = said(text, "# ladder: cycle 10ms #", settings);
+    let gone_through = said(text, "# ladder: fmt on     #", settings);
     assert_eq!(kept, gone_through, "{text}");
 }
 

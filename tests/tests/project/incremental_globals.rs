@@ -257,3 +257,35 @@ fn rungs_of_a_body_that_come_and_go() {
         }
     }
 }
+
+/// Where a global of another file lies decides about the tags of a file at that place.
+#[test]
+fn addresses_of_globals_of_other_files() {
+    let library = |declared: &str| format!("VAR_GLOBAL\n    {declared};\nEND_VAR\n");
+    let program = |rung: &str| {
+        format!(
+            "VAR\n    own AT %MD3 : REAL;\n    bit AT %MX8.0 : BOOL;\nEND_VAR\n\n\
+             +--[GT]( own, 1.0 )--[ ]( bit )--( )( Q1 )--+\n\n{rung}\n"
+        )
+    };
+    let mut files = Files::default();
+    files.becomes("main", program("+--[ ]( I1 )--( )( Q2 )--+"));
+    files.becomes("library", library("level AT %MW1 : INT"));
+    for rung in [
+        "+--[GT]( level, 5 )--( )( Q2 )--+",
+        "+--[GT]( level, 5 )--[EQ]( %MD3, 16#5 )--( )( Q2 )--+",
+        "+--[ ]( I1 )--( )( Q2 )--+",
+        "+--[MOV]( level, 5 )--+",
+    ] {
+        files.becomes("main", program(rung));
+        for declared in [
+            "level AT %MW4 : INT",
+            "level AT %MD3 : DINT",
+            "level AT %MD03 : REAL",
+            "level : INT",
+            "level AT %MW1 : INT",
+        ] {
+            files.becomes("library", library(declared));
+        }
+    }
+}

@@ -71,11 +71,11 @@ fn place_or_value(dice: &mut Dice, scope: &mut Scope, ty: Scalar, write: bool) -
     }
 }
 
-/// An index, which may lie outside the array when the program runs.
+/// An index, which may lie outside the array when the program runs: then it is not CONSTANT.
 fn index(dice: &mut Dice, scope: &mut Scope, first: i64, last: i64) -> String {
     if dice.one_in(4) {
         let ty = dice.of(&INTEGERS);
-        return scope.scalar(dice, ty, false);
+        return scope.scalar(dice, ty, true);
     }
     dice.between(first, last).to_string()
 }
