@@ -60,6 +60,7 @@ pub(crate) use networks::{
 };
 pub use networks::{facts, network, order, user_block};
 pub(crate) use other_files::{exports, link, others, outward};
+pub(crate) use values::address_bits;
 pub use values::{constant, literal, types, value};
 
 pub use analyze::{

@@ -1,5 +1,6 @@
 //! What is found at the places of tags, kept while no edit concerns the tag.
 
+use super::addresses::Addresses;
 use super::shelf::Shelf;
 use super::undeclared::UndeclaredTags;
 use crate::context::{Change, Context};
@@ -24,8 +25,7 @@ pub(super) struct AtTags {
     volatile: FxHashSet<TagKey>,
     /// Those at which an error is found.
     faulty: FxHashSet<TagKey>,
-    /// Those that have an address.
-    addressed: FxHashSet<TagKey>,
+    addresses: Addresses,
     /// Those that are set and reset.
     latches: FxHashSet<TagKey>,
     /// Those that are read above the rung that writes them.
@@ -108,6 +108,9 @@ impl AtTags {
         for (scope, facts) in context.scopes.iter().enumerate() {
             for tag in facts.tags.iter().filter(|tag| !tag.leads_elsewhere()) {
                 wanted.one_more()?;
+                if let Some(address) = tag.rare.address.as_deref() {
+                    self.addresses.set(&(scope, Name::new(&tag.name)), Some(address));
+                }
                 self.look_at(context, (scope, tag), around);
             }
         }
@@ -121,7 +124,6 @@ impl AtTags {
         let lists = [
             &mut self.volatile,
             &mut self.faulty,
-            &mut self.addressed,
             &mut self.latches,
             &mut self.read_above,
         ];
@@ -129,7 +131,10 @@ impl AtTags {
             tags.remove(&key);
         }
         self.undeclared.forget(&key);
-        if let Some(tag) = context.find_tag(&key).filter(|tag| !tag.leads_elsewhere()) {
+        let tag = context.find_tag(&key).filter(|tag| !tag.leads_elsewhere());
+        let address = tag.and_then(|tag| tag.rare.address.as_deref());
+        self.addresses.set(&key, address);
+        if let Some(tag) = tag {
             self.look_at(context, (key.0, tag), around);
         }
     }
@@ -140,8 +145,7 @@ impl AtTags {
         rules::of_tag(context, scope, tag, (around, &undeclaring), &mut found);
         let latch = rules::set_and_reset::is_latch(tag);
         let read_above = rules::read_before_write::is_read_above(context, tag);
-        let addressed = tag.rare.address.is_some();
-        if found.is_empty() && !latch && !read_above && !addressed {
+        if found.is_empty() && !latch && !read_above {
             return;
         }
         let key = (scope, Name::new(&tag.name));
@@ -156,9 +160,6 @@ impl AtTags {
         }
         if found.iter().any(|found| found.severity() == Severity::Error) {
             self.faulty.insert(key.clone());
-        }
-        if addressed {
-            self.addressed.insert(key.clone());
         }
         if latch {
             self.latches.insert(key.clone());
@@ -190,21 +191,18 @@ impl AtTags {
         all.flatten().filter(|found| found.is_volatile())
     }
 
-    /// The tags that have an address.
-    pub(super) fn addressed<'c>(&self, context: &'c Context) -> impl Iterator<Item = &'c TagFacts> + use<'c> {
-        tags_of(context, &self.addressed)
+    /// The tags whose addresses have to do with others: they are the same, or overlap.
+    pub(super) fn addressed<'c>(&self, context: &'c Context) -> impl Iterator<Item = &'c TagFacts> {
+        tags_of(context, self.addresses.involved())
     }
 
     /// The tags that are set and reset.
-    pub(super) fn latches<'c>(&self, context: &'c Context) -> impl Iterator<Item = &'c TagFacts> + use<'c> {
+    pub(super) fn latches<'c>(&self, context: &'c Context) -> impl Iterator<Item = &'c TagFacts> {
         tags_of(context, &self.latches)
     }
 
     /// The tags that are read above the rung that writes them.
-    pub(super) fn read_above<'c>(
-        &self,
-        context: &'c Context,
-    ) -> impl Iterator<Item = &'c TagFacts> + use<'c> {
+    pub(super) fn read_above<'c>(&self, context: &'c Context) -> impl Iterator<Item = &'c TagFacts> {
         tags_of(context, &self.read_above)
     }
 }
@@ -220,12 +218,12 @@ fn key_of(context: &Context, scope: usize, name: &Name) -> TagKey {
 }
 
 /// Tags in their order.
-fn tags_of<'c>(
+fn tags_of<'c, 'k>(
     context: &'c Context,
-    keys: &FxHashSet<TagKey>,
-) -> impl Iterator<Item = &'c TagFacts> + use<'c> {
+    keys: impl IntoIterator<Item = &'k TagKey>,
+) -> impl Iterator<Item = &'c TagFacts> {
     let places = keys
-        .iter()
+        .into_iter()
         .filter_map(|(scope, name)| Some((*scope, context.scopes[*scope].find(name)?)));
     let places: BTreeSet<(usize, usize)> = places.collect();
     places

@@ -5,6 +5,7 @@
 //!         --shown---> those that are shown, with their severities, in the order of their places: a list of Finding
 //! ```
 
+mod addresses;
 mod at_tags;
 mod ledger;
 mod part_notes;

@@ -1,5 +1,6 @@
 //! Types, literals and the values that programs hold (LANGUAGE §3, §4).
 
+pub(crate) mod address_bits;
 pub mod constant;
 pub mod literal;
 pub mod types;

@@ -1,0 +1,112 @@
+//! Which bits of a controller's memory a direct address takes.
+//!
+//! Addresses count in units of their own size, as in IEC 61131-3 and CODESYS: `%IW1` is the bytes 2 and 3. So what an address takes
+//! begins at a multiple of its own size: of two that overlap one is within the other.
+
+use std::cmp::Reverse;
+use std::ops::RangeInclusive;
+
+/// The bits that an address takes. In their order those that hold others come before them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct AddressBits {
+    /// I, Q or M.
+    area: u8,
+    first: u64,
+    last: Reverse<u64>,
+}
+
+impl AddressBits {
+    /// Of an address as it is written. None for addresses of more levels, and for single bits without their byte: systems differ
+    /// there.
+    pub(crate) fn of(address: &str) -> Option<AddressBits> {
+        let mut letters = address.strip_prefix('%')?.bytes();
+        let area = letters.next()?.to_ascii_uppercase();
+        let size = letters.next()?.to_ascii_uppercase();
+        let numbers = address.get(3..)?;
+        let first = match (size, numbers.split_once('.')) {
+            (b'X', Some((byte, bit))) => {
+                let bit: u64 = bit.parse().ok().filter(|bit| *bit < 8)?;
+                byte.parse::<u64>().ok()?.checked_mul(8)?.checked_add(bit)?
+            }
+            (b'X', None) | (_, Some(_)) => return None,
+            _ => numbers.parse::<u64>().ok()?.checked_mul(bits(size)?)?,
+        };
+        Some(AddressBits {
+            area,
+            first,
+            last: Reverse(first.checked_add(bits(size)? - 1)?),
+        })
+    }
+
+    /// Whether it ends before another one that is behind it in their order begins, or lies in another area.
+    pub(crate) fn is_above(self, other: AddressBits) -> bool {
+        self.area != other.area || self.last.0 < other.first
+    }
+
+    /// All that may hold it, itself among them.
+    pub(crate) fn holders(self) -> impl Iterator<Item = AddressBits> {
+        SIZES.iter().filter_map(move |(_, size)| {
+            let first = self.first / size * size;
+            let last = first.checked_add(size - 1)?;
+            (last >= self.last.0).then_some(AddressBits {
+                area: self.area,
+                first,
+                last: Reverse(last),
+            })
+        })
+    }
+
+    /// All that it may hold, and itself, in their order.
+    pub(crate) fn held(self) -> RangeInclusive<AddressBits> {
+        let last = AddressBits {
+            area: self.area,
+            first: self.last.0,
+            last: Reverse(self.last.0),
+        };
+        self..=last
+    }
+}
+
+/// The sizes of addresses by their letters, in bits.
+const SIZES: [(u8, u64); 5] = [(b'X', 1), (b'B', 8), (b'W', 16), (b'D', 32), (b'L', 64)];
+
+fn bits(size: u8) -> Option<u64> {
+    let known = SIZES.iter().find(|(letter, _)| *letter == size)?;
+    Some(known.1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::AddressBits;
+
+    fn of(address: &str) -> AddressBits {
+        AddressBits::of(address).expect("an address")
+    }
+
+    #[test]
+    fn one_holds_another() {
+        for (outer, inner) in [
+            ("%IW0", "%IX0.3"),
+            ("%IW0", "%IB1"),
+            ("%MD1", "%MX7.7"),
+            ("%ql2", "%QW8"),
+            ("%IB2", "%IB2"),
+        ] {
+            let (outer, inner) = (of(outer), of(inner));
+            assert!(
+                inner.holders().any(|holder| holder == outer),
+                "{outer:?} {inner:?}"
+            );
+            assert!(outer.held().contains(&inner), "{outer:?} {inner:?}");
+            assert!(!outer.is_above(inner));
+        }
+        for (one, other) in [("%IW0", "%IB2"), ("%IW1", "%IX1.7"), ("%IW0", "%QX0.3")] {
+            let (one, other) = (of(one), of(other));
+            assert!(!other.holders().any(|holder| holder == one));
+            assert!(!one.held().contains(&other));
+        }
+        for address in ["%IX3", "%IW1.2", "%IX0.8", "%IW", "%IW99999999999999999999"] {
+            assert_eq!(AddressBits::of(address), None, "{address}");
+        }
+    }
+}
