@@ -12,6 +12,7 @@ use crate::infer;
 use crate::misdeclared::Misdeclared;
 use crate::scope::{Origin, Scope, SectionKind, TagFacts};
 use crate::shared;
+use crate::tags::Tags;
 use ladder_syntax::{Line, LineKind, Mode, Name, Parse, TextRange, TextSize, Trees};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
@@ -80,11 +81,9 @@ pub(crate) fn enter(context: &mut Context, before: &Context, lines: &Lines) -> O
         }
         lot.declares = now.tags.len() - first;
     }
-    let plain = |tag: &TagFacts| tag.rare.address.is_none() && !tag.leads_elsewhere();
-    let old = lots.iter().flat_map(|lot| lot.tags.clone());
-    let mut old = old.map(|tag| &before.scopes[0].tags[tag]);
+    let old: Vec<usize> = lots.iter().flat_map(|lot| lot.tags.clone()).collect();
     let in_bodies = |name: &Name| before.named_in_bodies.contains(name);
-    if !old.all(plain) || !now.tags.iter().all(plain) || names.iter().any(in_bodies) {
+    if !have_addresses_of_their_own(before, &old, &now.tags) || names.iter().any(in_bodies) {
         return None;
     }
     if is_global {
@@ -102,6 +101,36 @@ pub(crate) fn enter(context: &mut Context, before: &Context, lines: &Lines) -> O
     context.declared_to = context.declared_to.wrapping_add_signed(lines.added);
     move_blocks(context, before, lines);
     exchange(context, lots, now.tags.iter().cloned())
+}
+
+/// Whether an address that one of these tags has, by its place among the declared tags or as it is declared now, has no other name
+/// and is named by no rung: then it comes and goes with its tag.
+fn have_addresses_of_their_own(before: &Context, old: &[usize], new: &Tags) -> bool {
+    let file = &before.scopes[0];
+    let old_tags = || old.iter().map(|tag| &file.tags[*tag]);
+    let address = |tag: &TagFacts| tag.rare.address.as_deref().map(Name::new);
+    let mut addresses = old_tags().chain(new).filter_map(address).peekable();
+    if addresses.peek().is_none() {
+        return true;
+    }
+    let is_shared =
+        |address: Name| before.at_address.has_several(&address) || before.named_in_bodies.contains(&address);
+    // A global of another file may be at one of them.
+    if before.others.have_globals() || addresses.any(is_shared) {
+        return false;
+    }
+    let is_named = |tag: &TagFacts| {
+        let mut places = tag.uses.0.iter();
+        tag.rare.address.is_some() && places.any(|place| spelled_at(before, *place).starts_with('%'))
+    };
+    if old_tags().any(is_named) {
+        return false;
+    }
+    let mut declared = FxHashSet::default();
+    new.iter().filter_map(address).all(|address| {
+        let is_free = file.find(&address).is_none_or(|tag| old.contains(&tag));
+        is_free && declared.insert(address)
+    })
 }
 
 /// What is around a line of declarations, if an edit of it is followed.
@@ -242,6 +271,9 @@ fn exchange(
 ) -> Option<EditedTags> {
     let scope = &context.scopes[0];
     let mut edited = EditedTags::default();
+    let address = |tag: &TagFacts| tag.rare.address.as_deref().map(Name::new);
+    let old = lots.iter().flat_map(|lot| lot.tags.clone());
+    let old_addresses: Vec<Name> = old.filter_map(|tag| address(&scope.tags[tag])).collect();
     // The old ones, as long as no new one has their names.
     let mut gone: FxHashMap<Name, TagFacts> = FxHashMap::default();
     for tag in lots.iter().flat_map(|lot| lot.tags.clone()) {
@@ -310,7 +342,7 @@ fn exchange(
         }
         place_found(scope, gone, found, networks);
     }
-    for name in gone.into_keys() {
+    for name in gone.into_keys().chain(old_addresses) {
         scope.rename(name, None);
     }
     // From below, so that the tags of the others stay where they are.
@@ -323,6 +355,9 @@ fn exchange(
         added -= new.len() as isize - tags.len() as isize;
         for (tag, new) in (tags.start.wrapping_add_signed(added)..).zip(new) {
             scope.rename(Name::new(&new.name), Some(tag));
+            if let Some(address) = address(new) {
+                scope.rename(address, Some(tag));
+            }
         }
     }
     edited.infer_again(context, &[], fresh)?;
@@ -335,5 +370,8 @@ fn says_the_same(old: &TagFacts, new: &TagFacts) -> bool {
         let declared = (tag.origin, tag.role, tag.retain, tag.constant);
         (tag.ty, tag.mistyped, declared)
     };
-    old.name == new.name && says(old) == says(new) && old.rare.initial == new.rare.initial
+    old.name == new.name
+        && says(old) == says(new)
+        && old.rare.initial == new.rare.initial
+        && old.rare.address == new.rare.address
 }

@@ -23,10 +23,12 @@ pub enum Kind {
     Globals,
     /// Every other network holds a user-defined block whose body names a tag for all files and a direct address.
     Bodies,
+    /// Every input and output is declared at a direct address.
+    Addressed,
 }
 
 /// All of them, by the names that people give.
-pub const KINDS: [(&str, Kind); 9] = [
+pub const KINDS: [(&str, Kind); 10] = [
     ("clean", Kind::Clean),
     ("warned", Kind::Warned),
     ("shared", Kind::Shared),
@@ -36,6 +38,7 @@ pub const KINDS: [(&str, Kind); 9] = [
     ("inferred", Kind::Inferred),
     ("globals", Kind::Globals),
     ("bodies", Kind::Bodies),
+    ("addressed", Kind::Addressed),
 ];
 
 /// A program.
@@ -67,8 +70,22 @@ impl Program {
         for n in 0..networks {
             let next = (n + 1) % networks;
             let [inputs, outputs, inner, globals, external] = &mut sections;
-            let _ = writeln!(inputs, "    start_{n}, stop_{n} : BOOL;");
-            let _ = writeln!(outputs, "    run_{n}, ready_{n} : BOOL;");
+            if kind == Kind::Addressed {
+                let (byte, bit) = (n / 4, n % 4);
+                let _ = writeln!(
+                    inputs,
+                    "    start_{n} AT %IX{byte}.{bit} : BOOL;\n    stop_{n} AT %IX{byte}.{} : BOOL;",
+                    bit + 4
+                );
+                let _ = writeln!(
+                    outputs,
+                    "    run_{n} AT %QX{byte}.{bit} : BOOL;\n    ready_{n} AT %QX{byte}.{} : BOOL;",
+                    bit + 4
+                );
+            } else {
+                let _ = writeln!(inputs, "    start_{n}, stop_{n} : BOOL;");
+                let _ = writeln!(outputs, "    run_{n}, ready_{n} : BOOL;");
+            }
             let _ = writeln!(inner, "    timer_{n} : TON;");
             if kind == Kind::Warned {
                 let _ = writeln!(inner, "    drive_{n} : BOOL;");
@@ -81,7 +98,7 @@ impl Program {
                 }
             }
             let _ = match kind {
-                Kind::Clean => writeln!(
+                Kind::Clean | Kind::Addressed => writeln!(
                     drawn,
                     "+--[ ]( start_{n} )--[/]( stop_{n} )--[TON]( timer_{n}, T#5s )--( )( run_{n} )--+\n\n\
                      +--[P]( timer_{n}.Q )--( )( ready_{n} )--+\n"
@@ -259,9 +276,25 @@ impl Program {
         }
     }
 
+    /// In the address of a declaration, which then is another one, if there are addresses.
+    pub fn in_an_address(&self) -> Spot {
+        let spot = self.behind("AT %IX", |line| line.starts_with("    start"));
+        Spot { letter: "9", ..spot }
+    }
+
+    /// A line of declarations at an address that no other has.
+    pub fn with_an_address(&self) -> Spot {
+        let spot = self.with_a_declaration();
+        Spot {
+            letter: "    fresh AT %IW60000 : INT;\n",
+            ..spot
+        }
+    }
+
     /// In the name of a declaration, which then is that of another one.
     pub fn in_a_name_declared_twice(&self) -> Spot {
-        let spot = self.behind("    start_1", |line| line.starts_with("    start_1,"));
+        let is_it = |line: &str| line.starts_with("    start_1,") || line.starts_with("    start_1 ");
+        let spot = self.behind("    start_1", is_it);
         Spot { letter: "0", ..spot }
     }
 

@@ -193,9 +193,12 @@ impl Ledger {
         let mut found = Vec::new();
         rules::of_program(context, &survey, &mut found);
         let tags = &ledger.tags;
-        rules::overlapping_address::check(context, tags.addressed(context), &mut found);
+        let addressed: Vec<&TagFacts> = tags.addressed(context).collect();
+        let looked_at = addressed.len();
+        rules::overlapping_address::check(context, addressed.into_iter(), &mut found);
         rules::set_and_reset::check(context, &survey, tags.latches(context), &mut found);
         rules::read_before_write::check(context, &survey, tags.read_above(context), &mut found);
+        ledger.work.tags += looked_at;
         of_file.program = found;
         Some((ledger, of_file))
     }

@@ -10,7 +10,7 @@ use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
 /// The declared tags at addresses that may have several names, by address. An edit of such a declaration is one that is
-/// not followed, so that this stays as it is.
+/// not followed, nor is one that gives an address a second name, so that this stays as it is.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct AtAddress(Option<Arc<ByAddress>>);
 
@@ -40,6 +40,11 @@ impl AtAddress {
     /// Whether an address may have several names: of the file itself, or one that is a global of another.
     pub(crate) fn may_be_shared(&self, context: &Context) -> bool {
         self.0.is_some() || context.others.have_globals()
+    }
+
+    /// Whether an address may have several names in the file.
+    pub(crate) fn has_several(&self, address: &Name) -> bool {
+        self.0.as_ref().is_some_and(|all| all.contains_key(address))
     }
 
     /// The first tag that is declared at a tag's address, if the address has several names.

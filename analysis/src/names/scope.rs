@@ -332,6 +332,8 @@ impl Scope {
         if !declared.clone().all(plain) {
             return None;
         }
+        let addressed = declared.clone().filter(|tag| tag.rare.address.is_some());
+        let addressed = addressed.map(|tag| Name::new(&tag.name)).collect();
         let declared = declared.map(|tag| TagFacts {
             name: tag.name.clone(),
             rare: tag.rare.clone(),
@@ -348,7 +350,7 @@ impl Scope {
             found_numbering: Arc::default(),
             declared: self.declared,
             unusual: false,
-            addressed: self.addressed.clone(),
+            addressed,
             block: self.block,
         })
     }

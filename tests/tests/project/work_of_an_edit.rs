@@ -67,10 +67,15 @@ fn does_not_grow_with_the_file() {
         ("a declaration for all files", Program::in_a_declaration_for_all),
     ];
     let of_bodies: [(&str, Place); 1] = [("a number in a body", Program::in_a_body)];
+    let of_addresses: [(&str, Place); 2] = [
+        ("an address", Program::in_an_address),
+        ("a declaration at an address", Program::with_an_address),
+    ];
     for (name, kind) in KINDS {
         let of_kind: &[(&str, Place)] = match kind {
             Kind::Globals => &of_globals,
             Kind::Bodies => &of_bodies,
+            Kind::Addressed => &of_addresses,
             _ => &[],
         };
         for &(what, spot) in spots.iter().chain(of_kind) {
