@@ -115,8 +115,7 @@ fn have_addresses_of_their_own(before: &Context, old: &[usize], new: &Tags) -> b
     }
     let is_shared =
         |address: Name| before.at_address.has_several(&address) || before.named_in_bodies.contains(&address);
-    // A global of another file may be at one of them.
-    if before.others.have_globals() || addresses.any(is_shared) {
+    if addresses.any(is_shared) {
         return false;
     }
     let is_named = |tag: &TagFacts| {

@@ -467,3 +467,35 @@ fn names_of_one_address() {
         document.becomes(program(rung));
     }
 }
+
+/// An address that a declaration has no longer is free, and one that it has now is its own.
+#[test]
+fn addresses_that_come_and_go() {
+    let program = |declared: &str, named: &str| {
+        format!(
+            "VAR_OUTPUT\n    x : BOOL;\n{declared}    z AT %QX0.3 : BOOL;\nEND_VAR\n\n+--[ ]( I1 )--( )( y )--+\n\n\
+             +--[ ]( {named} )--( )( z )--( )( x )--+\n"
+        )
+    };
+    let (one, two) = ("    y AT %QX0.1 : BOOL;\n", "    y AT %QX0.2 : BOOL;\n");
+    let mut document = Document::new(program(one, "y"));
+    for (declared, named) in [
+        (two, "y"),
+        (two, "%QX0.1"),
+        (two, "%QX0.2"),
+        (one, "%QX0.2"),
+        (one, "x"),
+        ("", "x"),
+        ("", "%QX0.1"),
+        ("    y : BOOL;\n", "%QX0.1"),
+        ("    y : BOOL;\n", "y"),
+        (one, "y"),
+        (one, "%QX0.1"),
+        ("    y AT %QX0.3 : BOOL;\n", "y"),
+        ("    y, w AT %QX0.2 : BOOL;\n", "y"),
+        ("    y AT %QB0 : BYTE;\n", "I2"),
+        (two, "I2"),
+    ] {
+        document.becomes(program(declared, named));
+    }
+}

@@ -262,12 +262,13 @@ fn rungs_of_a_body_that_come_and_go() {
 #[test]
 fn addresses_of_globals_of_other_files() {
     let library = |declared: &str| format!("VAR_GLOBAL\n    {declared};\nEND_VAR\n");
-    let program = |rung: &str| {
+    let program_with = |own: &str, rung: &str| {
         format!(
-            "VAR\n    own AT %MD3 : REAL;\n    bit AT %MX8.0 : BOOL;\nEND_VAR\n\n\
+            "VAR\n    {own};\n    bit AT %MX8.0 : BOOL;\nEND_VAR\n\n\
              +--[GT]( own, 1.0 )--[ ]( bit )--( )( Q1 )--+\n\n{rung}\n"
         )
     };
+    let program = |rung: &str| program_with("own AT %MD3 : REAL", rung);
     let mut files = Files::default();
     files.becomes("main", program("+--[ ]( I1 )--( )( Q2 )--+"));
     files.becomes("library", library("level AT %MW1 : INT"));
@@ -286,6 +287,14 @@ fn addresses_of_globals_of_other_files() {
             "level AT %MW1 : INT",
         ] {
             files.becomes("library", library(declared));
+        }
+        for own in [
+            "own AT %MD4 : REAL",
+            "own AT %MW1 : INT",
+            "own : REAL",
+            "own AT %MD3 : REAL",
+        ] {
+            files.becomes("main", program_with(own, rung));
         }
     }
 }
