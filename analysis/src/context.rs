@@ -62,6 +62,9 @@ pub struct Context {
     pub(crate) declared_to: usize,
     /// An edit between the declarations and the end changes what it names, and nothing else; see [`edited`].
     pub(crate) settled: bool,
+    /// If it is settled: a network of it calls, jumps, or holds a block of which the file has no definition, so that other files
+    /// decide about what is found in it.
+    pub(crate) asks_others: bool,
     /// If it is settled: the tags whose declared type is open, by scope and name.
     pub(crate) mistyped: Vec<(usize, Name)>,
     /// If it is settled: the tags on which a block keeps its state and that may be those of other files too.
@@ -383,6 +386,7 @@ pub fn context_while(
         context.mistyped = mistyped
             .map(|(scope, tag)| (scope, Name::new(&tag.name)))
             .collect();
+        context.asks_others = context.networks.iter().any(|network| !network.names_tags_only);
         let unusual = context.scopes[0].unusual().map(|(_, tag)| tag);
         let outward = unusual.filter(|tag| tag.is_outward());
         let states = outward.filter(|tag| keeps_state(tag));

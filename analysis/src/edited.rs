@@ -13,7 +13,7 @@ use crate::edited_declarations;
 use crate::edited_lines::{Change, Lines, change, same_lines};
 use crate::infer::{self, Entry};
 use crate::known_blocks::KnownBlocks;
-use crate::network::{self, NetworkFacts, UserBlocks};
+use crate::network::{self, BoundBlock, NetworkFacts, UserBlocks};
 use crate::networks::neighbours::break_neighbours;
 use crate::networks::{Networks, Spliced};
 use crate::others::Others;
@@ -34,8 +34,8 @@ use smol_str::SmolStr;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
-/// Whether a context of a whole text can be the beginning: no block comes from another file, and what a body names is declared in
-/// it, or a tag of the file. Tags of other files that the file names are followed.
+/// Whether a context of a whole text can be the beginning: what a body names is declared in it, or a tag of the file. Tags of other
+/// files that the file names are followed.
 pub(crate) fn may_settle(context: &Context) -> bool {
     let followed = |tag: &TagFacts| {
         let origin = match tag.origin {
@@ -57,17 +57,16 @@ pub(crate) fn may_settle(context: &Context) -> bool {
         let mut unusual = body.unusual();
         unusual.all(|(index, tag)| of_file(tag) || index < body.declared && own(tag))
     };
-    file.unusual().all(|(_, tag)| followed(tag))
-        && bodies.iter().all(of_body)
-        && context.user_blocks.len() == context.own_blocks
-        && (!context.others.have_files() || !context.networks.iter().any(|network| is_strange(&network)))
+    file.unusual().all(|(_, tag)| followed(tag)) && bodies.iter().all(of_body)
 }
 
 /// The context of a text that came from another one's by edits; none if it takes more than a look at what they touch.
 pub(crate) fn edited(before: &Context, parse: &Arc<Parse>, name: &str, others: &Others) -> Option<Context> {
-    // A block that nobody knows may be one of a file that has come.
-    let has_company = others.have_files() && !before.others.have_files();
-    if !before.settled || !before.is_called(name) || has_company {
+    if !before.settled || !before.is_called(name) {
+        return None;
+    }
+    // What they say of functions and blocks is not followed one by one.
+    if before.asks_others && !others.are_the_same(&before.others) {
         return None;
     }
     let news = others.news_since(&before.others)?;
@@ -193,6 +192,7 @@ impl Edited {
         let mut added = Vec::new();
         let mut may_call = before.may_call;
         let mut may_jump = before.may_jump;
+        let mut asks_others = before.asks_others;
         let mut next_old = first;
         for part in new_parts {
             let base = new_lines.first_line(part);
@@ -234,9 +234,7 @@ impl Edited {
                     block: None,
                 };
                 let facts = network::network(parse, &network, &mut known, &mut reading);
-                if is_strange(&facts) && before.others.have_files() {
-                    return None;
-                }
+                asks_others |= !facts.names_tags_only;
                 may_call |= facts.control_flow.has(ControlFlow::CALL);
                 may_jump |= facts.control_flow.has(ControlFlow::JUMP);
                 added.push(index);
@@ -258,6 +256,13 @@ impl Edited {
         });
         let removed: Vec<Removed> = removed.collect();
         let new_facts = spliced.iter().filter(|network| network.id.is_none());
+        // They have their numbers in the order in which the file first names them.
+        let old = removed.iter().map(|network| &network.facts);
+        let new = new_facts.clone().map(|network| &network.facts);
+        if known.list().len() != before.user_blocks.len() || !imported(before, old).eq(imported(before, new))
+        {
+            return None;
+        }
         let touched = || {
             let new = new_facts.clone().map(|network| &network.facts);
             new.chain(removed.iter().map(|network| &network.facts))
@@ -276,6 +281,7 @@ impl Edited {
             serial: context::next_serial(),
             may_call,
             may_jump,
+            asks_others,
             foreign_comments: OnceLock::new(),
             joined: None,
             places: PlacesOfScopes::default(),
@@ -507,9 +513,19 @@ fn is_marked(facts: &NetworkFacts) -> bool {
     facts.control_flow.has(ControlFlow::MARK)
 }
 
-/// Whether a network holds a block that the file does not define.
-fn is_strange(facts: &NetworkFacts) -> bool {
-    facts.user_blocks == UserBlocks::Others
+/// The blocks of other files that networks name, in the order in which they do.
+fn imported<'c>(
+    before: &'c Context,
+    networks: impl Iterator<Item = &'c Arc<NetworkFacts>>,
+) -> impl Iterator<Item = usize> {
+    let own = before.own_blocks;
+    let strange = networks.filter(|facts| facts.user_blocks == UserBlocks::Others);
+    let names = strange.flat_map(|facts| facts.blocks.iter().filter_map(BoundBlock::user_name));
+    names.filter_map(move |name| {
+        let key = Name::new(name);
+        let mut imported = before.user_blocks[own..].iter();
+        imported.position(|block| block.key == key)
+    })
 }
 
 /// Puts tags that are only used to their places, by their first uses: some that are there, which may be used no more, and

@@ -94,6 +94,7 @@ pub(crate) fn skeleton(
         at_address: AtAddress::default(),
         declared_to: declared_to(structure),
         settled: false,
+        asks_others: false,
         mistyped: Vec::new(),
         outward_states: BTreeSet::new(),
         named_in_bodies: Arc::default(),

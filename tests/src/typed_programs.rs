@@ -25,10 +25,12 @@ pub enum Kind {
     Bodies,
     /// Every input and output is declared at a direct address.
     Addressed,
+    /// Every other network holds a user-defined block of another file.
+    Library,
 }
 
 /// All of them, by the names that people give.
-pub const KINDS: [(&str, Kind); 10] = [
+pub const KINDS: [(&str, Kind); 11] = [
     ("clean", Kind::Clean),
     ("warned", Kind::Warned),
     ("shared", Kind::Shared),
@@ -39,6 +41,7 @@ pub const KINDS: [(&str, Kind); 10] = [
     ("globals", Kind::Globals),
     ("bodies", Kind::Bodies),
     ("addressed", Kind::Addressed),
+    ("library", Kind::Library),
 ];
 
 /// A program.
@@ -59,6 +62,15 @@ pub struct Spot {
     /// What is typed there.
     pub letter: &'static str,
 }
+
+/// A block that holds what it was given.
+const LATCH: &str = "FUNCTION_BLOCK [$LATCH]\nVAR_INPUT\n    off : BOOL;\nEND_VAR\nVAR_IN_OUT\n    held : BOOL;\nEND_VAR\n\
+     +--\\--[ ]( EN )----\\--[/]( off )--( )( held )--+\n|  /--[ ]( held )--/                           |\nEND_FUNCTION_BLOCK\n\n";
+
+/// A block whose body names a tag for all files, and a direct address.
+const GUARD: &str = "VAR_GLOBAL\n    halted : BOOL;\nEND_VAR\n\nFUNCTION_BLOCK [$GUARD]\nVAR_OUTPUT\n    open : BOOL;\nEND_VAR\n\
+     VAR\n    settle : TON;\nEND_VAR\n+--[ ]( EN )--[TON]( settle, T#7s )--[/]( halted )--[ ]( %IX0.0 )--( )( open )--+\n\
+     END_FUNCTION_BLOCK\n\n+--[ ]( %IX0.1 )--( )( halted )--+\n\n";
 
 impl Program {
     /// About this many rungs, aligned.
@@ -121,7 +133,7 @@ impl Program {
                      +--[ ]( start_{n} )--\\--[ ]( run_{n} )---\\--( )( ready_{n} )--+\n\
                      |                    /--[/]( start_{n} )--/                   |\n"
                 ),
-                Kind::UserBlocks => writeln!(
+                Kind::UserBlocks | Kind::Library => writeln!(
                     drawn,
                     "+--[ ]( start_{n} )--[$LATCH]( stop_{n}, run_{n} )--+\n\n\
                      +--[ ]( run_{n} )--[TON]( timer_{n}, T#5s )--( )( ready_{n} )--+\n"
@@ -155,23 +167,20 @@ impl Program {
             globals
         };
         let blocks = match kind {
-            Kind::UserBlocks => {
-                "FUNCTION_BLOCK [$LATCH]\nVAR_INPUT\n    off : BOOL;\nEND_VAR\nVAR_IN_OUT\n    held : BOOL;\nEND_VAR\n\
-             +--\\--[ ]( EN )----\\--[/]( off )--( )( held )--+\n|  /--[ ]( held )--/                           |\nEND_FUNCTION_BLOCK\n\n"
-            }
-            Kind::Bodies => {
-                "VAR_GLOBAL\n    halted : BOOL;\nEND_VAR\n\nFUNCTION_BLOCK [$GUARD]\nVAR_OUTPUT\n    open : BOOL;\nEND_VAR\n\
-             VAR\n    settle : TON;\nEND_VAR\n+--[ ]( EN )--[TON]( settle, T#7s )--[/]( halted )--[ ]( %IX0.0 )--( )( open )--+\n\
-             END_FUNCTION_BLOCK\n\n+--[ ]( %IX0.1 )--( )( halted )--+\n\n"
-            }
+            Kind::UserBlocks => LATCH,
+            Kind::Bodies => GUARD,
             _ => "",
         };
         let text = format!(
             "{blocks}{globals}VAR_INPUT\n{inputs}END_VAR\nVAR_OUTPUT\n{outputs}END_VAR\nVAR\n{inner}END_VAR\n\n{drawn}"
         );
-        let beside = format!("VAR_GLOBAL\n{beside}END_VAR\n\n+--[ ]( enable_0 )--( )( enable_1 )--+\n");
+        let globals = format!("VAR_GLOBAL\n{beside}END_VAR\n\n+--[ ]( enable_0 )--( )( enable_1 )--+\n");
         Program {
-            beside: (kind == Kind::Globals).then_some(beside),
+            beside: match kind {
+                Kind::Globals => Some(globals),
+                Kind::Library => Some(LATCH.to_owned()),
+                _ => None,
+            },
             text: ladder_format::format_text(&text, &ladder_format::Options::default()),
         }
     }

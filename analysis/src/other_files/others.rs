@@ -184,6 +184,20 @@ impl Others {
             .is_some_and(|exported| !exported.globals.is_empty())
     }
 
+    /// Whether the other files are the same, and say the same, as before.
+    pub(crate) fn are_the_same(&self, before: &Others) -> bool {
+        match (&self.exported, &before.exported) {
+            (None, None) => true,
+            (Some(new), Some(old)) => {
+                let mut files = new.files.iter().zip(&old.files).enumerate();
+                self.own == before.own
+                    && new.files.len() == old.files.len()
+                    && files.all(|(index, (now, was))| Some(index) == self.own || Arc::ptr_eq(now, was))
+            }
+            _ => false,
+        }
+    }
+
     /// What has changed since: none if it is too much to be followed.
     pub(crate) fn news_since(&self, before: &Others) -> Option<News> {
         let mut news = News::default();

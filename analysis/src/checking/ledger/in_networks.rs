@@ -76,8 +76,7 @@ impl Ledger {
         let stamp = stamp::of_network(context, network);
         self.networks[id as usize].stamp = stamp;
         note(&mut self.unclear, id, network.broken || !network.known);
-        let depends_on_others = !network.names_tags_only && context.others.have_files();
-        note(&mut self.volatile, id, network.broken || depends_on_others);
+        note(&mut self.volatile, id, network.broken);
         let (types, unresolved) = resolve::check_network(context, network, stamp);
         match unresolved {
             Some(block) => self.unresolved.insert(id, block - network.range.start()),
