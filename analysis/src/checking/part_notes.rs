@@ -18,8 +18,8 @@ pub(super) struct PartNotes {
 struct Note {
     /// Comments that are rungs, from the start of the part.
     rungs: Vec<TextRange>,
-    /// A comment speaks to the tools.
-    asks: bool,
+    /// The lines with directives, from the first of the part.
+    asking: Vec<u32>,
 }
 
 impl PartNotes {
@@ -37,9 +37,18 @@ impl PartNotes {
         self.notes = lines.parts().iter().map(note).collect();
     }
 
-    /// Whether any comment speaks to the tools.
+    /// Whether any comment is a directive.
     pub(super) fn ask(&self) -> bool {
-        self.notes.iter().any(|(_, note)| note.asks)
+        self.notes.iter().any(|(_, note)| !note.asking.is_empty())
+    }
+
+    /// The lines with directives, from top to bottom.
+    pub(super) fn asking(&self, lines: &FileLines) -> impl Iterator<Item = usize> {
+        let noted = self.notes.iter().enumerate();
+        noted.flat_map(|(part, (_, note))| {
+            let base = lines.first_line(part);
+            note.asking.iter().map(move |line| base + *line as usize)
+        })
     }
 
     /// The comments that are rungs, from top to bottom.
@@ -66,6 +75,7 @@ impl Note {
             if !line.is_commented() || !may_be_rung && !may_ask(line.text()) {
                 continue;
             }
+            let mut asks = false;
             for child in trees.of(line).children() {
                 let NodeOrToken::Token(token) = child else {
                     at += match child {
@@ -76,12 +86,15 @@ impl Note {
                 };
                 let text = token.text();
                 if text.starts_with('#') {
-                    found.asks |= asked(text).is_some();
+                    asks |= asked(text).is_some();
                     if may_be_rung && commented_out_rung::is_rung(text.trim_matches('#')) {
                         found.rungs.push(TextRange::at(at, TextSize::of(text)));
                     }
                 }
                 at += TextSize::of(text);
+            }
+            if asks {
+                found.asking.push(number as u32);
             }
         }
         found

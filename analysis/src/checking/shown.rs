@@ -198,7 +198,7 @@ fn as_asked(
     let mut allows = Allows::none();
     if ledger.notes.ask() {
         let mut wrong = Vec::new();
-        allows = Allows::of(context, &mut wrong);
+        allows = Allows::of(context, ledger.notes.asking(context.parse.lines()), &mut wrong);
         all.extend(wrong.into_iter().map(Finding::from));
     }
     let mut hidden = Vec::new();

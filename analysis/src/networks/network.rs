@@ -9,7 +9,7 @@ use crate::reading::Reading;
 use crate::uses::{self, Named};
 use crate::verdict::Verdict;
 use ladder_instructions::{Accepts, Coil, Instruction, Op, Operand, lookup};
-use ladder_syntax::wiring::{PartKind, RungPart, Wiring};
+use ladder_syntax::wiring::{PartKind, Wiring};
 use ladder_syntax::{
     LineKind, Name, Network, Parse, Surroundings, SyntaxError, SyntaxErrorKind, TextRange, TextSize,
 };
@@ -40,8 +40,6 @@ pub struct NetworkFacts {
     pub(crate) control_flow: ControlFlow,
     /// Each of its blocks is an instruction or a block that is known.
     pub(crate) known: bool,
-    /// A comment is in it, on a line of its own or behind a rung.
-    pub(crate) commented: bool,
     /// A block of it keeps its state in a tag.
     pub(crate) keeps_state: bool,
     pub(crate) verdict: Verdict,
@@ -168,13 +166,9 @@ pub(crate) fn network(
     let mut base = TextSize::default();
     let mut trees = reading.rungs().iter().enumerate();
     let mut syntax_mistake = false;
-    let mut commented = false;
-    let mut comments = false;
     for line in parse.lines().range(network.lines.clone()) {
         let errors = line.errors.iter();
         syntax_mistake |= errors.clone().any(breaks_drawing);
-        commented |= matches!(line.kind, LineKind::Comment | LineKind::Rail);
-        comments |= line.is_commented();
         if line.kind == LineKind::Rung
             && let Some((rung, tree)) = trees.next()
         {
@@ -211,7 +205,6 @@ pub(crate) fn network(
     let is_known = blocks
         .iter()
         .all(|bound| matches!(bound.meaning, Meaning::Instruction(_) | Meaning::User(_)));
-    let commented = commented || comments && has_comment_aside(&wiring);
     NetworkFacts {
         wiring: Arc::new(wiring),
         order,
@@ -223,16 +216,9 @@ pub(crate) fn network(
         user_blocks,
         control_flow,
         known: is_known,
-        commented,
         keeps_state,
         verdict: Verdict::default(),
     }
-}
-
-/// Whether a comment is on a rung that is no piece of its wires.
-fn has_comment_aside(wiring: &Wiring) -> bool {
-    let aside = |part: &RungPart| part.kind == PartKind::Comment && part.segment.is_none();
-    wiring.rungs.iter().flat_map(|rung| &rung.parts).any(aside)
 }
 
 fn user_blocks(blocks: &[BoundBlock], known: &KnownBlocks<'_>) -> UserBlocks {

@@ -28,9 +28,13 @@ impl Allows {
         }
     }
 
-    /// Those of a file. What is wrong with comments to the tools goes to `out`.
-    pub(crate) fn of(context: &Context, out: &mut Vec<Diagnostic>) -> Allows {
-        let allows = scope::allows(context, out);
+    /// Those of a file, of which these are the lines with directives. What is wrong with directives goes to `out`.
+    pub(crate) fn of(
+        context: &Context,
+        asking: impl Iterator<Item = usize>,
+        out: &mut Vec<Diagnostic>,
+    ) -> Allows {
+        let allows = scope::allows(context, asking, out);
         let switches = Switches::of(&allows);
         Allows { allows, switches }
     }

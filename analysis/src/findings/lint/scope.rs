@@ -3,9 +3,10 @@
 use super::directive::{self, Directive, Word};
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
+use crate::networks::NetworkAt;
 use crate::rule::Rule;
-use ladder_syntax::wiring::PartKind;
-use ladder_syntax::{Item, LineKind, NodeOrToken, TextRange, TextSize};
+use ladder_syntax::wiring::{PartKind, RungPart};
+use ladder_syntax::{LineKind, NodeOrToken, TextRange, TextSize};
 
 /// A comment that switches rules off.
 #[derive(Debug)]
@@ -29,77 +30,87 @@ pub(super) struct Switched {
     pub(super) used: bool,
 }
 
-/// All such comments of a file. What is wrong with comments to the tools goes to `out`.
-pub(super) fn allows(context: &Context, out: &mut Vec<Diagnostic>) -> Vec<Allow> {
+/// All such comments of a file, of which these are the lines with directives, from top to bottom. What is wrong with directives goes
+/// to `out`.
+pub(super) fn allows(
+    context: &Context,
+    asking: impl Iterator<Item = usize>,
+    out: &mut Vec<Diagnostic>,
+) -> Vec<Allow> {
     let parse = &context.parse;
     let mut allows = Vec::new();
     let mut said = Said::default();
-    // Comments between the things of a file: they apply to what is next.
-    let structure = parse.structure_once();
-    let items = &structure.items;
-    // The next such thing, and which item it is.
-    let mut known: Option<(usize, TextRange)> = None;
-    for (index, item) in items.iter().enumerate() {
-        let Item::Decoration(line) = *item else { continue };
-        if holds_comments(parse.lines()[line].kind) {
-            let next = || match known {
-                Some((at, range)) if at > index => range,
-                _ => {
-                    let mut behind = items.iter().enumerate().skip(index + 1);
-                    let found =
-                        behind.find_map(|(at, item)| covered(context, *item).map(|range| (at, range)));
-                    // Nothing is behind: that stays so.
-                    let (at, range) = found.unwrap_or((items.len(), TextRange::default()));
-                    known = Some((at, range));
-                    range
-                }
-            };
-            read_line(context, line, next, (&mut allows, &mut said), out);
-        }
-    }
-    // Comments within a network, on lines of their own or behind its rungs, apply to it.
-    for facts in context.networks.iter().filter(|network| network.commented) {
-        for line in facts.first_line..facts.first_line + facts.line_count() {
-            if holds_comments(parse.lines()[line].kind) {
-                read_line(context, line, || facts.range, (&mut allows, &mut said), out);
-            }
-        }
-        for (number, rung) in facts.wiring.rungs.iter().enumerate() {
-            let line = facts.line(number);
-            let aside = |part: &ladder_syntax::wiring::RungPart| {
-                part.kind == PartKind::Comment && part.segment.is_none()
-            };
-            if rung.parts.iter().any(aside) {
-                read_line(context, line, || facts.range, (&mut allows, &mut said), out);
-            }
+    for line in asking {
+        let kind = parse.lines()[line].kind;
+        let network = context.networks.on_line(line);
+        let covers = || match network {
+            // On a line of its own within a network, or behind one of its rungs, it applies to that.
+            Some(network) => network.range,
+            // Between the things of a file it applies to what is next.
+            None => next_thing(context, line),
+        };
+        let is_read = match network {
+            Some(network) if kind == LineKind::Rung => has_comment_aside(network, line),
+            _ => holds_comments(kind) && !is_in_section(context, line),
+        };
+        if is_read {
+            read_line(context, line, covers, (&mut allows, &mut said), out);
         }
     }
     allows
+}
+
+/// Whether a comment that is no piece of a wire is on a rung.
+fn has_comment_aside(network: NetworkAt<'_>, line: usize) -> bool {
+    let wiring = &network.wiring;
+    let rung = wiring.line_offsets.binary_search(&(line - network.first_line));
+    let aside = |part: &RungPart| part.kind == PartKind::Comment && part.segment.is_none();
+    rung.is_ok_and(|rung| wiring.rungs[rung].parts.iter().any(aside))
+}
+
+fn is_in_section(context: &Context, line: usize) -> bool {
+    let sections = &context.parse.frame().sections;
+    let behind = sections.partition_point(|section| section.lines.start <= line);
+    let above = behind.checked_sub(1).map(|above| &sections[above]);
+    above.is_some_and(|section| section.lines.contains(&line))
 }
 
 const fn holds_comments(kind: LineKind) -> bool {
     matches!(kind, LineKind::Comment | LineKind::Rail)
 }
 
-/// What a comment before this item covers; none if it applies to a later one.
-fn covered(context: &Context, item: Item) -> Option<TextRange> {
+/// The network, section, first line of a block definition, or line that means nothing, that is next below a line; an empty range if
+/// none is.
+fn next_thing(context: &Context, line: usize) -> TextRange {
     let parse = &context.parse;
-    let lines = |lines: std::ops::Range<usize>| {
+    let below = line + 1;
+    let networks = context
+        .networks
+        .partition_point(|network| network.first_line < below);
+    let network = context.networks.get(networks).map(NetworkAt::lines);
+    let frame = parse.frame();
+    let sections = frame
+        .sections
+        .partition_point(|section| section.lines.start < below);
+    let section = frame.sections.get(sections).map(|section| section.lines.clone());
+    let blocks = frame.blocks.partition_point(|block| block.lines.start < below);
+    let header = frame
+        .blocks
+        .get(blocks)
+        .map(|block| block.lines.start..block.lines.start + 1);
+    let next = [network, section, header]
+        .into_iter()
+        .flatten()
+        .min_by_key(|lines| lines.start);
+    let end = next.as_ref().map_or(parse.lines().len(), |lines| lines.start);
+    let stray = (below..end).find(|&line| parse.lines()[line].kind == LineKind::Stray);
+    let next = stray.map(|line| line..line + 1).or(next);
+    next.map_or_else(TextRange::default, |lines| {
         TextRange::new(
             parse.line_start(lines.start),
             parse.line_range(lines.end - 1).end(),
         )
-    };
-    match item {
-        Item::Network(network) => Some(context.networks.at(network).range),
-        Item::Section(section) => Some(lines(parse.frame().sections[section].lines.clone())),
-        Item::BlockHeader(block) => {
-            let first = parse.frame().blocks[block].lines.start;
-            Some(lines(first..first + 1))
-        }
-        Item::Stray(line) => Some(parse.line_range(line)),
-        Item::Decoration(_) | Item::BlockEnd(_) => None,
-    }
+    })
 }
 
 /// The comments so far that say something of the file.
@@ -134,7 +145,7 @@ impl Said {
 fn read_line(
     context: &Context,
     line: usize,
-    mut covers: impl FnMut() -> TextRange,
+    covers: impl Fn() -> TextRange,
     (allows, said): (&mut Vec<Allow>, &mut Said),
     out: &mut Vec<Diagnostic>,
 ) {
