@@ -10,9 +10,10 @@ use crate::operand_value::tag;
 use crate::program::Step;
 use crate::rule::Rule;
 use ladder_instructions::Op;
+use std::cell::LazyCell;
 
 pub(super) fn check(flow: &Flow<'_>, reached: &[bool], out: &mut Vec<Diagnostic>) {
-    let can_end = flow.can_end();
+    let can_end = LazyCell::new(|| flow.can_end());
     for exit in &flow.exits {
         let Some(to) = exit.to.filter(|&to| to <= exit.from && reached[exit.from]) else {
             continue;

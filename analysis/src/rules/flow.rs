@@ -12,6 +12,7 @@ use crate::networks::BlockAt;
 use crate::program::Step;
 use ladder_instructions::Op;
 use ladder_syntax::Name;
+use smallvec::SmallVec;
 use std::collections::BTreeMap;
 
 /// A block that leaves its network.
@@ -28,6 +29,9 @@ pub(super) struct Exit {
     pub(super) always: bool,
 }
 
+/// Some networks of a body. From most a scan goes on to one or two.
+type Places = SmallVec<[usize; 2]>;
+
 /// A body's networks and the ways between them.
 pub(super) struct Flow<'c> {
     pub(super) context: &'c Context,
@@ -38,7 +42,7 @@ pub(super) struct Flow<'c> {
     /// leaves is not among them.
     pub(super) exits: Vec<Exit>,
     /// For each network where a scan can go on; last of all the labels, for what may go to any of them.
-    next: Vec<Vec<usize>>,
+    next: Vec<Places>,
     /// For each network whether the body can end there.
     ends: Vec<bool>,
 }
@@ -53,14 +57,20 @@ pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagno
     for (network, &body) in context.bodies.iter().enumerate() {
         bodies.entry(body).or_default().push(network);
     }
-    for networks in bodies.into_values() {
+    let mut labels: BTreeMap<Body, Vec<usize>> = BTreeMap::new();
+    for label in &context.labels {
+        let body = context.bodies[label.network];
+        labels.entry(body).or_default().push(label.network);
+    }
+    for (body, networks) in bodies {
         if !networks
             .iter()
             .any(|&network| survey.control_flow(network).has(leaves))
         {
             continue;
         }
-        let flow = Flow::new(context, survey, networks);
+        let labelled = labels.remove(&body).unwrap_or_default();
+        let flow = Flow::new(context, survey, networks, &labelled);
         unconditional_end::check(&flow, out);
         let reached = flow.reached();
         unreachable::check(&flow, &reached, out);
@@ -69,23 +79,24 @@ pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagno
 }
 
 impl<'c> Flow<'c> {
-    fn new(context: &'c Context, survey: &'c Survey<'c>, networks: Vec<usize>) -> Flow<'c> {
+    /// Of a body with these networks, some of which have labels.
+    fn new(
+        context: &'c Context,
+        survey: &'c Survey<'c>,
+        networks: Vec<usize>,
+        labelled: &[usize],
+    ) -> Flow<'c> {
         let count = networks.len();
         let mut flow = Flow {
             context,
             survey,
             networks,
             exits: Vec::new(),
-            next: vec![Vec::new(); count + 1],
+            next: vec![Places::new(); count + 1],
             ends: vec![false; count + 1],
         };
-        let labelled: Vec<usize> = {
-            let of_body = context
-                .labels
-                .iter()
-                .filter_map(|label| flow.place(label.network));
-            of_body.collect()
-        };
+        let labelled = labelled.iter().filter_map(|&network| flow.place(network));
+        let labelled: Places = labelled.collect();
         let rail_varies = flow.control_flow(0..count).has(ControlFlow::MCR);
         flow.next[count] = labelled;
         let loop_ends = flow.loop_ends();
@@ -222,7 +233,7 @@ impl<'c> Flow<'c> {
 
     /// For each network whether the body's end can be reached from it.
     pub(super) fn can_end(&self) -> Vec<bool> {
-        let mut before: Vec<Vec<usize>> = vec![Vec::new(); self.next.len()];
+        let mut before: Vec<Places> = vec![Places::new(); self.next.len()];
         for (at, next) in self.next.iter().enumerate() {
             for &next in next {
                 before[next].push(at);

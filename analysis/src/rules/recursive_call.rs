@@ -25,6 +25,11 @@ pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagno
             Body::Function(function) => function,
             Body::Block(block) => functions + block,
         };
+        // Most call nothing: their blocks need not be read.
+        let calls = ControlFlow::CALL.with(ControlFlow::USER_BLOCK);
+        if !survey.control_flow(network).has(calls) {
+            continue;
+        }
         for bound in context.networks.at(network).blocks() {
             match bound.meaning {
                 // Blocks of other files call functions of theirs.
