@@ -118,13 +118,15 @@ impl<T: Clone> Chunked<T> {
             return;
         }
         let (first, from) = self.find(old.start);
-        let (mut last, behind) = match old.end.checked_sub(1).filter(|_| !old.is_empty()) {
-            Some(end) => self.find(end),
-            None => (first, from.wrapping_sub(1)),
+        let (mut last, behind) = if old.is_empty() {
+            (first, from)
+        } else {
+            let (chunk, offset) = self.find(old.end - 1);
+            (chunk, offset + 1)
         };
         let mut values: Vec<T> = self.chunks[first][..from].to_vec();
         values.extend(new);
-        values.extend_from_slice(&self.chunks[last][behind.wrapping_add(1)..]);
+        values.extend_from_slice(&self.chunks[last][behind..]);
         while values.len() < FEWEST
             && let Some(next) = self.chunks.get(last + 1)
         {
