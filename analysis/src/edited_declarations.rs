@@ -6,8 +6,9 @@
 use crate::context::Context;
 use crate::declarations::Declarations;
 use crate::declare::{self, Around};
-use crate::edited::{EditedTags, place_found, spelled_at, typed};
+use crate::edited::EditedTags;
 use crate::edited_lines::Lines;
+use crate::edited_names::{place_found, spelled_at, typed};
 use crate::infer;
 use crate::misdeclared::Misdeclared;
 use crate::scope::{Origin, Scope, SectionKind, TagFacts};

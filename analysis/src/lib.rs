@@ -35,6 +35,7 @@ mod cplc_draft;
 mod edited;
 mod edited_declarations;
 mod edited_lines;
+mod edited_names;
 mod findings;
 mod mistakes;
 mod names;
