@@ -109,8 +109,7 @@ pub(crate) fn enter(context: &mut Context, before: &Context, lines: &Lines) -> O
 fn have_addresses_of_their_own(before: &Context, old: &[usize], new: &Tags) -> bool {
     let file = &before.scopes[0];
     let old_tags = || old.iter().map(|tag| &file.tags[*tag]);
-    let address = |tag: &TagFacts| tag.rare.address.as_deref().map(Name::new);
-    let mut addresses = old_tags().chain(new).filter_map(address).peekable();
+    let mut addresses = old_tags().chain(new).filter_map(TagFacts::address).peekable();
     if addresses.peek().is_none() {
         return true;
     }
@@ -127,7 +126,7 @@ fn have_addresses_of_their_own(before: &Context, old: &[usize], new: &Tags) -> b
         return false;
     }
     let mut declared = FxHashSet::default();
-    new.iter().filter_map(address).all(|address| {
+    new.iter().filter_map(TagFacts::address).all(|address| {
         let is_free = file.find(&address).is_none_or(|tag| old.contains(&tag));
         is_free && declared.insert(address)
     })
@@ -271,9 +270,8 @@ fn exchange(
 ) -> Option<EditedTags> {
     let scope = &context.scopes[0];
     let mut edited = EditedTags::default();
-    let address = |tag: &TagFacts| tag.rare.address.as_deref().map(Name::new);
     let old = lots.iter().flat_map(|lot| lot.tags.clone());
-    let old_addresses: Vec<Name> = old.filter_map(|tag| address(&scope.tags[tag])).collect();
+    let old_addresses: Vec<Name> = old.filter_map(|tag| scope.tags[tag].address()).collect();
     // The old ones, as long as no new one has their names.
     let mut gone: FxHashMap<Name, TagFacts> = FxHashMap::default();
     for tag in lots.iter().flat_map(|lot| lot.tags.clone()) {
@@ -355,7 +353,7 @@ fn exchange(
         added -= new.len() as isize - tags.len() as isize;
         for (tag, new) in (tags.start.wrapping_add_signed(added)..).zip(new) {
             scope.rename(Name::new(&new.name), Some(tag));
-            if let Some(address) = address(new) {
+            if let Some(address) = new.address() {
                 scope.rename(address, Some(tag));
             }
         }

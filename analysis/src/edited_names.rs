@@ -26,7 +26,7 @@ impl Edited {
     /// Enters what the new networks name, and takes out what the others did. Gives the tags that this concerns.
     pub(crate) fn names(&mut self) -> Option<EditedTags> {
         let gone: FxHashSet<u32> = self.removed.iter().map(|network| network.id).collect();
-        let mut touched: FxHashMap<(usize, usize), Vec<UseRef>> = FxHashMap::default();
+        let mut touched: FxHashMap<Entry, Vec<UseRef>> = FxHashMap::default();
         for removed in &self.removed {
             for named in &removed.facts.named {
                 let tag = self.context.scopes[removed.scope].find(&named.key)?;
@@ -65,8 +65,9 @@ impl Edited {
             }
         }
         let context = &mut self.context;
-        let mut found: Vec<(usize, usize)> = Vec::new();
-        let mut in_bodies: Vec<(usize, usize)> = Vec::new();
+        // Tags of the file, and entries of bodies.
+        let mut found: Vec<usize> = Vec::new();
+        let mut in_bodies: Vec<Entry> = Vec::new();
         let mut edited = EditedTags::default();
         for ((scope, tag), places) in touched {
             let is_found = tag >= context.scopes[scope].declared;
@@ -85,26 +86,24 @@ impl Edited {
             if is_found && scope > 0 {
                 in_bodies.push((scope, tag));
             } else if is_found {
-                found.push((scope, tag));
+                found.push(tag);
             }
         }
         for (scope, tag) in in_bodies {
             entry_stays(context, scope, tag)?;
         }
         let mut before: Vec<(usize, SmolStr, Option<Type>)> = Vec::new();
-        for &(scope, tag) in &found {
-            let facts = &context.scopes[scope].tags[tag];
-            before.push((scope, facts.name.clone(), facts.ty));
+        for &tag in &found {
+            let facts = &context.scopes[0].tags[tag];
+            before.push((0, facts.name.clone(), facts.ty));
             if !facts.uses.is_empty() {
-                respelled(context, scope, tag);
-                let typed = typed(context, &context.scopes[scope].tags[tag]);
-                context.scopes[scope].tags[tag] = typed;
+                respelled(context, tag);
+                let typed = typed(context, &context.scopes[0].tags[tag]);
+                context.scopes[0].tags[tag] = typed;
             }
         }
         let new: Vec<Arc<TagFacts>> = new.iter().map(|tag| Arc::new(typed(context, tag))).collect();
         // Another first use may mean another place among the tags.
-        let in_file = found.iter().filter(|(scope, _)| *scope == 0);
-        let found = in_file.map(|(_, tag)| *tag).collect();
         place_found(&mut context.scopes[0], found, new, &context.networks);
         let fresh = new_names.keys().map(|name| (0, name.clone())).collect();
         edited.infer_again(context, &before, fresh)?;
@@ -167,9 +166,9 @@ fn entry_stays(context: &Context, scope: usize, tag: usize) -> Option<()> {
     (in_order && spelled_at(context, *first) == entry.name).then_some(())
 }
 
-/// A tag is spelled as where it is first.
-fn respelled(context: &mut Context, scope: usize, tag: usize) {
-    let facts = &context.scopes[scope].tags[tag];
+/// A tag of the file is spelled as where it is first.
+fn respelled(context: &mut Context, tag: usize) {
+    let facts = &context.scopes[0].tags[tag];
     let Some(place) = facts.uses.0.first() else { return };
     if facts.rare.foreign.is_some() {
         return;
@@ -177,7 +176,7 @@ fn respelled(context: &mut Context, scope: usize, tag: usize) {
     let name = spelled_at(context, *place);
     if *facts.name != *name {
         let spelled = uses::undeclared(name, context.profile.law());
-        let facts = &mut context.scopes[scope].tags[tag];
+        let facts = &mut context.scopes[0].tags[tag];
         facts.name = spelled.name;
         // To write it makes room for it.
         if facts.rare.address != spelled.rare.address {

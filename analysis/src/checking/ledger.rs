@@ -172,10 +172,9 @@ impl Ledger {
         let rungs = ledger.notes.rungs(context.parse.lines());
         of_file.names.extend(rungs.map(rules::commented_out_rung::found));
         ledger.of_tags(context, change, any, wanted)?;
-        if context.at_address.may_be_shared(context) {
-            let addressed = ledger.tags.addressed(context);
-            rules::one_address::check(context, addressed, &mut of_file.names);
-        }
+        let addressed: Vec<&TagFacts> = ledger.tags.addressed(context).collect();
+        ledger.work.tags += addressed.len();
+        rules::one_address::check(context, addressed.iter().copied(), &mut of_file.names);
         let toggled = ledger.find_unsound(context, &of_file.names);
         of_file.known.names = !ledger.tags.any_undeclared();
         let is_error = |found: &Diagnostic| found.severity == Severity::Error;
@@ -193,12 +192,9 @@ impl Ledger {
         let mut found = Vec::new();
         rules::of_program(context, &survey, &mut found);
         let tags = &ledger.tags;
-        let addressed: Vec<&TagFacts> = tags.addressed(context).collect();
-        let looked_at = addressed.len();
         rules::overlapping_address::check(context, addressed.into_iter(), &mut found);
         rules::set_and_reset::check(context, &survey, tags.latches(context), &mut found);
         rules::read_before_write::check(context, &survey, tags.read_above(context), &mut found);
-        ledger.work.tags += looked_at;
         of_file.program = found;
         Some((ledger, of_file))
     }

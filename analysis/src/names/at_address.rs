@@ -37,11 +37,6 @@ impl AtAddress {
         AtAddress((!all.is_empty()).then(|| Arc::new(all)))
     }
 
-    /// Whether an address may have several names: of the file itself, or one that is a global of another.
-    pub(crate) fn may_be_shared(&self, context: &Context) -> bool {
-        self.0.is_some() || context.others.have_globals()
-    }
-
     /// Whether an address may have several names in the file.
     pub(crate) fn has_several(&self, address: &Name) -> bool {
         self.0.as_ref().is_some_and(|all| all.contains_key(address))
@@ -59,8 +54,7 @@ impl AtAddress {
         let address = if key.1.as_str().starts_with('%') {
             Some(key.1.clone())
         } else {
-            let tag = context.find_tag(key);
-            tag.and_then(|tag| tag.rare.address.as_deref().map(Name::new))
+            context.find_tag(key).and_then(TagFacts::address)
         };
         let Some((address, names)) = address.and_then(|address| all.get_key_value(&address)) else {
             return Vec::new();

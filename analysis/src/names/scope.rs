@@ -232,6 +232,11 @@ impl TagFacts {
         )
     }
 
+    /// Its direct address, as it is compared.
+    pub(crate) fn address(&self) -> Option<Name> {
+        self.rare.address.as_deref().map(Name::new)
+    }
+
     /// Whether it is an entry for a tag of another scope, of which more is known there; see [`Context::leads_to`].
     pub fn leads_elsewhere(&self) -> bool {
         self.rare.lead.is_some()

@@ -57,15 +57,10 @@ impl Written {
         analysis: &Analysis,
         chosen: (Vec<Finding>, usize),
     ) -> String {
-        let mut kept = self.take(&revision.uri).unwrap_or_default();
-        let mut params = kept.room();
-        params.push_str("{\"uri\":");
-        params.push_str(&serde_json::Value::from(&*revision.uri).to_string());
-        params.push_str(",\"diagnostics\":");
-        kept.list(agreed, revision, analysis, chosen, &mut params);
-        params.push_str(&format!(",\"version\":{}}}", revision.version));
-        self.keep(revision, kept);
-        params
+        let uri = serde_json::Value::from(&*revision.uri);
+        let before = format!("{{\"uri\":{uri},\"diagnostics\":");
+        let behind = format!(",\"version\":{}}}", revision.version);
+        self.within((&before, &behind), agreed, revision, analysis, chosen)
     }
 
     /// The same findings as a list, for a client that asks for them.
@@ -76,11 +71,25 @@ impl Written {
         analysis: &Analysis,
         chosen: (Vec<Finding>, usize),
     ) -> String {
+        self.within(("", ""), agreed, revision, analysis, chosen)
+    }
+
+    /// The list between two texts.
+    fn within(
+        &self,
+        (before, behind): (&str, &str),
+        agreed: Agreed,
+        revision: &Revision,
+        analysis: &Analysis,
+        chosen: (Vec<Finding>, usize),
+    ) -> String {
         let mut kept = self.take(&revision.uri).unwrap_or_default();
-        let mut list = kept.room();
-        kept.list(agreed, revision, analysis, chosen, &mut list);
-        self.keep(revision, kept);
-        list
+        let mut text = kept.room();
+        text.push_str(before);
+        kept.list(agreed, revision, analysis, chosen, &mut text);
+        text.push_str(behind);
+        self.kept().insert(revision.uri.to_string(), kept);
+        text
     }
 
     /// A document is closed.
@@ -90,10 +99,6 @@ impl Written {
 
     fn take(&self, uri: &str) -> Option<Kept> {
         self.kept().remove(uri)
-    }
-
-    fn keep(&self, revision: &Revision, kept: Kept) {
-        self.kept().insert(revision.uri.to_string(), kept);
     }
 
     fn kept(&self) -> std::sync::MutexGuard<'_, HashMap<String, Kept>> {
