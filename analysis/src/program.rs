@@ -148,7 +148,7 @@ pub struct Tag {
 }
 
 /// Another name of a tag at a direct address.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct OtherName {
     /// As declared, with the file's stem before it where the name of a tag of that file has it.
     pub name: String,

@@ -6,6 +6,7 @@ use super::undeclared::UndeclaredTags;
 use crate::context::{Change, Context};
 use crate::findings::Anchored;
 use crate::rule::{Rule, Severity};
+use crate::rules::tag_summary::PlacesAtAddresses;
 use crate::rules::{self, AroundTags};
 use crate::scope::TagFacts;
 use crate::still_wanted::StillWanted;
@@ -26,6 +27,8 @@ pub(super) struct AtTags {
     /// Those at which an error is found.
     faulty: FxHashSet<TagKey>,
     addresses: Addresses,
+    /// Counted while tags are looked at, of one text.
+    at_addresses: PlacesAtAddresses,
     /// Those that are set and reset.
     latches: FxHashSet<TagKey>,
     /// Those that are read above the rung that writes them.
@@ -62,6 +65,7 @@ impl AtTags {
             }
         };
         self.around = Some(around);
+        self.at_addresses = PlacesAtAddresses::default();
         shelf.exchange_of_tags(std::mem::take(&mut self.exchanged));
         Some(looked_at)
     }
@@ -79,11 +83,7 @@ impl AtTags {
             let named = network.facts().named.iter();
             again.extend(named.map(|named| key_of(context, network.scope, &named.key)));
         }
-        let others = again
-            .iter()
-            .flat_map(|key| context.at_address.names(context, key));
-        let others: Vec<TagKey> = others.collect();
-        again.extend(others);
+        context.at_address.add_names(context, &mut again);
         self.undeclared.follow(context, change, &mut again);
         let mut count = again.len();
         for key in again {
@@ -142,7 +142,8 @@ impl AtTags {
     fn look_at(&mut self, context: &Context, (scope, tag): (usize, &TagFacts), around: &AroundTags) {
         let mut found = Vec::new();
         let undeclaring = self.undeclared.undeclaring((scope, tag));
-        rules::of_tag(context, scope, tag, (around, &undeclaring), &mut found);
+        let around = (around, &undeclaring);
+        rules::of_tag(context, (scope, tag), around, &self.at_addresses, &mut found);
         let latch = rules::set_and_reset::is_latch(tag);
         let read_above = rules::read_before_write::is_read_above(context, tag);
         if found.is_empty() && !latch && !read_above {
@@ -152,7 +153,7 @@ impl AtTags {
         if found.iter().any(|found| found.rule == Rule::UndeclaredTag) {
             self.undeclared.note(&key);
         }
-        let anchored = |found| Arc::new(Anchored::at_uses(found, &tag.uses, context));
+        let anchored = |found| Arc::new(Anchored::at_uses(found, tag, context));
         let found: Vec<Arc<Anchored>> = found.into_iter().map(anchored).collect();
         self.exchanged.new.extend(found.iter().cloned());
         if found.iter().any(|found| found.is_volatile()) {

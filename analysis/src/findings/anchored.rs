@@ -4,7 +4,7 @@ use crate::context::Context;
 use crate::diagnostic::{Diagnostic, Fix, Related};
 use crate::networks::NetworkAt;
 use crate::rule::{Rule, Severity};
-use crate::scope::Uses;
+use crate::scope::TagFacts;
 use ladder_syntax::{TextRange, TextSize};
 use std::borrow::Cow;
 
@@ -125,11 +125,13 @@ impl Anchored {
         self.anchors == Anchors::File
     }
 
-    /// Of a finding about a tag, with places in the networks that use it, and on lines of declarations. One with other
+    /// Of a finding about a tag, with places in the networks that use it by whichever name, and on lines of declarations. One with other
     /// places is [volatile](Anchored::is_volatile).
-    pub(crate) fn at_uses(mut found: Diagnostic, uses: &Uses, context: &Context) -> Anchored {
+    pub(crate) fn at_uses(mut found: Diagnostic, tag: &TagFacts, context: &Context) -> Anchored {
         let networks = &context.networks;
-        let uses_it = |id: u32| uses.0.iter().any(|place| place.network == id);
+        let is_in = |tag: &TagFacts, id: u32| tag.uses.0.iter().any(|place| place.network == id);
+        let uses_it =
+            |id: u32| is_in(tag, id) || context.others_at_address(tag).any(|other| is_in(other, id));
         let home = |place: &mut TextRange| {
             let behind = networks.partition_point(|network| network.range.start() <= place.start());
             let around = behind.checked_sub(1).map(|index| networks.at(index));

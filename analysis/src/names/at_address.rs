@@ -6,7 +6,7 @@
 use crate::context::Context;
 use crate::scope::{Scope, TagFacts};
 use ladder_syntax::Name;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::sync::Arc;
 
 /// The declared tags at addresses that may have several names, by address. An edit of such a declaration is one that is
@@ -42,25 +42,32 @@ impl AtAddress {
         self.0.as_ref().is_some_and(|all| all.contains_key(address))
     }
 
+    /// Whether a tag is the one that stands for all names of its address. One that has no other name is it.
+    pub(crate) fn is_first(&self, context: &Context, tag: &TagFacts) -> bool {
+        let first = self.first(tag).and_then(|key| context.find_tag(key));
+        first.is_none_or(|first| std::ptr::eq(first, tag))
+    }
+
     /// The first tag that is declared at a tag's address, if the address has several names.
     pub(crate) fn first(&self, tag: &TagFacts) -> Option<&(usize, Name)> {
         let (all, address) = self.0.as_ref().zip(tag.rare.address.as_deref())?;
         all.get(&Name::new(address))?.first()
     }
 
-    /// The keys of all names of the address that a tag has, or had.
-    pub(crate) fn names<'c>(&'c self, context: &'c Context, key: &(usize, Name)) -> Vec<(usize, Name)> {
-        let Some(all) = &self.0 else { return Vec::new() };
-        let address = if key.1.as_str().starts_with('%') {
-            Some(key.1.clone())
-        } else {
+    /// Adds the keys of all names of the addresses that tags have, or had.
+    pub(crate) fn add_names(&self, context: &Context, keys: &mut FxHashSet<(usize, Name)>) {
+        let Some(all) = &self.0 else { return };
+        let address = |key: &(usize, Name)| {
+            if key.1.as_str().starts_with('%') {
+                return Some(key.1.clone());
+            }
             context.find_tag(key).and_then(TagFacts::address)
         };
-        let Some((address, names)) = address.and_then(|address| all.get_key_value(&address)) else {
-            return Vec::new();
-        };
-        let bare = (0, address.clone());
-        names.iter().cloned().chain([bare]).collect()
+        let addresses: FxHashSet<Name> = keys.iter().filter_map(address).collect();
+        for (address, names) in addresses.iter().filter_map(|address| all.get_key_value(address)) {
+            keys.extend(names.iter().cloned());
+            keys.insert((0, address.clone()));
+        }
     }
 
     /// The other tags of the file that are at a tag's address.

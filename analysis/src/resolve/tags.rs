@@ -7,7 +7,7 @@ use crate::program::{Disagreement, Location, OtherName, Program, Role, Tag, TagI
 use crate::scope::{Origin, SectionKind, TagFacts, type_by_form};
 use crate::types::{Scalar, Type};
 use ladder_syntax::Name;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// The id of a tag that no reached body names: it is never asked for.
 const NOWHERE: TagId = TagId(u32::MAX);
@@ -124,6 +124,8 @@ impl Named<'_> {
 struct Common {
     globals: FxHashMap<Name, TagId>,
     addresses: FxHashMap<Name, AtAddress>,
+    /// The names of addresses that are entered.
+    other_names: FxHashSet<OtherName>,
     /// An address is known in two types.
     has_two_types: bool,
 }
@@ -168,7 +170,7 @@ impl Common {
             };
             let id = add(program, named, name, None);
             if named.block.is_some() {
-                other_name(named, id, program);
+                other_name(named, id, &mut self.other_names, program);
             }
             self.addresses.insert(
                 key,
@@ -182,7 +184,7 @@ impl Common {
         };
         let id = known.id;
         if !named.is_bare() {
-            other_name(named, id, program);
+            other_name(named, id, &mut self.other_names, program);
         }
         let tag = &mut program.tags[id.0 as usize];
         self.has_two_types |= tag.ty != type_of(named.tag);
@@ -231,14 +233,14 @@ fn disagreement(known: &AtAddress, tag: &Tag, named: &Named<'_>, address: &str) 
 }
 
 /// Enters that a name leads to a tag.
-fn other_name(named: &Named<'_>, tag: TagId, program: &mut Program) {
+fn other_name(named: &Named<'_>, tag: TagId, entered: &mut FxHashSet<OtherName>, program: &mut Program) {
     let other = OtherName {
         name: named.name(),
         tag,
         block: named.block,
     };
     let is_known = program.tags[tag.0 as usize].name == other.name && other.block.is_none();
-    if !is_known && !program.other_names.contains(&other) {
+    if !is_known && entered.insert(other.clone()) {
         program.other_names.push(other);
     }
 }

@@ -17,16 +17,16 @@ pub(super) fn check(context: &Context, tag: &TagFacts, leaving: &Leaving, out: &
     if tag.uses.writers().nth(1).is_none() && shared_address.is_none() {
         return;
     }
-    let is_coil = |place: &Use| is_plain_coil(context, place);
-    let own = context.writers(tag).filter(is_coil);
-    let Some(first) = own.clone().next() else { return };
-    let mut coils: Vec<Use> = own.collect();
-    coils.extend(others.flat_map(|other| context.writers(other)).filter(is_coil));
-    coils.sort_by_key(|coil| coil.range.start());
-    // Of the names of one address that of the first coil tells.
-    if coils.len() < 2 || coils[0] != first {
+    if !context.at_address.is_first(context, tag) {
         return;
     }
+    let names = std::iter::once(tag).chain(others);
+    let coils = names.flat_map(|name| context.writers(name));
+    let mut coils: Vec<Use> = coils.filter(|place| is_plain_coil(context, place)).collect();
+    if coils.len() < 2 {
+        return;
+    }
+    coils.sort_by_key(|coil| coil.range.start());
     // A tag as a whole, or its bits and elements one by one.
     let mut places: HashMap<String, Vec<Use>> = HashMap::new();
     for coil in coils {

@@ -10,7 +10,7 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
     let tag = summary.tag;
     // In a body a name says nothing: `I1` there is undeclared.
     let in_body = summary.scope > 0 && !tag.is_declared();
-    if tag.role != Role::Input || summary.writes == 0 || tag.constant || in_body {
+    if tag.role != Role::Input || summary.places.writes == 0 || tag.constant || in_body {
         return;
     }
     let mut writers = summary.context.writers(tag).filter(|place| {

@@ -180,16 +180,16 @@ pub(crate) struct AroundTags {
 /// Looks at the places of one tag.
 pub(crate) fn of_tag(
     context: &Context,
-    scope: usize,
-    tag: &TagFacts,
+    (scope, tag): (usize, &TagFacts),
     (around, undeclaring): (&AroundTags, &undeclared_tag::Undeclaring<'_>),
+    at_addresses: &tag_summary::PlacesAtAddresses,
     out: &mut Vec<Diagnostic>,
 ) {
     undeclared_tag::check(context, scope, tag, undeclaring, out);
     type_conflict::check(context, tag, out);
     duplicate_timer::check(context, tag, out);
     double_coil::check(context, tag, &around.leaving, out);
-    tag_summary::check(context, scope, tag, around.has_outputs, out);
+    tag_summary::check(context, (scope, tag), around.has_outputs, at_addresses, out);
 }
 
 /// Looks at the program as a whole.

@@ -31,7 +31,7 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
             format!("the global `{name}` is written, and no file of the workspace reads it"),
             "read it where it is meant to act, or remove it",
         ),
-        Origin::Declared(SectionKind::Var) if summary.writes == 0 => (
+        Origin::Declared(SectionKind::Var) if summary.places.writes == 0 => (
             format!("`{name}` is declared and never used"),
             "use it, or remove its declaration",
         ),

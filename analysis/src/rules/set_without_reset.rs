@@ -7,9 +7,12 @@ use crate::rule::Rule;
 
 pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
     let tag = summary.tag;
-    let (all_set, all_reset) = (summary.sets == summary.writes, summary.resets == summary.writes);
+    let (all_set, all_reset) = (
+        summary.places.sets == summary.places.writes,
+        summary.places.resets == summary.places.writes,
+    );
     // An input that is written is reported by input-written.
-    if tag.role == Role::Input || summary.writes == 0 || !(all_set || all_reset) {
+    if tag.role == Role::Input || summary.places.writes == 0 || !(all_set || all_reset) {
         return;
     }
     let name = &tag.name;

@@ -5,10 +5,12 @@ use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::outward::TagUse;
 use crate::rule::Rule;
-use crate::scope::{Origin, SectionKind, TagFacts, Uses};
+use crate::scope::{Origin, SectionKind, TagFacts};
 use crate::types::Type;
 use crate::use_kind::Deed;
 use ladder_syntax::Name;
+use rustc_hash::FxHashMap;
+use std::cell::RefCell;
 
 /// How a tag is used, counted over all its places.
 pub(super) struct Summary<'c> {
@@ -18,63 +20,56 @@ pub(super) struct Summary<'c> {
     pub(super) scope: usize,
     /// The file has outputs. In one that has none, its internal tags are what people look at.
     pub(super) has_outputs: bool,
-    /// How many places of the file read it, by whichever of the names of its address.
-    pub(super) reads: usize,
-    /// How many places of the file write it, likewise.
-    pub(super) writes: usize,
+    /// How many places of the file use it, by whichever of the names of its address.
+    pub(super) places: Places,
     /// How the other files of the workspace use it, if it is a VAR_GLOBAL tag.
     pub(super) elsewhere: TagUse,
-    /// The places that only ever set, and only ever reset it, if it is written in no other way.
+}
+
+/// How many places use a tag.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Places {
+    pub(super) reads: usize,
+    pub(super) writes: usize,
+    /// Those of the writing ones that set it. A timer or counter is not set.
     pub(super) sets: usize,
+    /// Those that reset it, likewise.
     pub(super) resets: usize,
 }
 
+/// The places that use what several names at one address mean, by this address: counted once for all of these names.
+#[derive(Debug, Default)]
+pub(crate) struct PlacesAtAddresses(RefCell<FxHashMap<Name, Places>>);
+
 impl<'c> Summary<'c> {
-    fn new(context: &'c Context, scope: usize, tag: &'c TagFacts, has_outputs: bool) -> Summary<'c> {
+    fn new(
+        context: &'c Context,
+        (scope, tag): (usize, &'c TagFacts),
+        has_outputs: bool,
+        at_addresses: &PlacesAtAddresses,
+    ) -> Summary<'c> {
         let mut summary = Summary {
             has_outputs,
             context,
             tag,
             scope,
-            reads: 0,
-            writes: 0,
+            places: at_addresses.places(context, tag),
             elsewhere: TagUse::default(),
-            sets: 0,
-            resets: 0,
         };
         if summary.is_global() {
             summary.elsewhere = context.others.tag_use(&Name::new(&tag.name));
         }
-        let can_be_set = !matches!(tag.ty, Some(Type::State(_)));
-        summary.count(&tag.uses, can_be_set);
-        for other in context.others_at_address(tag) {
-            summary.count(&other.uses, can_be_set);
-        }
         summary
-    }
-
-    fn count(&mut self, uses: &Uses, can_be_set: bool) {
-        for access in uses.accesses() {
-            self.reads += usize::from(access.reads());
-            self.writes += usize::from(access.writes());
-        }
-        for place in uses.writers().filter(|_| can_be_set) {
-            match place.deed() {
-                Deed::Sets => self.sets += 1,
-                Deed::Resets => self.resets += 1,
-                _ => {}
-            }
-        }
     }
 
     /// Whether something reads it, in whichever file.
     pub(super) fn is_read(&self) -> bool {
-        self.reads > 0 || self.elsewhere.read
+        self.places.reads > 0 || self.elsewhere.read
     }
 
     /// Whether something writes it, in whichever file.
     pub(super) fn is_written(&self) -> bool {
-        self.writes > 0 || self.elsewhere.written
+        self.places.writes > 0 || self.elsewhere.written
     }
 
     /// Whether it is a VAR_GLOBAL tag that this file declares.
@@ -94,18 +89,55 @@ impl<'c> Summary<'c> {
     }
 }
 
+impl Places {
+    fn add(&mut self, tag: &TagFacts) {
+        for access in tag.uses.accesses() {
+            self.reads += usize::from(access.reads());
+            self.writes += usize::from(access.writes());
+        }
+        if matches!(tag.ty, Some(Type::State(_))) {
+            return;
+        }
+        for place in tag.uses.writers() {
+            match place.deed() {
+                Deed::Sets => self.sets += 1,
+                Deed::Resets => self.resets += 1,
+                _ => {}
+            }
+        }
+    }
+}
+
+impl PlacesAtAddresses {
+    /// The places that use a tag, by whichever of the names of its address.
+    fn places(&self, context: &Context, tag: &TagFacts) -> Places {
+        let mut places = Places::default();
+        let mut others = context.others_at_address(tag).peekable();
+        let shared = tag.address().filter(|_| others.peek().is_some());
+        let Some(address) = shared else {
+            places.add(tag);
+            return places;
+        };
+        *self.0.borrow_mut().entry(address).or_insert_with(|| {
+            places.add(tag);
+            others.for_each(|other| places.add(other));
+            places
+        })
+    }
+}
+
 /// Asks the rules about the use of a tag.
 pub(super) fn check(
     context: &Context,
-    scope: usize,
-    tag: &TagFacts,
+    (scope, tag): (usize, &TagFacts),
     has_outputs: bool,
+    at_addresses: &PlacesAtAddresses,
     out: &mut Vec<Diagnostic>,
 ) {
     if tag.mistyped {
         return;
     }
-    let summary = Summary::new(context, scope, tag, has_outputs || scope > 0);
+    let summary = Summary::new(context, (scope, tag), has_outputs || scope > 0, at_addresses);
     input_written::check(&summary, out);
     // A global is reported in the first file that declares it.
     let counts = if summary.is_global() {
