@@ -110,8 +110,12 @@ fn best<'c>(
 
 /// Whether all that is known of a tag is the half of a name that is at the cursor.
 fn is_being_written(typing: &Typing<'_>, tag: &TagFacts) -> bool {
+    // Asked of each tag that begins so: where places are is looked up for none of another length.
+    if tag.origin != Origin::Undeclared || tag.name.len() != typing.word.len() {
+        return false;
+    }
     let word = typing.absolute(typing.word.clone());
-    tag.origin == Origin::Undeclared && typing.context.uses(tag).all(|place| place.range == word)
+    typing.context.uses(tag).all(|place| place.range == word)
 }
 
 /// Outputs first for what is written; a timer that has its block is unlikely to get another.
