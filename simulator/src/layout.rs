@@ -33,30 +33,22 @@ pub(crate) enum Home {
         bits: Bit,
         words: Word,
     },
-    /// An in-out parameter that stands for an element of an array: the word holds the element's slot.
-    Element {
-        at: Word,
-        ty: Scalar,
-    },
-    /// An in-out parameter that stands for one bit of a word.
-    BitOf {
-        word: Word,
-        bit: u8,
-        width: Width,
-    },
+    /// A tag without memory of its own.
+    Elsewhere(Elsewhere),
+}
+
+/// What a tag of a block's body is that has no memory of its own: an in-out parameter stands for a place of the caller.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Elsewhere {
+    /// It stands for an element of an array: the word holds the element's slot.
+    Element { at: Word, ty: Scalar },
+    /// It stands for one bit of a word.
+    BitOf { word: Word, bit: u8, width: Width },
     /// The same, of an element of an array.
-    BitOfAt {
-        at: Word,
-        bit: u8,
-        width: Width,
-    },
-    /// An in-out parameter that stands for a tag at a direct address which is known in another type there.
-    As {
-        word: Word,
-        stored: Scalar,
-        ty: Scalar,
-    },
-    /// A parameter that is not bound yet.
+    BitOfAt { at: Word, bit: u8, width: Width },
+    /// It stands for a tag at a direct address which is known in another type there.
+    As { word: Word, stored: Scalar, ty: Scalar },
+    /// It is not bound yet: each place where the block is has its own.
     Unbound,
 }
 

@@ -268,10 +268,6 @@ fn is_initial(home: Home, memory: &Memory, initial: &Memory) -> bool {
             let (bit_count, word_count) = state_size(state);
             same_bits(bits, bit_count) && same_words(words, word_count)
         }
-        Home::Element { .. }
-        | Home::BitOf { .. }
-        | Home::BitOfAt { .. }
-        | Home::As { .. }
-        | Home::Unbound => true,
+        Home::Elsewhere(_) => true,
     }
 }

@@ -36,7 +36,7 @@ mod user_block;
 
 use crate::code::{ArrayPlace, Code, ElementPlace, Instr};
 use crate::fuse::{Fused, fuse};
-use crate::layout::{Home, Layout};
+use crate::layout::{Elsewhere, Home, Layout};
 use crate::memory::{Bit, Memory, Word};
 use crate::places::{BlockAt, Cell, Places, Remembered};
 use crate::retain::{Retained, kept_tags, retained};
@@ -113,7 +113,7 @@ pub(crate) fn compile(program: &Program, interval: i64) -> Result<Compiled> {
         .iter()
         .map(|tag| match tag.block {
             // Tags of a block's body get room for each place where the block is.
-            Some(_) => Ok(Home::Unbound),
+            Some(_) => Ok(Home::Elsewhere(Elsewhere::Unbound)),
             None => layout.tag(tag),
         })
         .collect::<Result<Vec<Home>>>()?;

@@ -2,7 +2,7 @@
 
 use super::{Compiler, Result};
 use crate::code::{ArrayPlace, Instr};
-use crate::layout::{self, Home, MemberSlot};
+use crate::layout::{self, Elsewhere, Home, MemberSlot};
 use crate::memory::{Bit, TextSlot, Word};
 use crate::operation::Width;
 use crate::system::{self, SystemSlot};
@@ -74,11 +74,13 @@ impl Compiler<'_> {
                 Home::Words { at, .. } => Spot::Word(at),
                 Home::Texts { at, .. } => Spot::Text(at),
                 Home::State { bits, .. } => Spot::Bit(bits),
-                Home::Element { at, ty } => element_spot(at, ty),
-                Home::BitOf { word, bit, width } => Spot::BitOf { word, bit, width },
-                Home::BitOfAt { at, bit, width } => Spot::BitOfAt { at, bit, width },
-                Home::As { word, stored, ty } => Spot::As { word, stored, ty },
-                Home::Unbound => Spot::Bit(Bit::LOW),
+                Home::Elsewhere(elsewhere) => match elsewhere {
+                    Elsewhere::Element { at, ty } => element_spot(at, ty),
+                    Elsewhere::BitOf { word, bit, width } => Spot::BitOf { word, bit, width },
+                    Elsewhere::BitOfAt { at, bit, width } => Spot::BitOfAt { at, bit, width },
+                    Elsewhere::As { word, stored, ty } => Spot::As { word, stored, ty },
+                    Elsewhere::Unbound => Spot::Bit(Bit::LOW),
+                },
             },
             Place::Element(tag, index) => self.element(*tag, index)?,
             Place::Member(tag, member) => match self.homes[tag.0 as usize] {

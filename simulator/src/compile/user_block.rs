@@ -6,7 +6,7 @@ use super::flow::{BodyExit, Kind, holds_any};
 use super::place::{Slot, Spot};
 use super::{CompileError, Compiler, Result};
 use crate::code::Instr;
-use crate::layout::Home;
+use crate::layout::{Elsewhere, Home};
 use crate::memory::Bit;
 use ladder_analysis::program::{Argument, Block, BlockKind, Bound, Network, ParameterKind, Place, TagId};
 use ladder_analysis::types::{Scalar, Type};
@@ -218,10 +218,12 @@ fn home_of(spot: Spot, ty: Scalar) -> Option<Home> {
             len: 1,
             max: 0,
         },
-        Spot::BitAt(at) | Spot::WordAt(at) | Spot::TextAt { at, .. } => Home::Element { at, ty },
-        Spot::BitOf { word, bit, width } => Home::BitOf { word, bit, width },
-        Spot::BitOfAt { at, bit, width } => Home::BitOfAt { at, bit, width },
-        Spot::As { word, stored, ty } => Home::As { word, stored, ty },
+        Spot::BitAt(at) | Spot::WordAt(at) | Spot::TextAt { at, .. } => {
+            Home::Elsewhere(Elsewhere::Element { at, ty })
+        }
+        Spot::BitOf { word, bit, width } => Home::Elsewhere(Elsewhere::BitOf { word, bit, width }),
+        Spot::BitOfAt { at, bit, width } => Home::Elsewhere(Elsewhere::BitOfAt { at, bit, width }),
+        Spot::As { word, stored, ty } => Home::Elsewhere(Elsewhere::As { word, stored, ty }),
         Spot::Timing { .. } => return None,
     })
 }

@@ -65,11 +65,7 @@ fn values(home: Home, memory: &Memory, now: i64) -> Vec<String> {
             });
             bits.chain(words).map(|number| number.to_string()).collect()
         }
-        Home::Element { .. }
-        | Home::BitOf { .. }
-        | Home::BitOfAt { .. }
-        | Home::As { .. }
-        | Home::Unbound => Vec::new(),
+        Home::Elsewhere(_) => Vec::new(),
     }
 }
 
@@ -127,11 +123,7 @@ fn put(home: Home, ty: Type, texts: &[String], memory: &mut Memory) -> Result<()
             let (bits, words) = state_size(state);
             bits + words
         }
-        Home::Element { .. }
-        | Home::BitOf { .. }
-        | Home::BitOfAt { .. }
-        | Home::As { .. }
-        | Home::Unbound => 0,
+        Home::Elsewhere(_) => 0,
     };
     if texts.len() != count as usize {
         return Err(format!("{} values were kept where {count} belong", texts.len()));

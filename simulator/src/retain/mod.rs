@@ -61,11 +61,7 @@ impl Retained {
                     *since = since.saturating_sub(then);
                 }
             }
-            Home::Element { .. }
-            | Home::BitOf { .. }
-            | Home::BitOfAt { .. }
-            | Home::As { .. }
-            | Home::Unbound => {}
+            Home::Elsewhere(_) => {}
         }
     }
 }
