@@ -13,6 +13,8 @@ mod pathological;
 mod power;
 mod program;
 mod several_files;
+mod several_files_blocks;
+mod several_files_globals;
 mod switched_off;
 mod tags;
 mod text;

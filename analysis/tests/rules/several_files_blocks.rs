@@ -1,0 +1,143 @@
+//! Blocks of another file of the workspace, and what their bodies see (LANGUAGE §5.7).
+
+use crate::check::check_files;
+use expect_test::expect;
+
+#[test]
+fn operands_of_a_block_in_another_file_are_checked() {
+    check_files(
+        "\
+%% lib.clad
+FUNCTION_BLOCK [$Scale]
+VAR_INPUT raw : INT; factor : INT := 2; END_VAR
+VAR_OUTPUT scaled : INT; END_VAR
++--[MUL]( scaled, raw, factor )--+
+END_FUNCTION_BLOCK
+%% main.clad
+VAR a, b : INT; t : TIME; END_VAR
++--[$Scale]( a )--+
++--[$Scale]( a, 3, b )--+
++--[$Scale]( a, scaled => b )--+
++--[$Scale]( t, 3, b, 4 )--+
++--[$Scale]( 1, 3, t )--+
++--[$Scale]( factr := 1, raw := 2 )--+
++--[$Scale]( scaled => b )--+
+",
+        expect![[r#"
+            == main.clad
+            > +--[$Scale]( t, 3, b, 4 )--+
+                           ^ error[type-mismatch]: this is TIME, INT is expected here
+                help: convert it with [TYP]( result, value ) into an INT first
+            > +--[$Scale]( t, 3, b, 4 )--+
+                                    ^ error[bad-arity]: [$Scale] takes 3 operands, 4 are given
+                help: it is written [$Scale]( raw, factor, scaled )
+                at lib.clad:1:16 `[$Scale]`: the block is defined here
+            > +--[$Scale]( 1, 3, t )--+
+                                 ^ error[type-mismatch]: this is INT, TIME is expected here
+                help: convert it with [TYP]( result, value ) into a TIME first
+            > +--[$Scale]( factr := 1, raw := 2 )--+
+                           ^^^^^ error[bad-operand]: [$Scale] has no operand of the name `factr`
+                help: did you mean `factor`?
+            > +--[$Scale]( scaled => b )--+
+                 ^^^^^^^^^^^^^^^^^^^^^^^ error[bad-arity]: the operand `raw` of [$Scale] is missing
+                help: it is written [$Scale]( raw, factor, scaled )
+                at lib.clad:1:16 `[$Scale]`: the block is defined here
+        "#]],
+    );
+}
+
+#[test]
+fn a_body_sees_globals_of_other_files_and_no_other_tags() {
+    check_files(
+        "\
+%% lib.clad
+VAR_GLOBAL seen : BOOL; END_VAR
+VAR hidden : BOOL; END_VAR
+%% main.clad
+VAR seen : INT; END_VAR
++--[$B]--( )( y )--+
++--[MOV]( seen, 3 )--+
+FUNCTION_BLOCK [$B]
++--[ ]( seen )--[ ]( hidden )--( )( ENO )--+
+END_FUNCTION_BLOCK
+",
+        expect![[r#"
+            == main.clad
+            > +--[$B]--( )( y )--+
+                            ^ warning[undeclared-tag]: `y` is not declared
+                help: declare it, so that a typing mistake cannot make a new tag
+            > +--[ ]( seen )--[ ]( hidden )--( )( ENO )--+
+                                   ^^^^^^ error[undeclared-tag]: `hidden` is not declared in the block `$B`
+                help: a block sees its own tags and VAR_GLOBAL tags only: declare it in the block
+        "#]],
+    );
+}
+
+#[test]
+fn a_block_never_uses_itself_not_even_through_other_files() {
+    check_files(
+        "\
+%% a.clad
+FUNCTION_BLOCK [$A]
++--[$B]--( )( ENO )--+
+END_FUNCTION_BLOCK
+%% b.clad
+FUNCTION_BLOCK [$B]
++--[$C]--( )( ENO )--+
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK [$C]
++--[$A]--( )( ENO )--+
+END_FUNCTION_BLOCK
+%% c.clad
++--[$A]--( )( y )--+
+",
+        expect![[r#"
+            == a.clad
+            > FUNCTION_BLOCK [$A]
+                             ^^^^ error[recursive-block]: the block `$A` uses itself: it uses `$B`, which uses `$C`, which uses `$A`
+                help: every place of a block has a state of its own, so a block cannot contain itself: break the circle
+                at 2:4 `[$B]`: `$B` is used here
+                at b.clad:2:4 `[$C]`: `$C` is used here
+                at b.clad:5:4 `[$A]`: `$A` is used here
+            == b.clad
+            > FUNCTION_BLOCK [$B]
+                             ^^^^ error[recursive-block]: the block `$B` uses itself: it uses `$C`, which uses `$A`, which uses `$B`
+                help: every place of a block has a state of its own, so a block cannot contain itself: break the circle
+                at 2:4 `[$C]`: `$C` is used here
+                at 5:4 `[$A]`: `$A` is used here
+                at a.clad:2:4 `[$B]`: `$B` is used here
+        "#]],
+    );
+}
+
+#[test]
+fn labels_of_a_block_in_another_file_are_looked_up_where_it_stands() {
+    check_files(
+        "\
+%% lib.clad
+FUNCTION_BLOCK <$Leave>
++--<JMP>( out )--+
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK <$Outer>
++--<$Leave>--<JMP>( own )--+
++--<LBL>( own )--+
+END_FUNCTION_BLOCK
+%% good.clad
++--[ ]( a )--<$Leave>--<$Outer>--+
++--<LBL>( out )--( )( y )--+
+%% bad.clad
++--[ ]( a )--<$Leave>--<$Outer>--+
+",
+        expect![[r#"
+            == bad.clad
+            > +--[ ]( a )--<$Leave>--<$Outer>--+
+                           ^^^^^^^^ error[unknown-label]: the block `$Leave` jumps to the label `out`, which is not here
+                help: mark a network with <LBL>( out )
+                at lib.clad:2:11 `out`: this is the jump
+            > +--[ ]( a )--<$Leave>--<$Outer>--+
+                                     ^^^^^^^^ error[unknown-label]: the block `$Outer` jumps to the label `out`, which is not here
+                help: mark a network with <LBL>( out )
+                at lib.clad:2:11 `out`: this is the jump
+        "#]],
+    );
+}
