@@ -27,10 +27,12 @@ pub enum Kind {
     Addressed,
     /// Every other network holds a user-defined block of another file.
     Library,
+    /// Every other network resets what the one above it sets, in another case.
+    Latched,
 }
 
 /// All of them, by the names that people give.
-pub const KINDS: [(&str, Kind); 11] = [
+pub const KINDS: [(&str, Kind); 12] = [
     ("clean", Kind::Clean),
     ("warned", Kind::Warned),
     ("shared", Kind::Shared),
@@ -42,6 +44,7 @@ pub const KINDS: [(&str, Kind); 11] = [
     ("bodies", Kind::Bodies),
     ("addressed", Kind::Addressed),
     ("library", Kind::Library),
+    ("latched", Kind::Latched),
 ];
 
 /// A program.
@@ -152,6 +155,11 @@ impl Program {
                     drawn,
                     "+--[ ]( start_{n} )--[/]( stop_{n} )--[$GUARD]( run_{n} )--+\n\n\
                      +--[ ]( run_{n} )--[TON]( timer_{n}, T#5s )--( )( ready_{n} )--+\n"
+                ),
+                Kind::Latched => writeln!(
+                    drawn,
+                    "+--[ ]( start_{n} )--[ ]( stop_{n} )--(S)( run_{n} )--[TON]( timer_{n}, T#5s )--( )( ready_{n} )--+\n\n\
+                     +--[/]( start_{n} )--[ ]( stop_{n} )--(R)( run_{n} )--+\n"
                 ),
                 Kind::Undeclared => writeln!(
                     drawn,

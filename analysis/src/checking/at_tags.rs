@@ -1,13 +1,15 @@
 //! What is found at the places of tags, kept while no edit concerns the tag.
 
 use super::addresses::Addresses;
+use super::latches::Latches;
 use super::shelf::Shelf;
 use super::undeclared::UndeclaredTags;
 use crate::context::{Change, Context};
+use crate::control_flow::ControlFlow;
 use crate::findings::Anchored;
 use crate::rule::{Rule, Severity};
 use crate::rules::tag_summary::PlacesAtAddresses;
-use crate::rules::{self, AroundTags};
+use crate::rules::{self, AroundTags, set_and_reset};
 use crate::scope::TagFacts;
 use crate::still_wanted::StillWanted;
 use ladder_syntax::Name;
@@ -29,13 +31,21 @@ pub(super) struct AtTags {
     addresses: Addresses,
     /// Counted while tags are looked at, of one text.
     at_addresses: PlacesAtAddresses,
-    /// Those that are set and reset.
-    latches: FxHashSet<TagKey>,
+    latches: Latches,
     /// Those that are read above the rung that writes them.
     read_above: FxHashSet<TagKey>,
     undeclared: UndeclaredTags,
     around: Option<AroundTags>,
     exchanged: Exchanged,
+}
+
+/// What the networks of a file have of program flow.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Flow {
+    /// All of them together.
+    pub(super) any: ControlFlow,
+    /// What has come or gone with a network.
+    pub(super) changed: ControlFlow,
 }
 
 /// What a look at tags exchanges.
@@ -52,16 +62,16 @@ impl AtTags {
         &mut self,
         context: &Context,
         change: Option<&Change>,
-        around: AroundTags,
+        (around, flow): (AroundTags, Flow),
         (shelf, wanted): (&mut Shelf, &StillWanted<'_>),
     ) -> Option<usize> {
         let same = self.around.as_ref() == Some(&around);
         let looked_at = match change.filter(|_| same) {
-            Some(change) => self.look_at_changed(context, change, &around, wanted)?,
+            Some(change) => self.look_at_changed(context, change, (&around, flow), wanted)?,
             None => {
                 *self = AtTags::default();
                 shelf.remove_all_of_tags();
-                self.look_at_all(context, &around, wanted)?
+                self.look_at_all(context, (&around, flow), wanted)?
             }
         };
         self.around = Some(around);
@@ -74,7 +84,7 @@ impl AtTags {
         &mut self,
         context: &Context,
         change: &Change,
-        around: &AroundTags,
+        around: (&AroundTags, Flow),
         wanted: &StillWanted<'_>,
     ) -> Option<usize> {
         let mut again: FxHashSet<TagKey> = change.tags.iter().chain(&self.volatile).cloned().collect();
@@ -84,6 +94,12 @@ impl AtTags {
             again.extend(named.map(|named| key_of(context, network.scope, &named.key)));
         }
         context.at_address.add_names(context, &mut again);
+        let asking = self.latches.asking(again.iter()).cloned();
+        let asking: Vec<TagKey> = asking.collect();
+        again.extend(asking);
+        if around.1.changed.has(set_and_reset::DECIDES) {
+            again.extend(self.latches.all().cloned());
+        }
         self.undeclared.follow(context, change, &mut again);
         let mut count = again.len();
         for key in again {
@@ -101,10 +117,10 @@ impl AtTags {
     fn look_at_all(
         &mut self,
         context: &Context,
-        around: &AroundTags,
+        around: (&AroundTags, Flow),
         wanted: &StillWanted<'_>,
     ) -> Option<usize> {
-        self.undeclared = UndeclaredTags::of(context, around.declares);
+        self.undeclared = UndeclaredTags::of(context, around.0.declares);
         for (scope, facts) in context.scopes.iter().enumerate() {
             for tag in facts.tags.iter().filter(|tag| !tag.leads_elsewhere()) {
                 wanted.one_more()?;
@@ -118,18 +134,13 @@ impl AtTags {
     }
 
     /// Looks at a tag again, which may be gone.
-    fn look(&mut self, context: &Context, key: TagKey, around: &AroundTags) {
+    fn look(&mut self, context: &Context, key: TagKey, around: (&AroundTags, Flow)) {
         let gone = self.found.remove(&key);
         self.exchanged.gone.extend(gone.into_iter().flatten());
-        let lists = [
-            &mut self.volatile,
-            &mut self.faulty,
-            &mut self.latches,
-            &mut self.read_above,
-        ];
-        for tags in lists {
+        for tags in [&mut self.volatile, &mut self.faulty, &mut self.read_above] {
             tags.remove(&key);
         }
+        self.latches.forget(&key);
         self.undeclared.forget(&key);
         let tag = context.find_tag(&key).filter(|tag| !tag.leads_elsewhere());
         let address = tag.and_then(|tag| tag.rare.address.as_deref());
@@ -139,14 +150,20 @@ impl AtTags {
         }
     }
 
-    fn look_at(&mut self, context: &Context, (scope, tag): (usize, &TagFacts), around: &AroundTags) {
+    fn look_at(
+        &mut self,
+        context: &Context,
+        (scope, tag): (usize, &TagFacts),
+        (around, flow): (&AroundTags, Flow),
+    ) {
         let mut found = Vec::new();
         let undeclaring = self.undeclared.undeclaring((scope, tag));
         let around = (around, &undeclaring);
         rules::of_tag(context, (scope, tag), around, &self.at_addresses, &mut found);
-        let latch = rules::set_and_reset::is_latch(tag);
+        let asked =
+            set_and_reset::is_latch(tag).then(|| set_and_reset::check(context, flow.any, tag, &mut found));
         let read_above = rules::read_before_write::is_read_above(context, tag);
-        if found.is_empty() && !latch && !read_above {
+        if found.is_empty() && asked.is_none() && !read_above {
             return;
         }
         let key = (scope, Name::new(&tag.name));
@@ -162,8 +179,10 @@ impl AtTags {
         if found.iter().any(|found| found.severity() == Severity::Error) {
             self.faulty.insert(key.clone());
         }
-        if latch {
-            self.latches.insert(key.clone());
+        if let Some(asked) = asked {
+            let key_of =
+                |(scope, tag): (usize, usize)| (scope, Name::new(&context.scopes[scope].tags[tag].name));
+            self.latches.note(&key, asked.into_iter().map(key_of).collect());
         }
         if read_above {
             self.read_above.insert(key.clone());
@@ -195,11 +214,6 @@ impl AtTags {
     /// The tags whose addresses have to do with others: they are the same, or overlap.
     pub(super) fn addressed<'c>(&self, context: &'c Context) -> impl Iterator<Item = &'c TagFacts> {
         tags_of(context, self.addresses.involved())
-    }
-
-    /// The tags that are set and reset.
-    pub(super) fn latches<'c>(&self, context: &'c Context) -> impl Iterator<Item = &'c TagFacts> {
-        tags_of(context, &self.latches)
     }
 
     /// The tags that are read above the rung that writes them.

@@ -6,7 +6,7 @@
 
 mod in_networks;
 
-use super::at_tags::AtTags;
+use super::at_tags::{AtTags, Flow};
 use super::part_notes::PartNotes;
 use super::shelf::Shelf;
 use crate::context::{Change, Context};
@@ -159,19 +159,13 @@ impl Ledger {
         ledger.control_flow.resize(numbers, ControlFlow::default());
         ledger.shelf.resize(numbers, context.declarations.numbers());
         ledger.notes.follow(context.parse.lines());
-        for &index in &networks {
-            let flow = context.networks.at(index).control_flow;
-            ledger.control_flow[context.networks.id(index) as usize] = flow;
-        }
-        let all = ledger.control_flow.iter();
-        let any = all.fold(ControlFlow::default(), |all, flow| all.with(*flow));
-        ledger.any = any;
+        let flow = ledger.follow_flow(context, change, &networks);
         ledger.in_networks(context, &networks, wanted)?;
         let mut of_file = OfFile::default();
         rules::of_file(context, &mut of_file.names);
         let rungs = ledger.notes.rungs(context.parse.lines());
         of_file.names.extend(rungs.map(rules::commented_out_rung::found));
-        ledger.of_tags(context, change, any, wanted)?;
+        ledger.of_tags(context, change, flow, wanted)?;
         let addressed: Vec<&TagFacts> = ledger.tags.addressed(context).collect();
         ledger.work.tags += addressed.len();
         rules::one_address::check(context, addressed.iter().copied(), &mut of_file.names);
@@ -193,7 +187,6 @@ impl Ledger {
         rules::of_program(context, &survey, &mut found);
         let tags = &ledger.tags;
         rules::overlapping_address::check(context, addressed.into_iter(), &mut found);
-        rules::set_and_reset::check(context, &survey, tags.latches(context), &mut found);
         rules::read_before_write::check(context, &survey, tags.read_above(context), &mut found);
         of_file.program = found;
         Some((ledger, of_file))
@@ -205,7 +198,6 @@ impl Ledger {
             let gone = std::mem::take(&mut self.networks[id as usize]);
             self.count -= gone.found.len();
             self.unshelved.insert(id);
-            self.control_flow[id as usize] = ControlFlow::default();
             self.unresolved.remove(&id);
             for numbers in [
                 &mut self.faulty,
@@ -232,6 +224,38 @@ impl Ledger {
             }
         }
         again.into_iter().collect()
+    }
+
+    /// Notes what the networks have of program flow, of which these are new or looked at again.
+    fn follow_flow(&mut self, context: &Context, change: Option<&Change>, networks: &[usize]) -> Flow {
+        let new = networks.iter().map(|&index| context.networks.id(index));
+        let gone = change
+            .into_iter()
+            .flat_map(|change| change.removed.iter().copied());
+        let touched: Vec<(u32, ControlFlow)> = gone
+            .chain(new.clone())
+            .map(|id| (id, self.control_flow[id as usize]))
+            .collect();
+        for (id, _) in &touched {
+            self.control_flow[*id as usize] = ControlFlow::default();
+        }
+        for (id, &index) in new.zip(networks) {
+            self.control_flow[id as usize] = context.networks.at(index).control_flow;
+        }
+        let together = |all: ControlFlow, flow: ControlFlow| all.with(flow);
+        let changed = touched
+            .into_iter()
+            .map(|(id, before)| before.differing(self.control_flow[id as usize]));
+        let changed = changed.fold(ControlFlow::default(), together);
+        self.any = self
+            .control_flow
+            .iter()
+            .copied()
+            .fold(ControlFlow::default(), together);
+        Flow {
+            any: self.any,
+            changed,
+        }
     }
 
     /// Exchanges what a pass has found in a network.
@@ -265,10 +289,10 @@ impl Ledger {
         &mut self,
         context: &Context,
         change: Option<&Change>,
-        any: ControlFlow,
+        flow: Flow,
         wanted: &StillWanted<'_>,
     ) -> Option<()> {
-        let leaving = Leaving::of(any, || {
+        let leaving = Leaving::of(flow.any, || {
             let leaves = |index: &usize| self.flow_at(context, *index).has(Leaving::WAYS);
             (0..context.networks.len())
                 .filter(leaves)
@@ -282,7 +306,7 @@ impl Ledger {
         };
         self.work.tags = self
             .tags
-            .follow(context, change, around, (&mut self.shelf, wanted))?;
+            .follow(context, change, (around, flow), (&mut self.shelf, wanted))?;
         Some(())
     }
 

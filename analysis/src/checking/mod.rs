@@ -7,6 +7,7 @@
 
 mod addresses;
 mod at_tags;
+mod latches;
 mod ledger;
 mod part_notes;
 mod shelf;

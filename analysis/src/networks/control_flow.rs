@@ -40,6 +40,11 @@ impl ControlFlow {
         ControlFlow(self.0 | other.0)
     }
 
+    /// What one of them has and the other has not.
+    pub(crate) const fn differing(self, other: ControlFlow) -> ControlFlow {
+        ControlFlow(self.0 ^ other.0)
+    }
+
     /// What one block adds.
     pub(crate) fn of(bound: &BoundBlock) -> ControlFlow {
         match bound.meaning {

@@ -3,7 +3,6 @@
 //! Decided for coils whose conditions are in series: the later one always acts with the earlier one if each of
 //! its conditions is one of the earlier one's, and nothing between them writes what they ask for.
 
-use super::survey::Survey;
 use crate::boolean::written::written;
 use crate::context::Context;
 use crate::control_flow::ControlFlow;
@@ -19,6 +18,15 @@ use crate::use_kind::Deed;
 use ladder_instructions::{Coil, Power, Role};
 use rustc_hash::FxHashSet;
 
+/// What in a network leaves it unclear whether a coil acts with another one above it.
+const UNCLEAR: ControlFlow = ControlFlow::LEAVES
+    .with(ControlFlow::FOR)
+    .with(ControlFlow::CALL)
+    .with(ControlFlow::FLOW_BLOCK);
+
+/// What of program flow decides about latches: where it comes or goes, all are looked at.
+pub(crate) const DECIDES: ControlFlow = UNCLEAR.with(ControlFlow::MCR);
+
 /// How many coils of one tag are compared with each other.
 const MOST: usize = 16;
 
@@ -32,47 +40,51 @@ pub(crate) fn is_latch(tag: &TagFacts) -> bool {
     writers().take(MOST).any(|place| sets(&place)) && !writers().all(|place| sets(&place))
 }
 
-/// Looks at the tags that are set and reset.
-pub(crate) fn check<'c>(
-    context: &'c Context,
-    survey: &Survey<'_>,
-    latches: impl Iterator<Item = &'c TagFacts>,
+/// Looks at a tag that is set and reset. `any` is what the networks of the file have together of program flow. Gives the tags
+/// whose writers decide what is found, as far as they do.
+pub(crate) fn check(
+    context: &Context,
+    any: ControlFlow,
+    tag: &TagFacts,
     out: &mut Vec<Diagnostic>,
-) {
-    if !survey.any.has(ControlFlow::SET)
-        || !survey.any.has(ControlFlow::RESET)
-        || survey.any.has(ControlFlow::MCR)
-    {
-        return;
+) -> FxHashSet<(usize, usize)> {
+    let mut decide = FxHashSet::default();
+    if any.has(ControlFlow::MCR) {
+        return decide;
     }
-    let unclear = ControlFlow::LEAVES
-        .with(ControlFlow::FOR)
-        .with(ControlFlow::CALL)
-        .with(ControlFlow::FLOW_BLOCK);
-    for tag in latches {
-        let coil = |place: &Use| context.networks.at(place.network).block(place.block).coil();
-        let is_latch = |place: &Use| matches!(coil(place), Some(Coil::Sets | Coil::Resets)) && place.whole;
-        let sets = |place: &Use| coil(place) == Some(Coil::Sets);
-        let coils: Vec<Latch> = context
-            .writers(tag)
-            .filter(is_latch)
-            .take(MOST)
-            .filter_map(|place| Latch::new(context, place, sets(&place)))
-            .collect();
-        for (index, earlier) in coils.iter().enumerate() {
-            let undone = coils[index + 1..].iter().find(|later| {
-                later.sets != earlier.sets
-                    && later.conditions.is_subset(&earlier.conditions)
-                    && context.bodies[later.place.network] == context.bodies[earlier.place.network]
-                    && !(earlier.place.network..=later.place.network)
-                        .any(|network| survey.control_flow(network).has(unclear))
-                    && !is_changed_between(context, earlier, later)
-            });
-            if let Some(later) = undone {
-                out.push(found(context, &tag.name, earlier, later));
+    let coil = |place: &Use| context.networks.at(place.network).block(place.block).coil();
+    let is_latch = |place: &Use| matches!(coil(place), Some(Coil::Sets | Coil::Resets)) && place.whole;
+    let sets = |place: &Use| coil(place) == Some(Coil::Sets);
+    let coils: Vec<Latch> = context
+        .writers(tag)
+        .filter(is_latch)
+        .take(MOST)
+        .filter_map(|place| Latch::new(context, place, sets(&place)))
+        .collect();
+    for (index, earlier) in coils.iter().enumerate() {
+        let undone = coils[index + 1..].iter().find(|later| {
+            let act_together = later.sets != earlier.sets
+                && later.conditions.is_subset(&earlier.conditions)
+                && context.bodies[later.place.network] == context.bodies[earlier.place.network]
+                && !is_unclear_between(context, any, earlier, later);
+            if act_together {
+                decide.extend(&earlier.asked);
             }
+            act_together && !is_changed_between(context, earlier, later)
+        });
+        if let Some(later) = undone {
+            out.push(found(&tag.name, earlier, later));
         }
     }
+    decide
+}
+
+/// Whether a network from the earlier coil to the later one may move the program on to another place.
+fn is_unclear_between(context: &Context, any: ControlFlow, earlier: &Latch, later: &Latch) -> bool {
+    let mut networks = context
+        .networks
+        .range(earlier.place.network..later.place.network + 1);
+    any.has(UNCLEAR) && networks.any(|network| network.control_flow.has(UNCLEAR))
 }
 
 struct Latch {
@@ -164,8 +176,7 @@ fn is_changed_between(context: &Context, earlier: &Latch, later: &Latch) -> bool
     })
 }
 
-fn found(context: &Context, name: &str, earlier: &Latch, later: &Latch) -> Diagnostic {
-    let line = context.line_number(later.place.range.start());
+fn found(name: &str, earlier: &Latch, later: &Latch) -> Diagnostic {
     let (does, undoes) = if earlier.sets {
         ("sets", "resets")
     } else {
@@ -175,7 +186,7 @@ fn found(context: &Context, name: &str, earlier: &Latch, later: &Latch) -> Diagn
         Rule::SetAndReset,
         earlier.place.range,
         format!(
-            "whenever this {does} `{name}`, line {line} {undoes} it in the same scan: this has no effect"
+            "whenever this {does} `{name}`, another coil {undoes} it in the same scan: this has no effect"
         ),
     )
     .help("change one of the conditions, or remove one of the coils")

@@ -131,7 +131,7 @@ fn latches() {
         "+--[ ]( a )--[ ]( b )--(S)( y )--+\n\n+--[ ]( a )--(R)( y )--+\n",
         expect![[r#"
             > +--[ ]( a )--[ ]( b )--(S)( y )--+
-                                          ^ warning[set-and-reset]: whenever this sets `y`, line 3 resets it in the same scan: this has no effect
+                                          ^ warning[set-and-reset]: whenever this sets `y`, another coil resets it in the same scan: this has no effect
                 help: change one of the conditions, or remove one of the coils
                 at 3:19 `y`: this resets `y`
         "#]],
@@ -140,7 +140,7 @@ fn latches() {
         "+--[ ]( a )--(R)( y )--(S)( y )--+\n",
         expect![[r#"
         > +--[ ]( a )--(R)( y )--(S)( y )--+
-                            ^ warning[set-and-reset]: whenever this resets `y`, line 1 sets it in the same scan: this has no effect
+                            ^ warning[set-and-reset]: whenever this resets `y`, another coil sets it in the same scan: this has no effect
             help: change one of the conditions, or remove one of the coils
             at 1:29 `y`: this sets `y`
     "#]],

@@ -11,6 +11,7 @@ mod incremental;
 mod incremental_declarations;
 mod incremental_files;
 mod incremental_globals;
+mod incremental_program;
 mod incremental_rules;
 mod incremental_types;
 mod incremental_undeclared;
