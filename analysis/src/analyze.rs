@@ -21,8 +21,10 @@ pub struct Analysis {
     shown: Shown,
     /// All that is shown, once somebody wants it all.
     findings: OnceLock<Vec<Finding>>,
-    /// Errors that settings or comments hide, or count as less: the program does not run all the same.
-    pub hidden_errors: Vec<Diagnostic>,
+    /// Errors that settings or comments hide, or count as less, beside those that [`Shown`] keeps.
+    hidden_anew: Vec<Diagnostic>,
+    /// All of them, once somebody wants them.
+    hidden_errors: OnceLock<Vec<Diagnostic>>,
     /// What was looked at to find them.
     pub work: Work,
     /// The findings with all that they say, once somebody wants them all.
@@ -56,6 +58,18 @@ impl Analysis {
             .get_or_init(|| all().map(|found| found.diagnostic(&self.context)).collect())
     }
 
+    /// Errors that settings or comments hide, or count as less, in the order of their places: the program does not run all the
+    /// same.
+    pub fn hidden_errors(&self) -> &[Diagnostic] {
+        self.hidden_errors.get_or_init(|| {
+            let kept = self.shown.hidden_errors(&self.context);
+            let mut all: Vec<Diagnostic> = kept.iter().map(|found| found.diagnostic(&self.context)).collect();
+            all.extend_from_slice(&self.hidden_anew);
+            all.sort_by_key(|found| (found.range.start(), found.range.end(), found.rule));
+            all
+        })
+    }
+
     /// Changes a finding of a rule that looks at the text itself, if there is one for which `wanted` holds.
     pub fn change_finding(
         &mut self,
@@ -76,6 +90,7 @@ impl Analysis {
         if let Some((finding, mut found)) = found {
             change(&mut found);
             *finding = Finding::from(found);
+            self.hidden_anew = self.hidden_errors().to_vec();
             self.shown = Shown::Listed(all);
             self.findings = OnceLock::new();
             self.diagnostics = OnceLock::new();
@@ -84,7 +99,7 @@ impl Analysis {
 
     /// Whether a finding is an error: the program is not simulated.
     pub fn has_errors(&self) -> bool {
-        self.shown.has_errors() || !self.hidden_errors.is_empty()
+        self.shown.has_errors() || self.shown.hides_errors() || !self.hidden_anew.is_empty()
     }
 
     /// The program, if there are no errors and it uses no function or block of another file: see
@@ -113,7 +128,7 @@ impl Analysis {
     pub fn errors(&self) -> impl Iterator<Item = &Diagnostic> {
         let shown = self.diagnostics().iter();
         let shown = shown.filter(|found| found.severity == Severity::Error);
-        shown.chain(&self.hidden_errors)
+        shown.chain(self.hidden_errors())
     }
 
     /// What the analysis of the next text begins with; the first that asks gets it.
@@ -129,6 +144,7 @@ impl Clone for Analysis {
             context: Arc::clone(&self.context),
             shown: self.shown.clone(),
             findings: self.findings.clone(),
+            hidden_anew: self.hidden_anew.clone(),
             hidden_errors: self.hidden_errors.clone(),
             work: self.work,
             diagnostics: self.diagnostics.clone(),
@@ -193,7 +209,8 @@ pub fn analyze_while(
         context,
         shown: found.shown,
         findings: OnceLock::new(),
-        hidden_errors: found.hidden_errors,
+        hidden_anew: found.hidden_errors,
+        hidden_errors: OnceLock::new(),
         work: found.work,
         diagnostics: OnceLock::new(),
         ledger: Mutex::new(Some(found.ledger)),

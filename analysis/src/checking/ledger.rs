@@ -6,6 +6,7 @@
 
 mod in_networks;
 
+use super::allowed::Allowed;
 use super::at_tags::{AtTags, Flow};
 use super::part_notes::PartNotes;
 use super::shelf::Shelf;
@@ -64,6 +65,7 @@ pub(crate) struct Ledger {
     /// Whether a rail may be dead, once it is known.
     rail_varies: Option<bool>,
     pub(super) notes: PartNotes,
+    pub(super) allowed: Allowed,
     /// How many findings the networks own.
     count: usize,
     /// There are so many that no networks were looked at from this one on.
@@ -80,6 +82,8 @@ pub struct Work {
     pub tags: usize,
     /// Findings that were kept, to see whether they are shown.
     pub findings: usize,
+    /// Comments that switch rules off.
+    pub comments: usize,
 }
 
 /// What is found in a network.
@@ -120,6 +124,7 @@ impl Ledger {
             an_output: None,
             rail_varies: None,
             notes: PartNotes::default(),
+            allowed: Allowed::default(),
             count: 0,
             full_from: None,
             work: Work::default(),
@@ -158,7 +163,11 @@ impl Ledger {
         ledger.networks.resize_with(numbers, OfNetwork::default);
         ledger.control_flow.resize(numbers, ControlFlow::default());
         ledger.shelf.resize(numbers, context.declarations.numbers());
-        ledger.notes.follow(context.parse.lines());
+        let parts = ledger.notes.follow(context.parse.lines());
+        ledger.work.comments =
+            ledger
+                .allowed
+                .follow(context, change, (&ledger.notes, parts), &mut ledger.shelf);
         let flow = ledger.follow_flow(context, change, &networks);
         ledger.in_networks(context, &networks, wanted)?;
         let mut of_file = OfFile::default();
@@ -366,7 +375,7 @@ impl Ledger {
 
     /// The networks whose blocks may leave something in doubt: with one that is not known, with a label, or with the
     /// beginning of a function.
-    pub(super) fn marked<'c>(&'c self, context: &'c Context) -> impl Iterator<Item = NetworkAt<'c>> {
+    pub(super) fn marked<'c>(&self, context: &'c Context) -> impl Iterator<Item = NetworkAt<'c>> {
         let count = if self.any.has(ControlFlow::MARK) {
             self.control_flow.len()
         } else {

@@ -6,6 +6,7 @@
 //! ```
 
 mod addresses;
+mod allowed;
 mod at_tags;
 mod latches;
 mod ledger;
@@ -13,6 +14,7 @@ mod part_notes;
 mod shelf;
 mod shown;
 mod undeclared;
+mod unused_allows;
 
 pub(crate) use ledger::Ledger;
 pub use ledger::Work;
@@ -30,7 +32,7 @@ use crate::still_wanted::StillWanted;
 #[derive(Debug)]
 pub(crate) struct Found {
     pub(crate) shown: Shown,
-    /// Errors that settings or comments hide, or count as less.
+    /// Errors that settings or comments hide, or count as less, beside those that [`Shown`] keeps.
     pub(crate) hidden_errors: Vec<Diagnostic>,
     /// What was looked at for it.
     pub(crate) work: Work,
@@ -46,20 +48,23 @@ pub(crate) fn find(
     settings: &RuleSettings,
     wanted: &StillWanted<'_>,
 ) -> Option<Found> {
-    let (ledger, of_file) = Ledger::look(before, context, settings, wanted)?;
-    let (mut shown, hidden_errors, findings) = shown::shown(context, &ledger, of_file, settings);
+    let (mut ledger, of_file) = Ledger::look(before, context, settings, wanted)?;
+    let (mut shown, hidden_errors, looked_at) = shown::shown(context, &mut ledger, of_file, settings);
     if let Some(block) = ledger.unresolved(context)
         && hidden_errors.is_empty()
+        && !shown.hides_errors()
         && !shown.has_errors()
     {
         shown.add(Finding::from(mistakes::bad_operand::meaningless(block)));
     }
+    let work = ledger.work();
     Some(Found {
         shown,
         hidden_errors,
         work: Work {
-            findings,
-            ..ledger.work()
+            findings: looked_at.findings,
+            comments: work.comments + looked_at.comments,
+            ..work
         },
         ledger,
     })

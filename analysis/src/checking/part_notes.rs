@@ -3,7 +3,7 @@
 use crate::asked::{asked, may_ask};
 use crate::rules::commented_out_rung;
 use ladder_syntax::{FileLines, LineKind, NodeOrToken, Part, TextRange, TextSize, Trees};
-use rustc_hash::FxHashMap;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// The notes of all parts.
@@ -11,6 +11,8 @@ use std::sync::Arc;
 pub(super) struct PartNotes {
     /// In the order of the parts, each with its part, so that no other part has its address.
     notes: Vec<(Arc<Part>, Arc<Note>)>,
+    /// How many lines have directives.
+    asking: usize,
 }
 
 /// What is of interest in the comments of one part.
@@ -23,32 +25,40 @@ struct Note {
 }
 
 impl PartNotes {
-    /// Looks at the parts that are new.
-    pub(super) fn follow(&mut self, lines: &FileLines) {
-        let known: FxHashMap<*const Part, Arc<Note>> = self
-            .notes
+    /// Looks at the parts that are new. Gives which of them these are, and in the place of which earlier ones they are.
+    pub(super) fn follow(&mut self, lines: &FileLines) -> (Range<usize>, Range<usize>) {
+        let parts = lines.parts();
+        let is_same = |(part, (noted, _)): &(&Arc<Part>, &(Arc<Part>, Arc<Note>))| Arc::ptr_eq(part, noted);
+        let above = parts.iter().zip(&self.notes).take_while(is_same).count();
+        let below = parts[above..].iter().rev().zip(self.notes[above..].iter().rev());
+        let below = below.take_while(is_same).count();
+        let (new, old) = (above..parts.len() - below, above..self.notes.len() - below);
+        let notes = parts[new.clone()]
             .iter()
-            .map(|(part, note)| (Arc::as_ptr(part), Arc::clone(note)))
-            .collect();
-        let note = |part: &Arc<Part>| {
-            let kept = known.get(&Arc::as_ptr(part)).cloned();
-            (Arc::clone(part), kept.unwrap_or_else(|| Arc::new(Note::of(part))))
+            .map(|part| (Arc::clone(part), Arc::new(Note::of(part))));
+        let gone: Vec<_> = self.notes.splice(old.clone(), notes).collect();
+        let asking = |notes: &[(Arc<Part>, Arc<Note>)]| -> usize {
+            notes.iter().map(|(_, note)| note.asking.len()).sum()
         };
-        self.notes = lines.parts().iter().map(note).collect();
+        self.asking = self.asking + asking(&self.notes[new.clone()]) - asking(&gone);
+        (new, old)
     }
 
     /// Whether any comment is a directive.
     pub(super) fn ask(&self) -> bool {
-        self.notes.iter().any(|(_, note)| !note.asking.is_empty())
+        self.asking > 0
     }
 
     /// The lines with directives, from top to bottom.
     pub(super) fn asking(&self, lines: &FileLines) -> impl Iterator<Item = usize> {
-        let noted = self.notes.iter().enumerate();
-        noted.flat_map(|(part, (_, note))| {
-            let base = lines.first_line(part);
-            note.asking.iter().map(move |line| base + *line as usize)
-        })
+        (0..self.notes.len()).flat_map(|part| self.asking_in(part, lines))
+    }
+
+    /// The lines of a part with directives, from top to bottom.
+    pub(super) fn asking_in(&self, part: usize, lines: &FileLines) -> impl Iterator<Item = usize> {
+        let base = lines.first_line(part);
+        let (_, note) = &self.notes[part];
+        note.asking.iter().map(move |line| base + *line as usize)
     }
 
     /// The comments that are rungs, from top to bottom.

@@ -9,7 +9,7 @@ use crate::context::Context;
 use crate::findings::{Anchored, Finding, Home};
 use crate::lint;
 use crate::rule::{Rule, Severity};
-use crate::rule_settings::RuleSettings;
+use crate::rule_settings::{Level, RuleSettings};
 use crate::rules::follow_ups::{FollowUps, is_about_words};
 use crate::rules::tag_summary::{Known, When};
 use ladder_syntax::{TextRange, TextSize};
@@ -57,6 +57,15 @@ pub(crate) struct Shelf {
     /// Those that hold a finding of a rule that is [about words](is_about_words).
     with_words: Arc<FxHashSet<Home>>,
     counts: [Count; When::ALL.len()],
+    /// How many each rule has found.
+    of_rules: Vec<u32>,
+    /// Rules that comments switch off: in the file,
+    off: Arc<FxHashSet<Rule>>,
+    /// and in networks, by their numbers.
+    off_in: Chunked<Option<Arc<[Rule]>>>,
+    /// Of these networks the numbers of those in which something else is found than when it was
+    /// [last asked](Shelf::take_changed).
+    changed: FxHashSet<u32>,
 }
 
 /// The findings of one network or line of declarations, in the order of their places.
@@ -71,7 +80,7 @@ struct Item {
     source: Source,
     /// As the rule says.
     severity: Severity,
-    /// As the settings ask for; none if they hide it.
+    /// As the settings ask for; none if they hide it, or a comment.
     level: Option<Severity>,
     /// The one before it says the same.
     repeats: bool,
@@ -81,6 +90,8 @@ struct Item {
 /// How many findings there are.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Count {
+    /// All of them.
+    pub(super) found: usize,
     /// Those that are shown.
     pub(super) shown: usize,
     /// Those that are shown as errors.
@@ -93,6 +104,7 @@ pub(super) struct Count {
 
 impl AddAssign for Count {
     fn add_assign(&mut self, other: Count) {
+        self.found += other.found;
         self.shown += other.shown;
         self.errors += other.errors;
         self.found_errors += other.found_errors;
@@ -101,14 +113,14 @@ impl AddAssign for Count {
 }
 
 impl Item {
-    fn new(anchored: &Arc<Anchored>, source: Source, settings: &RuleSettings) -> Item {
+    fn new(anchored: &Arc<Anchored>, source: Source) -> Item {
         let (rule, severity) = (anchored.rule(), anchored.severity());
         Item {
             range: anchored.anchored_range(),
             rule,
             source,
             severity,
-            level: lint::level(settings, rule, severity),
+            level: None,
             repeats: false,
             anchored: Arc::clone(anchored),
         }
@@ -121,11 +133,17 @@ impl Item {
         let found = self.severity == Severity::Error;
         let shown = self.level == Some(Severity::Error);
         Count {
+            found: 1,
             shown: usize::from(self.level.is_some()),
             errors: usize::from(shown),
             found_errors: usize::from(found),
-            hidden_errors: usize::from(found && !shown),
+            hidden_errors: usize::from(self.is_hidden_error()),
         }
+    }
+
+    /// Whether it is an error that is hidden, or counts as less.
+    fn is_hidden_error(&self) -> bool {
+        self.severity == Severity::Error && self.level != Some(Severity::Error)
     }
 
     /// As the rule says it, of a network or line that starts at `own`.
@@ -153,6 +171,10 @@ impl Shelf {
             declared: Chunked::default(),
             with_words: Arc::default(),
             counts: Default::default(),
+            of_rules: vec![0; Rule::ALL.len()],
+            off: Arc::default(),
+            off_in: Chunked::default(),
+            changed: FxHashSet::default(),
         }
     }
 
@@ -160,6 +182,7 @@ impl Shelf {
     pub(super) fn resize(&mut self, networks: usize, lines: usize) {
         while self.networks.len() < networks {
             self.networks.push(None);
+            self.off_in.push(None);
         }
         while self.declared.len() < lines {
             self.declared.push(None);
@@ -172,7 +195,7 @@ impl Shelf {
         let kept = kept.filter(|item| item.source != Source::Network).cloned();
         let mut items: Vec<Item> = found
             .filter(|found| !found.is_volatile())
-            .map(|found| Item::new(found, Source::Network, &self.settings))
+            .map(|found| Item::new(found, Source::Network))
             .collect();
         items.extend(kept);
         self.put(Home::Network(id), items);
@@ -190,7 +213,7 @@ impl Shelf {
         }
         for found in &new {
             if let Some(home) = homes_of(found) {
-                let item = Item::new(found, Source::of_tag(found), &self.settings);
+                let item = Item::new(found, Source::of_tag(found));
                 homes.entry(home).or_default().push(item);
             }
         }
@@ -205,13 +228,68 @@ impl Shelf {
 
     /// Takes away all that tags own.
     pub(super) fn remove_all_of_tags(&mut self) {
-        let networks = (0..self.networks.len() as u32).map(Home::Network);
-        let lines = (0..self.declared.len() as u32).map(Home::Declaration);
-        for home in networks.chain(lines) {
+        for home in self.homes() {
             let mut items = self.items_of(home);
             items.retain(|item| !item.source.is_tag());
             self.put(home, items);
         }
+    }
+
+    /// Comments switch these rules off in the file.
+    pub(super) fn switch_off(&mut self, rules: FxHashSet<Rule>) {
+        if *self.off == rules {
+            return;
+        }
+        self.off = Arc::new(rules);
+        for home in self.homes() {
+            self.put(home, self.items_of(home));
+        }
+    }
+
+    /// Comments switch these rules off in a network.
+    pub(super) fn switch_off_in(&mut self, id: u32, rules: Option<Arc<[Rule]>>) {
+        *self.off_in.get_mut(id as usize) = rules;
+        self.put(Home::Network(id), self.items_of(Home::Network(id)));
+    }
+
+    /// Whether a comment switches a rule off in a network, or in the file.
+    pub(super) fn is_off(&self, rule: Rule, network: Option<u32>) -> bool {
+        let in_network = || self.off_in.get(network? as usize)?.as_ref();
+        self.off.contains(&rule) || in_network().is_some_and(|rules| rules.contains(&rule))
+    }
+
+    /// The numbers of networks in which rules are off, and something else is found than when this was last asked.
+    pub(super) fn take_changed(&mut self) -> FxHashSet<u32> {
+        std::mem::take(&mut self.changed)
+    }
+
+    /// The number of the network around a place, if comments switch rules off there.
+    pub(super) fn with_comments_at(&self, context: &Context, at: TextSize) -> Option<u32> {
+        let line = context.parse.line_at(at)?;
+        let network = context.networks.on_line(line)?;
+        let id = context.networks.id(network.index);
+        self.off_in.get(id as usize)?.as_ref().map(|_| id)
+    }
+
+    /// Whether a rule that the settings do not switch off finds something in a network that holds.
+    pub(super) fn finds_in(&self, id: u32, rule: Rule, known: Known) -> bool {
+        let mut items = self.networks[id as usize].iter().flat_map(|items| items.iter());
+        self.is_heard(rule, known) && items.any(|item| item.rule == rule)
+    }
+
+    /// The same of the file.
+    pub(super) fn finds(&self, rule: Rule, known: Known) -> bool {
+        self.is_heard(rule, known) && self.of_rules[rule as usize] > 0
+    }
+
+    fn is_heard(&self, rule: Rule, known: Known) -> bool {
+        When::of(rule).holds(known) && self.settings.level(rule) != Some(Level::Off)
+    }
+
+    fn homes(&self) -> impl Iterator<Item = Home> + use<> {
+        let networks = (0..self.networks.len() as u32).map(Home::Network);
+        let lines = (0..self.declared.len() as u32).map(Home::Declaration);
+        networks.chain(lines)
     }
 
     fn items_of(&self, home: Home) -> Vec<Item> {
@@ -222,12 +300,29 @@ impl Shelf {
         items.as_deref().map(<[Item]>::to_vec).unwrap_or_default()
     }
 
-    fn put(&mut self, home: Home, mut items: Vec<Item>) {
-        let (all, number) = match home {
-            Home::Network(id) => (&mut self.networks, id as usize),
-            Home::Declaration(line) => (&mut self.declared, line as usize),
+    /// As the settings ask for; none if they hide it, or a comment.
+    fn level(&self, home: Home, item: &Item) -> Option<Severity> {
+        let network = match home {
+            Home::Network(id) => Some(id),
+            Home::Declaration(_) => None,
         };
-        let before = all[number].clone();
+        let level = lint::level(&self.settings, item.rule, item.severity)?;
+        (!self.is_off(item.rule, network)).then_some(level)
+    }
+
+    fn put(&mut self, home: Home, mut items: Vec<Item>) {
+        for item in &mut items {
+            item.level = self.level(home, item);
+        }
+        if let Home::Network(id) = home
+            && self.off_in[id as usize].is_some()
+        {
+            self.changed.insert(id);
+        }
+        let before = match home {
+            Home::Network(id) => self.networks[id as usize].clone(),
+            Home::Declaration(line) => self.declared[line as usize].clone(),
+        };
         if items.is_empty() && before.is_none() {
             return;
         }
@@ -242,12 +337,29 @@ impl Shelf {
             }
         }
         for item in before.iter().flat_map(|items| items.iter()) {
-            count(&mut self.counts, item, false);
+            self.count_one(item, false);
         }
         for item in &items {
-            count(&mut self.counts, item, true);
+            self.count_one(item, true);
         }
-        *all.get_mut(number) = (!items.is_empty()).then(|| items.into());
+        let items = (!items.is_empty()).then(|| items.into());
+        match home {
+            Home::Network(id) => *self.networks.get_mut(id as usize) = items,
+            Home::Declaration(line) => *self.declared.get_mut(line as usize) = items,
+        }
+    }
+
+    fn count_one(&mut self, item: &Item, comes: bool) {
+        let counted = item.count();
+        let all = &mut self.counts[When::of(item.rule) as usize];
+        let change = |all: &mut usize, by: usize| *all = if comes { *all + by } else { *all - by };
+        change(&mut all.found, counted.found);
+        change(&mut all.shown, counted.shown);
+        change(&mut all.errors, counted.errors);
+        change(&mut all.found_errors, counted.found_errors);
+        change(&mut all.hidden_errors, counted.hidden_errors);
+        let of_rule = &mut self.of_rules[item.rule as usize];
+        *of_rule = if comes { *of_rule + 1 } else { *of_rule - 1 };
     }
 
     /// Takes away what follows from mistakes of the text, all of which [are local](FollowUps::are_local). Tags that are not declared
@@ -323,22 +435,33 @@ impl Shelf {
         }
     }
 
-    /// All findings that hold, as the rules say them, in the order of their places.
-    pub(super) fn all(&self, context: &Context, known: Known) -> impl Iterator<Item = (Source, Finding)> {
+    /// All items that hold, in the order of their places, each with where its network or line starts.
+    fn items<'s>(&'s self, context: &Context, known: Known) -> impl Iterator<Item = (&'s Item, TextSize)> {
         let lines = (0..context.declarations.len()).map(|index| self.of_line(context, index));
         let networks = (0..context.networks.len()).map(|index| self.of_network(context, index));
         let all = lines.chain(networks);
         let all = all.flat_map(|(items, own)| items.iter().map(move |item| (item, own)));
-        let all = all.filter(move |(item, _)| !item.repeats && When::of(item.rule).holds(known));
+        all.filter(move |(item, _)| !item.repeats && When::of(item.rule).holds(known))
+    }
+
+    /// All findings that hold, as the rules say them, in the order of their places.
+    pub(super) fn all(&self, context: &Context, known: Known) -> impl Iterator<Item = (Source, Finding)> {
+        let all = self.items(context, known);
         all.map(|(item, own)| (item.source, item.finding(own)))
     }
 
     /// All findings that hold and are shown, as they are shown, in the order of their places.
     pub(super) fn shown(&self, context: &Context, known: Known) -> impl Iterator<Item = Finding> {
-        self.all(context, known).filter_map(|(_, found)| {
-            let severity = lint::level(&self.settings, found.rule, found.severity)?;
-            Some(found.counted_as(severity))
-        })
+        self.items(context, known)
+            .filter_map(|(item, own)| Some(item.finding(own).counted_as(item.level?)))
+    }
+
+    /// The errors that hold, and are hidden or count as less, in the order of their places.
+    pub(super) fn hidden_errors(&self, context: &Context, known: Known) -> impl Iterator<Item = Finding> {
+        let hidden = self
+            .items(context, known)
+            .filter(|(item, _)| item.is_hidden_error());
+        hidden.map(|(item, own)| item.finding(own))
     }
 
     /// Of the findings that hold and are shown, errors or all others, so many before a place and so many behind it, as
@@ -393,14 +516,4 @@ impl Shelf {
         }
         all
     }
-}
-
-fn count(counts: &mut [Count; When::ALL.len()], item: &Item, comes: bool) {
-    let counted = item.count();
-    let all = &mut counts[When::of(item.rule) as usize];
-    let change = |all: &mut usize, by: usize| *all = if comes { *all + by } else { *all - by };
-    change(&mut all.shown, counted.shown);
-    change(&mut all.errors, counted.errors);
-    change(&mut all.found_errors, counted.found_errors);
-    change(&mut all.hidden_errors, counted.hidden_errors);
 }

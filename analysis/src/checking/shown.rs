@@ -1,8 +1,10 @@
 //! Which of all findings are shown, and as what: without those that follow from others, with the severities that the
 //! settings ask for, without what comments switch off, in the order of their places.
 
+use super::Work;
 use super::ledger::{Ledger, OfFile};
 use super::shelf::{Shelf, Source};
+use super::unused_allows::UnusedAllows;
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::findings::Finding;
@@ -13,14 +15,17 @@ use crate::rules;
 use crate::rules::follow_ups::FollowUps;
 use crate::rules::tag_summary::{Known, When};
 use ladder_syntax::TextSize;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// The findings of a file as they are shown.
 #[derive(Debug, Clone)]
 pub(crate) enum Shown {
-    /// All that is found is shown, with the severities that the settings ask for: nobody need go through it.
+    /// What is kept is known as it is shown: nobody need go through it.
     Kept {
         shelf: Box<Shelf>,
         known: Known,
+        /// The comments about networks that hide nothing.
+        unused: UnusedAllows,
         /// What is found anew with each edit, in the order of the places. Nothing of it is on the shelf.
         anew: Vec<Finding>,
     },
@@ -28,14 +33,14 @@ pub(crate) enum Shown {
     Listed(Vec<Finding>),
 }
 
-/// The findings of a file as they are shown; the errors that are hidden or count as less now: a program with them
-/// does not run all the same; and how many kept findings were looked at for it.
+/// The findings of a file as they are shown; the errors that are hidden or count as less now, beside those that are
+/// [kept](Shown::hidden_errors): a program with them does not run all the same; and what was looked at for it.
 pub(super) fn shown(
     context: &Context,
-    ledger: &Ledger,
+    ledger: &mut Ledger,
     of_file: OfFile,
     settings: &RuleSettings,
-) -> (Shown, Vec<Diagnostic>, usize) {
+) -> (Shown, Vec<Diagnostic>, Work) {
     let mut known = of_file.known;
     let anew = found_anew(context, ledger, of_file);
     let count = ledger.shelf.count(known);
@@ -43,28 +48,26 @@ pub(super) fn shown(
     let any_error = count.found_errors > 0 || anew.iter().any(|(_, found)| is_error(found));
     let parse = &context.parse;
     let is_doubtful = parse.unclosed_comment().is_some() || (any_error && rules::cplc_draft::is_it(parse));
-    let is_any = count.shown + count.hidden_errors > 0 || !anew.is_empty();
+    let is_any = count.found > 0 || !anew.is_empty();
     let mut follow_ups = is_any
         .then(|| FollowUps::new(context, ledger.marked(context)))
         .flatten();
-    let lowers = |(_, found): &(Source, Finding)| {
-        is_error(found) && lint::level(settings, found.rule, found.severity) != Some(Severity::Error)
-    };
     let can_be_kept = !is_doubtful
         && !ledger.is_full()
-        && !ledger.notes.ask()
-        && count.hidden_errors == 0
-        && !anew.iter().any(lowers)
+        && !ledger.allowed.has_others()
         && follow_ups.as_ref().is_none_or(FollowUps::are_local);
     if can_be_kept {
         known.hides_declarations = follow_ups.as_ref().is_some_and(FollowUps::hide_declarations);
-        if let Some((shown, looked_at)) = kept(context, (ledger, known), &anew, follow_ups.as_mut(), settings)
-        {
-            return (shown, Vec::new(), looked_at);
+        let kept = kept(context, (ledger, known), &anew, follow_ups.as_mut(), settings);
+        if let Some(kept) = kept {
+            return kept;
         }
     }
     let mut all = in_order(ledger.shelf.all(context, known).chain(anew).collect());
-    let looked_at = all.len();
+    let looked_at = Work {
+        findings: all.len(),
+        ..Work::default()
+    };
     if ledger.is_full() {
         say_enough(context, &mut all);
     }
@@ -117,15 +120,15 @@ fn in_order(mut all: Vec<(Source, Finding)>) -> Vec<(Source, Finding)> {
     all
 }
 
-/// All that is found but what follows from mistakes of the text, if what is found anew hides nothing that is kept; and how
-/// many kept findings were looked at for it.
+/// All that is found but what follows from mistakes of the text, if what is found anew hides nothing that is kept; the
+/// errors found anew that are hidden or count as less; and what was looked at for it.
 fn kept(
     context: &Context,
-    (ledger, known): (&Ledger, Known),
+    (ledger, known): (&mut Ledger, Known),
     anew: &[(Source, Finding)],
     mut follow_ups: Option<&mut FollowUps<'_>>,
     settings: &RuleSettings,
-) -> Option<(Shown, usize)> {
+) -> Option<(Shown, Vec<Diagnostic>, Work)> {
     let mut all = Vec::with_capacity(anew.len());
     for (source, found) in in_order(anew.to_vec()) {
         match ledger.shelf.has(context, &found, known) {
@@ -141,27 +144,66 @@ fn kept(
             all.push((source, found));
         }
     }
+    let (unused, comments) = ledger.allowed.unused((&mut ledger.shelf, known), settings);
+    let mut unused = unused.clone();
     let mut shelf = Box::new(ledger.shelf.clone());
-    let looked_at = follow_ups.map_or(0, |follow_ups| shelf.take_out(context, follow_ups));
+    let findings = follow_ups.map_or(0, |follow_ups| shelf.take_out(context, follow_ups));
     let of_text = of_text(context).filter(|found| shelf.has(context, found, known).is_none());
+    let of_text = of_text.chain(ledger.allowed.wrong(context));
     all.extend(of_text.map(|found| (Source::Text, found)));
     let mut shown = Vec::with_capacity(all.len());
+    let mut hidden_errors = Vec::new();
+    let mut hidden_in: FxHashMap<u32, FxHashSet<Rule>> = FxHashMap::default();
+    let mut found_rules: FxHashSet<Rule> = FxHashSet::default();
     for (_, mut found) in in_order(all) {
-        let level = lint::level(settings, found.rule, found.severity);
+        let set = lint::level(settings, found.rule, found.severity);
+        let network = shelf.with_comments_at(context, found.range.start());
+        if set.is_some() {
+            found_rules.insert(found.rule);
+            if let Some(network) = network {
+                hidden_in.entry(network).or_default().insert(found.rule);
+            }
+        }
+        let level = set.filter(|_| !shelf.is_off(found.rule, network));
         if found.severity == Severity::Error && level != Some(Severity::Error) {
-            return None;
+            hidden_errors.push(found.diagnostic(context));
         }
         if let Some(level) = level {
             found.severity = level;
             shown.push(found);
         }
     }
+    // Beside what is kept, comments hide what is found anew, and nothing of what follows from mistakes.
+    let mut again = shelf.take_changed();
+    again.extend(hidden_in.keys());
+    for &id in &again {
+        let is_anew = |rule| hidden_in.get(&id).is_some_and(|rules| rules.contains(&rule));
+        unused.ask(
+            id,
+            |rule| shelf.finds_in(id, rule, known) || is_anew(rule),
+            settings,
+        );
+    }
+    let is_used = |rule| shelf.finds(rule, known) || found_rules.contains(&rule);
+    shown.extend(ledger.allowed.unused_in_file(context, is_used, settings));
+    sort(&mut shown);
+    let work = Work {
+        findings,
+        comments: comments + again.len(),
+        ..Work::default()
+    };
     let shown = Shown::Kept {
         shelf,
         known,
+        unused,
         anew: shown,
     };
-    Some((shown, looked_at))
+    Some((shown, hidden_errors, work))
+}
+
+/// Puts findings into the order of their places.
+fn sort(found: &mut [Finding]) {
+    found.sort_by_key(|found| (found.range.start(), found.range.end(), found.rule));
 }
 
 /// No more was looked for: the last of what is found in networks says so.
@@ -195,12 +237,9 @@ fn as_asked(
     mut all: Vec<Finding>,
     settings: &RuleSettings,
 ) -> (Vec<Finding>, Vec<Diagnostic>) {
-    let mut allows = Allows::none();
-    if ledger.notes.ask() {
-        let mut wrong = Vec::new();
-        allows = Allows::of(context, ledger.notes.asking(context.parse.lines()), &mut wrong);
-        all.extend(wrong.into_iter().map(Finding::from));
-    }
+    let mut wrong = Vec::new();
+    let mut allows = Allows::of(context, ledger.notes.asking(context.parse.lines()), &mut wrong);
+    all.extend(wrong.into_iter().map(Finding::from));
     let mut hidden = Vec::new();
     all.retain_mut(|finding| {
         let level = lint::level(settings, finding.rule, finding.severity);
@@ -212,7 +251,7 @@ fn as_asked(
         level.is_some()
     });
     all.extend(allows.unused(settings).into_iter().map(Finding::from));
-    all.sort_by_key(|found| (found.range.start(), found.range.end(), found.rule));
+    sort(&mut all);
     // The first says it best: what is found while types are inferred comes before what follows from it.
     all.dedup_by(|later, first| later.rule == first.rule && later.range == first.range);
     (all, hidden)
@@ -223,10 +262,16 @@ impl Shown {
     pub(crate) fn all(&self, context: &Context) -> Vec<Finding> {
         match self {
             Shown::Listed(all) => all.clone(),
-            Shown::Kept { shelf, known, anew } => {
+            Shown::Kept {
+                shelf,
+                known,
+                unused,
+                anew,
+            } => {
                 let mut all: Vec<Finding> = shelf.shown(context, *known).collect();
+                all.extend(unused.all(context));
                 all.extend(anew.iter().cloned());
-                all.sort_by_key(|found| (found.range.start(), found.range.end(), found.rule));
+                sort(&mut all);
                 all
             }
         }
@@ -236,7 +281,12 @@ impl Shown {
     pub(crate) fn len(&self) -> usize {
         match self {
             Shown::Listed(all) => all.len(),
-            Shown::Kept { shelf, known, anew } => shelf.count(*known).shown + anew.len(),
+            Shown::Kept {
+                shelf,
+                known,
+                unused,
+                anew,
+            } => shelf.count(*known).shown + unused.len() + anew.len(),
         }
     }
 
@@ -245,7 +295,30 @@ impl Shown {
         let is_error = |found: &Finding| found.severity == Severity::Error;
         match self {
             Shown::Listed(all) => all.iter().any(is_error),
-            Shown::Kept { shelf, known, anew } => shelf.count(*known).errors > 0 || anew.iter().any(is_error),
+            Shown::Kept {
+                shelf,
+                known,
+                unused,
+                anew,
+            } => shelf.count(*known).errors > 0 || unused.has_errors() || anew.iter().any(is_error),
+        }
+    }
+
+    /// Whether errors that are kept are hidden, or count as less.
+    pub(crate) fn hides_errors(&self) -> bool {
+        match self {
+            Shown::Listed(_) => false,
+            Shown::Kept { shelf, known, .. } => shelf.count(*known).hidden_errors > 0,
+        }
+    }
+
+    /// The errors that are kept, and are hidden or count as less.
+    pub(crate) fn hidden_errors(&self, context: &Context) -> Vec<Finding> {
+        match self {
+            Shown::Kept { shelf, known, .. } if self.hides_errors() => {
+                shelf.hidden_errors(context, *known).collect()
+            }
+            _ => Vec::new(),
         }
     }
 
@@ -254,11 +327,17 @@ impl Shown {
     pub(crate) fn nearest(&self, context: &Context, most: usize, to: TextSize) -> Vec<Finding> {
         let mut some = match self {
             Shown::Listed(all) => all.clone(),
-            Shown::Kept { shelf, known, anew } => {
+            Shown::Kept {
+                shelf,
+                known,
+                unused,
+                anew,
+            } => {
                 let mut some = shelf.around(context, *known, (to, most, true));
                 some.extend(shelf.around(context, *known, (to, most, false)));
+                some.extend(unused.around(context, to, most));
                 some.extend(anew.iter().cloned());
-                some.sort_by_key(|found| (found.range.start(), found.range.end(), found.rule));
+                sort(&mut some);
                 some
             }
         };

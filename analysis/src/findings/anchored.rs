@@ -62,7 +62,7 @@ impl Kept {
 enum Anchors {
     /// All from the start of the file.
     File,
-    /// All from the start of the network that it is about.
+    /// All from the start of the network that it is about, or of the line of a comment.
     Network,
     /// Each from another network or line of declarations. In the order of [`places`].
     Each(Box<[Home]>),
@@ -107,17 +107,22 @@ impl Anchored {
         }
     }
 
-    /// Of a finding about a network. One that names other places too counts from the start of the file: it is
-    /// [volatile](Anchored::is_volatile).
-    pub(crate) fn at_network(mut found: Diagnostic, network: NetworkAt<'_>) -> Anchored {
-        if !found.lies_in(network.range) {
-            return Anchored::in_file(found);
-        }
-        move_by(&mut found, -i64::from(u32::from(network.range.start())));
+    /// Of a finding whose places all count from `own`.
+    pub(crate) fn from(mut found: Diagnostic, own: TextSize) -> Anchored {
+        move_by(&mut found, -i64::from(u32::from(own)));
         Anchored {
             found: Kept::of(found),
             anchors: Anchors::Network,
         }
+    }
+
+    /// Of a finding about a network. One that names other places too counts from the start of the file: it is
+    /// [volatile](Anchored::is_volatile).
+    pub(crate) fn at_network(found: Diagnostic, network: NetworkAt<'_>) -> Anchored {
+        if !found.lies_in(network.range) {
+            return Anchored::in_file(found);
+        }
+        Anchored::from(found, network.range.start())
     }
 
     /// Whether its places are true for one text only.

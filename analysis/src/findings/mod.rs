@@ -60,6 +60,12 @@ impl Finding {
         }
     }
 
+    /// One whose places all count from `own`.
+    pub(crate) fn counted_from(anchored: &Arc<Anchored>, own: TextSize) -> Finding {
+        let range = anchored.anchored_range() + own;
+        Finding::at(range, anchored.severity(), (anchored, own))
+    }
+
     /// The finding with the severity that settings give it.
     pub(crate) fn counted_as(self, severity: Severity) -> Finding {
         Finding { severity, ..self }

@@ -12,7 +12,7 @@ fn said(text: &str, comment: &str, settings: &RuleSettings) -> (String, usize, u
     let parsed = Arc::new(parse(&format!("{text}\n{comment}\n")));
     let analysis = analyze_with(&parsed, "main", &Others::default(), settings);
     let found = format!("{:#?}", analysis.diagnostics());
-    (found, analysis.count(), analysis.hidden_errors.len())
+    (found, analysis.count(), analysis.hidden_errors().len())
 }
 
 /// Has all findings of a text gone through in one of two analyses, and compares them.

@@ -151,7 +151,7 @@ pub(crate) fn show(analysis: &Analysis) -> String {
     format!(
         "{:#?}\n{:#?}\n{:?}\n{:?}\n{:?}",
         analysis.diagnostics().iter().map(here).collect::<Vec<_>>(),
-        analysis.hidden_errors.iter().map(here).collect::<Vec<_>>(),
+        analysis.hidden_errors().iter().map(here).collect::<Vec<_>>(),
         analysis.program(),
         tags(context),
         context

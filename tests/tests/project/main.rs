@@ -8,6 +8,7 @@ mod click_traces;
 mod every_feature;
 mod follow_ups;
 mod incremental;
+mod incremental_allows;
 mod incremental_declarations;
 mod incremental_files;
 mod incremental_globals;

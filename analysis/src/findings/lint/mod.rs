@@ -5,50 +5,57 @@ mod directive;
 mod scope;
 mod switches;
 
+pub(crate) use scope::{Allow, Covers, Directives, Says, directives, idle_words};
+
 use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic};
 use crate::rule::{Rule, Severity};
 use crate::rule_settings::{Level, RuleSettings};
-use ladder_syntax::TextSize;
-use scope::Allow;
+use ladder_syntax::{TextRange, TextSize};
 use switches::Switches;
 
-/// The comments of a file that switch rules off, while its findings are gone through.
-pub(crate) struct Allows {
-    allows: Vec<Allow>,
+/// The comments of a file that switch rules off, while all of its findings are gone through.
+pub(crate) struct Allows<'c> {
+    context: &'c Context,
+    all: Vec<Allow>,
     switches: Switches,
 }
 
-impl Allows {
-    /// None in a file without comments to the tools.
-    pub(crate) fn none() -> Allows {
-        Allows {
-            allows: Vec::new(),
-            switches: Switches::of(&[]),
-        }
-    }
-
+impl<'c> Allows<'c> {
     /// Those of a file, of which these are the lines with directives. What is wrong with directives goes to `out`.
     pub(crate) fn of(
-        context: &Context,
+        context: &'c Context,
         asking: impl Iterator<Item = usize>,
         out: &mut Vec<Diagnostic>,
-    ) -> Allows {
-        let allows = scope::allows(context, asking, out);
-        let switches = Switches::of(&allows);
-        Allows { allows, switches }
+    ) -> Allows<'c> {
+        let Directives { allows, says, wrong } = directives(context, asking);
+        out.extend(wrong);
+        out.extend(idle_words(context, says.into_iter()));
+        let switches = Switches::of(context, &allows);
+        Allows {
+            context,
+            all: allows,
+            switches,
+        }
     }
 
     /// Whether a comment hides what a rule finds at a place.
     pub(crate) fn hide(&mut self, rule: Rule, at: TextSize) -> bool {
-        !self.allows.is_empty() && self.switches.hide(rule, at)
+        if self.all.is_empty() {
+            return false;
+        }
+        let line = self.context.parse.line_at(at);
+        self.switches.hide(rule, line.unwrap_or_default())
     }
 
     /// The comments that hide nothing, once all findings are gone through.
-    pub(crate) fn unused(mut self, settings: &RuleSettings) -> Vec<Diagnostic> {
-        self.switches.note_used(&mut self.allows);
-        let unused = self.allows.iter().filter_map(|allow| unused(allow, settings));
-        unused.collect()
+    pub(crate) fn unused(self, settings: &RuleSettings) -> Vec<Diagnostic> {
+        let of_allow = |allow: &Allow| {
+            let covers = allow.covers.lines(self.context);
+            let is_used = |rule| self.switches.is_used(covers.as_ref(), rule);
+            unused(&allow.rules, is_used, (allow.comment, allow.removal), settings)
+        };
+        self.all.iter().filter_map(of_allow).collect()
     }
 }
 
@@ -62,27 +69,27 @@ pub(crate) fn level(settings: &RuleSettings, rule: Rule, severity: Severity) -> 
     }
 }
 
-/// A comment that switches off what finds nothing.
-fn unused(allow: &Allow, settings: &RuleSettings) -> Option<Diagnostic> {
-    let severity = match settings.level(Rule::SuppressionUnused) {
-        None => Rule::SuppressionUnused.default_severity(),
-        Some(Level::Shown(severity)) => severity,
-        Some(Level::Off) => return None,
-    };
-    let idle: Vec<&str> = allow
-        .rules
-        .iter()
-        .filter(|switched| !switched.used)
-        .map(|switched| switched.rule.name())
-        .collect();
-    if idle.is_empty() {
+/// A comment that switches off what finds nothing. `removal` is what to take out to be rid of it.
+pub(crate) fn unused(
+    rules: &[Rule],
+    is_used: impl Fn(Rule) -> bool,
+    (comment, removal): (TextRange, Option<TextRange>),
+    settings: &RuleSettings,
+) -> Option<Diagnostic> {
+    let severity = level(
+        settings,
+        Rule::SuppressionUnused,
+        Rule::SuppressionUnused.default_severity(),
+    )?;
+    let idle = rules.iter().filter(|rule| !is_used(**rule));
+    let names: Vec<String> = idle.map(|rule| format!("`{}`", rule.name())).collect();
+    if names.is_empty() {
         return None;
     }
-    let all = idle.len() == allow.rules.len();
-    let names: Vec<String> = idle.iter().map(|name| format!("`{name}`")).collect();
+    let all = names.len() == rules.len();
     let mut found = Diagnostic::new(
         Rule::SuppressionUnused,
-        allow.comment,
+        comment,
         format!(
             "{} {} nothing here that could be switched off",
             names.join(", "),
@@ -91,7 +98,7 @@ fn unused(allow: &Allow, settings: &RuleSettings) -> Option<Diagnostic> {
     )
     .help("remove it: it would hide a mistake that is made later");
     found.severity = severity;
-    Some(match allow.removal.filter(|_| all) {
+    Some(match removal.filter(|_| all) {
         Some(line) => found.fix(Applicability::Safe, "Remove the comment", line, ""),
         None => found,
     })

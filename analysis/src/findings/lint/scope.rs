@@ -7,45 +7,82 @@ use crate::networks::NetworkAt;
 use crate::rule::Rule;
 use ladder_syntax::wiring::{PartKind, RungPart};
 use ladder_syntax::{LineKind, NodeOrToken, TextRange, TextSize};
+use std::ops::Range;
 
 /// A comment that switches rules off.
 #[derive(Debug)]
-pub(super) struct Allow {
+pub(crate) struct Allow {
     /// The comment.
-    pub(super) comment: TextRange,
-    pub(super) rules: Vec<Switched>,
-    /// Findings that begin here are not shown.
-    pub(super) covers: TextRange,
-    /// That is the whole file.
-    pub(super) whole_file: bool,
+    pub(crate) comment: TextRange,
+    /// The line on which it begins.
+    pub(crate) line: usize,
+    pub(crate) rules: Vec<Rule>,
+    pub(crate) covers: Covers,
     /// What to take out to be rid of the comment: its line, if nothing else is there.
-    pub(super) removal: Option<TextRange>,
+    pub(crate) removal: Option<TextRange>,
 }
 
-/// A rule that a comment switches off.
+/// Where what rules find is not shown.
 #[derive(Debug)]
-pub(super) struct Switched {
-    pub(super) rule: Rule,
-    /// Whether it would have found something.
-    pub(super) used: bool,
+pub(crate) enum Covers {
+    File,
+    /// On the lines of a network, by its index.
+    Network(usize),
+    /// On lines of something else; on none if nothing is below the comment.
+    Lines(Range<usize>),
 }
 
-/// All such comments of a file, of which these are the lines with directives, from top to bottom. What is wrong with directives goes
-/// to `out`.
-pub(super) fn allows(
-    context: &Context,
-    asking: impl Iterator<Item = usize>,
-    out: &mut Vec<Diagnostic>,
-) -> Vec<Allow> {
+impl Covers {
+    /// The lines; none for the whole file.
+    pub(super) fn lines(&self, context: &Context) -> Option<Range<usize>> {
+        match self {
+            Covers::File => None,
+            Covers::Network(index) => Some(context.networks.at(*index).lines()),
+            Covers::Lines(lines) => Some(lines.clone()),
+        }
+    }
+}
+
+/// What comments to the tools say.
+#[derive(Debug, Default)]
+pub(crate) struct Directives {
+    pub(crate) allows: Vec<Allow>,
+    pub(crate) says: Vec<Says>,
+    /// What is wrong with them, each by itself.
+    pub(crate) wrong: Vec<Diagnostic>,
+}
+
+/// A comment that says something of the file.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Says {
+    word: Word,
+    comment: TextRange,
+}
+
+impl Says {
+    /// With its place counted from `own`.
+    pub(crate) fn counted_from(self, own: TextSize) -> Says {
+        let comment = self.comment - own;
+        Says { comment, ..self }
+    }
+
+    /// With its place counted from the start of the file again.
+    pub(crate) fn placed(self, own: TextSize) -> Says {
+        let comment = self.comment + own;
+        Says { comment, ..self }
+    }
+}
+
+/// What comments say of which these are the lines, from top to bottom.
+pub(crate) fn directives(context: &Context, asking: impl Iterator<Item = usize>) -> Directives {
     let parse = &context.parse;
-    let mut allows = Vec::new();
-    let mut said = Said::default();
+    let mut directives = Directives::default();
     for line in asking {
         let kind = parse.lines()[line].kind;
         let network = context.networks.on_line(line);
         let covers = || match network {
             // On a line of its own within a network, or behind one of its rungs, it applies to that.
-            Some(network) => network.range,
+            Some(network) => Covers::Network(network.index),
             // Between the things of a file it applies to what is next.
             None => next_thing(context, line),
         };
@@ -54,10 +91,10 @@ pub(super) fn allows(
             _ => holds_comments(kind) && !is_in_section(context, line),
         };
         if is_read {
-            read_line(context, line, covers, (&mut allows, &mut said), out);
+            read_line(context, line, covers, &mut directives);
         }
     }
-    allows
+    directives
 }
 
 /// Whether a comment that is no piece of a wire is on a rung.
@@ -79,15 +116,15 @@ const fn holds_comments(kind: LineKind) -> bool {
     matches!(kind, LineKind::Comment | LineKind::Rail)
 }
 
-/// The network, section, first line of a block definition, or line that means nothing, that is next below a line; an empty range if
+/// The network, section, first line of a block definition, or line that means nothing, that is next below a line; no lines if
 /// none is.
-fn next_thing(context: &Context, line: usize) -> TextRange {
+fn next_thing(context: &Context, line: usize) -> Covers {
     let parse = &context.parse;
     let below = line + 1;
-    let networks = context
+    let index = context
         .networks
         .partition_point(|network| network.first_line < below);
-    let network = context.networks.get(networks).map(NetworkAt::lines);
+    let network = context.networks.get(index).map(NetworkAt::lines);
     let frame = parse.frame();
     let sections = frame
         .sections
@@ -98,62 +135,49 @@ fn next_thing(context: &Context, line: usize) -> TextRange {
         .blocks
         .get(blocks)
         .map(|block| block.lines.start..block.lines.start + 1);
-    let next = [network, section, header]
+    let next = [network.clone(), section, header]
         .into_iter()
         .flatten()
         .min_by_key(|lines| lines.start);
     let end = next.as_ref().map_or(parse.lines().len(), |lines| lines.start);
     let stray = (below..end).find(|&line| parse.lines()[line].kind == LineKind::Stray);
-    let next = stray.map(|line| line..line + 1).or(next);
-    next.map_or_else(TextRange::default, |lines| {
-        TextRange::new(
-            parse.line_start(lines.start),
-            parse.line_range(lines.end - 1).end(),
-        )
-    })
-}
-
-/// The comments so far that say something of the file.
-#[derive(Default)]
-struct Said(Vec<(Word, TextRange)>);
-
-impl Said {
-    /// Enters a comment on a line. Says so if it changes nothing.
-    fn enter(
-        &mut self,
-        context: &Context,
-        (word, comment): (Word, TextRange),
-        line: usize,
-        out: &mut Vec<Diagnostic>,
-    ) {
-        let first_network = context.parse.lines().first_network();
-        if first_network.is_some_and(|first| line >= first) {
-            out.push(directive::too_late(word, comment));
-            return;
-        }
-        match self.0.iter().find(|(other, _)| *other == word) {
-            Some((_, first)) => {
-                let line = context.line_number(first.start());
-                out.push(directive::said_before(word, comment, *first, line));
-            }
-            None => self.0.push((word, comment)),
-        }
+    match stray {
+        Some(line) => Covers::Lines(line..line + 1),
+        None if network.is_some() && next == network => Covers::Network(index),
+        None => Covers::Lines(next.unwrap_or_default()),
     }
 }
 
+/// What is wrong with comments that say something of the file, all of which these are, from top to bottom: with those that
+/// change nothing.
+pub(crate) fn idle_words(context: &Context, says: impl Iterator<Item = Says>) -> Vec<Diagnostic> {
+    let first_network = context.parse.lines().first_network();
+    let first_network = first_network.map(|line| context.parse.line_start(line));
+    let mut said: Vec<Says> = Vec::new();
+    let mut idle = Vec::new();
+    for Says { word, comment } in says {
+        if first_network.is_some_and(|first| comment.start() >= first) {
+            idle.push(directive::too_late(word, comment));
+            continue;
+        }
+        match said.iter().find(|other| other.word == word) {
+            Some(first) => {
+                let line = context.line_number(first.comment.start());
+                idle.push(directive::said_before(word, comment, first.comment, line));
+            }
+            None => said.push(Says { word, comment }),
+        }
+    }
+    idle
+}
+
 /// Reads the comments of a line.
-fn read_line(
-    context: &Context,
-    line: usize,
-    covers: impl Fn() -> TextRange,
-    (allows, said): (&mut Vec<Allow>, &mut Said),
-    out: &mut Vec<Diagnostic>,
-) {
+fn read_line(context: &Context, line: usize, covers: impl Fn() -> Covers, directives: &mut Directives) {
     let parse = &context.parse;
     let mut at = parse.line_start(line);
     let kind = parse.lines()[line].kind;
     let mut comments = 0;
-    let before = allows.len();
+    let before = directives.allows.len();
     if !parse.lines()[line].text().contains('#') {
         return;
     }
@@ -172,29 +196,20 @@ fn read_line(
         }
         comments += 1;
         let comment = TextRange::at(start, TextSize::of(text));
-        let asked = directive::read(text, start, out);
-        if let Some(Directive::Says(word)) = asked {
-            said.enter(context, (word, comment), line, out);
-        }
-        if let Some(Directive::Allow { rules, file }) = asked {
-            allows.push(Allow {
+        match directive::read(text, start, &mut directives.wrong) {
+            Some(Directive::Says(word)) => directives.says.push(Says { word, comment }),
+            Some(Directive::Allow { rules, file }) => directives.allows.push(Allow {
                 comment,
-                rules: rules
-                    .into_iter()
-                    .map(|rule| Switched { rule, used: false })
-                    .collect(),
-                covers: if file {
-                    TextRange::up_to(parse.text_len())
-                } else {
-                    covers()
-                },
-                whole_file: file,
+                line,
+                rules,
+                covers: if file { Covers::File } else { covers() },
                 removal: None,
-            });
+            }),
+            Some(Directive::Known) | None => {}
         }
     }
     if comments == 1 && kind == LineKind::Comment {
-        for allow in &mut allows[before..] {
+        for allow in &mut directives.allows[before..] {
             allow.removal = Some(parse.line_range(line));
         }
     }

@@ -1,11 +1,13 @@
 //! Which findings comments hide, found without asking every comment about every finding.
 
 use super::scope::Allow;
+use crate::context::Context;
 use crate::rule::Rule;
-use ladder_syntax::{TextRange, TextSize};
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// What comments switch off: each rule once for each stretch of the text.
+#[derive(Default)]
 pub(super) struct Switches {
     /// In the whole file; with it whether it would have found something.
     everywhere: BTreeMap<Rule, bool>,
@@ -15,56 +17,47 @@ pub(super) struct Switches {
 }
 
 struct Switch {
-    covers: TextRange,
+    /// Lines.
+    covers: Range<usize>,
     rule: Rule,
     used: bool,
 }
 
 impl Switch {
-    fn key(covers: TextRange, rule: Rule) -> impl Ord {
-        (covers.start(), covers.end(), rule)
+    fn key(covers: &Range<usize>, rule: Rule) -> impl Ord + use<> {
+        (covers.start, covers.end, rule)
     }
 }
 
 impl Switches {
-    pub(super) fn of(allows: &[Allow]) -> Switches {
-        let rules = |allow: &Allow| {
-            allow
-                .rules
-                .iter()
-                .map(|switched| switched.rule)
-                .collect::<Vec<_>>()
-        };
-        let (file, local): (Vec<_>, Vec<_>) = allows.iter().partition(|allow| allow.whole_file);
-        let everywhere = file.into_iter().flat_map(rules).map(|rule| (rule, false));
-        let mut local: Vec<Switch> = local
-            .into_iter()
-            .flat_map(|allow| {
-                rules(allow).into_iter().map(|rule| Switch {
-                    covers: allow.covers,
-                    rule,
-                    used: false,
-                })
-            })
-            .collect();
-        local.sort_by_key(|switch| Switch::key(switch.covers, switch.rule));
-        local.dedup_by_key(|switch| (switch.covers, switch.rule));
-        Switches {
-            everywhere: everywhere.collect(),
-            local,
+    pub(super) fn of(context: &Context, allows: &[Allow]) -> Switches {
+        let mut switches = Switches::default();
+        for allow in allows {
+            let covers = allow.covers.lines(context);
+            for &rule in &allow.rules {
+                let used = false;
+                match covers.clone() {
+                    Some(covers) => switches.local.push(Switch { covers, rule, used }),
+                    None => _ = switches.everywhere.insert(rule, used),
+                }
+            }
         }
+        let local = &mut switches.local;
+        local.sort_by_key(|switch| Switch::key(&switch.covers, switch.rule));
+        local.dedup_by_key(|switch| Switch::key(&switch.covers, switch.rule));
+        switches
     }
 
-    /// Whether a finding is hidden. What hides it is noted as used.
-    pub(super) fn hide(&mut self, rule: Rule, at: TextSize) -> bool {
+    /// Whether a finding that begins on a line is hidden. What hides it is noted as used.
+    pub(super) fn hide(&mut self, rule: Rule, line: usize) -> bool {
         let mut hidden = false;
         if let Some(used) = self.everywhere.get_mut(&rule) {
             *used = true;
             hidden = true;
         }
-        let end = self.local.partition_point(|switch| switch.covers.start() <= at);
+        let end = self.local.partition_point(|switch| switch.covers.start <= line);
         let around = self.local[..end].iter_mut().rev();
-        for switch in around.take_while(|switch| switch.covers.end() >= at) {
+        for switch in around.take_while(|switch| switch.covers.contains(&line)) {
             if switch.rule == rule {
                 switch.used = true;
                 hidden = true;
@@ -73,20 +66,15 @@ impl Switches {
         hidden
     }
 
-    /// Tells the comments which of their rules would have found something.
-    pub(super) fn note_used(&self, allows: &mut [Allow]) {
-        for allow in allows {
-            for switched in &mut allow.rules {
-                switched.used = if allow.whole_file {
-                    self.everywhere.get(&switched.rule).copied().unwrap_or(false)
-                } else {
-                    let key = Switch::key(allow.covers, switched.rule);
-                    let at = self
-                        .local
-                        .partition_point(|switch| Switch::key(switch.covers, switch.rule) < key);
-                    self.local.get(at).is_some_and(|switch| switch.used)
-                };
-            }
-        }
+    /// Whether a rule that a comment switches off there has found something.
+    pub(super) fn is_used(&self, covers: Option<&Range<usize>>, rule: Rule) -> bool {
+        let Some(covers) = covers else {
+            return self.everywhere.get(&rule).copied().unwrap_or_default();
+        };
+        let key = Switch::key(covers, rule);
+        let at = self
+            .local
+            .partition_point(|switch| Switch::key(&switch.covers, switch.rule) < key);
+        self.local.get(at).is_some_and(|switch| switch.used)
     }
 }
