@@ -204,7 +204,7 @@ impl Allowed {
             changed = self.unused.networks().collect();
         }
         for &id in &changed {
-            let is_used = |rule| shelf.finds_in(id, rule, known);
+            let is_used = |rule| shelf.may_find_in(id, rule, known);
             self.unused.ask(id, is_used, settings);
         }
         (&self.unused, changed.len())

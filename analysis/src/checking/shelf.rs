@@ -271,19 +271,21 @@ impl Shelf {
         self.off_in.get(id as usize)?.as_ref().map(|_| id)
     }
 
-    /// Whether a rule that the settings do not switch off finds something in a network that holds.
-    pub(super) fn finds_in(&self, id: u32, rule: Rule, known: Known) -> bool {
-        let mut items = self.networks[id as usize].iter().flat_map(|items| items.iter());
-        self.is_heard(rule, known) && items.any(|item| item.rule == rule)
+    /// Whether a rule that the settings do not switch off finds something in a network, or would were it not
+    /// [silent](When::is_silent).
+    pub(super) fn may_find_in(&self, id: u32, rule: Rule, known: Known) -> bool {
+        let items = || self.networks[id as usize].iter().flat_map(|items| items.iter());
+        self.may_find(rule, known, || items().any(|item| item.rule == rule))
     }
 
     /// The same of the file.
-    pub(super) fn finds(&self, rule: Rule, known: Known) -> bool {
-        self.is_heard(rule, known) && self.of_rules[rule as usize] > 0
+    pub(super) fn may_find_in_file(&self, rule: Rule, known: Known) -> bool {
+        self.may_find(rule, known, || self.of_rules[rule as usize] > 0)
     }
 
-    fn is_heard(&self, rule: Rule, known: Known) -> bool {
-        When::of(rule).holds(known) && self.settings.level(rule) != Some(Level::Off)
+    fn may_find(&self, rule: Rule, known: Known, finds: impl FnOnce() -> bool) -> bool {
+        self.settings.level(rule) != Some(Level::Off)
+            && (When::is_silent(rule, known) || When::of(rule).holds(known) && finds())
     }
 
     fn homes(&self) -> impl Iterator<Item = Home> + use<> {

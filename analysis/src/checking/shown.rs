@@ -10,7 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::findings::Finding;
 use crate::lint::{self, Allows};
 use crate::rule::{Rule, Severity};
-use crate::rule_settings::RuleSettings;
+use crate::rule_settings::{Level, RuleSettings};
 use crate::rules;
 use crate::rules::follow_ups::FollowUps;
 use crate::rules::tag_summary::{Known, When};
@@ -79,7 +79,7 @@ pub(super) fn shown(
     if is_doubtful {
         all = where_much_is_doubtful(context, all);
     }
-    let (all, hidden) = as_asked(context, ledger, all, settings);
+    let (all, hidden) = as_asked(context, (ledger, known), all, settings);
     (Shown::Listed(all), hidden, looked_at)
 }
 
@@ -180,11 +180,11 @@ fn kept(
         let is_anew = |rule| hidden_in.get(&id).is_some_and(|rules| rules.contains(&rule));
         unused.ask(
             id,
-            |rule| shelf.finds_in(id, rule, known) || is_anew(rule),
+            |rule| shelf.may_find_in(id, rule, known) || is_anew(rule),
             settings,
         );
     }
-    let is_used = |rule| shelf.finds(rule, known) || found_rules.contains(&rule);
+    let is_used = |rule| shelf.may_find_in_file(rule, known) || found_rules.contains(&rule);
     shown.extend(ledger.allowed.unused_in_file(context, is_used, settings));
     sort(&mut shown);
     let work = Work {
@@ -233,7 +233,7 @@ fn where_much_is_doubtful(context: &Context, all: Vec<Finding>) -> Vec<Finding> 
 /// places; and the errors that are hidden so.
 fn as_asked(
     context: &Context,
-    ledger: &Ledger,
+    (ledger, known): (&Ledger, Known),
     mut all: Vec<Finding>,
     settings: &RuleSettings,
 ) -> (Vec<Finding>, Vec<Diagnostic>) {
@@ -250,7 +250,8 @@ fn as_asked(
         finding.severity = level.unwrap_or(finding.severity);
         level.is_some()
     });
-    all.extend(allows.unused(settings).into_iter().map(Finding::from));
+    let is_silent = |rule| settings.level(rule) != Some(Level::Off) && When::is_silent(rule, known);
+    all.extend(allows.unused(is_silent, settings).into_iter().map(Finding::from));
     sort(&mut all);
     // The first says it best: what is found while types are inferred comes before what follows from it.
     all.dedup_by(|later, first| later.rule == first.rule && later.range == first.range);

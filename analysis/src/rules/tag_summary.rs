@@ -186,10 +186,24 @@ impl When {
     pub(crate) const fn of(rule: Rule) -> When {
         match rule {
             Rule::NeverRead | Rule::NeverWritten => When::WholeAndNames,
-            Rule::SetWithoutReset | Rule::ResetWithoutSet => When::Whole,
+            Rule::SetWithoutReset
+            | Rule::ResetWithoutSet
+            | Rule::ReadBeforeWrite
+            | Rule::Unreachable
+            | Rule::EndlessJump
+            | Rule::UnconditionalEnd
+            | Rule::UnbalancedLoop
+            | Rule::UnusedFunction
+            | Rule::UnusedLabel => When::Whole,
             Rule::UndeclaredTag => When::Declarations,
             _ => When::Always,
         }
+    }
+
+    /// Whether a rule is silent because of mistakes elsewhere: that it finds nothing says nothing then.
+    pub(crate) fn is_silent(rule: Rule, known: Known) -> bool {
+        let when = When::of(rule);
+        matches!(when, When::Whole | When::WholeAndNames) && !when.holds(known)
     }
 
     /// Whether it is true where so much is known.

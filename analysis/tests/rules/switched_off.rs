@@ -208,3 +208,28 @@ fn a_comment_that_hides_nothing_is_reported_and_can_be_removed() {
         "+--[ ]( a )--( )( y )--+\n"
     );
 }
+
+#[test]
+fn a_comment_that_hides_what_is_not_looked_for_is_no_finding() {
+    let text = |last: &str| {
+        format!(
+            "# ladder: allow-file(unused-label): later #\n\
+             VAR_OUTPUT out, other : BOOL; END_VAR\n\
+             VAR debug : BOOL; END_VAR\n\
+             # ladder: allow(never-written, double-coil): for the panel #\n\
+             +--[ ]( debug )--( )( other )--+\n\
+             {last}\n"
+        )
+    };
+    let found = |last: &str| {
+        let analysis = analysed(&text(last), &[]);
+        let rules = analysis.diagnostics().iter().map(|found| found.rule.name());
+        rules.collect::<Vec<_>>()
+    };
+    assert_eq!(
+        found("+--[ ]( I2 )--( )( out )--+"),
+        ["suppression-unused", "suppression-unused"]
+    );
+    // Which of the two it is about: `double-coil` does not wait for the mistake to go.
+    assert_eq!(found("+--[ ]( I2 )--( )("), ["suppression-unused", "unclosed-block"]);
+}

@@ -48,11 +48,11 @@ impl<'c> Allows<'c> {
         self.switches.hide(rule, line.unwrap_or_default())
     }
 
-    /// The comments that hide nothing, once all findings are gone through.
-    pub(crate) fn unused(self, settings: &RuleSettings) -> Vec<Diagnostic> {
+    /// The comments that hide nothing, once all findings are gone through. Nobody knows that of a rule that is silent.
+    pub(crate) fn unused(self, is_silent: impl Fn(Rule) -> bool, settings: &RuleSettings) -> Vec<Diagnostic> {
         let of_allow = |allow: &Allow| {
             let covers = allow.covers.lines(self.context);
-            let is_used = |rule| self.switches.is_used(covers.as_ref(), rule);
+            let is_used = |rule| is_silent(rule) || self.switches.is_used(covers.as_ref(), rule);
             unused(&allow.rules, is_used, (allow.comment, allow.removal), settings)
         };
         self.all.iter().filter_map(of_allow).collect()
