@@ -29,10 +29,12 @@ pub enum Kind {
     Library,
     /// Every other network resets what the one above it sets, in another case.
     Latched,
+    /// A comment above every network switches a rule off, of which every other one finds nothing.
+    Commented,
 }
 
 /// All of them, by the names that people give.
-pub const KINDS: [(&str, Kind); 12] = [
+pub const KINDS: [(&str, Kind); 13] = [
     ("clean", Kind::Clean),
     ("warned", Kind::Warned),
     ("shared", Kind::Shared),
@@ -45,6 +47,7 @@ pub const KINDS: [(&str, Kind); 12] = [
     ("addressed", Kind::Addressed),
     ("library", Kind::Library),
     ("latched", Kind::Latched),
+    ("commented", Kind::Commented),
 ];
 
 /// A program.
@@ -102,7 +105,7 @@ impl Program {
                 let _ = writeln!(outputs, "    run_{n}, ready_{n} : BOOL;");
             }
             let _ = writeln!(inner, "    timer_{n} : TON;");
-            if kind == Kind::Warned {
+            if matches!(kind, Kind::Warned | Kind::Commented) {
                 let _ = writeln!(inner, "    drive_{n} : BOOL;");
             }
             if kind == Kind::Globals {
@@ -160,6 +163,13 @@ impl Program {
                     drawn,
                     "+--[ ]( start_{n} )--[ ]( stop_{n} )--(S)( run_{n} )--[TON]( timer_{n}, T#5s )--( )( ready_{n} )--+\n\n\
                      +--[/]( start_{n} )--[ ]( stop_{n} )--(R)( run_{n} )--+\n"
+                ),
+                Kind::Commented => writeln!(
+                    drawn,
+                    "# ladder: allow(contact-after-coil): both on one rung #\n\
+                     +--[ ]( start_{n} )--( )( run_{n} )--[/]( stop_{n} )--( )( ready_{n} )--+\n\n\
+                     # ladder: allow(double-coil): for tests #\n\
+                     +--[ ]( start_{n} )--( )( drive_{n} )--[TON]( timer_{n}, T#5s )--+\n"
                 ),
                 Kind::Undeclared => writeln!(
                     drawn,

@@ -201,7 +201,7 @@ impl Allowed {
     ) -> (&UnusedAllows, usize) {
         let mut changed = shelf.take_changed();
         if std::mem::replace(&mut self.known, known) != known {
-            changed = self.unused.networks().collect();
+            changed.extend(self.unused.waiting());
         }
         for &id in &changed {
             let is_used = |rule| shelf.may_find_in(id, rule, known);

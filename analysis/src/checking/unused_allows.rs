@@ -8,6 +8,7 @@ use crate::findings::{Anchored, Finding};
 use crate::lint::{self, Allow};
 use crate::rule::{Rule, Severity};
 use crate::rule_settings::RuleSettings;
+use crate::rules::tag_summary::When;
 use ladder_syntax::{TextRange, TextSize};
 use rustc_hash::FxHashSet;
 use std::sync::Arc;
@@ -29,6 +30,8 @@ pub(crate) struct UnusedAllows {
     unused: usize,
     /// and in which networks.
     with_unused: Arc<FxHashSet<u32>>,
+    /// The networks with comments about rules of which what they find is not [always](When::Always) true.
+    waiting: Arc<FxHashSet<u32>>,
 }
 
 /// The comments about one network.
@@ -126,14 +129,25 @@ impl UnusedAllows {
         } else if now == 0 && before > 0 {
             Arc::make_mut(&mut self.with_unused).remove(&id);
         }
+        let comments = of_network
+            .iter()
+            .flat_map(|of_network| of_network.comments.iter());
+        let mut rules = comments.flat_map(|comment| &comment.rules);
+        let waits = rules.any(|rule| When::of(*rule) != When::Always);
+        if waits != self.waiting.contains(&id) {
+            let waiting = Arc::make_mut(&mut self.waiting);
+            if waits {
+                waiting.insert(id);
+            } else {
+                waiting.remove(&id);
+            }
+        }
         *self.networks.get_mut(id as usize) = of_network.map(Arc::new);
     }
 
-    /// The numbers of networks with such comments.
-    pub(super) fn networks(&self) -> impl Iterator<Item = u32> {
-        let all = (0..).zip(self.networks.from(0));
-        all.filter(|(_, of_network)| of_network.is_some())
-            .map(|(id, _)| id)
+    /// The numbers of the networks with comments about which more is to be said where more, or less, of the file is known.
+    pub(super) fn waiting(&self) -> impl Iterator<Item = u32> {
+        self.waiting.iter().copied()
     }
 
     /// How many comments hide nothing.

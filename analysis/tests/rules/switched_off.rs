@@ -231,5 +231,8 @@ fn a_comment_that_hides_what_is_not_looked_for_is_no_finding() {
         ["suppression-unused", "suppression-unused"]
     );
     // Which of the two it is about: `double-coil` does not wait for the mistake to go.
-    assert_eq!(found("+--[ ]( I2 )--( )("), ["suppression-unused", "unclosed-block"]);
+    assert_eq!(
+        found("+--[ ]( I2 )--( )("),
+        ["suppression-unused", "unclosed-block"]
+    );
 }
