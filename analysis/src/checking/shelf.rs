@@ -3,48 +3,24 @@
 //! Copies share what they have in common, so the findings of a text can be read while those of the next are put into their
 //! places. What is found anew with each edit is not here: see [`Shown`](super::shown::Shown).
 
+mod by_place;
+mod item;
+
+pub(super) use item::Source;
+
 use super::at_tags::Exchanged;
 use crate::chunked::Chunked;
 use crate::context::Context;
-use crate::findings::{Anchored, Finding, Home};
+use crate::findings::{Anchored, Home};
 use crate::lint;
 use crate::rule::{Rule, Severity};
 use crate::rule_settings::{Level, RuleSettings};
 use crate::rules::follow_ups::{FollowUps, is_about_words};
 use crate::rules::tag_summary::{Known, When};
-use ladder_syntax::{TextRange, TextSize};
+use item::{Count, Item, arrange};
+use ladder_syntax::TextSize;
 use rustc_hash::{FxHashMap, FxHashSet};
-use std::ops::AddAssign;
 use std::sync::Arc;
-
-/// Who finds something. Of two findings of one rule at one place the first of these is shown: what is found while
-/// types are inferred comes before what follows from it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Source {
-    Context,
-    /// The types that the places of tags ask for.
-    Types,
-    Network,
-    Names,
-    Tag,
-    Program,
-    Text,
-}
-
-impl Source {
-    /// Who finds something that a tag owns.
-    pub(super) fn of_tag(found: &Anchored) -> Source {
-        if found.rule() == Rule::TypeMismatch {
-            Source::Types
-        } else {
-            Source::Tag
-        }
-    }
-
-    fn is_tag(self) -> bool {
-        matches!(self, Source::Types | Source::Tag)
-    }
-}
 
 /// The findings that are kept: all but those whose places are true for one text only.
 #[derive(Debug, Clone)]
@@ -70,98 +46,6 @@ pub(crate) struct Shelf {
 
 /// The findings of one network or line of declarations, in the order of their places.
 type Items = Option<Arc<[Item]>>;
-
-/// One finding.
-#[derive(Debug, Clone)]
-struct Item {
-    /// From the start of its network or line of declarations.
-    range: TextRange,
-    rule: Rule,
-    source: Source,
-    /// As the rule says.
-    severity: Severity,
-    /// As the settings ask for; none if they hide it, or a comment.
-    level: Option<Severity>,
-    /// The one before it says the same.
-    repeats: bool,
-    anchored: Arc<Anchored>,
-}
-
-/// How many findings there are.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Count {
-    /// All of them.
-    pub(super) found: usize,
-    /// Those that are shown.
-    pub(super) shown: usize,
-    /// Those that are shown as errors.
-    pub(super) errors: usize,
-    /// Errors, as the rules say.
-    pub(super) found_errors: usize,
-    /// Those of them that are hidden, or count as less.
-    pub(super) hidden_errors: usize,
-}
-
-impl AddAssign for Count {
-    fn add_assign(&mut self, other: Count) {
-        self.found += other.found;
-        self.shown += other.shown;
-        self.errors += other.errors;
-        self.found_errors += other.found_errors;
-        self.hidden_errors += other.hidden_errors;
-    }
-}
-
-impl Item {
-    fn new(anchored: &Arc<Anchored>, source: Source) -> Item {
-        let (rule, severity) = (anchored.rule(), anchored.severity());
-        Item {
-            range: anchored.anchored_range(),
-            rule,
-            source,
-            severity,
-            level: None,
-            repeats: false,
-            anchored: Arc::clone(anchored),
-        }
-    }
-
-    fn count(&self) -> Count {
-        if self.repeats {
-            return Count::default();
-        }
-        let found = self.severity == Severity::Error;
-        let shown = self.level == Some(Severity::Error);
-        Count {
-            found: 1,
-            shown: usize::from(self.level.is_some()),
-            errors: usize::from(shown),
-            found_errors: usize::from(found),
-            hidden_errors: usize::from(self.is_hidden_error()),
-        }
-    }
-
-    /// Whether it is an error that is hidden, or counts as less.
-    fn is_hidden_error(&self) -> bool {
-        self.severity == Severity::Error && self.level != Some(Severity::Error)
-    }
-
-    /// As the rule says it, of a network or line that starts at `own`.
-    fn finding(&self, own: TextSize) -> Finding {
-        Finding::at(self.range + own, self.severity, (&self.anchored, own))
-    }
-}
-
-/// Puts findings into their order.
-fn arrange(items: &mut [Item]) {
-    let place = |item: &Item| (item.range.start(), item.range.end(), item.rule);
-    items.sort_by_key(|item| (place(item), item.source));
-    let mut before = None;
-    for item in items {
-        let place = Some(place(item));
-        item.repeats = std::mem::replace(&mut before, place) == place;
-    }
-}
 
 impl Shelf {
     pub(super) fn new(settings: &RuleSettings) -> Shelf {
@@ -393,128 +277,6 @@ impl Shelf {
         let mut all = Count::default();
         for when in When::ALL.into_iter().filter(|when| when.holds(known)) {
             all += self.counts[when as usize];
-        }
-        all
-    }
-
-    /// Whether a rule finds the same at a place, and who does.
-    pub(super) fn has(&self, context: &Context, finding: &Finding, known: Known) -> Option<Source> {
-        let at = finding.range.start();
-        let networks = &context.networks;
-        let behind = networks.partition_point(|network| network.range.start() <= at);
-        let (items, own) = match behind.checked_sub(1) {
-            Some(index) => self.of_network(context, index),
-            None => match context.declarations.last_before(at) {
-                Some(line) => self.of_line(context, line),
-                None => return None,
-            },
-        };
-        let start = |item: &Item| item.range.start() + own;
-        let first = items.partition_point(|item| start(item) < at);
-        let mut there = items[first..].iter().take_while(|item| start(item) == at);
-        let same = |item: &&Item| {
-            item.range.len() == finding.range.len()
-                && item.rule == finding.rule
-                && When::of(item.rule).holds(known)
-        };
-        there.find(same).map(|item| item.source)
-    }
-
-    fn of_network(&self, context: &Context, index: usize) -> (&[Item], TextSize) {
-        let networks = &context.networks;
-        let id = networks.id(index);
-        match self.networks.get(id as usize) {
-            Some(Some(items)) => (items, networks.start_of(id)),
-            _ => (&[], TextSize::default()),
-        }
-    }
-
-    fn of_line(&self, context: &Context, index: usize) -> (&[Item], TextSize) {
-        let lines = &context.declarations;
-        match self.declared.get(lines.number(index) as usize) {
-            Some(Some(items)) => (items, lines.start(index)),
-            _ => (&[], TextSize::default()),
-        }
-    }
-
-    /// All items that hold, in the order of their places, each with where its network or line starts.
-    fn items<'s>(&'s self, context: &Context, known: Known) -> impl Iterator<Item = (&'s Item, TextSize)> {
-        let lines = (0..context.declarations.len()).map(|index| self.of_line(context, index));
-        let networks = (0..context.networks.len()).map(|index| self.of_network(context, index));
-        let all = lines.chain(networks);
-        let all = all.flat_map(|(items, own)| items.iter().map(move |item| (item, own)));
-        all.filter(move |(item, _)| !item.repeats && When::of(item.rule).holds(known))
-    }
-
-    /// All findings that hold, as the rules say them, in the order of their places.
-    pub(super) fn all(&self, context: &Context, known: Known) -> impl Iterator<Item = (Source, Finding)> {
-        let all = self.items(context, known);
-        all.map(|(item, own)| (item.source, item.finding(own)))
-    }
-
-    /// All findings that hold and are shown, as they are shown, in the order of their places.
-    pub(super) fn shown(&self, context: &Context, known: Known) -> impl Iterator<Item = Finding> {
-        self.items(context, known)
-            .filter_map(|(item, own)| Some(item.finding(own).counted_as(item.level?)))
-    }
-
-    /// The errors that hold, and are hidden or count as less, in the order of their places.
-    pub(super) fn hidden_errors(&self, context: &Context, known: Known) -> impl Iterator<Item = Finding> {
-        let hidden = self
-            .items(context, known)
-            .filter(|(item, _)| item.is_hidden_error());
-        hidden.map(|(item, own)| item.finding(own))
-    }
-
-    /// Of the findings that hold and are shown, errors or all others, so many before a place and so many behind it, as
-    /// they are shown.
-    pub(super) fn around(
-        &self,
-        context: &Context,
-        known: Known,
-        (at, most, errors): (TextSize, usize, bool),
-    ) -> Vec<Finding> {
-        let count = self.count(known);
-        let there = if errors {
-            count.errors
-        } else {
-            count.shown - count.errors
-        };
-        let wanted = |item: &Item, own: TextSize| {
-            let level = item.level?;
-            let is_it =
-                !item.repeats && (level == Severity::Error) == errors && When::of(item.rule).holds(known);
-            is_it.then(|| item.finding(own).counted_as(level))
-        };
-        let networks = &context.networks;
-        let of_network = |index| self.of_network(context, index);
-        let of_line = |index| self.of_line(context, index);
-        let network = networks.partition_point(|network| network.range.start() <= at);
-        let line = context.declarations.last_before(at).map_or(0, |line| line + 1);
-        // Findings on lines of declarations are above all networks.
-        let higher = (0..network).rev().map(of_network);
-        let higher = higher.chain((0..line).rev().map(of_line));
-        let mut before = Vec::new();
-        // What is behind the place in the network or on the line around it does not count.
-        let mut left = most;
-        for (items, own) in higher {
-            if left == 0 || before.len() >= there {
-                break;
-            }
-            for found in items.iter().rev().filter_map(|item| wanted(item, own)) {
-                left = left.saturating_sub(usize::from(found.range.start() < at));
-                before.push(found);
-            }
-        }
-        before.reverse();
-        let mut all = before;
-        let most = (all.len() + most).min(there);
-        let lower = (line..context.declarations.len()).map(of_line);
-        for (items, own) in lower.chain((network..networks.len()).map(of_network)) {
-            if all.len() >= most {
-                break;
-            }
-            all.extend(items.iter().filter_map(|item| wanted(item, own)));
         }
         all
     }
