@@ -82,7 +82,7 @@ pub struct TagFacts {
     pub retain: bool,
     /// Declared CONSTANT.
     pub constant: bool,
-    /// Where it is declared; for one without a declaration see [`Context::place_of`].
+    /// Where it is declared; for one without a declaration see [`Context::place_of`](crate::context::Context::place_of).
     pub(crate) declared_at: DeclaredAt,
     /// Where it is used. A shared tag counts the uses in all scopes.
     pub uses: Uses,
@@ -121,7 +121,7 @@ impl TagFacts {
         self.rare.address.as_deref().map(Name::new)
     }
 
-    /// Whether it is an entry for a tag of another scope, of which more is known there; see [`Context::leads_to`].
+    /// Whether it is an entry for a tag of another scope, of which more is known there; see [`Context::leads_to`](crate::context::Context::leads_to).
     pub fn leads_elsewhere(&self) -> bool {
         self.rare.lead.is_some()
     }
