@@ -307,12 +307,6 @@ impl Context {
         first.unwrap_or((scope, tag))
     }
 
-    /// The tags of all scopes, each once.
-    pub(crate) fn own_tags(&self) -> impl Iterator<Item = &TagFacts> {
-        let tags = self.scopes.iter().flat_map(|scope| &scope.tags);
-        tags.filter(|tag| !tag.leads_elsewhere())
-    }
-
     /// The network that a jump from `network` to a label goes to: the nearest behind it, else the nearest
     /// before it or itself (LANGUAGE §5.5).
     pub fn jump_target(&self, network: usize, label: &Name) -> Option<usize> {

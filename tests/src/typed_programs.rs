@@ -31,10 +31,12 @@ pub enum Kind {
     Latched,
     /// A comment above every network switches a rule off, of which every other one finds nothing.
     Commented,
+    /// Every other network reads what the next but one writes.
+    Above,
 }
 
 /// All of them, by the names that people give.
-pub const KINDS: [(&str, Kind); 13] = [
+pub const KINDS: [(&str, Kind); 14] = [
     ("clean", Kind::Clean),
     ("warned", Kind::Warned),
     ("shared", Kind::Shared),
@@ -48,6 +50,7 @@ pub const KINDS: [(&str, Kind); 13] = [
     ("library", Kind::Library),
     ("latched", Kind::Latched),
     ("commented", Kind::Commented),
+    ("above", Kind::Above),
 ];
 
 /// A program.
@@ -105,7 +108,7 @@ impl Program {
                 let _ = writeln!(outputs, "    run_{n}, ready_{n} : BOOL;");
             }
             let _ = writeln!(inner, "    timer_{n} : TON;");
-            if matches!(kind, Kind::Warned | Kind::Commented) {
+            if matches!(kind, Kind::Warned | Kind::Commented | Kind::Above) {
                 let _ = writeln!(inner, "    drive_{n} : BOOL;");
             }
             if kind == Kind::Globals {
@@ -170,6 +173,17 @@ impl Program {
                      +--[ ]( start_{n} )--( )( run_{n} )--[/]( stop_{n} )--( )( ready_{n} )--+\n\n\
                      # ladder: allow(double-coil): for tests #\n\
                      +--[ ]( start_{n} )--( )( drive_{n} )--[TON]( timer_{n}, T#5s )--+\n"
+                ),
+                // The last of them begins no circle.
+                Kind::Above => writeln!(
+                    drawn,
+                    "+--[ ]( start_{n} )--[/]( {} )--[TON]( timer_{n}, T#5s )--( )( drive_{n} )--+\n\n\
+                     +--[P]( timer_{n}.Q )--[ ]( stop_{n} )--( )( run_{n} )--( )( ready_{n} )--+\n",
+                    if next == 0 {
+                        format!("stop_{n}")
+                    } else {
+                        format!("drive_{next}")
+                    }
                 ),
                 Kind::Undeclared => writeln!(
                     drawn,

@@ -2,14 +2,16 @@
 
 use super::addresses::Addresses;
 use super::latches::Latches;
+use super::read_above::ReadAbove;
 use super::shelf::Shelf;
 use super::undeclared::UndeclaredTags;
 use crate::context::{Change, Context};
 use crate::control_flow::ControlFlow;
+use crate::diagnostic::Diagnostic;
 use crate::findings::Anchored;
 use crate::rule::{Rule, Severity};
 use crate::rules::tag_summary::PlacesAtAddresses;
-use crate::rules::{self, AroundTags, set_and_reset};
+use crate::rules::{self, AroundTags, read_before_write, set_and_reset};
 use crate::scope::TagFacts;
 use crate::still_wanted::StillWanted;
 use ladder_syntax::Name;
@@ -32,8 +34,7 @@ pub(super) struct AtTags {
     /// Counted while tags are looked at, of one text.
     at_addresses: PlacesAtAddresses,
     latches: Latches,
-    /// Those that are read above the rung that writes them.
-    read_above: FxHashSet<TagKey>,
+    read_above: ReadAbove,
     undeclared: UndeclaredTags,
     around: Option<AroundTags>,
     exchanged: Exchanged,
@@ -137,10 +138,11 @@ impl AtTags {
     fn look(&mut self, context: &Context, key: TagKey, around: (&AroundTags, Flow)) {
         let gone = self.found.remove(&key);
         self.exchanged.gone.extend(gone.into_iter().flatten());
-        for tags in [&mut self.volatile, &mut self.faulty, &mut self.read_above] {
+        for tags in [&mut self.volatile, &mut self.faulty] {
             tags.remove(&key);
         }
         self.latches.forget(&key);
+        self.read_above.forget(&key);
         self.undeclared.forget(&key);
         let tag = context.find_tag(&key).filter(|tag| !tag.leads_elsewhere());
         let address = tag.and_then(|tag| tag.rare.address.as_deref());
@@ -162,14 +164,29 @@ impl AtTags {
         rules::of_tag(context, (scope, tag), around, &self.at_addresses, &mut found);
         let asked =
             set_and_reset::is_latch(tag).then(|| set_and_reset::check(context, flow.any, tag, &mut found));
-        let read_above = rules::read_before_write::is_read_above(context, tag);
-        if found.is_empty() && asked.is_none() && !read_above {
+        let late = read_before_write::Late::of(context, tag);
+        if found.is_empty() && asked.is_none() && late.is_none() {
             return;
         }
         let key = (scope, Name::new(&tag.name));
         if found.iter().any(|found| found.rule == Rule::UndeclaredTag) {
             self.undeclared.note(&key);
         }
+        if let Some(asked) = asked {
+            let key_of =
+                |(scope, tag): (usize, usize)| (scope, Name::new(&context.scopes[scope].tags[tag].name));
+            self.latches.note(&key, asked.into_iter().map(key_of).collect());
+        }
+        if let Some(late) = late {
+            self.read_above.note(&key, late);
+        }
+        if !found.is_empty() {
+            self.keep(context, (key, tag), found);
+        }
+    }
+
+    /// Keeps what is found at the places of a tag.
+    fn keep(&mut self, context: &Context, (key, tag): (TagKey, &TagFacts), found: Vec<Diagnostic>) {
         let anchored = |found| Arc::new(Anchored::at_uses(found, tag, context));
         let found: Vec<Arc<Anchored>> = found.into_iter().map(anchored).collect();
         self.exchanged.new.extend(found.iter().cloned());
@@ -179,19 +196,39 @@ impl AtTags {
         if found.iter().any(|found| found.severity() == Severity::Error) {
             self.faulty.insert(key.clone());
         }
-        if let Some(asked) = asked {
-            let key_of =
-                |(scope, tag): (usize, usize)| (scope, Name::new(&context.scopes[scope].tags[tag].name));
-            self.latches.note(&key, asked.into_iter().map(key_of).collect());
+        let kept = self.found.entry(key).or_default();
+        kept.reserve_exact(found.len());
+        kept.extend(found);
+    }
+
+    /// Decides about the tags that are read above the rung that writes them, in a file that is known as a whole. `any` is what its
+    /// networks have together of program flow. Gives how many were decided.
+    pub(super) fn decide_read_above(
+        &mut self,
+        context: &Context,
+        any: ControlFlow,
+        shelf: &mut Shelf,
+    ) -> usize {
+        let decision = self.read_above.decide(context, any);
+        for (key, is_found) in decision.other {
+            let Some(tag) = context.find_tag(&key) else {
+                continue;
+            };
+            if is_found {
+                let found = read_before_write::found(context, tag);
+                self.keep(context, (key, tag), found.into_iter().collect());
+                continue;
+            }
+            let kept = self.found.remove(&key).unwrap_or_default();
+            let is_it = |found: &Arc<Anchored>| found.rule() == Rule::ReadBeforeWrite;
+            let (gone, kept): (Vec<_>, Vec<_>) = kept.into_iter().partition(is_it);
+            self.exchanged.gone.extend(gone);
+            if !kept.is_empty() {
+                self.found.insert(key, kept);
+            }
         }
-        if read_above {
-            self.read_above.insert(key.clone());
-        }
-        if !found.is_empty() {
-            let kept = self.found.entry(key).or_default();
-            kept.reserve_exact(found.len());
-            kept.extend(found);
-        }
+        shelf.exchange_of_tags(std::mem::take(&mut self.exchanged));
+        decision.count
     }
 
     /// Whether a tag is undeclared that should not be.
@@ -214,11 +251,6 @@ impl AtTags {
     /// The tags whose addresses have to do with others: they are the same, or overlap.
     pub(super) fn addressed<'c>(&self, context: &'c Context) -> impl Iterator<Item = &'c TagFacts> {
         tags_of(context, self.addresses.involved())
-    }
-
-    /// The tags that are read above the rung that writes them.
-    pub(super) fn read_above<'c>(&self, context: &'c Context) -> impl Iterator<Item = &'c TagFacts> {
-        tags_of(context, &self.read_above)
     }
 }
 

@@ -191,12 +191,15 @@ impl Ledger {
             && !has_syntax_errors(context);
         ledger.power_again(context, toggled, wanted)?;
         ledger.put_on_shelf(context);
+        if of_file.known.whole {
+            ledger.work.tags += ledger
+                .tags
+                .decide_read_above(context, ledger.any, &mut ledger.shelf);
+        }
         let survey = ledger.survey(context, of_file.known.whole);
         let mut found = Vec::new();
         rules::of_program(context, &survey, &mut found);
-        let tags = &ledger.tags;
         rules::overlapping_address::check(context, addressed.into_iter(), &mut found);
-        rules::read_before_write::check(context, &survey, tags.read_above(context), &mut found);
         of_file.program = found;
         Some((ledger, of_file))
     }

@@ -8,9 +8,11 @@
 mod addresses;
 mod allowed;
 mod at_tags;
+mod dependencies;
 mod latches;
 mod ledger;
 mod part_notes;
+mod read_above;
 mod shelf;
 mod shown;
 mod undeclared;

@@ -107,7 +107,8 @@ impl Networks {
             place.first_line = place.first_line.wrapping_add_signed(lines as i32);
             place.start = place.start.wrapping_add_signed(bytes as i32);
         }
-        self.free.extend(free);
+        // The first of them gets the first number: a network that is only read again keeps its own.
+        self.free.extend(free.into_iter().rev());
         let same_count = old.len() == new.len();
         let first = old.start;
         let mut places = Vec::with_capacity(new.len());

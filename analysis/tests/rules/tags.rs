@@ -153,8 +153,8 @@ fn latches() {
         "+--[ ]( a )--(S)( y )--+\n\n+--[ ]( b )--( )( a )--+\n\n+--[ ]( a )--(R)( y )--+\n",
         expect![[r#"
             > +--[ ]( a )--(S)( y )--+
-                      ^ info[read-before-write]: `a` is written further down, on line 3: this rung sees its value of the scan before
-                help: move the rung that writes `a` above line 1, so that it acts in the same scan
+                      ^ info[read-before-write]: `a` is written further down: this rung sees its value of the scan before
+                help: move the rung that writes `a` above this one, so that it acts in the same scan
                 at 3:19 `a`: `a` is written here
         "#]],
     );
@@ -166,8 +166,8 @@ fn one_scan_late() {
         "+--[ ]( a )--[/]( fault )--( )( run )--+\n\n+--[ ]( overload )--( )( fault )--+\n",
         expect![[r#"
             > +--[ ]( a )--[/]( fault )--( )( run )--+
-                                ^^^^^ info[read-before-write]: `fault` is written further down, on line 3: this rung sees its value of the scan before
-                help: move the rung that writes `fault` above line 1, so that it acts in the same scan
+                                ^^^^^ info[read-before-write]: `fault` is written further down: this rung sees its value of the scan before
+                help: move the rung that writes `fault` above this one, so that it acts in the same scan
                 at 3:26 `fault`: `fault` is written here
         "#]],
     );
@@ -175,8 +175,8 @@ fn one_scan_late() {
         "+--[ ]( t.Q )--( )( y )--+\n\n+--[ ]( a )--[TON]( t, T#5s )--+\n",
         expect![[r#"
             > +--[ ]( t.Q )--( )( y )--+
-                      ^ info[read-before-write]: `t` is written further down, on line 3: this rung sees its value of the scan before
-                help: move the rung that writes `t` above line 1, so that it acts in the same scan
+                      ^ info[read-before-write]: `t` is written further down: this rung sees its value of the scan before
+                help: move the rung that writes `t` above this one, so that it acts in the same scan
                 at 3:21 `t`: `t` is written here
         "#]],
     );

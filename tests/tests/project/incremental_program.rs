@@ -138,3 +138,44 @@ fn what_is_between_two_coils_of_a_latch() {
         document.becomes(with(between));
     }
 }
+
+#[test]
+fn circles_that_open_and_close_far_away() {
+    let head = "VAR_INPUT\n    a, b : BOOL;\nEND_VAR\nVAR_OUTPUT\n    y : BOOL;\nEND_VAR\n\
+         VAR\n    late, first, second, third : BOOL;\nEND_VAR\n\n";
+    let with = |between: &str, below: &str| {
+        format!(
+            "{head}+--[ ]( late )--( )( first )--+\n\n+--[ ]( b )--( )( y )--+\n\n{between}\
+             +--[ ]( second )--( )( late )--+\n\n+--[ ]( a )--( )( third )--+\n\n{below}"
+        )
+    };
+    let closed = "+--[ ]( first )--( )( second )--+\n\n";
+    let open = "+--[ ]( a )--( )( second )--+\n\n";
+    let by_another = "+--[ ]( first )--( )( third )--+\n\n+--[ ]( third )--( )( second )--+\n\n";
+    let half_typed = "+--[ ]( first --( )( second )--+\n\n";
+    let function = "+--<FUN>( f )--+\n\n+--[ ]( a )--<RET>--+\n\n+--[ ]( a )--( )( y )--+\n\n+--<RET>--+\n";
+    let mut document = Document::new(with(open, ""));
+    for (between, below) in [
+        (closed, ""),
+        (open, ""),
+        (half_typed, ""),
+        (closed, ""),
+        (half_typed, ""),
+        (open, ""),
+        ("", ""),
+        (closed, ""),
+        (by_another, ""),
+        ("", ""),
+        (by_another, ""),
+        (open, ""),
+        (open, "+--[ ]( b )--<RET>--+\n"),
+        (open, "# note #\n"),
+        (open, function),
+        (open, "+--[ ]( b )--<RET>--+\n\n+--<FUN>( f )--+\n\n+--<RET>--+\n"),
+        (open, function),
+        (closed, function),
+        (open, function),
+    ] {
+        document.becomes(with(between, below));
+    }
+}

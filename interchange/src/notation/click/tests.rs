@@ -74,9 +74,10 @@ fn only_what_is_found_is_switched_off() {
     let tank = "def main():\n    if all(c.A, ds[3] > 1):\n        copy(ds[3], ds[4])\n        copy(1, ds.B)\n        out(y[1])\n    if True:\n        out(c.A)\n";
     let converted = converted(tank);
     expect![[r#"
-        Info read-before-write: `A` is written further down, on line 18: this rung sees its value of the scan before
+        Info read-before-write: `A` is written further down: this rung sees its value of the scan before
             +--[ ]( A )--[GT]( DS[3], 1 )--\---------------------[MOV]( DS[4], DS[3] )--\--+
-    "#]].assert_eq(&complaints(&converted.written.text));
+    "#]]
+    .assert_eq(&complaints(&converted.written.text));
     let first: Vec<&str> = converted.written.text.lines().take(3).collect();
     expect![[r#"
         # ladder: profile click #
