@@ -158,8 +158,8 @@ impl Allowed {
 
     /// Whether a comment switches rules off in something else than a network or the file.
     pub(super) fn has_others(&self) -> bool {
-        let rare = self.parts.iter().filter_map(|part| part.rare.as_ref());
-        rare.into_iter().any(|rare| rare.elsewhere)
+        let mut rare = self.parts.iter().filter_map(|part| part.rare.as_ref());
+        rare.any(|rare| rare.elsewhere)
     }
 
     /// What is wrong with comments.

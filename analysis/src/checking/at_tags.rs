@@ -173,9 +173,8 @@ impl AtTags {
             self.undeclared.note(&key);
         }
         if let Some(asked) = asked {
-            let key_of =
-                |(scope, tag): (usize, usize)| (scope, Name::new(&context.scopes[scope].tags[tag].name));
-            self.latches.note(&key, asked.into_iter().map(key_of).collect());
+            let asked = asked.into_iter().map(|tag| key_at(context, tag));
+            self.latches.note(&key, asked.collect());
         }
         if let Some(late) = late {
             self.read_above.note(&key, late);
@@ -259,9 +258,14 @@ fn key_of(context: &Context, scope: usize, name: &Name) -> TagKey {
     let tags = &context.scopes[scope];
     let entry = tags.find(name).map(|tag| &tags.tags[tag]);
     match entry.and_then(|entry| context.leads_to(entry)) {
-        Some((scope, tag)) => (scope, Name::new(&context.scopes[scope].tags[tag].name)),
+        Some(tag) => key_at(context, tag),
         None => (scope, name.clone()),
     }
+}
+
+/// The key of a tag by its scope and place there.
+fn key_at(context: &Context, (scope, tag): (usize, usize)) -> TagKey {
+    (scope, Name::new(&context.scopes[scope].tags[tag].name))
 }
 
 /// Tags in their order.

@@ -14,7 +14,7 @@ use crate::context::Context;
 use crate::findings::{Anchored, Home};
 use crate::lint;
 use crate::rule::{Rule, Severity};
-use crate::rule_settings::{Level, RuleSettings};
+use crate::rule_settings::RuleSettings;
 use crate::rules::follow_ups::{FollowUps, is_about_words};
 use crate::rules::tag_summary::{Known, When};
 use item::{Count, Item, arrange};
@@ -168,8 +168,7 @@ impl Shelf {
     }
 
     fn may_find(&self, rule: Rule, known: Known, finds: impl FnOnce() -> bool) -> bool {
-        self.settings.level(rule) != Some(Level::Off)
-            && (When::is_silent(rule, known) || When::of(rule).holds(known) && finds())
+        self.settings.is_on(rule) && (When::is_silent(rule, known) || When::of(rule).holds(known) && finds())
     }
 
     fn homes(&self) -> impl Iterator<Item = Home> + use<> {

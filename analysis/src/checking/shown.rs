@@ -10,7 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::findings::Finding;
 use crate::lint::{self, Allows};
 use crate::rule::{Rule, Severity};
-use crate::rule_settings::{Level, RuleSettings};
+use crate::rule_settings::RuleSettings;
 use crate::rules;
 use crate::rules::follow_ups::FollowUps;
 use crate::rules::tag_summary::{Known, When};
@@ -250,7 +250,7 @@ fn as_asked(
         finding.severity = level.unwrap_or(finding.severity);
         level.is_some()
     });
-    let is_silent = |rule| settings.level(rule) != Some(Level::Off) && When::is_silent(rule, known);
+    let is_silent = |rule| settings.is_on(rule) && When::is_silent(rule, known);
     all.extend(allows.unused(is_silent, settings).into_iter().map(Finding::from));
     sort(&mut all);
     // The first says it best: what is found while types are inferred comes before what follows from it.

@@ -46,7 +46,7 @@ impl Finding {
     }
 
     /// The same where its range is known.
-    pub(crate) fn at(
+    fn at(
         range: TextRange,
         severity: Severity,
         (anchored, own): (&Arc<Anchored>, TextSize),

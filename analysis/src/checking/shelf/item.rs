@@ -112,7 +112,7 @@ impl Item {
 
     /// As the rule says it, of a network or line that starts at `own`.
     pub(super) fn finding(&self, own: TextSize) -> Finding {
-        Finding::at(self.range + own, self.severity, (&self.anchored, own))
+        Finding::counted_from(&self.anchored, own)
     }
 }
 
