@@ -80,9 +80,11 @@ export async function hovering(page, { step, until, screenshot }) {
         await page.keyboard.press('F6');
         await page.getByText('Ladder: paused').waitFor({ timeout: 10_000 });
         await until('no dotted line', 10, async () => (await dotted()) === '');
-        const isOn = (await page.locator('.monaco-list-row', { hasText: 'flip6' }).first().textContent()).endsWith('1');
-        const coil = (await parts()).at(-1);
-        assert.match(coil, isOn ? /bold$/ : /thin$/, coil);
+        // The view of the tags is drawn a moment later than the text.
+        await until('the coil as its tag', 10, async () => {
+            const isOn = (await page.locator('.monaco-list-row', { hasText: 'flip6' }).first().textContent()).endsWith('1');
+            return (isOn ? /bold$/ : /thin$/).test((await parts()).at(-1));
+        });
     });
     await line('since').click();
     await page.keyboard.press('Shift+F5');
