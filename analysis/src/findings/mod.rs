@@ -46,11 +46,7 @@ impl Finding {
     }
 
     /// The same where its range is known.
-    fn at(
-        range: TextRange,
-        severity: Severity,
-        (anchored, own): (&Arc<Anchored>, TextSize),
-    ) -> Finding {
+    fn at(range: TextRange, severity: Severity, (anchored, own): (&Arc<Anchored>, TextSize)) -> Finding {
         Finding {
             rule: anchored.rule(),
             severity,
