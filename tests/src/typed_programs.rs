@@ -33,10 +33,12 @@ pub enum Kind {
     Commented,
     /// Every other network reads what the next but one writes.
     Above,
+    /// All networks are in functions, each of which jumps and returns.
+    Flow,
 }
 
 /// All of them, by the names that people give.
-pub const KINDS: [(&str, Kind); 14] = [
+pub const KINDS: [(&str, Kind); 15] = [
     ("clean", Kind::Clean),
     ("warned", Kind::Warned),
     ("shared", Kind::Shared),
@@ -51,6 +53,7 @@ pub const KINDS: [(&str, Kind); 14] = [
     ("latched", Kind::Latched),
     ("commented", Kind::Commented),
     ("above", Kind::Above),
+    ("flow", Kind::Flow),
 ];
 
 /// A program.
@@ -87,6 +90,7 @@ impl Program {
         let mut sections: [String; 5] = Default::default();
         let mut beside = String::new();
         let mut drawn = String::new();
+        let mut calls = String::new();
         let networks = rungs / 2;
         for n in 0..networks {
             let next = (n + 1) % networks;
@@ -118,8 +122,16 @@ impl Program {
                     let _ = writeln!(external, "    enable_{n} : BOOL;");
                 }
             }
+            if kind == Kind::Flow && n % 4 == 0 {
+                let _ = writeln!(calls, "+--<CALL>( work_{n} )--+\n");
+                let _ = writeln!(
+                    drawn,
+                    "+--<FUN>( work_{n} )--+\n\n+--[ ]( stop_{} )--<JMP>( over )--+\n",
+                    n + 1
+                );
+            }
             let _ = match kind {
-                Kind::Clean | Kind::Addressed => writeln!(
+                Kind::Clean | Kind::Addressed | Kind::Flow => writeln!(
                     drawn,
                     "+--[ ]( start_{n} )--[/]( stop_{n} )--[TON]( timer_{n}, T#5s )--( )( run_{n} )--+\n\n\
                      +--[P]( timer_{n}.Q )--( )( ready_{n} )--+\n"
@@ -191,6 +203,11 @@ impl Program {
                      +--[ ]( gate_{n} )--( )( run_{n} )--( )( ready_{n} )--+\n"
                 ),
             };
+            if kind == Kind::Flow && n % 4 == 2 {
+                drawn += "+--<LBL>( over )--+\n\n";
+            } else if kind == Kind::Flow && n % 4 == 3 {
+                drawn += "+--<RET>--+\n\n";
+            }
         }
         let [inputs, outputs, inner, globals, external] = sections;
         let globals = if kind == Kind::Globals {
@@ -204,7 +221,7 @@ impl Program {
             _ => "",
         };
         let text = format!(
-            "{blocks}{globals}VAR_INPUT\n{inputs}END_VAR\nVAR_OUTPUT\n{outputs}END_VAR\nVAR\n{inner}END_VAR\n\n{drawn}"
+            "{blocks}{globals}VAR_INPUT\n{inputs}END_VAR\nVAR_OUTPUT\n{outputs}END_VAR\nVAR\n{inner}END_VAR\n\n{calls}{drawn}"
         );
         let globals = format!("VAR_GLOBAL\n{beside}END_VAR\n\n+--[ ]( enable_0 )--( )( enable_1 )--+\n");
         Program {

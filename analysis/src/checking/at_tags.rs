@@ -77,7 +77,7 @@ impl AtTags {
         };
         self.around = Some(around);
         self.at_addresses = PlacesAtAddresses::default();
-        shelf.exchange_of_tags(std::mem::take(&mut self.exchanged));
+        shelf.exchange(std::mem::take(&mut self.exchanged));
         Some(looked_at)
     }
 
@@ -226,7 +226,7 @@ impl AtTags {
                 self.found.insert(key, kept);
             }
         }
-        shelf.exchange_of_tags(std::mem::take(&mut self.exchanged));
+        shelf.exchange(std::mem::take(&mut self.exchanged));
         decision.count
     }
 

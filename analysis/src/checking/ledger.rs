@@ -8,6 +8,7 @@ mod in_networks;
 
 use super::allowed::Allowed;
 use super::at_tags::{AtTags, Flow};
+use super::of_bodies::OfBodies;
 use super::part_notes::PartNotes;
 use super::shelf::Shelf;
 use crate::context::{Change, Context};
@@ -60,6 +61,7 @@ pub(crate) struct Ledger {
     /// others of the file.
     unknown_members: FxHashSet<u32>,
     tags: AtTags,
+    bodies: OfBodies,
     /// One of the file's outputs.
     an_output: Option<Name>,
     /// Whether a rail may be dead, once it is known.
@@ -121,6 +123,7 @@ impl Ledger {
             volatile: FxHashSet::default(),
             unknown_members: FxHashSet::default(),
             tags: AtTags::default(),
+            bodies: OfBodies::default(),
             an_output: None,
             rail_varies: None,
             notes: PartNotes::default(),
@@ -169,6 +172,7 @@ impl Ledger {
                 .allowed
                 .follow(context, change, (&ledger.notes, parts), &mut ledger.shelf);
         let flow = ledger.follow_flow(context, change, &networks);
+        ledger.bodies.follow(context, change, &networks);
         ledger.in_networks(context, &networks, wanted)?;
         let mut of_file = OfFile::default();
         rules::of_file(context, &mut of_file.names);
@@ -196,6 +200,7 @@ impl Ledger {
                 .tags
                 .decide_read_above(context, ledger.any, &mut ledger.shelf);
         }
+        ledger.of_bodies(context, of_file.known.whole);
         let survey = ledger.survey(context, of_file.known.whole);
         let mut found = Vec::new();
         rules::of_program(context, &survey, &mut found);
@@ -320,6 +325,14 @@ impl Ledger {
             .tags
             .follow(context, change, (around, flow), (&mut self.shelf, wanted))?;
         Some(())
+    }
+
+    /// Looks at the bodies that a change concerns.
+    fn of_bodies(&mut self, context: &Context, whole: bool) {
+        let mut bodies = std::mem::take(&mut self.bodies);
+        self.work.networks += bodies.look(context, &self.survey(context, whole));
+        self.shelf.exchange(bodies.take_exchanged());
+        self.bodies = bodies;
     }
 
     /// Whether the file has an output. One that was found is mostly there still.

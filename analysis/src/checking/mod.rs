@@ -11,6 +11,7 @@ mod at_tags;
 mod dependencies;
 mod latches;
 mod ledger;
+mod of_bodies;
 mod part_notes;
 mod read_above;
 mod shelf;

@@ -85,8 +85,8 @@ impl Shelf {
         self.put(Home::Network(id), items);
     }
 
-    /// Exchanges what tags own.
-    pub(super) fn exchange_of_tags(&mut self, exchanged: Exchanged) {
+    /// Exchanges what tags or bodies own.
+    pub(super) fn exchange(&mut self, exchanged: Exchanged) {
         let Exchanged { gone, new } = exchanged;
         let mut homes: FxHashMap<Home, Vec<Item>> = FxHashMap::default();
         let homes_of = |found: &Arc<Anchored>| found.home().filter(|_| !found.is_volatile());
@@ -97,7 +97,7 @@ impl Shelf {
         }
         for found in &new {
             if let Some(home) = homes_of(found) {
-                let item = Item::new(found, Source::of_tag(found));
+                let item = Item::new(found, Source::of(found));
                 homes.entry(home).or_default().push(item);
             }
         }

@@ -133,22 +133,27 @@ impl Anchored {
     /// Of a finding about a tag, with places in the networks that use it by whichever name, and on lines of declarations. One with other
     /// places is [volatile](Anchored::is_volatile).
     pub(crate) fn at_uses(mut found: Diagnostic, tag: &TagFacts, context: &Context) -> Anchored {
-        let networks = &context.networks;
         let is_in = |tag: &TagFacts, id: u32| tag.uses.0.iter().any(|place| place.network == id);
         let uses_it =
             |id: u32| is_in(tag, id) || context.others_at_address(tag).any(|other| is_in(other, id));
-        let home = |place: &mut TextRange| {
-            let behind = networks.partition_point(|network| network.range.start() <= place.start());
-            let around = behind.checked_sub(1).map(|index| networks.at(index));
-            match around.filter(|network| network.range.contains_range(*place)) {
-                Some(network) => Some(networks.id(network.index))
-                    .filter(|id| uses_it(*id))
-                    .map(Home::Network),
-                None => on_declaration(context, *place).map(Home::Declaration),
-            }
+        let home = |place: &mut TextRange| match network_around(context, *place) {
+            Some(id) => uses_it(id).then_some(Home::Network(id)),
+            None => on_declaration(context, *place).map(Home::Declaration),
         };
         // None: what an edit elsewhere does to the place is not known.
         let homes: Option<Box<[Home]>> = places(&mut found).map(home).collect();
+        Anchored::each(found, homes, context)
+    }
+
+    /// Of a finding with places in networks, whichever they are. One with other places is [volatile](Anchored::is_volatile).
+    pub(crate) fn in_networks(mut found: Diagnostic, context: &Context) -> Anchored {
+        let home = |place: &mut TextRange| network_around(context, *place).map(Home::Network);
+        let homes: Option<Box<[Home]>> = places(&mut found).map(home).collect();
+        Anchored::each(found, homes, context)
+    }
+
+    /// Of a finding each of whose places has another home.
+    fn each(mut found: Diagnostic, homes: Option<Box<[Home]>>, context: &Context) -> Anchored {
         let Some(homes) = homes else {
             return Anchored::in_file(found);
         };
@@ -248,6 +253,15 @@ impl Anchored {
         });
         found
     }
+}
+
+/// The number of the network in which a place lies.
+fn network_around(context: &Context, place: TextRange) -> Option<u32> {
+    let networks = &context.networks;
+    let behind = networks.partition_point(|network| network.range.start() <= place.start());
+    let around = networks.at(behind.checked_sub(1)?);
+    let is_it = around.range.contains_range(place);
+    is_it.then(|| networks.id(around.index))
 }
 
 /// The line of declarations on which a place lies.

@@ -74,12 +74,14 @@ fn waits(flow: &Flow<'_>, exit: &Exit, to: usize) -> Option<String> {
             tags(context, network.scope, &operand.value, &mut asked)?;
         }
     }
-    let first = flow.networks[to];
-    let last = flow.networks[exit.from];
+    let in_loop = |network: usize| {
+        let at = flow.place(network);
+        at.is_some_and(|at| (to..=exit.from).contains(&at))
+    };
     let written = asked.iter().any(|&(scope, tag)| {
-        context
-            .writers(&context.scopes[scope].tags[tag])
-            .any(|place| (first..=last).contains(&place.network))
+        let tag = &context.scopes[scope].tags[tag];
+        let mut names = std::iter::once(tag).chain(context.others_at_address(tag));
+        names.any(|tag| context.writers(tag).any(|place| in_loop(place.network)))
     });
     let &(scope, tag) = asked.first().filter(|_| !written)?;
     Some(if asked.len() == 1 {

@@ -12,6 +12,7 @@ use crate::networks::BlockAt;
 use crate::program::Step;
 use ladder_instructions::Op;
 use ladder_syntax::Name;
+use rustc_hash::FxHashSet;
 use smallvec::SmallVec;
 use std::collections::BTreeMap;
 
@@ -47,35 +48,47 @@ pub(super) struct Flow<'c> {
     ends: Vec<bool>,
 }
 
-/// Asks the rules about each body that holds jumps, returns or ends.
-pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
+/// Asks the rules about those of some bodies that hold jumps, returns or ends. What is found in such a body depends on its own
+/// networks alone. Gives how many networks these bodies have.
+pub(crate) fn check(
+    context: &Context,
+    survey: &Survey<'_>,
+    bodies: &FxHashSet<Body>,
+    mut give: impl FnMut(Body, Vec<Diagnostic>),
+) -> usize {
     let leaves = ControlFlow::LEAVES;
-    if !survey.whole || !survey.any.has(leaves) {
-        return;
+    if !survey.any.has(leaves) {
+        return 0;
     }
-    let mut bodies: BTreeMap<Body, Vec<usize>> = BTreeMap::new();
+    let mut networks_of: BTreeMap<Body, Vec<usize>> = BTreeMap::new();
     for (network, &body) in context.bodies.iter().enumerate() {
-        bodies.entry(body).or_default().push(network);
+        if bodies.contains(&body) {
+            networks_of.entry(body).or_default().push(network);
+        }
     }
+    networks_of.retain(|_, networks| {
+        let mut networks = networks.iter();
+        networks.any(|&network| survey.control_flow(network).has(leaves))
+    });
     let mut labels: BTreeMap<Body, Vec<usize>> = BTreeMap::new();
     for label in &context.labels {
         let body = context.bodies[label.network];
         labels.entry(body).or_default().push(label.network);
     }
-    for (body, networks) in bodies {
-        if !networks
-            .iter()
-            .any(|&network| survey.control_flow(network).has(leaves))
-        {
-            continue;
-        }
+    let count = networks_of.values().map(Vec::len).sum();
+    for (body, networks) in networks_of {
         let labelled = labels.remove(&body).unwrap_or_default();
         let flow = Flow::new(context, survey, networks, &labelled);
-        unconditional_end::check(&flow, out);
+        let mut found = Vec::new();
+        unconditional_end::check(&flow, &mut found);
         let reached = flow.reached();
-        unreachable::check(&flow, &reached, out);
-        endless_jump::check(&flow, &reached, out);
+        unreachable::check(&flow, &reached, &mut found);
+        endless_jump::check(&flow, &reached, &mut found);
+        if !found.is_empty() {
+            give(body, found);
+        }
     }
+    count
 }
 
 impl<'c> Flow<'c> {
@@ -106,7 +119,8 @@ impl<'c> Flow<'c> {
         flow
     }
 
-    fn place(&self, network: usize) -> Option<usize> {
+    /// Where in the body a network is.
+    pub(super) fn place(&self, network: usize) -> Option<usize> {
         self.networks.binary_search(&network).ok()
     }
 

@@ -25,7 +25,7 @@ pub(crate) mod duplicate_function;
 mod duplicate_label;
 mod duplicate_timer;
 mod endless_jump;
-mod flow;
+pub(crate) mod flow;
 pub(crate) mod follow_ups;
 pub(crate) mod foreign_comment;
 mod form;
@@ -119,7 +119,6 @@ type ProgramCheck = fn(&Context, &Survey<'_>, &mut Vec<Diagnostic>);
 /// Rules that need to know what is in the file at all.
 const OF_PROGRAM: &[ProgramCheck] = &[
     recursive_call::check,
-    flow::check,
     return_outside_function::check,
     unbalanced_loop::check,
     unused_function::check,

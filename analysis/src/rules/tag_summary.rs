@@ -167,7 +167,7 @@ pub(crate) struct Known {
     pub(crate) hides_declarations: bool,
 }
 
-/// When what a rule says of a tag's use is true.
+/// When what a rule says of a tag's use or of a body is true.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum When {
     Always,

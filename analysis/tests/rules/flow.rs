@@ -87,6 +87,12 @@ fn never_left() {
     clean(
         "+--[MOV]( n, 0 )--+\n\n+--<LBL>( x )--[ADD]( n, n, 1 )--+\n\n+--[LT]( n, 10 )--<JMP>( x )--+\n\n+--[GT]( n, 5 )--( )( b )--+\n",
     );
+    // Two names of one address are one tag.
+    clean(
+        "VAR\n    a AT %QX0.0 : BOOL;\n    b AT %QX0.0 : BOOL;\nEND_VAR\nVAR_INPUT\n    c : BOOL;\nEND_VAR\n\
+         VAR_OUTPUT\n    y : BOOL;\nEND_VAR\n\n\
+         +--<LBL>( x )--[ ]( c )--( )( b )--+\n\n+--[/]( a )--<JMP>( x )--+\n\n+--( )( y )--+\n",
+    );
     // A timer gives the same in every round, an edge does not.
     clean("+--<LBL>( x )--[P]( a )--<JMP>( x )--+\n\n+--( )( b )--+\n");
     clean("+--<LBL>( x )--[ ]( a )--<CALL>( f )--<JMP>( x )--+\n\n+--<FUN>( f )--(R)( a )--+\n");

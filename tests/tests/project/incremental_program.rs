@@ -179,3 +179,41 @@ fn circles_that_open_and_close_far_away() {
         document.becomes(with(between, below));
     }
 }
+
+#[test]
+fn what_is_found_in_bodies_that_others_are_beside() {
+    let head = "VAR_INPUT\n    a, b : BOOL;\nEND_VAR\nVAR_OUTPUT\n    y : BOOL;\nEND_VAR\n\
+         VAR\n    m : BOOL;\nEND_VAR\n\n";
+    let with = |main: &str, first: &str, second: &str| {
+        format!(
+            "{head}{main}+--[ ]( a )--<CALL>( f )--+\n\n+--[ ]( b )--<CALL>( g )--+\n\n+--<RET>--+\n\n\
+             +--<FUN>( f )--+\n\n{first}+--[ ]( a )--( )( m )--+\n\n+--<RET>--+\n\n\
+             +--<FUN>( g )--+\n\n+--<LBL>( l )--[ ]( b )--( )( y )--+\n\n{second}\
+             +--[ ]( m )--<JMP>( l )--+\n\n+--<RET>--+\n"
+        )
+    };
+    let mut document = Document::new(with("", "", ""));
+    let always = "+--<RET>--+\n\n";
+    let half_typed = "+--[ ]( a --( )( y )--+\n\n";
+    let written = "+--[ ]( a )--( )( m )--+\n\n";
+    for (main, first, second) in [
+        ("", always, ""),
+        (half_typed, always, ""),
+        ("", always, ""),
+        ("# note #\n", always, ""),
+        ("", half_typed, always),
+        ("", always, always),
+        ("", always, written),
+        (half_typed, "", written),
+        (half_typed, always, ""),
+        ("", always, ""),
+        ("+--<END>--+\n\n", "", ""),
+        ("+--[ ]( a )--<END>--+\n\n", "", always),
+        ("+--<END>--+\n\n", always, half_typed),
+        ("+--<END>--+\n\n# note #\n", always, ""),
+        (written, "", ""),
+        ("", "", ""),
+    ] {
+        document.becomes(with(main, first, second));
+    }
+}

@@ -79,6 +79,10 @@ fn does_not_grow_with_the_file() {
             _ => &[],
         };
         for &(what, spot) in spots.iter().chain(of_kind) {
+            // All networks that jump are looked at again where a label comes or goes.
+            if kind == Kind::Flow && what == "a label" {
+                continue;
+            }
             let (small, large) = (work(kind, 200, spot), work(kind, 2_000, spot));
             // Comments are read by the part of the text, wherever that is cut.
             let looked_at = |all: [(Work, usize); 2]| all.map(|(work, _)| Work { comments: 0, ..work });

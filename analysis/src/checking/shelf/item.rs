@@ -21,12 +21,12 @@ pub(crate) enum Source {
 }
 
 impl Source {
-    /// Who finds something that a tag owns.
-    pub(crate) fn of_tag(found: &Anchored) -> Source {
-        if found.rule() == Rule::TypeMismatch {
-            Source::Types
-        } else {
-            Source::Tag
+    /// Who finds something that a tag owns, or a body.
+    pub(crate) fn of(found: &Anchored) -> Source {
+        match found.rule() {
+            Rule::TypeMismatch => Source::Types,
+            Rule::Unreachable | Rule::EndlessJump | Rule::UnconditionalEnd => Source::Program,
+            _ => Source::Tag,
         }
     }
 
