@@ -20,6 +20,7 @@
 //! - `run` is a program on its way through its scans, with what the world outside gives to it.
 //! - `diff` shows what would change.
 //! - `output` is a file that is there whole or not at all, or stdout.
+//! - `small_pages` keeps a program small that stays.
 //! - `stdin` is standard input in the place of a file.
 //! - `terminal` is the only module that names stdout and stderr: messages go to stderr as `error: ...`, colours
 //!   only to a terminal, and a reader that closes the pipe early is no error.
@@ -52,6 +53,8 @@ mod run;
 #[cfg(feature = "screen")]
 mod screen;
 mod settings;
+#[cfg(feature = "server")]
+mod small_pages;
 mod stdin;
 mod terminal;
 

@@ -26,6 +26,7 @@ pub(crate) struct Arguments {}
 
 #[cfg(feature = "server")]
 pub(crate) fn run(_: &Arguments) -> ExitCode {
+    crate::small_pages::use_small_pages();
     ladder_server::run_debug_adapter()
 }
 

@@ -42,6 +42,7 @@ pub(crate) struct Arguments {
 
 #[cfg(feature = "server")]
 pub(crate) fn run(arguments: &Arguments) -> ExitCode {
+    crate::small_pages::use_small_pages();
     match &arguments.replay {
         Some(recorded) => ladder_server::run_replay(recorded, arguments.speed),
         None => ladder_server::run_stdio(arguments.mirror.as_deref()),

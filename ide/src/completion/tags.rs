@@ -29,8 +29,9 @@ const WRITTEN: (u8, u8) = (0, 9);
 /// This many tags are gone through before another processor could begin to help.
 const ALONE: usize = 1 << 15;
 
-/// A tag, how well it fits, and what else speaks for it.
-type Ranked<'c> = (&'c TagFacts, Order);
+/// A tag, whether its name only holds the letters that are written instead of beginning with them, how well it fits, and what
+/// else speaks for it.
+type Ranked<'c> = (&'c TagFacts, (bool, Order));
 
 pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, out: &mut Proposals<'_>) {
     // What is in the list already is less likely meant.
@@ -57,20 +58,16 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
         let second = if given { 3 } else { second_thought(known, wanted) };
         Some((known, (fits, second)))
     };
-    let begins = |tag: &TagFacts| out.begins(&tag.name);
-    let holds = |tag: &TagFacts| out.may_be(&tag.name) && !begins(tag);
     // A large program has more tags than anybody reads. One more than is shown says that there are others.
-    let most = MOST + 1;
-    let mut tags = best(&scope.tags, (most, ALONE), |tag| {
-        begins(tag).then(|| ranked(tag)).flatten()
+    let tags = best(&scope.tags, (MOST + 1, ALONE), |tag, enough_begin| {
+        let begins = out.begins(&tag.name);
+        if !begins && (enough_begin || !out.may_be(&tag.name)) {
+            return None;
+        }
+        let (tag, order) = ranked(tag)?;
+        Some((tag, (!begins, order)))
     });
-    if tags.len() < most {
-        let rest = most - tags.len();
-        tags.extend(best(&scope.tags, (rest, ALONE), |tag| {
-            holds(tag).then(|| ranked(tag)).flatten()
-        }));
-    }
-    for (tag, order) in tags {
+    for (tag, (_, order)) in tags {
         propose_tag(typing, tag, order, out);
     }
     globals(typing, wanted, out);
@@ -80,17 +77,25 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
     }
 }
 
-/// This many of the tags that have a rank, in their order. Of more than `alone` another processor takes half.
+/// This many of the tags that have a rank, in their order. `ranked` is asked with whether there are as many that begin as is
+/// written: then no others are needed. Of more than `alone` another processor takes half.
 fn best<'c>(
     tags: &'c Tags,
     (most, alone): (usize, usize),
-    ranked: impl Fn(&'c TagFacts) -> Option<Ranked<'c>> + Sync,
+    ranked: impl Fn(&'c TagFacts, bool) -> Option<Ranked<'c>> + Sync,
 ) -> Vec<Ranked<'c>> {
     let order =
         |(a, rank): &Ranked<'_>, (b, other): &Ranked<'_>| rank.cmp(other).then_with(|| a.name.cmp(&b.name));
     let best_of = |range: Range<usize>| -> Vec<Ranked<'c>> {
         let some = tags.from(range.start).take(range.len());
-        some.filter_map(&ranked).k_smallest_by(most, order).collect()
+        let mut begin = 0;
+        let ranked = some.filter_map(|tag| {
+            let found = ranked(tag, begin >= most)?;
+            let (_, (only_holds, _)) = found;
+            begin += usize::from(!only_holds);
+            Some(found)
+        });
+        ranked.k_smallest_by(most, order).collect()
     };
     let all = 0..tags.len();
     if all.len() <= alone {
@@ -239,13 +244,16 @@ mod tests {
         let analysis = ladder_analysis::analyze(&parse, "many");
         let tags = &analysis.context.scopes[0].tags;
         let found = |most, alone| {
-            let ranked = |tag: &'_ TagFacts| tag.name.starts_with('a').then_some((0, 0));
-            let best = best(tags, (most, alone), |tag| Some((tag, ranked(tag)?)));
+            let best = best(tags, (most, alone), |tag, enough_begin| {
+                let begins = tag.name.starts_with('a');
+                (begins || !enough_begin).then_some((tag, (!begins, (0, 0))))
+            });
             best.into_iter()
                 .map(|(tag, _)| tag.name.as_str())
                 .collect::<Vec<_>>()
         };
         assert_eq!(found(3, usize::MAX), ["a00", "a01", "a02"]);
+        assert_eq!(found(52, usize::MAX)[49..], ["a49", "b0", "b1"]);
         for most in [1, 3, 50, 200] {
             for alone in [0, 10, 99, 100] {
                 assert_eq!(found(most, alone), found(most, usize::MAX));
