@@ -4,7 +4,6 @@ use crate::at_address::AtAddress;
 use crate::by_name::ByName;
 use crate::declarations::Declarations;
 use crate::declaring::PlacesOfScopes;
-use crate::diagnostic::Diagnostic;
 use crate::edited;
 use crate::exports::{self, Global};
 use crate::foreign_comment::ForeignComments;
@@ -24,6 +23,7 @@ use crate::types::Type;
 use crate::use_kind::Deed;
 use crate::user_block::UserBlockFacts;
 use crate::uses;
+use crate::wrong_globals::WrongGlobals;
 use ladder_instructions::Profile;
 use ladder_syntax::{LineIndex, Name, Parse, TextRange, TextSize};
 use rustc_hash::FxHashSet;
@@ -42,8 +42,8 @@ pub struct Context {
     pub(crate) serial: u64,
     /// What is other than in the context that it was made from, if that is known.
     pub(crate) change: Option<Change>,
-    /// What is wrong with tags for all files; nothing if it is settled.
-    pub(crate) found: Vec<Diagnostic>,
+    /// What is wrong with tags for all files.
+    pub(crate) wrong_globals: Arc<WrongGlobals>,
     /// Whose arithmetic and timing the program has.
     pub profile: Profile,
     /// The time from one scan to the next that it is made for, in nanoseconds, where it says so.
@@ -69,8 +69,8 @@ pub struct Context {
     pub(crate) mistyped: Vec<(usize, Name)>,
     /// If it is settled: the tags on which a block keeps its state and that may be those of other files too.
     pub(crate) outward_states: BTreeSet<Name>,
-    /// If it is settled: the names by which bodies of user-defined blocks name tags of the file. They stay until it is read as a
-    /// whole.
+    /// If it is settled: the names by which bodies of user-defined blocks name tags that they do not declare for themselves. They
+    /// stay until it is read as a whole.
     pub(crate) named_in_bodies: Arc<FxHashSet<Name>>,
     /// Its VAR_GLOBAL tags, once somebody asks.
     pub(crate) globals: OnceLock<Arc<Vec<Global>>>,
@@ -237,10 +237,9 @@ impl Context {
 
     /// What is wrong with its names: where, and how much that matters.
     pub(crate) fn mistakes(&self) -> impl Iterator<Item = (TextRange, Severity)> {
-        let of_tags = self.found.iter().map(|found| (found.range, found.severity));
-        let declared = self.misdeclared.found();
+        let declared = self.wrong_globals.found().chain(self.misdeclared.found());
         let own = TextSize::default();
-        of_tags.chain(declared.map(move |found| (found.range(own, self), found.severity())))
+        declared.map(move |found| (found.range(own, self), found.severity()))
     }
 
     /// Its VAR_GLOBAL tags; of one name only the first.
@@ -284,6 +283,17 @@ impl Context {
     ) -> impl DoubleEndedIterator<Item = Use> + Clone + use<'c> {
         let writers = tag.uses.0.iter().filter(|place| place.access().writes());
         writers.map(|place| self.networks.use_of(*place))
+    }
+
+    /// If it is settled: all tags of a name that are not those of one scope alone.
+    pub(crate) fn outward_named<'c>(&'c self, name: &'c Name) -> impl Iterator<Item = &'c TagFacts> {
+        let scopes = if self.named_in_bodies.contains(name) {
+            self.scopes.len()
+        } else {
+            1
+        };
+        let tags = (0..scopes).filter_map(|scope| self.find_tag(&(scope, name.clone())));
+        tags.filter(|tag| tag.is_outward() && !tag.leads_elsewhere())
     }
 
     /// A tag by its scope and name, if it is there.
@@ -368,11 +378,10 @@ pub fn context_while(
     let wanted = StillWanted::new(wanted);
     let mut context = skeleton::skeleton(parse, name, others, before, &wanted)?;
     uses::collect(&mut context, &wanted)?;
-    let mut found = Vec::new();
-    shared::share(&mut context, &mut found);
+    let wrong_globals = shared::share(&mut context);
     context.at_address = AtAddress::of(&context.scopes);
     infer::infer(&mut context, &wanted)?;
-    context.settled = found.is_empty() && edited::may_settle(&context);
+    context.settled = wrong_globals.follows_edits() && edited::may_settle(&context);
     if context.settled {
         let scopes = context.scopes.iter().enumerate();
         let tags = scopes.flat_map(|(number, scope)| scope.unusual().map(move |(_, tag)| (number, tag)));
@@ -381,15 +390,15 @@ pub fn context_while(
             .map(|(scope, tag)| (scope, Name::new(&tag.name)))
             .collect();
         context.asks_others = context.networks.iter().any(|network| !network.names_tags_only);
-        let unusual = context.scopes[0].unusual().map(|(_, tag)| tag);
-        let outward = unusual.filter(|tag| tag.is_outward());
-        let states = outward.filter(|tag| keeps_state(tag));
-        context.outward_states = states.map(|tag| Name::new(&tag.name)).collect();
+        let unusual = context.scopes.iter().flat_map(Scope::unusual);
+        let states =
+            unusual.filter(|(_, tag)| tag.is_outward() && !tag.leads_elsewhere() && keeps_state(tag));
+        context.outward_states = states.map(|(_, tag)| Name::new(&tag.name)).collect();
         let bodies = context.scopes[1..].iter().flat_map(Scope::unusual);
-        let entries = bodies.filter(|(_, tag)| tag.leads_elsewhere());
-        context.named_in_bodies = Arc::new(entries.map(|(_, tag)| Name::new(&tag.name)).collect());
+        let not_own = bodies.filter(|(_, tag)| tag.is_outward() || tag.leads_elsewhere());
+        context.named_in_bodies = Arc::new(not_own.map(|(_, tag)| Name::new(&tag.name)).collect());
     }
-    context.found = found;
+    context.wrong_globals = Arc::new(wrong_globals);
     Some(context)
 }
 

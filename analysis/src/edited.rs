@@ -14,8 +14,8 @@ use crate::edited_lines::{Change, Lines, change, same_lines};
 use crate::infer::Entry;
 use crate::known_blocks::KnownBlocks;
 use crate::network::{self, BoundBlock, NetworkFacts, UserBlocks};
-use crate::networks::Spliced;
 use crate::networks::neighbours::break_neighbours;
+use crate::networks::{Networks, Spliced};
 use crate::others::Others;
 use crate::outward;
 use crate::rare::Lead;
@@ -30,30 +30,28 @@ use smol_str::SmolStr;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
-/// Whether a context of a whole text can be the beginning: what a body names is declared in it, or a tag of the file. Tags of other
-/// files that the file names are followed.
+/// Whether a context of a whole text can be the beginning. Tags of other files that the file names are followed, and those of the file
+/// and of other files that a body names; not two entries of one scope for one tag, nor VAR_GLOBAL sections in bodies.
 pub(crate) fn may_settle(context: &Context) -> bool {
-    let followed = |tag: &TagFacts| {
-        let origin = match tag.origin {
-            Origin::Declared(SectionKind::External) => tag.rare.foreign.is_some() && !tag.mistyped,
-            Origin::Shared => tag.is_imported_by_use(),
-            _ => true,
-        };
-        origin && !tag.leads_elsewhere() && (!tag.mistyped || tag.is_declared())
-    };
-    let own = |tag: &TagFacts| followed(tag) && !tag.is_outward();
-    let of_file = |tag: &TagFacts| {
-        let is_named = matches!(tag.rare.lead, Some(Lead::Named(_)));
-        is_named && tag.rare.foreign.is_none() && !tag.mistyped
-    };
     let [file, bodies @ ..] = context.scopes.as_slice() else {
         return false;
     };
-    let of_body = |body: &Scope| {
-        let mut unusual = body.unusual();
-        unusual.all(|(index, tag)| of_file(tag) || index < body.declared && own(tag))
+    let of_body = |tag: &TagFacts| {
+        let is_global = tag.origin == Origin::Declared(SectionKind::Global);
+        !is_global && !matches!(tag.rare.lead, Some(Lead::Entry(..)))
     };
-    file.unusual().all(|(_, tag)| followed(tag)) && bodies.iter().all(of_body)
+    let mut of_bodies = bodies.iter().flat_map(Scope::unusual);
+    file.unusual().all(|(_, tag)| !tag.leads_elsewhere())
+        && of_bodies.all(|(_, tag)| of_body(tag))
+        && (bodies.is_empty() || are_by_first_use(file, &context.networks))
+}
+
+/// Whether the tags without a declaration are where an edit puts one: what bodies declare in VAR_EXTERNAL is in the order of these
+/// declarations instead.
+fn are_by_first_use(file: &Scope, networks: &Networks) -> bool {
+    let found = file.tags.from(file.declared);
+    let first_uses = found.map(|tag| tag.uses.0.first().map(|place| networks.order_of(*place)));
+    first_uses.clone().all(|first| first.is_some()) && first_uses.is_sorted()
 }
 
 /// The context of a text that came from another one's by edits; none if it takes more than a look at what they touch.
@@ -71,7 +69,10 @@ pub(crate) fn edited(before: &Context, parse: &Arc<Parse>, name: &str, others: &
             .find_tag(&(0, name.clone()))
             .is_some_and(TagFacts::is_outward)
     };
-    if news.declared.iter().any(is_outward) {
+    let is_named = |name: &Name| {
+        is_outward(name) || before.named_in_bodies.contains(name) || before.wrong_globals.is_about(name)
+    };
+    if news.declared.iter().any(is_named) {
         return None;
     }
     let change = change(before, parse)?;
@@ -86,9 +87,17 @@ pub(crate) fn edited(before: &Context, parse: &Arc<Parse>, name: &str, others: &
         }
         Change::Declarations(lines) => edited_declarations::enter(&mut next.context, before, lines)?,
     };
+    let concerned = tags.used.iter().chain(&tags.retyped);
+    if concerned
+        .map(|(_, name)| name)
+        .any(|name| before.wrong_globals.is_about(name))
+    {
+        return None;
+    }
     next.note_outward(&tags);
     let used = news.used.into_iter().filter(is_outward);
     tags.used.extend(used.map(|name| (0, name)));
+    tags.namesakes_in_bodies(&next.context);
     let networks = next.looked_at(before);
     let Edited {
         mut context, removed, ..
@@ -117,6 +126,15 @@ impl EditedTags {
     pub(crate) fn touched(&mut self, name: &Name) {
         self.used.push((0, name.clone()));
         self.retyped.push((0, name.clone()));
+    }
+
+    /// What is said of an undeclared tag of a body depends on whether the program has one of its name.
+    fn namesakes_in_bodies(&mut self, context: &Context) {
+        let of_file = self.used.iter().filter(|(scope, _)| *scope == 0);
+        let named = of_file.filter(|(_, name)| context.named_in_bodies.contains(name));
+        let bodies = named.flat_map(|(_, name)| (1..context.scopes.len()).map(|scope| (scope, name.clone())));
+        let there: Vec<(usize, Name)> = bodies.filter(|key| context.find_tag(key).is_some()).collect();
+        self.used.extend(there);
     }
 
     /// Infers the types that depend on places. `before`: tags with their spelling and type before the edit, which may be gone;
@@ -363,10 +381,8 @@ impl Edited {
     fn note_outward(&mut self, tags: &EditedTags) {
         let context = &mut self.context;
         let mut outward = context.outward_tags.take();
-        for key in tags.used.iter().filter(|(scope, _)| *scope == 0) {
-            let (_, name) = key;
-            let tag = context.find_tag(key).filter(|tag| tag.is_outward());
-            if tag.is_some_and(context::keeps_state) {
+        for (_, name) in &tags.used {
+            if context.outward_named(name).any(context::keeps_state) {
                 context.outward_states.insert(name.clone());
             } else {
                 context.outward_states.remove(name);

@@ -324,12 +324,13 @@ fn exchange(
                 uses: old.uses.clone(),
                 ..tag
             };
-            found.push(Arc::new(typed(context, &tag)));
+            found.push(Arc::new(typed(context, 0, &tag)));
         }
     }
+    let is_other = |name: &Name| old_names.contains(name) || no_more_found.contains(name);
     context
         .mistyped
-        .retain(|(scope, name)| *scope > 0 || !old_names.contains(name));
+        .retain(|(scope, name)| *scope > 0 || !is_other(name));
     context.mistyped.extend(mistyped);
     let networks = &context.networks;
     let scope = &mut context.scopes[0];

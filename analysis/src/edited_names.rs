@@ -12,6 +12,7 @@ use crate::uses;
 use ladder_syntax::Name;
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 impl Edited {
@@ -35,29 +36,32 @@ impl Edited {
                 }
             }
         }
-        // Tags that nobody has named before, in their order.
-        let mut new: Vec<TagFacts> = Vec::new();
-        let mut new_names: FxHashMap<Name, usize> = FxHashMap::default();
+        // Tags that nobody has named before, by their scopes and in their order.
+        let mut new: BTreeMap<usize, Vec<TagFacts>> = BTreeMap::new();
+        let mut new_names: FxHashMap<(usize, Name), usize> = FxHashMap::default();
         for &index in &self.added {
             let network = self.context.networks.at(index);
+            let scope = network.scope;
             let id = self.context.networks.id(index);
             for (number, named) in (0..).zip(network.named.iter()) {
                 let place = UseRef::new(id, number, named.kind);
-                if let Some(tag) = self.context.scopes[network.scope].find(&named.key) {
-                    for entry in self.with_lead((network.scope, tag)) {
+                if let Some(tag) = self.context.scopes[scope].find(&named.key) {
+                    for entry in self.with_lead((scope, tag)) {
                         touched.entry(entry).or_default().push(place);
                     }
                     continue;
                 }
-                if network.scope > 0 {
-                    return None;
-                }
-                let at = match new_names.get(&named.key) {
+                let new = new.entry(scope).or_default();
+                let at = match new_names.get(&(scope, named.key.clone())) {
                     Some(at) => *at,
                     None => {
                         let spelled = uses::spelling(network.facts(), named);
-                        new.push(shared::brought_in(&self.context, spelled)?);
-                        new_names.insert(named.key.clone(), new.len() - 1);
+                        new.push(if scope == 0 {
+                            shared::brought_in(&self.context, spelled)?
+                        } else {
+                            shared::brought_into_body(&self.context, spelled)?
+                        });
+                        new_names.insert((scope, named.key.clone()), new.len() - 1);
                         new.len() - 1
                     }
                 };
@@ -65,17 +69,16 @@ impl Edited {
             }
         }
         let context = &mut self.context;
-        // Tags of the file, and entries of bodies.
-        let mut found: Vec<usize> = Vec::new();
-        let mut in_bodies: Vec<Entry> = Vec::new();
+        let mut found: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         let mut edited = EditedTags::default();
         for ((scope, tag), places) in touched {
             let is_found = tag >= context.scopes[scope].declared;
-            // The places of one whose declaration says no type decide about that.
-            if context.scopes[scope].tags[tag].mistyped {
+            let facts = &mut context.scopes[scope].tags[tag];
+            // The places of one whose declaration says no type decide about that. One that a body declares in VAR_EXTERNAL has its
+            // place among the tags by that.
+            if facts.mistyped || is_found && facts.origin == Origin::Shared && !facts.may_move() {
                 return None;
             }
-            let facts = &mut context.scopes[scope].tags[tag];
             edited.used.push((scope, Name::new(&facts.name)));
             facts.uses.0.retain(|place| !gone.contains(&place.network));
             if !places.is_empty() {
@@ -83,31 +86,43 @@ impl Edited {
                 let networks = &context.networks;
                 facts.uses.0.sort_by_key(|place| networks.order_of(*place));
             }
-            if is_found && scope > 0 {
-                in_bodies.push((scope, tag));
-            } else if is_found {
-                found.push(tag);
+            if is_found {
+                found.entry(scope).or_default().push(tag);
             }
-        }
-        for (scope, tag) in in_bodies {
-            entry_stays(context, scope, tag)?;
         }
         let mut before: Vec<(usize, SmolStr, Option<Type>)> = Vec::new();
-        for &tag in &found {
-            let facts = &context.scopes[0].tags[tag];
-            before.push((0, facts.name.clone(), facts.ty));
+        for (scope, tag) in found
+            .iter()
+            .flat_map(|(scope, tags)| tags.iter().map(|tag| (*scope, *tag)))
+        {
+            let facts = &context.scopes[scope].tags[tag];
+            if facts.leads_elsewhere() {
+                entry_stays(context, facts)?;
+                continue;
+            }
+            before.push((scope, facts.name.clone(), facts.ty));
             if !facts.uses.is_empty() {
-                respelled(context, tag);
-                let typed = typed(context, &context.scopes[0].tags[tag]);
-                context.scopes[0].tags[tag] = typed;
+                respelled(context, (scope, tag));
+                let typed = typed(context, scope, &context.scopes[scope].tags[tag]);
+                context.scopes[scope].tags[tag] = typed;
             }
         }
-        let new: Vec<Arc<TagFacts>> = new.iter().map(|tag| Arc::new(typed(context, tag))).collect();
-        // Another first use may mean another place among the tags.
-        place_found(&mut context.scopes[0], found, new, &context.networks);
-        let fresh = new_names.keys().map(|name| (0, name.clone())).collect();
-        edited.infer_again(context, &before, fresh)?;
-        edited.used.extend(new_names.into_keys().map(|name| (0, name)));
+        let in_bodies = new_names.keys().filter(|(scope, _)| *scope > 0);
+        let in_bodies: Vec<Name> = in_bodies.map(|(_, name)| name.clone()).collect();
+        if !in_bodies.is_empty() {
+            Arc::make_mut(&mut context.named_in_bodies).extend(in_bodies);
+        }
+        let scopes: BTreeSet<usize> = found.keys().chain(new.keys()).copied().collect();
+        for scope in scopes {
+            let new = new.remove(&scope).unwrap_or_default();
+            let new = new.iter().map(|tag| Arc::new(typed(context, scope, tag)));
+            let new: Vec<Arc<TagFacts>> = new.collect();
+            // Another first use may mean another place among the tags.
+            let found = found.remove(&scope).unwrap_or_default();
+            place_found(&mut context.scopes[scope], found, new, &context.networks);
+        }
+        edited.infer_again(context, &before, new_names.keys().cloned().collect())?;
+        edited.used.extend(new_names.into_keys());
         Some(edited)
     }
 }
@@ -155,20 +170,15 @@ pub(crate) fn spelled_at(context: &Context, place: UseRef) -> &str {
     uses::spelling(network, &network.named[place.named() as usize])
 }
 
-/// Whether a body's entry for a tag of the file stays as it is but for its uses. None: it is gone, is spelled in another way, or is in
-/// another place among those of the body.
-fn entry_stays(context: &Context, scope: usize, tag: usize) -> Option<()> {
-    let body = &context.scopes[scope];
-    let entry = &body.tags[tag];
+/// Whether a body's entry for a tag of another scope stays as it is but for its uses. None: it is gone, or spelled in another way.
+fn entry_stays(context: &Context, entry: &TagFacts) -> Option<()> {
     let first = entry.uses.0.first()?;
-    let first_uses = body.tags.from(body.declared).map(|tag| tag.uses.0.first());
-    let in_order = first_uses.is_sorted_by_key(|first| first.map(|place| context.networks.order_of(*place)));
-    (in_order && spelled_at(context, *first) == entry.name).then_some(())
+    (spelled_at(context, *first) == entry.name).then_some(())
 }
 
-/// A tag of the file is spelled as where it is first.
-fn respelled(context: &mut Context, tag: usize) {
-    let facts = &context.scopes[0].tags[tag];
+/// A tag without a declaration is spelled as where it is first.
+fn respelled(context: &mut Context, (scope, tag): Entry) {
+    let facts = &context.scopes[scope].tags[tag];
     let Some(place) = facts.uses.0.first() else { return };
     if facts.rare.foreign.is_some() {
         return;
@@ -176,7 +186,7 @@ fn respelled(context: &mut Context, tag: usize) {
     let name = spelled_at(context, *place);
     if *facts.name != *name {
         let spelled = uses::undeclared(name, context.profile.law());
-        let facts = &mut context.scopes[0].tags[tag];
+        let facts = &mut context.scopes[scope].tags[tag];
         facts.name = spelled.name;
         // To write it makes room for it.
         if facts.rare.address != spelled.rare.address {
@@ -186,15 +196,15 @@ fn respelled(context: &mut Context, tag: usize) {
 }
 
 /// A tag with the type and the role that its places give it, if neither a declaration nor its name says them. It has no type yet
-/// if that follows from its company.
-pub(crate) fn typed(context: &Context, tag: &TagFacts) -> TagFacts {
+/// if that follows from its company. In a body it is neither an input nor an output.
+pub(crate) fn typed(context: &Context, scope: usize, tag: &TagFacts) -> TagFacts {
     let mut tag = tag.clone();
     if !tag.is_inferred() {
         return tag;
     }
     tag.by_company = false;
     tag.ty = infer::answer(context, &tag);
-    if tag.origin == Origin::Undeclared {
+    if tag.origin == Origin::Undeclared && scope == 0 {
         tag.role = if tag.ty == Some(Type::BOOL) {
             uses::role(&tag.uses)
         } else {

@@ -53,7 +53,7 @@ pub(crate) use findings::{article, excerpt, foreign_comment, lint, stamp, verdic
 pub use findings::{diagnostic, fix, rule, rule_settings};
 pub(crate) use names::{
     at_address, by_name, company, declarations, declare, declaring, did_you_mean, infer, joined, misdeclared,
-    numbering, operand_value, shared, use_kind, uses,
+    numbering, operand_value, shared, use_kind, uses, wrong_globals,
 };
 pub use names::{rare, scope, system_tag, tags};
 pub(crate) use networks::{

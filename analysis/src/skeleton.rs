@@ -84,7 +84,7 @@ pub(crate) fn skeleton(
         name: Arc::from(name),
         serial: next_serial(),
         change: None,
-        found: Vec::new(),
+        wrong_globals: Arc::default(),
         profile,
         cycle: profile::cycle(parse),
         networks,

@@ -92,10 +92,9 @@ fn found_anew(context: &Context, ledger: &Ledger, of_file: OfFile) -> Vec<(Sourc
     let mut add = |source, found: Vec<Diagnostic>| {
         anew.extend(found.into_iter().map(|found| (source, Finding::from(found))));
     };
-    add(Source::Context, context.found.clone());
     add(Source::Names, of_file.names);
     add(Source::Program, of_file.program);
-    let declared = context.misdeclared.found();
+    let declared = context.wrong_globals.found().chain(context.misdeclared.found());
     anew.extend(declared.map(|found| (Source::Context, Finding::new(found, own, context))));
     let in_networks = ledger.volatile_in_networks();
     anew.extend(in_networks.map(|found| (Source::Network, Finding::new(found, own, context))));

@@ -152,6 +152,19 @@ impl Anchored {
         Anchored::each(found, homes, context)
     }
 
+    /// Of a finding with places in networks and on lines of declarations, whichever they are. One with other places is
+    /// [volatile](Anchored::is_volatile).
+    pub(crate) fn anywhere(mut found: Diagnostic, context: &Context) -> Anchored {
+        let declaration = |place| {
+            let line = declaration_around(context, place)?;
+            Some(Home::Declaration(context.declarations.number(line)))
+        };
+        let network = |place| network_around(context, place).map(Home::Network);
+        let home = |place: &mut TextRange| network(*place).or_else(|| declaration(*place));
+        let homes: Option<Box<[Home]>> = places(&mut found).map(home).collect();
+        Anchored::each(found, homes, context)
+    }
+
     /// Of a finding each of whose places has another home.
     fn each(mut found: Diagnostic, homes: Option<Box<[Home]>>, context: &Context) -> Anchored {
         let Some(homes) = homes else {
@@ -264,16 +277,22 @@ fn network_around(context: &Context, place: TextRange) -> Option<u32> {
     is_it.then(|| networks.id(around.index))
 }
 
-/// The line of declarations on which a place lies.
+/// The line of declarations on which a place above all networks lies.
 fn on_declaration(context: &Context, place: TextRange) -> Option<u32> {
     // Below a network the order of networks says nothing of its place.
     let first = context.networks.first().map(|first| first.range.start());
+    let is_above = first.is_none_or(|first| place.end() <= first);
+    let line = declaration_around(context, place).filter(|_| is_above)?;
+    Some(context.declarations.number(line))
+}
+
+/// The line of declarations on which a place lies, by its place among them.
+fn declaration_around(context: &Context, place: TextRange) -> Option<usize> {
     let line = context.declarations.last_before(place.start())?;
     let around = context.parse.line_at(place.start())?;
     let range = context.parse.line_range(around);
     let is_it = range.start() == context.declarations.start(line) && range.contains_range(place);
-    let is_above = first.is_none_or(|first| place.end() <= first);
-    (is_it && is_above).then(|| context.declarations.number(line))
+    is_it.then_some(line)
 }
 
 /// All places of this file that a finding names: its own first.

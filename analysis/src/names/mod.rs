@@ -30,3 +30,4 @@ mod type_by_form;
 pub(crate) mod use_kind;
 mod use_place;
 pub(crate) mod uses;
+pub(crate) mod wrong_globals;

@@ -11,24 +11,38 @@ use crate::mistakes::shared_globals;
 use crate::rare::{Lead, Rare, RareFacts};
 use crate::scope::{Origin, SectionKind, TagFacts, Uses};
 use crate::uses;
+use crate::wrong_globals::WrongGlobals;
 use ladder_syntax::{Name, TextRange};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::sync::Arc;
 
 /// A scope and a tag in it.
 type Entry = (usize, usize);
 
 /// Leads what is shared to where it is declared. To be done when all uses are known, before types are inferred.
-/// What does not agree goes to `out`.
-pub(crate) fn share(context: &mut Context, out: &mut Vec<Diagnostic>) {
+/// Gives what does not agree.
+pub(crate) fn share(context: &mut Context) -> WrongGlobals {
+    let mut found = Vec::new();
+    let mut names = FxHashSet::default();
+    check_and_lead(context, &mut found, &mut names);
+    WrongGlobals::new(found, names, context)
+}
+
+/// The same. What does not agree goes to `out`, and the names of the tags that this is about to `names`.
+fn check_and_lead(context: &mut Context, out: &mut Vec<Diagnostic>, names: &mut FxHashSet<Name>) {
     let mut globals: FxHashMap<Name, Entry> = FxHashMap::default();
     let mut external = false;
     for (scope, facts) in context.scopes.iter().enumerate() {
         for (tag, facts) in facts.unusual() {
             match facts.origin {
                 Origin::Declared(SectionKind::Global) => {
-                    shared_globals::check_declared(context, facts, globals.get(&Name::new(&facts.name)), out);
-                    globals.entry(Name::new(&facts.name)).or_insert((scope, tag));
+                    let key = Name::new(&facts.name);
+                    let before = out.len();
+                    shared_globals::check_declared(context, facts, globals.get(&key), out);
+                    if out.len() > before {
+                        names.insert(key.clone());
+                    }
+                    globals.entry(key).or_insert((scope, tag));
                 }
                 Origin::Declared(SectionKind::External) => external = true,
                 _ => {}
@@ -45,6 +59,7 @@ pub(crate) fn share(context: &mut Context, out: &mut Vec<Diagnostic>) {
         for tag in unusual {
             let facts = &context.scopes[scope].tags[tag];
             let key = Name::new(&facts.name);
+            let before = out.len();
             let is_external = facts.origin == Origin::Declared(SectionKind::External);
             let external = is_external.then(|| facts.clone());
             let target = match facts.origin {
@@ -73,6 +88,9 @@ pub(crate) fn share(context: &mut Context, out: &mut Vec<Diagnostic>) {
             if let Some(external) = external {
                 let global = target.map(|(scope, tag)| &context.scopes[scope].tags[tag]);
                 agrees = shared_globals::check_external(context, &external, global, out);
+            }
+            if out.len() > before {
+                names.insert(key);
             }
             if let Some(target) = target.filter(|target| *target != (scope, tag)) {
                 lead(context, (scope, tag), target);
@@ -109,8 +127,13 @@ fn import(
         context.scopes[0].tags[tag] = TagFacts { uses, ..facts };
         (0, tag)
     } else {
+        // Without a declaration it is where it is first used.
         let facts = TagFacts {
-            declared_at: DeclaredAt::in_file(context.place_of(used)),
+            declared_at: if used.is_declared() {
+                used.declared_at
+            } else {
+                facts.declared_at
+            },
             ..facts
         };
         // A tag of the file's own may have the name: it is still found by it.
@@ -156,6 +179,16 @@ pub(crate) fn brought_in(context: &Context, name: &str) -> Option<TagFacts> {
     };
     let agree = global.ty.is_some() && globals.all(|(_, other)| global.agrees(other));
     agree.then(|| imported_tag(file, global))
+}
+
+/// A tag that a name brings in in a body. None if it is one of several bodies or files.
+pub(crate) fn brought_into_body(context: &Context, name: &str) -> Option<TagFacts> {
+    let key = Name::new(name);
+    let is_global = |tag: &TagFacts| tag.origin == Origin::Declared(SectionKind::Global);
+    let is_of_all = context.find_tag(&(0, key.clone())).is_some_and(is_global)
+        || context.others.globals(&key).next().is_some();
+    let tag = uses::undeclared(name, context.profile.law());
+    (!is_of_all && tag.rare.address.is_none()).then_some(tag)
 }
 
 /// The file's entry for an address that a body uses.

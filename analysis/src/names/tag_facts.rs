@@ -137,6 +137,11 @@ impl TagFacts {
         self.rare.foreign.is_some() && !self.leads_elsewhere() && self.declared_at == nowhere
     }
 
+    /// Whether its first use says where it is among the tags that are not declared: all but what a body declares in VAR_EXTERNAL.
+    pub(crate) fn may_move(&self) -> bool {
+        self.leads_elsewhere() || self.is_imported_by_use()
+    }
+
     /// Whether it has a declaration.
     pub const fn is_declared(&self) -> bool {
         matches!(self.origin, Origin::Declared(_))

@@ -328,14 +328,14 @@ fn states(context: &Context) -> Vec<(Name, TextRange)> {
 /// The same by the tags of which it is known that a block keeps its state on them.
 fn states_of_tags(context: &Context) -> Vec<(Name, TextRange)> {
     let mut states = Vec::new();
-    let file = &context.scopes[0];
     for name in &context.outward_states {
-        let tag = file.find(name).map(|tag| &file.tags[tag]);
-        for place in tag.iter().flat_map(|tag| context.uses(tag)) {
-            let bound = context.networks.at(place.network).block(place.block);
+        for place in context.outward_named(name).flat_map(|tag| context.uses(tag)) {
+            let network = context.networks.at(place.network);
+            let bound = network.block(place.block);
             let operand = &bound.facts.operands[place.operand].value;
             let written = state_in(operand, bound.formals[place.operand]);
-            if written.is_some_and(|written| may_be_shared(context, file, &Name::new(written))) {
+            let scope = &context.scopes[network.scope];
+            if written.is_some_and(|written| may_be_shared(context, scope, &Name::new(written))) {
                 states.push((name.clone(), bound.absolute(operand.range)));
             }
         }

@@ -140,7 +140,8 @@ pub(crate) fn tags(context: &Context) -> ByName<TagUse> {
         // What an entry of a body leads to has the body's uses too.
         for (_, tag) in tags_of_all.filter(|(_, tag)| !tag.leads_elsewhere()) {
             if let Some(used) = use_of(context, tag) {
-                tags.insert(Name::new(&tag.name), used);
+                let entry = tags.entry(Name::new(&tag.name)).or_default();
+                *entry = entry.with(used);
             }
         }
     } else {
@@ -151,12 +152,13 @@ pub(crate) fn tags(context: &Context) -> ByName<TagUse> {
     ByName::from(tags)
 }
 
-/// How the file uses a tag, where an edit has just concerned it. None: it does not, or declares the tag for itself.
+/// How the file uses tags of a name, where an edit has just concerned one. None: it does not, or declares them for itself.
 pub(crate) fn tag(context: &Context, name: &Name) -> Option<TagUse> {
-    use_of(context, context.find_tag(&(0, name.clone()))?)
+    let tags = context.outward_named(name);
+    tags.filter_map(|tag| use_of(context, tag)).reduce(TagUse::with)
 }
 
-/// The same of a tag that is there.
+/// The same of one tag.
 fn use_of(context: &Context, tag: &TagFacts) -> Option<TagUse> {
     if !tag.is_outward() || tag.name.starts_with('%') {
         return None;

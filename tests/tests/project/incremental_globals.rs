@@ -6,7 +6,7 @@ use crate::incremental_files::Files;
 use ladder_tests::generator::Dice;
 
 /// What a file may begin with.
-const SECTIONS: [&str; 16] = [
+const SECTIONS: [&str; 19] = [
     "VAR_GLOBAL\n    ready, done : BOOL;\n    total : DINT := 3;\nEND_VAR\n",
     "VAR_GLOBAL\n    wait : TON;\n    unused : BOOL;\nEND_VAR\n",
     "VAR_GLOBAL\n    level AT %MW3 : INT;\n    open AT %QX0.1 : BOOL;\nEND_VAR\n",
@@ -28,9 +28,15 @@ const SECTIONS: [&str; 16] = [
      +--[ ]( %IX0.2 )--[TON]( wait, T#3s )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n",
     "FUNCTION_BLOCK [$Sum]\nVAR_EXTERNAL\n    total : DINT;\nEND_VAR\n\
      +--[ ]( EN )--[ADD]( total, 1, total )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n",
+    "FUNCTION_BLOCK [$Slack]\nVAR_INPUT\n    in : DINT;\nEND_VAR\n\
+     +--[ ]( EN )--[MOV]( in, spare )--[GT]( spare, more )--( )( loose )--+\n+--[TON]( clock, T#1s )--(R)( Lamp )--+\n\
+     +--[ ]( loose )--[ ]( Clock.Q )--[ADD]( more, extra, total )--( )( M1 )--+\nEND_FUNCTION_BLOCK\n",
+    "FUNCTION_BLOCK [$Far]\nVAR_EXTERNAL\n    far : BOOL;\n    ready : INT;\nEND_VAR\n\
+     +--[ ]( far )--[GT]( ready, 3 )--( )( fresh )--+\n+--[ ]( fresh )--(S)( lamp )--+\nEND_FUNCTION_BLOCK\n",
+    "VAR_EXTERNAL\n    far : BOOL;\n    wait : BOOL;\nEND_VAR\n",
 ];
 
-const RUNGS: [&str; 19] = [
+const RUNGS: [&str; 22] = [
     "+--[ ]( go )--( )( ready )--+\n\n",
     "+--[ ]( ready )--( )( done )--+\n\n",
     "+--[ ]( Done )--[/]( own )--( )( lamp )--+\n\n",
@@ -50,6 +56,9 @@ const RUNGS: [&str; 19] = [
     "+--[ ]( %ix0.2 )--[ ]( READY )--( )( beep )--+\n\n",
     "+--[ ]( M1 )--( )( M2 )--+\n\n",
     "+--[ ]( ready )--[ ]( \n\n",
+    "+--[ ]( far )--[$Slack]( 5 )--[$Far]()--( )( loose )--+\n\n",
+    "+--[MOV]( more, spare )--(R)( clock )--( )( far )--+\n\n",
+    "+--[GT]( spare, fresh )--( )( lamp )--+\n\n",
 ];
 
 /// What is typed behind the first letter of an operand.
