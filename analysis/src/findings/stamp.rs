@@ -11,47 +11,42 @@ use std::hash::{Hash, Hasher};
 
 /// The stamp of a network.
 pub(crate) fn of_network(context: &Context, network: NetworkAt<'_>) -> u64 {
-    let mut sum = hash((context.profile, context.signatures, network.scope));
+    // One hasher takes all of it: a sum of hashes stays the same where two tags exchange their types.
+    let mut hasher = FxHasher::default();
+    (context.profile, context.signatures, network.scope).hash(&mut hasher);
     let scope = &context.scopes[network.scope];
     for (number, (_, tag)) in (0u32..).zip(NamedTags::of(context, network).iter()) {
         let Some(tag) = tag else {
             continue;
         };
+        number.hash(&mut hasher);
         let mut facts = &scope.tags[tag];
         // A tag of another scope adds both what it is here and what it is there.
         while let Some((scope, tag)) = context.leads_to(facts) {
-            sum = sum.wrapping_add(hash((stamp(facts), number)));
+            stamp(facts, &mut hasher);
             facts = &context.scopes[scope].tags[tag];
         }
-        sum = sum.wrapping_add(hash((stamp(facts), number)));
+        stamp(facts, &mut hasher);
         if let Some(first) = context.at_address.first(facts) {
-            sum = sum.wrapping_add(hash((first, number)));
+            first.hash(&mut hasher);
         }
     }
-    sum
-}
-
-fn hash(value: impl Hash) -> u64 {
-    let mut hasher = FxHasher::default();
-    value.hash(&mut hasher);
     hasher.finish()
 }
 
 /// All of a tag that findings in a network depend on. Its name stands for the tag itself, which other names may lead
 /// to, and messages spell it so.
-fn stamp(tag: &TagFacts) -> u64 {
-    let mut hasher = FxHasher::default();
+fn stamp(tag: &TagFacts, hasher: &mut FxHasher) {
     let undeclared = tag.origin == Origin::Undeclared;
-    (&tag.name, tag.ty, tag.constant, tag.mistyped, undeclared).hash(&mut hasher);
+    (&tag.name, tag.ty, tag.constant, tag.mistyped, undeclared).hash(hasher);
     if tag.constant {
         for value in &tag.rare.initial {
             match value {
-                Value::Bool(on) => on.hash(&mut hasher),
-                Value::Int(n) => n.hash(&mut hasher),
-                Value::Real(r) => r.to_bits().hash(&mut hasher),
-                Value::Text(text) => text.hash(&mut hasher),
+                Value::Bool(on) => on.hash(hasher),
+                Value::Int(n) => n.hash(hasher),
+                Value::Real(r) => r.to_bits().hash(hasher),
+                Value::Text(text) => text.hash(hasher),
             }
         }
     }
-    hasher.finish()
 }

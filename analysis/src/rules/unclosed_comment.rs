@@ -52,7 +52,9 @@ pub(crate) fn hide_what_follows(parse: &Parse, diagnostics: &mut Vec<Diagnostic>
     });
     for diagnostic in diagnostics {
         if diagnostic.rule != Rule::UnclosedComment {
-            diagnostic.related.retain(|related| related.range.start() < place);
+            diagnostic
+                .related
+                .retain(|related| related.file.is_some() || related.range.start() < place);
         }
     }
 }

@@ -110,6 +110,35 @@ END_FUNCTION_BLOCK
     );
 }
 
+/// It hides what it is about in its own file only.
+#[test]
+fn an_open_comment_hides_no_place_in_another_file() {
+    check_files(
+        "\
+%% a.clad
++--[ ]( a_long_name )--[ ]( another_long_name )--( )( z )--+
++--<FUN>( f )--( )( z )--+
+%% b.clad
++--[ ]( a_long_name )--[ ]( another_long_name )--( )( z )--+
++--<FUN>( f )--( )( z )--+
+%% c.clad
++--<CALL>( f )--+
+# open
+",
+        expect![[r#"
+            == c.clad
+            > +--<CALL>( f )--+
+                         ^ error[duplicate-function]: several files define the function `f`: which one is called here is open
+                help: rename all but one of them, or define the function in this file
+                at a.clad:2:11 `f`: it is defined here
+                at b.clad:2:11 `f`: it is defined here
+            > # open
+              ^ error[unclosed-comment]: this comment is never closed: all that follows is read as comment
+                help: close it with a second `#`
+        "#]],
+    );
+}
+
 #[test]
 fn what_nobody_defines_is_looked_for_in_all_files() {
     check_files(

@@ -154,8 +154,10 @@ fn typing_in_declarations() {
                     .match_indices(char::is_alphanumeric)
                     .map(|(at, _)| at)
                     .collect();
-                next.remove(dice.of(&words));
-                document.becomes(next);
+                if !words.is_empty() {
+                    next.remove(dice.of(&words));
+                    document.becomes(next);
+                }
             }
             if dice.one_in(2) {
                 document.becomes(original.clone());

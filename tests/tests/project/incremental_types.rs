@@ -127,3 +127,23 @@ fn places_that_disagree() {
         document.becomes(program(first, above, second));
     }
 }
+
+/// Two tags of one network get each other's types, and two at once new ones.
+#[test]
+fn types_that_are_exchanged() {
+    let program = |first: &str, second: &str| {
+        format!(
+            "VAR\n    first : {first};\n    second : {second};\nEND_VAR\n\n+--[ ]( first )--( )( done )--+\n\n\
+             +--[GT]( first, second )--( )( more )--+\n\n+--[ADD]( second, first, 5 )--+\n"
+        )
+    };
+    let types = ["BOOL", "INT", "DINT", "REAL", "LREAL", "TIME", "WORD"];
+    let mut document = Document::new(program("DINT", "DINT"));
+    for first in types {
+        for second in types {
+            document.becomes(program(first, second));
+            document.becomes(program(second, first));
+            document.becomes(program("DINT", "DINT"));
+        }
+    }
+}
