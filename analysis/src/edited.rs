@@ -242,7 +242,11 @@ impl Edited {
                     }
                     (None, None) => None,
                 };
-                let (scope, body) = around(before, parse, drawn.start, above)?;
+                let near = spliced.iter().zip(&bodies).rev();
+                let near = near.map(|(network, body)| (network.first_line, *body));
+                let far = (0..first).rev();
+                let far = far.map(|index| (networks.at(index).first_line, before.bodies[index]));
+                let (scope, body) = around(parse, drawn.start, above, near.chain(far));
                 let network = Network {
                     lines: drawn.clone(),
                     block: None,
@@ -396,24 +400,27 @@ impl Edited {
 }
 
 /// The scope and the body of a network on this line, which is the first behind the one of which scope, body and line are given.
+/// `all_above`: lines and bodies of all networks above, from the nearest on.
 fn around(
-    before: &Context,
     parse: &Parse,
     line: usize,
     above: Option<(usize, Body, usize)>,
-) -> Option<(usize, Body)> {
+    mut all_above: impl Iterator<Item = (usize, Body)>,
+) -> (usize, Body) {
     let is_frame = |line: &Line| matches!(line.kind, LineKind::BlockEnd | LineKind::BlockHeader);
     if let Some((scope, body, first)) = above
         && !parse.lines().range(first..line).any(is_frame)
     {
-        return Some((scope, body));
+        return (scope, body);
     }
-    let mut blocks = parse.frame().blocks.iter();
-    match blocks.position(|block| block.lines.contains(&line)) {
-        Some(block) => Some((block + 1, Body::Block(block))),
-        // It may belong to a function that begins above a definition.
-        None => before.functions.is_empty().then_some((0, Body::Main)),
+    let blocks = &parse.frame().blocks;
+    let definition = |line: usize| blocks.iter().position(|block| block.lines.contains(&line));
+    if let Some(block) = definition(line) {
+        return (block + 1, Body::Block(block));
     }
+    // It belongs to the function that begins above the definitions, if one does.
+    let of_file = all_above.find(|(line, _)| definition(*line).is_none());
+    (0, of_file.map_or(Body::Main, |(_, body)| body))
 }
 
 /// Whether labels that come and go are seen by jumps of the file alone, and no function begins or ends with them.

@@ -101,18 +101,24 @@ impl Parse {
         let mut lines = Vec::new();
         let (mut at, mut entry) = (window.start, begin);
         let mut resume = None;
-        while at < text.len() {
-            let line = line_at(text, at, entry, &mut Summary);
-            at += line.len as usize;
-            entry = entry_behind(&line);
-            lines.push(line);
+        // A byte order mark is one at the beginning of a text only.
+        let is_first = |at: usize, old: usize| old == 0 || window.start == 0 && at == 0;
+        loop {
             if at >= window.edit_end
                 && let Some(old) = self.line_that_starts(at - window.edit_end + old_end)
                 && self.entry(old) == entry
+                && !(is_first(at, old) && self.lines()[old].text().starts_with('\u{feff}'))
             {
                 resume = Some(old);
                 break;
             }
+            if at >= text.len() {
+                break;
+            }
+            let line = line_at(text, at, entry, &mut Summary);
+            at += line.len as usize;
+            entry = entry_behind(&line);
+            lines.push(line);
         }
         if whole {
             let resume = resume.unwrap_or(window.last);
@@ -152,8 +158,15 @@ impl Parse {
     /// The line to start again from: one that begins a physical line before the edit, and that no line before it
     /// has looked at.
     fn first_touched(&self, edit: usize) -> usize {
-        // A line that ends where the edit begins is touched: its last token may go on.
+        // Of a line that ends where the edit begins the last token may go on, unless that is the end of a physical line. The last
+        // one of all may be an open comment.
         let mut first = self.lines.count_before(edit as u32).saturating_sub(1);
+        if first + 1 < self.lines.len()
+            && self.lines.line_start(first + 1) as usize == edit
+            && self.lines()[first].text().ends_with('\n')
+        {
+            first += 1;
+        }
         while first > 0 && (self.entry(first).mid_line || looks_ahead(&self.lines()[first - 1])) {
             first -= 1;
         }
@@ -166,11 +179,10 @@ impl Parse {
             .map_or(Entry::START, |before| entry_behind(&self.lines()[before]))
     }
 
-    /// The line that starts at an offset, but not the first: there a byte order mark may be.
+    /// The line that starts at an offset.
     fn line_that_starts(&self, offset: usize) -> Option<usize> {
         let line = self.lines.count_before(offset as u32);
-        let starts = line > 0 && line < self.lines.len() && self.lines.line_start(line) as usize == offset;
-        starts.then_some(line)
+        (line < self.lines.len() && self.lines.line_start(line) as usize == offset).then_some(line)
     }
 }
 

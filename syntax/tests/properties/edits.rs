@@ -3,7 +3,7 @@
 use crate::invariants::check_same;
 use crate::mutated::{mutate, mutation};
 use crate::programs::PROGRAMS;
-use ladder_syntax::{TextRange, TextSize, parse};
+use ladder_syntax::{Parse, TextRange, TextSize, parse};
 use proptest::prelude::*;
 use std::cell::Cell;
 
@@ -157,6 +157,33 @@ fn edits_at_the_edges_of_lines() {
         text.replace_range(from..to, new);
         let range = TextRange::new(TextSize::new(from as u32), TextSize::new(to as u32));
         check_same(&parse(old).edited(&text, range, TextSize::of(new)), &text);
+    }
+}
+
+/// Whole lines that come and go leave all others as they are, the first and those beside them too.
+#[test]
+fn whole_lines_come_and_go() {
+    let (declared, drawn) = ("VAR_INPUT\n    a : BOOL;\nEND_VAR\n", "+--[ ]( a )--( )( b )--+\n\n");
+    let old = format!("{declared}{drawn}{drawn}");
+    for (line, new) in [
+        (0, "# note #\n"),
+        (1, "    c : BOOL;\n"),
+        (2, "    c : BOOL;\n"),
+        (3, "\n"),
+        (3, drawn),
+        (4, "|  /--[ ]( b )--/\n"),
+        (5, drawn),
+    ] {
+        let before = parse(&old);
+        let at = before.line_start(line);
+        let mut text = old.clone();
+        text.insert_str(at.into(), new);
+        let after = before.edited(&text, TextRange::empty(at), TextSize::of(new));
+        let same = |one: &Parse, other: &Parse| one.lines().shared_with(other.lines());
+        let rest = before.lines().len() - line;
+        assert_eq!(same(&after, &before), (line, rest), "{new:?} in line {line}");
+        let back = after.edited(&old, TextRange::at(at, TextSize::of(new)), TextSize::new(0));
+        assert_eq!(same(&back, &after), (line, rest), "{new:?} out of line {line}");
     }
 }
 
