@@ -163,7 +163,10 @@ fn edits_at_the_edges_of_lines() {
 /// Whole lines that come and go leave all others as they are, the first and those beside them too.
 #[test]
 fn whole_lines_come_and_go() {
-    let (declared, drawn) = ("VAR_INPUT\n    a : BOOL;\nEND_VAR\n", "+--[ ]( a )--( )( b )--+\n\n");
+    let (declared, drawn) = (
+        "VAR_INPUT\n    a : BOOL;\nEND_VAR\n",
+        "+--[ ]( a )--( )( b )--+\n\n",
+    );
     let old = format!("{declared}{drawn}{drawn}");
     for (line, new) in [
         (0, "# note #\n"),
