@@ -10,7 +10,7 @@ use crate::foreign_comment::ForeignComments;
 use crate::infer;
 use crate::joined::Joined;
 use crate::misdeclared::Misdeclared;
-use crate::networks::Networks;
+use crate::networks::{NetworkAt, Networks};
 use crate::others::{Import, Others};
 use crate::outward::{self, TagUse};
 use crate::rare::Lead;
@@ -76,8 +76,8 @@ pub struct Context {
     pub(crate) globals: OnceLock<Arc<Vec<Global>>>,
     /// How it uses tags that it does not declare for itself, once somebody asks.
     pub(crate) outward_tags: OnceLock<ByName<TagUse>>,
-    /// Without it no network calls a function.
-    pub(crate) may_call: bool,
+    /// The numbers of the networks that call a function.
+    pub(crate) calling: Arc<FxHashSet<u32>>,
     /// Without it no network jumps.
     pub(crate) may_jump: bool,
     /// Sections and block definitions begin and end where they should.
@@ -294,6 +294,15 @@ impl Context {
         };
         let tags = (0..scopes).filter_map(|scope| self.find_tag(&(scope, name.clone())));
         tags.filter(|tag| tag.is_outward() && !tag.leads_elsewhere())
+    }
+
+    /// The networks in the bodies of block definitions, with the blocks.
+    pub(crate) fn networks_of_blocks(&self) -> impl Iterator<Item = (NetworkAt<'_>, usize)> {
+        let bodies = self.bodies.iter().enumerate();
+        bodies.filter_map(|(network, body)| match body {
+            Body::Block(block) => Some((self.networks.at(network), *block)),
+            Body::Main | Body::Function(_) => None,
+        })
     }
 
     /// A tag by its scope and name, if it is there.

@@ -204,7 +204,6 @@ impl Edited {
         let mut spliced = Vec::new();
         let mut bodies: Vec<Body> = Vec::new();
         let mut added = Vec::new();
-        let mut may_call = before.may_call;
         let mut may_jump = before.may_jump;
         let mut asks_others = before.asks_others;
         let mut next_old = first;
@@ -253,7 +252,6 @@ impl Edited {
                 };
                 let facts = network::network(parse, &network, &mut known, &mut reading);
                 asks_others |= !facts.names_tags_only;
-                may_call |= facts.control_flow.has(ControlFlow::CALL);
                 may_jump |= facts.control_flow.has(ControlFlow::JUMP);
                 added.push(index);
                 bodies.push(body);
@@ -297,7 +295,6 @@ impl Edited {
         let mut context = Context {
             parse: Arc::clone(parse),
             serial: context::next_serial(),
-            may_call,
             may_jump,
             asks_others,
             foreign_comments: OnceLock::new(),
@@ -308,6 +305,23 @@ impl Edited {
         context
             .networks
             .splice(first..end, spliced, ids, change.added, change.added_bytes);
+        let calls = |facts: &NetworkFacts| facts.control_flow.has(ControlFlow::CALL);
+        let called: Vec<u32> = removed
+            .iter()
+            .filter(|it| calls(&it.facts))
+            .map(|it| it.id)
+            .collect();
+        let new_calls = added
+            .iter()
+            .filter(|&&index| calls(context.networks.facts(index)));
+        let new_calls: Vec<u32> = new_calls.map(|&index| context.networks.id(index)).collect();
+        if called != new_calls {
+            let calling = Arc::make_mut(&mut context.calling);
+            for id in called {
+                calling.remove(&id);
+            }
+            calling.extend(new_calls);
+        }
         if context.bodies[first..end] != *bodies {
             Arc::make_mut(&mut context.bodies).splice(first..end, bodies);
         }

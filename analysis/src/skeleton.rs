@@ -26,6 +26,7 @@ use crate::types::Type;
 use crate::user_block::{self, UserBlockFacts};
 use ladder_instructions::{Op, Shape};
 use ladder_syntax::{Name, Parse, Structure, TextRange};
+use rustc_hash::FxHashSet;
 use std::collections::{BTreeSet, HashMap};
 use std::sync::{Arc, OnceLock};
 
@@ -63,6 +64,7 @@ pub(crate) fn skeleton(
     let mut reading = Reading::default();
     let mut networks = Networks::with_capacity(structure.networks.len());
     let mut control_flow = ControlFlow::default();
+    let mut calling = FxHashSet::default();
     for (number, drawn) in structure.networks.iter().enumerate() {
         wanted.one_more()?;
         if kept.is_none() && number.is_multiple_of(TOGETHER) {
@@ -73,6 +75,9 @@ pub(crate) fn skeleton(
         let facts =
             same.unwrap_or_else(|| Arc::new(network::network(parse, drawn, &mut known, &mut reading)));
         control_flow = control_flow.with(facts.control_flow);
+        if facts.control_flow.has(ControlFlow::CALL) {
+            calling.insert(networks.numbers() as u32);
+        }
         let first = drawn.lines.start;
         let scope = drawn.block.map_or(0, |block| block + 1);
         networks.push(facts, first, parse.line_start(first), scope);
@@ -100,7 +105,7 @@ pub(crate) fn skeleton(
         named_in_bodies: Arc::default(),
         globals: OnceLock::new(),
         outward_tags: OnceLock::new(),
-        may_call: control_flow.has(ControlFlow::CALL),
+        calling: Arc::new(calling),
         may_jump: control_flow.has(ControlFlow::JUMP),
         is_framed: parse.frame().is_whole(),
         user_blocks: known.into_list(),

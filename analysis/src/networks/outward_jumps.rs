@@ -1,6 +1,6 @@
 //! Jumps out of the bodies of `<$B>` blocks, to labels around their places.
 
-use crate::context::{Body, Context};
+use crate::context::Context;
 use crate::facts::NodeKind;
 use ladder_instructions::{Op, Shape};
 use ladder_syntax::{Name, TextRange};
@@ -22,10 +22,7 @@ pub(crate) struct Jump {
 /// The jumps of a file out of the bodies of its blocks.
 pub(crate) fn outward_jumps(context: &Context) -> Vec<Jump> {
     let mut jumps = Vec::new();
-    for (index, network) in context.networks.iter().enumerate() {
-        let Body::Block(block) = context.bodies[index] else {
-            continue;
-        };
+    for (network, block) in context.networks_of_blocks() {
         if context.user_blocks[block].shape != Shape::Function {
             continue;
         }
@@ -40,7 +37,7 @@ pub(crate) fn outward_jumps(context: &Context) -> Vec<Jump> {
                 continue;
             };
             let key = Name::new(name);
-            if context.jump_target(index, &key).is_none() {
+            if context.jump_target(network.index, &key).is_none() {
                 jumps.push(Jump {
                     block,
                     key,

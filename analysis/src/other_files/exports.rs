@@ -255,8 +255,7 @@ fn blocks(context: &Context) -> Vec<ExportedBlock> {
     if blocks.is_empty() {
         return blocks;
     }
-    for (network, body) in context.networks.iter().zip(context.bodies.iter()) {
-        let Body::Block(block) = *body else { continue };
+    for (network, block) in context.networks_of_blocks() {
         for bound in network.blocks() {
             if let Some(name) = bound.user_name() {
                 blocks[block].uses.push((Name::new(name), bound.head_range()));

@@ -6,7 +6,6 @@
 
 use crate::by_name::ByName;
 use crate::context::Context;
-use crate::control_flow::ControlFlow;
 use crate::facts::NodeKind;
 use crate::network::Meaning;
 use crate::networks::NetworkAt;
@@ -208,12 +207,9 @@ fn at(context: &Context, meaning: Meaning, access: Access) -> TagUse {
 /// The functions that it calls and does not hold.
 fn calls(context: &Context) -> FxHashSet<Name> {
     let mut calls = FxHashSet::default();
-    let may_call = |network: &NetworkAt<'_>| network.control_flow.has(ControlFlow::CALL);
-    if !context.may_call {
-        return calls;
-    }
-    let networks = context.networks.iter().filter(may_call);
-    for bound in networks.flat_map(NetworkAt::blocks) {
+    let networks = context.calling.iter();
+    let networks = networks.map(|&id| context.networks.at(context.networks.index_of(id)));
+    for bound in networks.flat_map(|network| network.blocks()) {
         let name = bound.facts.operands.first().map(|operand| &operand.value.kind);
         if let (Some(Op::Call), Some(NodeKind::Name(name))) = (bound.op(), name) {
             let key = Name::new(name);
