@@ -9,6 +9,7 @@ use crate::exports::{self, Global};
 use crate::foreign_comment::ForeignComments;
 use crate::infer;
 use crate::joined::Joined;
+use crate::may_settle::may_settle;
 use crate::misdeclared::Misdeclared;
 use crate::networks::{NetworkAt, Networks};
 use crate::others::{Import, Others};
@@ -390,7 +391,7 @@ pub fn context_while(
     let wrong_globals = shared::share(&mut context);
     context.at_address = AtAddress::of(&context.scopes);
     infer::infer(&mut context, &wanted)?;
-    context.settled = wrong_globals.follows_edits() && edited::may_settle(&context);
+    context.settled = wrong_globals.follows_edits() && may_settle(&context);
     if context.settled {
         let scopes = context.scopes.iter().enumerate();
         let tags = scopes.flat_map(|(number, scope)| scope.unusual().map(move |(_, tag)| (number, tag)));

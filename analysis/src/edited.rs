@@ -14,13 +14,12 @@ use crate::edited_lines::{Change, Lines, change, same_lines};
 use crate::infer::Entry;
 use crate::known_blocks::KnownBlocks;
 use crate::network::{self, BoundBlock, NetworkFacts, UserBlocks};
+use crate::networks::Spliced;
 use crate::networks::neighbours::break_neighbours;
-use crate::networks::{Networks, Spliced};
 use crate::others::Others;
 use crate::outward;
-use crate::rare::Lead;
 use crate::reading::Reading;
-use crate::scope::{Origin, Scope, SectionKind, TagFacts};
+use crate::scope::TagFacts;
 use crate::skeleton;
 use crate::types::Type;
 use crate::user_block::UserBlockFacts;
@@ -29,30 +28,6 @@ use ladder_syntax::{Line, LineKind, Name, Network, Parse, TextRange};
 use smol_str::SmolStr;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
-
-/// Whether a context of a whole text can be the beginning. Tags of other files that the file names are followed, and those of the file
-/// and of other files that a body names; not two entries of one scope for one tag, nor VAR_GLOBAL sections in bodies.
-pub(crate) fn may_settle(context: &Context) -> bool {
-    let [file, bodies @ ..] = context.scopes.as_slice() else {
-        return false;
-    };
-    let of_body = |tag: &TagFacts| {
-        let is_global = tag.origin == Origin::Declared(SectionKind::Global);
-        !is_global && !matches!(tag.rare.lead, Some(Lead::Entry(..)))
-    };
-    let mut of_bodies = bodies.iter().flat_map(Scope::unusual);
-    file.unusual().all(|(_, tag)| !tag.leads_elsewhere())
-        && of_bodies.all(|(_, tag)| of_body(tag))
-        && (bodies.is_empty() || are_by_first_use(file, &context.networks))
-}
-
-/// Whether the tags without a declaration are where an edit puts one: what bodies declare in VAR_EXTERNAL is in the order of these
-/// declarations instead.
-fn are_by_first_use(file: &Scope, networks: &Networks) -> bool {
-    let found = file.tags.from(file.declared);
-    let first_uses = found.map(|tag| tag.uses.0.first().map(|place| networks.order_of(*place)));
-    first_uses.clone().all(|first| first.is_some()) && first_uses.is_sorted()
-}
 
 /// The context of a text that came from another one's by edits; none if it takes more than a look at what they touch.
 pub(crate) fn edited(before: &Context, parse: &Arc<Parse>, name: &str, others: &Others) -> Option<Context> {

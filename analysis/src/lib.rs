@@ -37,6 +37,7 @@ mod edited_declarations;
 mod edited_lines;
 mod edited_names;
 mod findings;
+mod may_settle;
 mod mistakes;
 mod names;
 pub mod networks;

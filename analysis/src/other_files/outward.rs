@@ -209,7 +209,7 @@ fn calls(context: &Context) -> FxHashSet<Name> {
     let mut calls = FxHashSet::default();
     let networks = context.calling.iter();
     let networks = networks.map(|&id| context.networks.at(context.networks.index_of(id)));
-    for bound in networks.flat_map(|network| network.blocks()) {
+    for bound in networks.flat_map(NetworkAt::blocks) {
         let name = bound.facts.operands.first().map(|operand| &operand.value.kind);
         if let (Some(Op::Call), Some(NodeKind::Name(name))) = (bound.op(), name) {
             let key = Name::new(name);
