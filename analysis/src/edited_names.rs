@@ -100,6 +100,9 @@ impl Edited {
                 entry_stays(context, facts)?;
                 continue;
             }
+            if is_left_to_a_body(context, facts) {
+                return None;
+            }
             before.push((scope, facts.name.clone(), facts.ty));
             if !facts.uses.is_empty() {
                 respelled(context, (scope, tag));
@@ -174,6 +177,25 @@ pub(crate) fn spelled_at(context: &Context, place: UseRef) -> &str {
 fn entry_stays(context: &Context, entry: &TagFacts) -> Option<()> {
     let first = entry.uses.0.first()?;
     (spelled_at(context, *first) == entry.name).then_some(())
+}
+
+/// Whether only bodies still use a tag of another file, and one declares it in VAR_EXTERNAL: it lies there now.
+fn is_left_to_a_body(context: &Context, tag: &TagFacts) -> bool {
+    if tag.rare.foreign.is_none() {
+        return false;
+    }
+    let scope_of = |place: &UseRef| {
+        context
+            .networks
+            .at(context.networks.index_of(place.network))
+            .scope
+    };
+    if tag.uses.0.iter().any(|place| scope_of(place) == 0) {
+        return false;
+    }
+    let key = Name::new(&tag.name);
+    let mut in_bodies = (1..context.scopes.len()).filter_map(|body| context.find_tag(&(body, key.clone())));
+    in_bodies.any(TagFacts::is_declared)
 }
 
 /// A tag without a declaration is spelled as where it is first.

@@ -150,9 +150,10 @@ fn typing_in_declarations() {
             if dice.one_in(3) {
                 // A letter is taken out of a word.
                 let mut next = document.text.clone();
-                let words: Vec<usize> = next[..declared.len()]
+                let words: Vec<usize> = next
                     .match_indices(char::is_alphanumeric)
                     .map(|(at, _)| at)
+                    .take_while(|at| *at < declared.len())
                     .collect();
                 if !words.is_empty() {
                     next.remove(dice.of(&words));

@@ -307,3 +307,20 @@ fn addresses_of_globals_of_other_files() {
         }
     }
 }
+
+/// A global of another file lies where the file's own networks name it first, or else where a body declares it.
+#[test]
+fn only_a_body_still_names_a_tag_of_another_file() {
+    let program = |rung: &str| {
+        format!(
+            "FUNCTION_BLOCK [$Wait]\nVAR_EXTERNAL\n    wait : TON;\nEND_VAR\n+--[ ]( EN )--[TON]( wait, T#3s )--( )( ENO )--+\n\
+             END_FUNCTION_BLOCK\n\n+--[$Wait]()--( )( Q1 )--+\n\n{rung}\n"
+        )
+    };
+    let mut files = Files::default();
+    files.becomes("panel", "VAR_GLOBAL\n    wait : TON;\nEND_VAR\n".to_owned());
+    files.becomes("line", program("+--[ ]( wait.Q )--( )( Q2 )--+"));
+    for named in ["waits.Q", "wait.Q", "W.Q", "wait.Q"] {
+        files.becomes("line", program(&format!("+--[ ]( {named} )--( )( Q2 )--+")));
+    }
+}
