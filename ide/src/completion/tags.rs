@@ -231,7 +231,7 @@ fn literals(wanted: &Wanted, out: &mut Proposals<'_>) {
 
 #[cfg(test)]
 mod tests {
-    use super::{TagFacts, best};
+    use super::best;
     use std::sync::Arc;
 
     #[test]
