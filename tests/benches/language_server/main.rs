@@ -1,15 +1,14 @@
 //! What an editor waits for: from a keystroke to its diagnostics, and from a request to its answer, over the real
 //! program and real pipes.
 //!
-//! Eleven kinds of programs are opened in `ladder lsp`. A letter is typed in the middle again and again, in a number, in the
+//! Programs of each kind (`typed_programs::KINDS`) are opened in `ladder lsp`. A letter is typed in the middle again and again, in a number, in the
 //! name of an operand and in a declaration, and lines of declarations and networks come and go; each time until the diagnostics of that very version arrive. Then everything
 //! else is asked, some of it at once behind the edit, as an editor does, some once the diagnostics are there. Beside it
 //! is the bare limit: the round trip of a request that the server does not know, which has the same framing, pipes and
 //! scheduling, and no work.
 //!
 //! Run with `cargo build --release -p ladder-cli --bins && cargo bench -p ladder-tests --bench language_server`. Numbers
-//! of rungs and kinds of programs (clean, warned, shared, twice, blocks, undeclared, inferred,
-//! globals, bodies, addressed, library) may follow as arguments.
+//! of rungs and names of kinds (`clean`, `warned`, ...) may follow as arguments.
 
 use ladder_tests::client::Server;
 use ladder_tests::typed_programs::{KINDS, Kind, Program, Spot};

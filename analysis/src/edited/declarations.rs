@@ -3,12 +3,12 @@
 //! What these lines declare takes the place of what they declared before, and every line below is some bytes further
 //! down. A name that is declared no more is one that is only used, and the other way round.
 
+use super::lines::Lines;
+use super::names::{place_found, spelled_at, typed};
+use super::tags::EditedTags;
 use crate::context::Context;
 use crate::declarations::Declarations;
 use crate::declare::{self, Around};
-use crate::edited::EditedTags;
-use crate::edited_lines::Lines;
-use crate::edited_names::{place_found, spelled_at, typed};
 use crate::infer;
 use crate::misdeclared::Misdeclared;
 use crate::scope::{Origin, Scope, SectionKind, TagFacts};

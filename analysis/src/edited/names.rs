@@ -1,7 +1,8 @@
 //! The tags of a text behind an edit of networks: what the new ones name comes, and what the others named goes.
 
+use super::networks::Edited;
+use super::tags::EditedTags;
 use crate::context::Context;
-use crate::edited::{Edited, EditedTags};
 use crate::infer::{self, Entry};
 use crate::networks::Networks;
 use crate::program::Role;

@@ -1,7 +1,7 @@
 //! Where a text differs from an earlier one, and whether what is known of that can be followed to it.
 
+use super::declarations;
 use crate::context::Context;
-use crate::edited_declarations;
 use crate::profile;
 use crate::user_block::is_doubtful;
 use ladder_syntax::{Line, LineKind, Mode, Parse};
@@ -42,7 +42,7 @@ pub(crate) fn change(before: &Context, parse: &Parse) -> Option<Change> {
     if before.parse.unclosed_comment().is_some() || parse.unclosed_comment().is_some() {
         return None;
     }
-    if above < before.declared_to && edited_declarations::are_lines_of(before, &change, new) {
+    if above < before.declared_to && declarations::are_lines_of(before, &change, new) {
         return Some(Change::Declarations(change));
     }
     // In a file without networks all tags are new ones, of which nothing is known.
