@@ -27,8 +27,9 @@ use crate::uses;
 use crate::wrong_globals::WrongGlobals;
 use ladder_instructions::Profile;
 use ladder_syntax::{LineIndex, Name, Parse, TextRange, TextSize};
-use rustc_hash::FxHashSet;
-use std::collections::{BTreeSet, HashMap};
+use rustc_hash::{FxHashMap, FxHashSet};
+use smol_str::SmolStr;
+use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 
@@ -104,8 +105,8 @@ pub struct Context {
     /// Where declarations go that fixes add.
     pub(crate) places: PlacesOfScopes,
     /// The labels of each body by name, in the order of the text.
-    pub(crate) labels_by_name: HashMap<(Body, Name), Vec<usize>>,
-    pub(crate) functions_by_name: HashMap<Name, usize>,
+    pub(crate) labels_by_name: Arc<FxHashMap<(Body, Name), Vec<usize>>>,
+    pub(crate) functions_by_name: Arc<FxHashMap<Name, usize>>,
 }
 
 /// What a context has that the one before it has not, so that whoever looked at that one looks at no more than this.
@@ -153,7 +154,7 @@ pub enum Callee {
 #[derive(Debug, Clone)]
 pub struct FunctionFacts {
     /// As written.
-    pub name: String,
+    pub name: SmolStr,
     /// As it is compared.
     pub key: Name,
     /// The network that holds the `<FUN>`.
@@ -166,7 +167,7 @@ pub struct FunctionFacts {
 #[derive(Debug, Clone)]
 pub struct LabelFacts {
     /// As written.
-    pub name: String,
+    pub name: SmolStr,
     /// As it is compared.
     pub key: Name,
     /// The network that it marks.

@@ -52,7 +52,7 @@ pub(crate) use names::{
     at_address, by_name, company, declarations, declare, declaring, did_you_mean, infer, joined, misdeclared,
     numbering, operand_value, shared, use_kind, uses, wrong_globals,
 };
-pub use names::{rare, scope, system_tag, tags};
+pub use names::{letters, rare, scope, system_tag, tags};
 pub(crate) use networks::{
     chunked, control_flow, kept, known_blocks, order_table, outward_jumps, reading, unread_line,
 };

@@ -26,8 +26,9 @@ use crate::types::Type;
 use crate::user_block::{self, UserBlockFacts};
 use ladder_instructions::{Op, Shape};
 use ladder_syntax::{Name, Parse, Structure, TextRange};
-use rustc_hash::FxHashSet;
-use std::collections::{BTreeSet, HashMap};
+use rustc_hash::{FxHashMap, FxHashSet};
+use smol_str::SmolStr;
+use std::collections::BTreeSet;
 use std::sync::{Arc, OnceLock};
 
 /// The context before any use of a tag is looked at: declarations, blocks, networks, functions and labels. None if that is not
@@ -118,8 +119,8 @@ pub(crate) fn skeleton(
         foreign_comments: OnceLock::new(),
         joined: None,
         places: PlacesOfScopes::default(),
-        labels_by_name: HashMap::new(),
-        functions_by_name: HashMap::new(),
+        labels_by_name: Arc::default(),
+        functions_by_name: Arc::default(),
     };
     bodies(&mut context);
     Some(context)
@@ -225,12 +226,11 @@ fn bodies(context: &mut Context) {
         context.networks.set_scope(index, 0);
     }
     name_labels(context);
+    let mut by_name: FxHashMap<Name, usize> = FxHashMap::default();
     for (index, function) in context.functions.iter().enumerate() {
-        context
-            .functions_by_name
-            .entry(function.key.clone())
-            .or_insert(index);
+        by_name.entry(function.key.clone()).or_insert(index);
     }
+    context.functions_by_name = Arc::new(by_name);
 }
 
 /// The blocks of a network, if there is a label or the beginning of a function among them.
@@ -255,19 +255,20 @@ pub(crate) fn labels_in(network: NetworkAt<'_>) -> impl Iterator<Item = LabelFac
 }
 
 /// The name in the first operand of a label or function, as written and as it is compared, and where it is.
-fn named(block: &BlockAt<'_>) -> Option<(String, Name, TextRange)> {
+fn named(block: &BlockAt<'_>) -> Option<(SmolStr, Name, TextRange)> {
     let operand = &block.facts.operands.first()?.value;
     let NodeKind::Name(name) = &operand.kind else {
         return None;
     };
-    Some((name.to_string(), Name::new(name), block.absolute(operand.range)))
+    Some((name.clone(), Name::new(name), block.absolute(operand.range)))
 }
 
 /// Enters the labels of each body by their names.
 pub(crate) fn name_labels(context: &mut Context) {
-    context.labels_by_name.clear();
+    let mut by_name: FxHashMap<(Body, Name), Vec<usize>> = FxHashMap::default();
     for (index, label) in context.labels.iter().enumerate() {
         let key = (context.bodies[label.network], label.key.clone());
-        context.labels_by_name.entry(key).or_default().push(index);
+        by_name.entry(key).or_default().push(index);
     }
+    context.labels_by_name = Arc::new(by_name);
 }

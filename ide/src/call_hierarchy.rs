@@ -171,7 +171,7 @@ fn caller(file: &Context, body: Body) -> Caller {
         ),
         Body::Function(function) => {
             let facts = &context.functions[function];
-            (CallerKind::Function, facts.name.clone(), facts.at)
+            (CallerKind::Function, facts.name.to_string(), facts.at)
         }
         Body::Block(block) => {
             let facts = &context.user_blocks[block];

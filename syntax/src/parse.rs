@@ -22,7 +22,7 @@ pub const MAX_FILE_BYTES: usize = 64 << 20;
 pub const MAX_OPEN_BYTES: usize = 24 << 20;
 
 /// A text that an editor's server reads has at most this many lines. Each takes a kilobyte of memory, however short it is.
-pub const MAX_OPEN_LINES: usize = 400_000;
+pub const MAX_OPEN_LINES: usize = 600_000;
 
 /// A parsed text.
 #[derive(Debug, Clone)]

@@ -47,6 +47,8 @@ pub(super) struct Flow {
     pub(super) any: ControlFlow,
     /// What has come or gone with a network.
     pub(super) changed: ControlFlow,
+    /// What the networks have that are new or looked at again, and what those had that are gone.
+    pub(super) touched: ControlFlow,
 }
 
 /// What a look at tags exchanges.

@@ -9,6 +9,7 @@ mod in_networks;
 use super::allowed::Allowed;
 use super::at_tags::{AtTags, Flow};
 use super::of_bodies::OfBodies;
+use super::of_program::OfProgram;
 use super::part_notes::PartNotes;
 use super::shelf::Shelf;
 use crate::context::{Change, Context};
@@ -62,6 +63,7 @@ pub(crate) struct Ledger {
     unknown_members: FxHashSet<u32>,
     tags: AtTags,
     bodies: OfBodies,
+    program: OfProgram,
     /// One of the file's outputs.
     an_output: Option<Name>,
     /// Whether a rail may be dead, once it is known.
@@ -124,6 +126,7 @@ impl Ledger {
             unknown_members: FxHashSet::default(),
             tags: AtTags::default(),
             bodies: OfBodies::default(),
+            program: OfProgram::default(),
             an_output: None,
             rail_varies: None,
             notes: PartNotes::default(),
@@ -173,6 +176,7 @@ impl Ledger {
                 .follow(context, change, (&ledger.notes, parts), &mut ledger.shelf);
         let flow = ledger.follow_flow(context, change, &networks);
         ledger.bodies.follow(context, change, &networks);
+        ledger.program.follow(flow.touched);
         ledger.in_networks(context, &networks, wanted)?;
         let mut of_file = OfFile::default();
         rules::of_file(context, &mut of_file.names);
@@ -193,6 +197,9 @@ impl Ledger {
                 .any(|(_, severity)| severity == Severity::Error)
             && ledger.tags.errors().next().is_none()
             && !has_syntax_errors(context);
+        if !toggled.is_empty() {
+            ledger.program.look_again();
+        }
         ledger.power_again(context, toggled, wanted)?;
         ledger.put_on_shelf(context);
         if of_file.known.whole {
@@ -200,12 +207,8 @@ impl Ledger {
                 .tags
                 .decide_read_above(context, ledger.any, &mut ledger.shelf);
         }
-        ledger.of_bodies(context, of_file.known.whole);
-        let survey = ledger.survey(context, of_file.known.whole);
-        let mut found = Vec::new();
-        rules::of_program(context, &survey, &mut found);
-        rules::overlapping_address::check(context, addressed.into_iter(), &mut found);
-        of_file.program = found;
+        ledger.of_flow(context, of_file.known.whole);
+        rules::overlapping_address::check(context, addressed.into_iter(), &mut of_file.program);
         Some((ledger, of_file))
     }
 
@@ -260,10 +263,11 @@ impl Ledger {
             self.control_flow[id as usize] = context.networks.at(index).control_flow;
         }
         let together = |all: ControlFlow, flow: ControlFlow| all.with(flow);
-        let changed = touched
-            .into_iter()
-            .map(|(id, before)| before.differing(self.control_flow[id as usize]));
+        let now = |id: u32| self.control_flow[id as usize];
+        let changed = touched.iter().map(|&(id, before)| before.differing(now(id)));
         let changed = changed.fold(ControlFlow::default(), together);
+        let touched = touched.iter().map(|&(id, before)| before.with(now(id)));
+        let touched = touched.fold(ControlFlow::default(), together);
         self.any = self
             .control_flow
             .iter()
@@ -272,6 +276,7 @@ impl Ledger {
         Flow {
             any: self.any,
             changed,
+            touched,
         }
     }
 
@@ -327,12 +332,19 @@ impl Ledger {
         Some(())
     }
 
-    /// Looks at the bodies that a change concerns.
-    fn of_bodies(&mut self, context: &Context, whole: bool) {
-        let mut bodies = std::mem::take(&mut self.bodies);
-        self.work.networks += bodies.look(context, &self.survey(context, whole));
+    /// Looks at the flow of the bodies that a change concerns, and of the program if that concerns it.
+    fn of_flow(&mut self, context: &Context, whole: bool) {
+        let (mut bodies, mut program) = (
+            std::mem::take(&mut self.bodies),
+            std::mem::take(&mut self.program),
+        );
+        let survey = self.survey(context, whole);
+        let looked_at = bodies.look(context, &survey);
+        let exchanged = program.look(context, &survey);
+        self.work.networks += looked_at;
         self.shelf.exchange(bodies.take_exchanged());
-        self.bodies = bodies;
+        self.shelf.exchange(exchanged);
+        (self.bodies, self.program) = (bodies, program);
     }
 
     /// Whether the file has an output. One that was found is mostly there still.

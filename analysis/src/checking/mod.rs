@@ -12,6 +12,7 @@ mod dependencies;
 mod latches;
 mod ledger;
 mod of_bodies;
+mod of_program;
 mod part_notes;
 mod read_above;
 mod shelf;

@@ -5,6 +5,7 @@ use super::tags::EditedTags;
 use crate::context::{self, Body, Context};
 use crate::control_flow::ControlFlow;
 use crate::declaring::PlacesOfScopes;
+use crate::facts::NodeKind;
 use crate::known_blocks::KnownBlocks;
 use crate::network::{self, BoundBlock, NetworkFacts, UserBlocks};
 use crate::networks::Spliced;
@@ -15,6 +16,7 @@ use crate::skeleton;
 use crate::user_block::UserBlockFacts;
 use ladder_instructions::{Op, Shape};
 use ladder_syntax::{Line, LineKind, Name, Network, Parse, TextRange};
+use rustc_hash::FxHashSet;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
@@ -37,6 +39,7 @@ pub(crate) struct Removed {
     pub(crate) id: u32,
     pub(crate) facts: Arc<NetworkFacts>,
     pub(crate) scope: usize,
+    body: Body,
 }
 
 impl Edited {
@@ -168,14 +171,34 @@ impl Edited {
         };
         let mut again: Vec<usize> = around.clone().filter(is_other).collect();
         if self.labelled && self.context.may_jump {
-            let jumps = networks
-                .iter()
-                .filter(|it| it.control_flow.has(ControlFlow::JUMP));
-            again.extend(jumps.map(|network| network.index));
+            again.extend(self.jumps_to_labels());
             again.sort_unstable();
             again.dedup();
         }
         again
+    }
+
+    /// The networks that may jump to the labels that have come or gone: those of their bodies, and those of other bodies that name
+    /// one of them, for such a jump is told where that label is.
+    fn jumps_to_labels(&self) -> Vec<usize> {
+        let Context { networks, bodies, .. } = &self.context;
+        let gone = self.removed.iter().map(|network| (&network.facts, network.body));
+        let new = self.added.iter();
+        let new = new.map(|&index| (networks.facts(index), bodies[index]));
+        let marked: Vec<_> = gone.chain(new).filter(|(facts, _)| is_marked(facts)).collect();
+        let named: FxHashSet<Name> = marked
+            .iter()
+            .flat_map(|(facts, _)| first_names(facts, Op::Lbl))
+            .collect();
+        let jumps = networks
+            .iter()
+            .filter(|it| it.control_flow.has(ControlFlow::JUMP));
+        let concerned = jumps.filter(|network| {
+            let body = bodies[network.index];
+            marked.iter().any(|(_, marked)| *marked == body)
+                || first_names(network.facts(), Op::Jmp).any(|name| named.contains(&name))
+        });
+        concerned.map(|network| network.index).collect()
     }
 
     /// Notes how tags are used that may be those of other files, and on which of these a block keeps its state.
@@ -271,6 +294,7 @@ fn reread(before: &Context, parse: &Parse, change: &Lines, known: &mut KnownBloc
         id: before.networks.id(index),
         facts: Arc::clone(before.networks.facts(index)),
         scope: before.networks.at(index).scope,
+        body: before.bodies[index],
     });
     Reread {
         removed: removed.collect(),
@@ -329,6 +353,15 @@ fn may_follow_labels<'f>(before: &Context, mut touched: impl Iterator<Item = &'f
     let begins = |facts: &NetworkFacts| facts.blocks.iter().any(|block| block.op() == Some(Op::Fun));
     let jumps_out = |block: &UserBlockFacts| block.shape == Shape::Function;
     !touched.any(|facts| begins(facts)) && !before.user_blocks.iter().any(jumps_out)
+}
+
+/// The names in the first operands of the blocks of a network that are one instruction.
+fn first_names(facts: &NetworkFacts, op: Op) -> impl Iterator<Item = Name> {
+    let blocks = facts.blocks.iter().filter(move |block| block.op() == Some(op));
+    blocks.filter_map(|block| match &block.facts.operands.first()?.value.kind {
+        NodeKind::Name(name) => Some(Name::new(name)),
+        _ => None,
+    })
 }
 
 /// Whether other networks may mean something else when this one comes or goes: it has a label or begins a function.

@@ -17,6 +17,7 @@ pub(crate) mod infer;
 #[cfg(test)]
 mod infer_tests;
 pub(crate) mod joined;
+pub mod letters;
 pub(crate) mod misdeclared;
 pub(crate) mod numbering;
 pub(crate) mod operand_value;

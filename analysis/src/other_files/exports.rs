@@ -20,6 +20,7 @@ use crate::value::Value;
 use ladder_instructions::Accepts;
 use ladder_syntax::{Name, Parse, TextRange};
 use rustc_hash::{FxHashMap, FxHashSet};
+use smol_str::SmolStr;
 use std::sync::Arc;
 
 /// The summary of a file.
@@ -45,7 +46,7 @@ pub struct Exports {
 #[derive(Debug, Clone)]
 pub struct ExportedFunction {
     /// As written.
-    pub name: String,
+    pub name: SmolStr,
     /// As it is compared.
     pub key: Name,
     /// Its index in the file's own context.

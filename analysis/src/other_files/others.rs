@@ -184,6 +184,17 @@ impl Others {
             .is_some_and(|exported| !exported.globals.is_empty())
     }
 
+    /// Whether no file at all shows anything else than before, not even the one that sees the others: which of its functions they
+    /// call is noted once it shows them.
+    pub(crate) fn are_all_the_same(&self, before: &Others) -> bool {
+        self.own == before.own
+            && match (&self.exported, &before.exported) {
+                (None, None) => true,
+                (Some(new), Some(old)) => Arc::ptr_eq(new, old),
+                _ => false,
+            }
+    }
+
     /// Whether the other files are the same, and say the same, as before.
     pub(crate) fn are_the_same(&self, before: &Others) -> bool {
         match (&self.exported, &before.exported) {

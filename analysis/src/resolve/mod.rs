@@ -237,7 +237,7 @@ fn bodies(units: &[Unit<'_>], numbers: &Numbers, ids: &[Vec<Ids>], program: &mut
         for (item, function) in context.functions.iter().enumerate() {
             if numbers.has_function(index, item) {
                 program.functions.push(Function {
-                    name: function.name.clone(),
+                    name: function.name.to_string(),
                     networks: of(Body::Function(item)),
                 });
             }

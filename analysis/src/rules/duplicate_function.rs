@@ -4,10 +4,10 @@
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::rule::Rule;
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    let mut first = HashMap::new();
+    let mut first = FxHashMap::default();
     for function in &context.functions {
         match first.get(&function.key) {
             None => {

@@ -6,10 +6,10 @@ use crate::facts::NodeKind;
 use crate::rule::Rule;
 use ladder_instructions::Op;
 use ladder_syntax::{Name, TextRange};
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    let mut first: HashMap<(Body, &Name), usize> = HashMap::with_capacity(context.labels.len());
+    let mut first: FxHashMap<(Body, &Name), usize> = FxHashMap::default();
     // Each label after the first, with the first.
     let mut again = Vec::new();
     for (index, label) in context.labels.iter().enumerate() {
@@ -53,8 +53,8 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 }
 
 /// The jumps to each label, by the network that they go to.
-fn jumps(context: &Context) -> HashMap<(usize, &Name), Vec<TextRange>> {
-    let mut jumps: HashMap<(usize, &Name), Vec<TextRange>> = HashMap::new();
+fn jumps(context: &Context) -> FxHashMap<(usize, &Name), Vec<TextRange>> {
+    let mut jumps: FxHashMap<(usize, &Name), Vec<TextRange>> = FxHashMap::default();
     for (index, network) in context.networks.iter().enumerate() {
         for bound in network.blocks().filter(|bound| bound.op() == Some(Op::Jmp)) {
             let Some(operand) = bound.facts.operands.first() else {

@@ -61,8 +61,13 @@ pub(crate) fn check(
         return 0;
     }
     let mut networks_of: BTreeMap<Body, Vec<usize>> = BTreeMap::new();
+    // Networks of one body are mostly below each other.
+    let mut last = (Body::Main, bodies.contains(&Body::Main));
     for (network, &body) in context.bodies.iter().enumerate() {
-        if bodies.contains(&body) {
+        if body != last.0 {
+            last = (body, bodies.contains(&body));
+        }
+        if last.1 {
             networks_of.entry(body).or_default().push(network);
         }
     }
@@ -73,7 +78,9 @@ pub(crate) fn check(
     let mut labels: BTreeMap<Body, Vec<usize>> = BTreeMap::new();
     for label in &context.labels {
         let body = context.bodies[label.network];
-        labels.entry(body).or_default().push(label.network);
+        if networks_of.contains_key(&body) {
+            labels.entry(body).or_default().push(label.network);
+        }
     }
     let count = networks_of.values().map(Vec::len).sum();
     for (body, networks) in networks_of {

@@ -5,6 +5,7 @@ use super::proposals::{MOST, Order, Proposals};
 use crate::typing::{Operand, Typing};
 use crate::wanted::{Kind, Wanted, rank, scalar_rank};
 use itertools::Itertools;
+use ladder_analysis::letters::Letters;
 use ladder_analysis::program::{Role, SystemTag};
 use ladder_analysis::scope::{Access, Origin, SectionKind, TagFacts};
 use ladder_analysis::tags::Tags;
@@ -59,7 +60,8 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
         Some((known, (fits, second)))
     };
     // A large program has more tags than anybody reads. One more than is shown says that there are others.
-    let tags = best(&scope.tags, (MOST + 1, ALONE), |tag, enough_begin| {
+    let (tags, letters) = (&scope.tags, out.letters());
+    let tags = best((tags, letters), (MOST + 1, ALONE), |tag, enough_begin| {
         let begins = out.begins(&tag.name);
         if !begins && (enough_begin || !out.may_be(&tag.name)) {
             return None;
@@ -77,17 +79,17 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
     }
 }
 
-/// This many of the tags that have a rank, in their order. `ranked` is asked with whether there are as many that begin as is
+/// This many of the tags that have these letters and a rank, in their order. `ranked` is asked with whether there are as many that begin as is
 /// written: then no others are needed. Of more than `alone` another processor takes half.
 fn best<'c>(
-    tags: &'c Tags,
+    (tags, letters): (&'c Tags, Letters),
     (most, alone): (usize, usize),
     ranked: impl Fn(&'c TagFacts, bool) -> Option<Ranked<'c>> + Sync,
 ) -> Vec<Ranked<'c>> {
     let order =
         |(a, rank): &Ranked<'_>, (b, other): &Ranked<'_>| rank.cmp(other).then_with(|| a.name.cmp(&b.name));
     let best_of = |range: Range<usize>| -> Vec<Ranked<'c>> {
-        let some = tags.from(range.start).take(range.len());
+        let some = tags.that_have(letters, range);
         let mut begin = 0;
         let ranked = some.filter_map(|tag| {
             let found = ranked(tag, begin >= most)?;
@@ -231,7 +233,7 @@ fn literals(wanted: &Wanted, out: &mut Proposals<'_>) {
 
 #[cfg(test)]
 mod tests {
-    use super::best;
+    use super::{Letters, best};
     use std::sync::Arc;
 
     #[test]
@@ -244,7 +246,8 @@ mod tests {
         let analysis = ladder_analysis::analyze(&parse, "many");
         let tags = &analysis.context.scopes[0].tags;
         let found = |most, alone| {
-            let best = best(tags, (most, alone), |tag, enough_begin| {
+            let all = (tags, Letters::asked_by(""));
+            let best = best(all, (most, alone), |tag, enough_begin| {
                 let begins = tag.name.starts_with('a');
                 (begins || !enough_begin).then_some((tag, (!begins, (0, 0))))
             });

@@ -21,11 +21,18 @@ pub(crate) enum Source {
 }
 
 impl Source {
-    /// Who finds something that a tag owns, or a body.
+    /// Who finds something that a tag owns, or a body, or the program.
     pub(crate) fn of(found: &Anchored) -> Source {
         match found.rule() {
             Rule::TypeMismatch => Source::Types,
-            Rule::Unreachable | Rule::EndlessJump | Rule::UnconditionalEnd => Source::Program,
+            Rule::Unreachable
+            | Rule::EndlessJump
+            | Rule::UnconditionalEnd
+            | Rule::RecursiveCall
+            | Rule::ReturnOutsideFunction
+            | Rule::UnbalancedLoop
+            | Rule::UnusedFunction
+            | Rule::UnusedLabel => Source::Program,
             _ => Source::Tag,
         }
     }
