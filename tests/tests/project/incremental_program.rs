@@ -44,6 +44,9 @@ const SPECIAL: &[&str] = &[
     "+--[GT]( n, 5 )--(S)( y )--+",
     "+--[GT]( n, 5 )--(R)( y )--+",
     "+--[ ]( SYS.FIRST_SCAN )--(R)( m )--+",
+    // Two networks run one timer: an error, at the lower one.
+    "+--[ ]( a )--[TON]( t, T#1s )--( )( z )--+",
+    "+--[ ]( b )--[TON]( t, T#2s )--<RET>--+",
 ];
 
 /// Contacts in series and a coil or two, of few tags; now and then something of which there is more to say.
