@@ -21,7 +21,8 @@ pub const MAX_FILE_BYTES: usize = 64 << 20;
 /// larger texts are kept, so that the editor can go on, and nothing is reported about them.
 pub const MAX_OPEN_BYTES: usize = 24 << 20;
 
-/// A text that an editor's server reads has at most this many lines. Each takes a kilobyte of memory, however short it is.
+/// A text that an editor's server reads has at most this many lines: a program of 100,000 rungs has up to 500,000. However short
+/// a line is, it takes a kilobyte of memory, two where something is wrong with each.
 pub const MAX_OPEN_LINES: usize = 600_000;
 
 /// A parsed text.
