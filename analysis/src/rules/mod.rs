@@ -127,7 +127,7 @@ const OF_PROGRAM: &[ProgramCheck] = &[
 
 /// Once so much was found in a file, no more is looked for in single networks and lines: nobody reads it, and each
 /// finding takes a hundred times the memory of the character that it is about.
-pub(crate) const MOST_FINDINGS: usize = 50_000;
+pub(crate) const MOST_FINDINGS: usize = 200_000;
 
 /// Whether enough was found since there were `before` findings; then the last of them says so.
 fn is_enough(before: usize, out: &mut [Diagnostic]) -> bool {
