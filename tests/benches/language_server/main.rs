@@ -10,6 +10,7 @@
 //! Run with `cargo build --release -p ladder-cli --bins && cargo bench -p ladder-tests --bench language_server`. Numbers
 //! of rungs and names of kinds (`clean`, `warned`, ...) may follow as arguments.
 
+use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES};
 use ladder_tests::client::Server;
 use ladder_tests::typed_programs::{KINDS, Kind, Program, Spot};
 use serde_json::{Value, json};
@@ -99,6 +100,8 @@ fn measure(name: &str, kind: Kind, rungs: usize) {
     let program = Program::new(kind, rungs);
     let text = &program.text;
     println!("{name}, {rungs} rungs, {} bytes", text.len());
+    // A longer one is not read, and its edits cost nothing.
+    assert!(text.len() <= MAX_OPEN_BYTES && text.lines().count() <= MAX_OPEN_LINES);
     // A workspace of its own, so that nothing else on the disk is looked at.
     let folder = tempfile::tempdir().expect("a folder can be made");
     let file = folder.path().join("bench.clad");
