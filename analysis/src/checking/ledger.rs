@@ -4,6 +4,7 @@
 //! only those are looked at again that the [`Change`] names, or whose surroundings changed in a
 //! way that matters; what the others own stays, and moves with them.
 
+mod flow;
 mod in_networks;
 
 use super::allowed::Allowed;
@@ -16,12 +17,10 @@ use crate::context::{Change, Context};
 use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
 use crate::findings::Anchored;
-use crate::networks::NetworkAt;
 use crate::program::Role;
 use crate::rule::Severity;
 use crate::rule_settings::RuleSettings;
 use crate::rules::double_coil::Leaving;
-use crate::rules::survey::Survey;
 use crate::rules::tag_summary::Known;
 use crate::rules::{self, AroundTags};
 use crate::scope::TagFacts;
@@ -246,40 +245,6 @@ impl Ledger {
         again.into_iter().collect()
     }
 
-    /// Notes what the networks have of program flow, of which these are new or looked at again.
-    fn follow_flow(&mut self, context: &Context, change: Option<&Change>, networks: &[usize]) -> Flow {
-        let new = networks.iter().map(|&index| context.networks.id(index));
-        let gone = change
-            .into_iter()
-            .flat_map(|change| change.removed.iter().copied());
-        let touched: Vec<(u32, ControlFlow)> = gone
-            .chain(new.clone())
-            .map(|id| (id, self.control_flow[id as usize]))
-            .collect();
-        for (id, _) in &touched {
-            self.control_flow[*id as usize] = ControlFlow::default();
-        }
-        for (id, &index) in new.zip(networks) {
-            self.control_flow[id as usize] = context.networks.at(index).control_flow;
-        }
-        let together = |all: ControlFlow, flow: ControlFlow| all.with(flow);
-        let now = |id: u32| self.control_flow[id as usize];
-        let changed = touched.iter().map(|&(id, before)| before.differing(now(id)));
-        let changed = changed.fold(ControlFlow::default(), together);
-        let touched = touched.iter().map(|&(id, before)| before.with(now(id)));
-        let touched = touched.fold(ControlFlow::default(), together);
-        self.any = self
-            .control_flow
-            .iter()
-            .copied()
-            .fold(ControlFlow::default(), together);
-        Flow {
-            any: self.any,
-            changed,
-            touched,
-        }
-    }
-
     /// Exchanges what a pass has found in a network.
     fn set(&mut self, id: u32, pass: Pass, found: InNetwork) {
         let kept = &mut self.networks[id as usize].found;
@@ -332,21 +297,6 @@ impl Ledger {
         Some(())
     }
 
-    /// Looks at the flow of the bodies that a change concerns, and of the program if that concerns it.
-    fn of_flow(&mut self, context: &Context, whole: bool) {
-        let (mut bodies, mut program) = (
-            std::mem::take(&mut self.bodies),
-            std::mem::take(&mut self.program),
-        );
-        let survey = self.survey(context, whole);
-        let looked_at = bodies.look(context, &survey);
-        let exchanged = program.look(context, &survey);
-        self.work.networks += looked_at;
-        self.shelf.exchange(bodies.take_exchanged());
-        self.shelf.exchange(exchanged);
-        (self.bodies, self.program) = (bodies, program);
-    }
-
     /// Whether the file has an output. One that was found is mostly there still.
     fn has_outputs(&mut self, context: &Context) -> bool {
         let file = &context.scopes[0];
@@ -358,10 +308,6 @@ impl Ledger {
         let first = file.tags.iter().find(|tag| is_output(tag));
         self.an_output = first.map(|tag| Name::new(&tag.name));
         self.an_output.is_some()
-    }
-
-    fn flow_at(&self, context: &Context, index: usize) -> ControlFlow {
-        self.control_flow[context.networks.id(index) as usize]
     }
 
     /// Notes in which networks there is an error. Gives those of which that is new.
@@ -389,32 +335,6 @@ impl Ledger {
         let toggled = toggled.map(|&id| context.networks.index_of(id)).collect();
         self.unsound = unsound;
         toggled
-    }
-
-    fn survey<'l>(&'l self, context: &'l Context, whole: bool) -> Survey<'l> {
-        Survey {
-            whole,
-            any: self.any,
-            networks: &context.networks,
-            control_flow: &self.control_flow,
-            unsound: &self.unsound,
-        }
-    }
-
-    /// The networks whose blocks may leave something in doubt: with one that is not known, with a label, or with the
-    /// beginning of a function.
-    pub(super) fn marked<'c>(&self, context: &'c Context) -> impl Iterator<Item = NetworkAt<'c>> {
-        let count = if self.any.has(ControlFlow::MARK) {
-            self.control_flow.len()
-        } else {
-            0
-        };
-        let marks = self.control_flow[..count].iter().enumerate();
-        let marks = marks.filter(|(_, flow)| flow.has(ControlFlow::MARK));
-        let marks = marks.map(|(id, _)| id as u32);
-        let ids: BTreeSet<u32> = marks.chain(self.unclear.iter().copied()).collect();
-        ids.into_iter()
-            .map(|id| context.networks.at(context.networks.index_of(id)))
     }
 
     /// What is found in networks with places that are true for this text only.

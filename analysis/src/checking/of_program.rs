@@ -52,6 +52,10 @@ impl OfProgram {
         rules::of_program(context, survey, &mut found);
         let anchored = |found| Arc::new(Anchored::in_networks(found, context));
         let new: Vec<Arc<Anchored>> = found.into_iter().map(anchored).collect();
+        debug_assert!(
+            !new.iter().any(|found| found.is_volatile()),
+            "all places are in networks"
+        );
         Exchanged {
             gone: std::mem::replace(&mut self.found, new.clone()),
             new,
