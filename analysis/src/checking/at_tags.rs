@@ -3,7 +3,7 @@
 use super::addresses::Addresses;
 use super::latches::Latches;
 use super::read_above::ReadAbove;
-use super::shelf::Shelf;
+use super::shelf::{Shelf, Source};
 use super::undeclared::UndeclaredTags;
 use crate::context::{Change, Context};
 use crate::control_flow::ControlFlow;
@@ -79,7 +79,7 @@ impl AtTags {
         };
         self.around = Some(around);
         self.at_addresses = PlacesAtAddresses::default();
-        shelf.exchange(std::mem::take(&mut self.exchanged));
+        shelf.exchange(std::mem::take(&mut self.exchanged), Source::of_tag);
         Some(looked_at)
     }
 
@@ -228,7 +228,7 @@ impl AtTags {
                 self.found.insert(key, kept);
             }
         }
-        shelf.exchange(std::mem::take(&mut self.exchanged));
+        shelf.exchange(std::mem::take(&mut self.exchanged), Source::of_tag);
         decision.count
     }
 

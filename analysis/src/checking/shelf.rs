@@ -85,8 +85,8 @@ impl Shelf {
         self.put(Home::Network(id), items);
     }
 
-    /// Exchanges what tags or bodies own.
-    pub(super) fn exchange(&mut self, exchanged: Exchanged) {
+    /// Exchanges what tags, bodies or the program own. `source`: who has found it.
+    pub(super) fn exchange(&mut self, exchanged: Exchanged, source: impl Fn(&Anchored) -> Source) {
         let Exchanged { gone, new } = exchanged;
         let mut homes: FxHashMap<Home, Vec<Item>> = FxHashMap::default();
         let homes_of = |found: &Arc<Anchored>| found.home().filter(|_| !found.is_volatile());
@@ -97,7 +97,7 @@ impl Shelf {
         }
         for found in &new {
             if let Some(home) = homes_of(found) {
-                let item = Item::new(found, Source::of(found));
+                let item = Item::new(found, source(found));
                 homes.entry(home).or_default().push(item);
             }
         }

@@ -100,7 +100,7 @@ fn found_anew(context: &Context, ledger: &Ledger, of_file: OfFile) -> Vec<(Sourc
     anew.extend(in_networks.map(|found| (Source::Network, Finding::new(found, own, context))));
     let at_tags = ledger.volatile_at_tags();
     let at_tags = at_tags.filter(|found| When::of(found.rule()).holds(of_file.known));
-    anew.extend(at_tags.map(|found| (Source::of(found), Finding::new(found, own, context))));
+    anew.extend(at_tags.map(|found| (Source::of_tag(found), Finding::new(found, own, context))));
     anew
 }
 

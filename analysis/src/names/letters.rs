@@ -7,28 +7,24 @@ pub struct Letters(u64);
 impl Letters {
     /// Those of a name. One with other letters than those of ASCII may have them in several forms: it counts as if it had all.
     pub(crate) fn of(name: &str) -> Letters {
-        let mut letters = 0;
-        for byte in name.bytes() {
-            if !byte.is_ascii() {
-                return Letters(u64::MAX);
-            }
-            letters |= bit(byte);
-        }
-        Letters(letters)
+        Letters(bits(name).unwrap_or(u64::MAX))
     }
 
     /// Those that a name must have to hold all that is written. Nothing is asked for other letters than those of ASCII.
     pub fn asked_by(written: &str) -> Letters {
-        if !written.is_ascii() {
-            return Letters(0);
-        }
-        Letters(written.bytes().map(bit).fold(0, |all, bit| all | bit))
+        Letters(bits(written).unwrap_or(0))
     }
 
     /// Whether all of these are among them.
     pub(crate) fn have(self, asked: Letters) -> bool {
         asked.0 & !self.0 == 0
     }
+}
+
+/// What stands for the letters of a text; none if it has others than those of ASCII.
+fn bits(text: &str) -> Option<u64> {
+    text.is_ascii()
+        .then(|| text.bytes().map(bit).fold(0, |all, bit| all | bit))
 }
 
 /// What stands for a letter. Nothing does for signs: they are never asked for.

@@ -215,10 +215,10 @@ impl Others {
         if !self.have_globals() && !before.have_globals() {
             return Some(news);
         }
-        let (new, old) = (self.exported.as_ref()?, before.exported.as_ref()?);
-        if Arc::ptr_eq(new, old) && self.own == before.own {
+        if self.are_all_the_same(before) {
             return Some(news);
         }
+        let (new, old) = (self.exported.as_ref()?, before.exported.as_ref()?);
         if self.own != before.own || !new.file_names().eq(old.file_names()) {
             return None;
         }

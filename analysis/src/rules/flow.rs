@@ -62,13 +62,12 @@ pub(crate) fn check(
     }
     let mut networks_of: BTreeMap<Body, Vec<usize>> = BTreeMap::new();
     // Networks of one body are mostly below each other.
-    let mut last = (Body::Main, bodies.contains(&Body::Main));
-    for (network, &body) in context.bodies.iter().enumerate() {
-        if body != last.0 {
-            last = (body, bodies.contains(&body));
-        }
-        if last.1 {
-            networks_of.entry(body).or_default().push(network);
+    let mut first = 0;
+    for run in context.bodies.chunk_by(PartialEq::eq) {
+        let networks = first..first + run.len();
+        first = networks.end;
+        if bodies.contains(&run[0]) {
+            networks_of.entry(run[0]).or_default().extend(networks);
         }
     }
     networks_of.retain(|_, networks| {

@@ -2,6 +2,7 @@
 
 use super::Ledger;
 use crate::checking::at_tags::Flow;
+use crate::checking::shelf::Source;
 use crate::context::{Change, Context};
 use crate::control_flow::ControlFlow;
 use crate::networks::NetworkAt;
@@ -58,8 +59,9 @@ impl Ledger {
         let looked_at = bodies.look(context, &survey);
         let exchanged = program.look(context, &survey);
         self.work.networks += looked_at;
-        self.shelf.exchange(bodies.take_exchanged());
-        self.shelf.exchange(exchanged);
+        for exchanged in [bodies.take_exchanged(), exchanged] {
+            self.shelf.exchange(exchanged, |_| Source::Program);
+        }
         (self.bodies, self.program) = (bodies, program);
     }
 

@@ -21,19 +21,12 @@ pub(crate) enum Source {
 }
 
 impl Source {
-    /// Who finds something that a tag owns, or a body, or the program.
-    pub(crate) fn of(found: &Anchored) -> Source {
-        match found.rule() {
-            Rule::TypeMismatch => Source::Types,
-            Rule::Unreachable
-            | Rule::EndlessJump
-            | Rule::UnconditionalEnd
-            | Rule::RecursiveCall
-            | Rule::ReturnOutsideFunction
-            | Rule::UnbalancedLoop
-            | Rule::UnusedFunction
-            | Rule::UnusedLabel => Source::Program,
-            _ => Source::Tag,
+    /// Who finds something that a tag owns.
+    pub(crate) fn of_tag(found: &Anchored) -> Source {
+        if found.rule() == Rule::TypeMismatch {
+            Source::Types
+        } else {
+            Source::Tag
         }
     }
 
