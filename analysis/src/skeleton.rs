@@ -7,7 +7,6 @@ use crate::control_flow::ControlFlow;
 use crate::declarations::{Declarations, DeclaredAt};
 use crate::declare;
 use crate::declaring::PlacesOfScopes;
-use crate::facts::NodeKind;
 use crate::kept::Kept;
 use crate::known_blocks::KnownBlocks;
 use crate::misdeclared::Misdeclared;
@@ -256,11 +255,8 @@ pub(crate) fn labels_in(network: NetworkAt<'_>) -> impl Iterator<Item = LabelFac
 
 /// The name in the first operand of a label or function, as written and as it is compared, and where it is.
 fn named(block: &BlockAt<'_>) -> Option<(SmolStr, Name, TextRange)> {
-    let operand = &block.facts.operands.first()?.value;
-    let NodeKind::Name(name) = &operand.kind else {
-        return None;
-    };
-    Some((name.clone(), Name::new(name), block.absolute(operand.range)))
+    let (name, range) = block.facts.first_name()?;
+    Some((name.clone(), Name::new(name), block.absolute(range)))
 }
 
 /// Enters the labels of each body by their names.

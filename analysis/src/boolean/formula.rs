@@ -146,8 +146,7 @@ impl Formulas<'_> {
 
 impl Formulas<'_> {
     fn is_state(&self, bound: BlockAt<'_>) -> bool {
-        let Some(NodeKind::Name(name)) = bound.facts.operands.first().map(|operand| &operand.value.kind)
-        else {
+        let Some((name, _)) = bound.facts.first_name() else {
             return false;
         };
         tag(self.context, self.network.scope, name)

@@ -5,7 +5,6 @@ use super::tags::EditedTags;
 use crate::context::{self, Body, Context};
 use crate::control_flow::ControlFlow;
 use crate::declaring::PlacesOfScopes;
-use crate::facts::NodeKind;
 use crate::known_blocks::KnownBlocks;
 use crate::network::{self, BoundBlock, NetworkFacts, UserBlocks};
 use crate::networks::Spliced;
@@ -358,10 +357,7 @@ fn may_follow_labels<'f>(before: &Context, mut touched: impl Iterator<Item = &'f
 /// The names in the first operands of the blocks of a network that are one instruction.
 fn first_names(facts: &NetworkFacts, op: Op) -> impl Iterator<Item = Name> {
     let blocks = facts.blocks.iter().filter(move |block| block.op() == Some(op));
-    blocks.filter_map(|block| match &block.facts.operands.first()?.value.kind {
-        NodeKind::Name(name) => Some(Name::new(name)),
-        _ => None,
-    })
+    blocks.filter_map(|block| Some(Name::new(block.facts.first_name()?.0)))
 }
 
 /// Whether other networks may mean something else when this one comes or goes: it has a label or begins a function.

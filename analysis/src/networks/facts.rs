@@ -33,6 +33,17 @@ pub struct BlockFacts {
     pub operands: Box<[OperandFacts]>,
 }
 
+impl BlockFacts {
+    /// The name that its first operand is, and where that is: the label of a jump, the function of a call.
+    pub(crate) fn first_name(&self) -> Option<(&SmolStr, TextRange)> {
+        let operand = &self.operands.first()?.value;
+        match &operand.kind {
+            NodeKind::Name(name) => Some((name, operand.range)),
+            _ => None,
+        }
+    }
+}
+
 /// What a block's first part names.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Head {

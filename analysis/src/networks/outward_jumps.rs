@@ -1,7 +1,6 @@
 //! Jumps out of the bodies of `<$B>` blocks, to labels around their places.
 
 use crate::context::Context;
-use crate::facts::NodeKind;
 use ladder_instructions::{Op, Shape};
 use ladder_syntax::{Name, TextRange};
 use std::sync::Arc;
@@ -30,10 +29,7 @@ pub(crate) fn outward_jumps(context: &Context) -> Vec<Jump> {
             .blocks()
             .filter(|bound| bound.op() == Some(Op::Jmp) && !bound.faulty)
         {
-            let Some(operand) = bound.facts.operands.first() else {
-                continue;
-            };
-            let NodeKind::Name(name) = &operand.value.kind else {
+            let Some((name, range)) = bound.facts.first_name() else {
                 continue;
             };
             let key = Name::new(name);
@@ -42,7 +38,7 @@ pub(crate) fn outward_jumps(context: &Context) -> Vec<Jump> {
                     block,
                     key,
                     name: name.as_str().into(),
-                    at: bound.absolute(operand.value.range),
+                    at: bound.absolute(range),
                     file: None,
                 });
             }

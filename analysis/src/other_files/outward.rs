@@ -6,7 +6,6 @@
 
 use crate::by_name::ByName;
 use crate::context::Context;
-use crate::facts::NodeKind;
 use crate::network::Meaning;
 use crate::networks::NetworkAt;
 use crate::scope::{Access, Scope, TagFacts, UseRef};
@@ -210,8 +209,7 @@ fn calls(context: &Context) -> FxHashSet<Name> {
     let networks = context.calling.iter();
     let networks = networks.map(|&id| context.networks.at(context.networks.index_of(id)));
     for bound in networks.flat_map(NetworkAt::blocks) {
-        let name = bound.facts.operands.first().map(|operand| &operand.value.kind);
-        if let (Some(Op::Call), Some(NodeKind::Name(name))) = (bound.op(), name) {
+        if let (Some(Op::Call), Some((name, _))) = (bound.op(), bound.facts.first_name()) {
             let key = Name::new(name);
             if context.function(&key).is_none() {
                 calls.insert(key);

@@ -2,7 +2,6 @@
 
 use crate::context::{Body, Context};
 use crate::diagnostic::Diagnostic;
-use crate::facts::NodeKind;
 use crate::rule::Rule;
 use ladder_instructions::Op;
 use ladder_syntax::{Name, TextRange};
@@ -57,10 +56,7 @@ fn jumps(context: &Context) -> FxHashMap<(usize, &Name), Vec<TextRange>> {
     let mut jumps: FxHashMap<(usize, &Name), Vec<TextRange>> = FxHashMap::default();
     for (index, network) in context.networks.iter().enumerate() {
         for bound in network.blocks().filter(|bound| bound.op() == Some(Op::Jmp)) {
-            let Some(operand) = bound.facts.operands.first() else {
-                continue;
-            };
-            let NodeKind::Name(name) = &operand.value.kind else {
+            let Some((name, range)) = bound.facts.first_name() else {
                 continue;
             };
             let Some((target, key)) = context.jump_label(index, &Name::new(name)) else {
@@ -69,7 +65,7 @@ fn jumps(context: &Context) -> FxHashMap<(usize, &Name), Vec<TextRange>> {
             jumps
                 .entry((target, key))
                 .or_default()
-                .push(bound.absolute(operand.value.range));
+                .push(bound.absolute(range));
         }
     }
     jumps

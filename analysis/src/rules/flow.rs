@@ -7,7 +7,6 @@ use crate::boolean::power::{NetworkPower, Question};
 use crate::context::{Body, Context};
 use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
-use crate::facts::NodeKind;
 use crate::networks::BlockAt;
 use crate::program::Step;
 use ladder_instructions::Op;
@@ -232,9 +231,7 @@ impl<'c> Flow<'c> {
     }
 
     fn target(&self, network: usize, bound: BlockAt<'_>) -> Option<usize> {
-        let NodeKind::Name(name) = &bound.facts.operands.first()?.value.kind else {
-            return None;
-        };
+        let (name, _) = bound.facts.first_name()?;
         self.place(self.context.jump_target(network, &Name::new(name))?)
     }
 

@@ -5,7 +5,6 @@ use super::survey::Survey;
 use crate::context::{Body, Context};
 use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
-use crate::facts::NodeKind;
 use crate::network::Meaning;
 use crate::networks::BlockAt;
 use crate::rule::Rule;
@@ -48,16 +47,10 @@ pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagno
 }
 
 fn called(context: &Context, bound: BlockAt<'_>) -> Option<Use> {
-    let operand = bound
-        .facts
-        .operands
-        .first()
-        .filter(|_| bound.op() == Some(Op::Call))?;
-    let NodeKind::Name(name) = &operand.value.kind else {
-        return None;
-    };
+    let name = bound.facts.first_name();
+    let (name, range) = name.filter(|_| bound.op() == Some(Op::Call))?;
     let function = context.function(&Name::new(name))?;
-    Some((function, bound.absolute(operand.value.range)))
+    Some((function, bound.absolute(range)))
 }
 
 fn recursive(context: &Context, first: usize, around: &[Use]) -> Diagnostic {

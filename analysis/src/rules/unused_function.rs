@@ -4,7 +4,6 @@ use super::survey::Survey;
 use crate::context::{Body, Context};
 use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
-use crate::facts::NodeKind;
 use crate::rule::Rule;
 use ladder_instructions::Op;
 use ladder_syntax::Name;
@@ -18,7 +17,7 @@ pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagno
     let mut called: FxHashSet<usize> = FxHashSet::default();
     for network in survey.networks_with(ControlFlow::CALL) {
         for bound in network.blocks().filter(|bound| bound.op() == Some(Op::Call)) {
-            if let Some(NodeKind::Name(name)) = bound.facts.operands.first().map(|o| &o.value.kind) {
+            if let Some((name, _)) = bound.facts.first_name() {
                 called.extend(context.function(&Name::new(name)));
             }
         }

@@ -4,7 +4,6 @@ use super::survey::Survey;
 use crate::context::{Body, Context};
 use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
-use crate::facts::NodeKind;
 use crate::network::Meaning;
 use crate::networks::BlockAt;
 use crate::rule::Rule;
@@ -21,7 +20,7 @@ pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagno
     let mut outside: FxHashSet<Name> = FxHashSet::default();
     for network in survey.networks_with(ControlFlow::JUMP) {
         for bound in network.blocks().filter(|bound| bound.op() == Some(Op::Jmp)) {
-            let Some(NodeKind::Name(name)) = bound.facts.operands.first().map(|o| &o.value.kind) else {
+            let Some((name, _)) = bound.facts.first_name() else {
                 continue;
             };
             let name = Name::new(name);
