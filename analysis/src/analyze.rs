@@ -1,105 +1,64 @@
 //! A file, analysed.
 
-use crate::checking::{self, Ledger, Shown, Work};
+use crate::checking::{self, Memo, keep_nearest};
 use crate::context::{Context, context_after};
 use crate::diagnostic::Diagnostic;
 use crate::findings::Finding;
 use crate::others::Others;
 use crate::program::Program;
 use crate::resolve::{self, Resolved, numbers::Unit};
-use crate::rule::{Rule, Severity};
+use crate::rule::Severity;
 use crate::rule_settings::RuleSettings;
 use crate::still_wanted::StillWanted;
 use ladder_syntax::{Parse, TextSize};
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, OnceLock};
 
 /// What is known of a file.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Analysis {
     /// Names, networks and blocks.
     pub context: Arc<Context>,
-    shown: Shown,
-    /// All that is shown, once somebody wants it all.
-    findings: OnceLock<Vec<Finding>>,
-    /// Errors that settings or comments hide, or count as less, beside those that [`Shown`] keeps.
-    hidden_anew: Vec<Diagnostic>,
-    /// All of them, once somebody wants them.
-    hidden_errors: OnceLock<Vec<Diagnostic>>,
-    /// What was looked at to find them.
-    pub work: Work,
-    /// The findings with all that they say, once somebody wants them all.
+    findings: Vec<Finding>,
+    hidden_errors: Vec<Diagnostic>,
+    /// The findings with all that they say, once they are asked for.
     diagnostics: OnceLock<Vec<Diagnostic>>,
-    /// Until the analysis of the next text takes it.
-    ledger: Mutex<Option<Ledger>>,
     program: OnceLock<Option<Arc<Program>>>,
+    memo: Memo,
 }
 
 impl Analysis {
     /// What is found, in the order of the places.
     pub fn findings(&self) -> &[Finding] {
-        self.findings.get_or_init(|| self.shown.all(&self.context))
-    }
-
-    /// How many findings there are.
-    pub fn count(&self) -> usize {
-        self.shown.len()
-    }
-
-    /// At most this many of the findings, in the order of their places: errors come before all others, and then what is near
-    /// to a place.
-    pub fn findings_near(&self, most: usize, place: TextSize) -> Vec<Finding> {
-        self.shown.nearest(&self.context, most, place)
-    }
-
-    /// The same with all that each finding says.
-    pub fn diagnostics(&self) -> &[Diagnostic] {
-        let all = || self.findings().iter();
-        self.diagnostics
-            .get_or_init(|| all().map(|found| found.diagnostic(&self.context)).collect())
+        &self.findings
     }
 
     /// Errors that settings or comments hide, or count as less, in the order of their places: the program does not run all the
     /// same.
     pub fn hidden_errors(&self) -> &[Diagnostic] {
-        self.hidden_errors.get_or_init(|| {
-            let kept = self.shown.hidden_errors(&self.context);
-            let mut all: Vec<Diagnostic> = kept.iter().map(|found| found.diagnostic(&self.context)).collect();
-            all.extend_from_slice(&self.hidden_anew);
-            all.sort_by_key(|found| (found.range.start(), found.range.end(), found.rule));
-            all
-        })
+        &self.hidden_errors
     }
 
-    /// Changes a finding of a rule that looks at the text itself, if there is one for which `wanted` holds.
-    pub fn change_finding(
-        &mut self,
-        rule: Rule,
-        wanted: impl Fn(&Diagnostic) -> bool,
-        change: impl FnOnce(&mut Diagnostic),
-    ) {
-        if !self.shown.finds_anew(rule) {
-            return;
-        }
-        let context = &self.context;
-        let mut all = self.findings().to_vec();
-        let mut of_rule = all.iter_mut().filter(|found| found.rule == rule);
-        let found = of_rule.find_map(|finding| {
-            let found = finding.diagnostic(context);
-            wanted(&found).then_some((finding, found))
+    /// At most this many of the findings, in the order of their places: errors come before all others, and then what is near
+    /// to a place.
+    pub fn findings_near(&self, most: usize, place: TextSize) -> Vec<Finding> {
+        let mut some = self.findings.clone();
+        keep_nearest(&mut some, most, |found| {
+            let away = u32::from(found.range.start()).abs_diff(u32::from(place));
+            (found.severity != Severity::Error, away)
         });
-        if let Some((finding, mut found)) = found {
-            change(&mut found);
-            *finding = Finding::from(found);
-            self.hidden_anew = self.hidden_errors().to_vec();
-            self.shown = Shown::Listed(all);
-            self.findings = OnceLock::new();
-            self.diagnostics = OnceLock::new();
-        }
+        some
+    }
+
+    /// The findings with all that they say.
+    pub fn diagnostics(&self) -> &[Diagnostic] {
+        let all = || self.findings.iter().map(Finding::diagnostic).collect();
+        self.diagnostics.get_or_init(all)
     }
 
     /// Whether a finding is an error: the program is not simulated.
     pub fn has_errors(&self) -> bool {
-        self.shown.has_errors() || self.shown.hides_errors() || !self.hidden_anew.is_empty()
+        let is_error = |found: &Finding| found.severity == Severity::Error;
+        !self.hidden_errors.is_empty() || self.findings.iter().any(is_error)
     }
 
     /// The program, if there are no errors and it uses no function or block of another file: see
@@ -128,29 +87,7 @@ impl Analysis {
     pub fn errors(&self) -> impl Iterator<Item = &Diagnostic> {
         let shown = self.diagnostics().iter();
         let shown = shown.filter(|found| found.severity == Severity::Error);
-        shown.chain(self.hidden_errors())
-    }
-
-    /// What the analysis of the next text begins with; the first that asks gets it.
-    fn take_ledger(&self) -> Option<Ledger> {
-        self.ledger.lock().unwrap_or_else(PoisonError::into_inner).take()
-    }
-}
-
-impl Clone for Analysis {
-    /// The next text begins with what the original keeps: a copy has nothing to hand on.
-    fn clone(&self) -> Analysis {
-        Analysis {
-            context: Arc::clone(&self.context),
-            shown: self.shown.clone(),
-            findings: self.findings.clone(),
-            hidden_anew: self.hidden_anew.clone(),
-            hidden_errors: self.hidden_errors.clone(),
-            work: self.work,
-            diagnostics: self.diagnostics.clone(),
-            ledger: Mutex::default(),
-            program: self.program.clone(),
-        }
+        shown.chain(&self.hidden_errors)
     }
 }
 
@@ -196,24 +133,22 @@ pub fn analyze_context(
 }
 
 /// As [`analyze_context()`], while `wanted` holds: that is asked between each [`BETWEEN`](crate::BETWEEN) networks or tags. None
-/// once it does not. What an edit usually concerns is less, and is always looked at.
+/// once it does not.
 pub fn analyze_while(
     before: Option<&Analysis>,
     context: Arc<Context>,
     settings: &RuleSettings,
     wanted: &dyn Fn() -> bool,
 ) -> Option<Analysis> {
-    let ledger = before.and_then(Analysis::take_ledger);
-    let found = checking::find(ledger, &context, settings, &StillWanted::new(wanted))?;
+    let empty = Memo::default();
+    let memo = before.map_or(&empty, |before| &before.memo);
+    let found = checking::find(memo, &context, settings, &StillWanted::new(wanted))?;
     Some(Analysis {
         context,
-        shown: found.shown,
-        findings: OnceLock::new(),
-        hidden_anew: found.hidden_errors,
-        hidden_errors: OnceLock::new(),
-        work: found.work,
+        findings: found.shown,
+        hidden_errors: found.hidden_errors,
         diagnostics: OnceLock::new(),
-        ledger: Mutex::new(Some(found.ledger)),
         program: OnceLock::new(),
+        memo: found.memo,
     })
 }

@@ -32,7 +32,6 @@ mod boolean;
 mod checking;
 pub mod context;
 mod cplc_draft;
-mod edited;
 mod findings;
 mod mistakes;
 mod names;
@@ -46,15 +45,15 @@ mod skeleton;
 mod still_wanted;
 mod values;
 
-pub(crate) use findings::{article, excerpt, foreign_comment, lint, stamp, verdict};
+pub(crate) use findings::{article, excerpt, foreign_comment, lint, stamp};
 pub use findings::{diagnostic, fix, rule, rule_settings};
 pub(crate) use names::{
-    at_address, by_name, company, declarations, declare, declaring, did_you_mean, infer, joined, misdeclared,
-    numbering, operand_value, shared, use_kind, uses, wrong_globals,
+    at_address, declare, declaring, did_you_mean, infer, joined, operand_value, problem, shared, use_kind,
+    uses,
 };
-pub use names::{letters, rare, scope, system_tag, tags};
+pub use names::{rare, scope, system_tag};
 pub(crate) use networks::{
-    chunked, control_flow, kept, known_blocks, order_table, outward_jumps, reading, unread_line,
+    control_flow, kept, known_blocks, order_table, outward_jumps, reading, unread_line,
 };
 pub use networks::{facts, network, order, user_block};
 pub(crate) use other_files::{exports, link, others, outward};
@@ -66,7 +65,7 @@ pub use analyze::{
 };
 pub use article::with_article;
 pub use boolean::formula::{Formulas, formulas};
-pub use checking::{Work, keep_nearest};
+pub use checking::keep_nearest;
 pub use cplc_draft::is_cplc_draft;
 pub use diagnostic::{Applicability, Diagnostic, Fix, Related};
 pub use exports::{ExportedBlock, ExportedFunction, Exports, Global, exports};

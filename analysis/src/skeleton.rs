@@ -2,32 +2,29 @@
 //! bodies that these belong to.
 
 use crate::at_address::AtAddress;
-use crate::context::{Body, Context, FunctionFacts, LabelFacts, next_serial};
+use crate::context::{Body, Context, FunctionFacts, LabelFacts};
 use crate::control_flow::ControlFlow;
-use crate::declarations::{Declarations, DeclaredAt};
 use crate::declare;
-use crate::declaring::PlacesOfScopes;
+use crate::joined::Joined;
 use crate::kept::Kept;
 use crate::known_blocks::KnownBlocks;
-use crate::misdeclared::Misdeclared;
 use crate::network;
 use crate::networks::neighbours::break_neighbours;
 use crate::networks::{BlockAt, NetworkAt, Networks};
 use crate::others::Others;
+use crate::problem::NameProblem;
 use crate::profile;
 use crate::program::Role;
 use crate::rare::Rare;
 use crate::reading::{Reading, TOGETHER};
 use crate::scope::{Origin, Scope, TagFacts, Uses};
 use crate::still_wanted::StillWanted;
-use crate::types::Scalar;
-use crate::types::Type;
+use crate::types::{Scalar, Type};
 use crate::user_block::{self, UserBlockFacts};
 use ladder_instructions::{Op, Shape};
 use ladder_syntax::{Name, Parse, Structure, TextRange};
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
-use std::collections::BTreeSet;
 use std::sync::{Arc, OnceLock};
 
 /// The context before any use of a tag is looked at: declarations, blocks, networks, functions and labels. None if that is not
@@ -43,12 +40,7 @@ pub(crate) fn skeleton(
     let profile = profile::profile(parse);
     // In another profile the same text means something else.
     let before = before.filter(|before| before.profile == profile);
-    let mut kept = before.map(|before| Kept::of(before, parse));
-    let same = kept.as_ref().and_then(|kept| kept.declared(structure));
-    let (scopes, declarations, misdeclared) = match same {
-        Some(same) => same,
-        None => declared(parse, structure, wanted)?,
-    };
+    let (scopes, problems) = declared(parse, structure, wanted)?;
     let user_blocks: Vec<UserBlockFacts> = structure
         .blocks
         .iter()
@@ -57,14 +49,10 @@ pub(crate) fn skeleton(
         .collect();
     let own_blocks = user_blocks.len();
     let signatures = user_block::signatures(&user_blocks);
-    if let Some(kept) = &mut kept {
-        kept.with_signatures(signatures);
-    }
+    let mut kept = before.map(|before| Kept::of(before, parse, signatures));
     let mut known = KnownBlocks::new(user_blocks, others);
     let mut reading = Reading::default();
     let mut networks = Networks::with_capacity(structure.networks.len());
-    let mut control_flow = ControlFlow::default();
-    let mut calling = FxHashSet::default();
     for (number, drawn) in structure.networks.iter().enumerate() {
         wanted.one_more()?;
         if kept.is_none() && number.is_multiple_of(TOGETHER) {
@@ -74,10 +62,6 @@ pub(crate) fn skeleton(
         let same = kept.as_mut().and_then(|kept| kept.network(drawn));
         let facts =
             same.unwrap_or_else(|| Arc::new(network::network(parse, drawn, &mut known, &mut reading)));
-        control_flow = control_flow.with(facts.control_flow);
-        if facts.control_flow.has(ControlFlow::CALL) {
-            calling.insert(networks.numbers() as u32);
-        }
         let first = drawn.lines.start;
         let scope = drawn.block.map_or(0, |block| block + 1);
         networks.push(facts, first, parse.line_start(first), scope);
@@ -87,55 +71,34 @@ pub(crate) fn skeleton(
     let mut context = Context {
         parse: Arc::clone(parse),
         name: Arc::from(name),
-        serial: next_serial(),
-        change: None,
-        wrong_globals: Arc::default(),
         profile,
         cycle: profile::cycle(parse),
         networks,
         scopes,
-        declarations,
-        misdeclared,
+        problems,
         at_address: AtAddress::default(),
-        declared_to: declared_to(structure),
-        settled: false,
-        asks_others: false,
-        mistyped: Vec::new(),
-        outward_states: BTreeSet::new(),
-        named_in_bodies: Arc::default(),
-        globals: OnceLock::new(),
-        outward_tags: OnceLock::new(),
-        calling: Arc::new(calling),
-        may_jump: control_flow.has(ControlFlow::JUMP),
-        is_framed: parse.frame().is_whole(),
         user_blocks: known.into_list(),
         own_blocks,
         signatures,
         others: others.clone(),
         functions: Vec::new(),
         labels: Vec::new(),
-        bodies: Arc::default(),
+        bodies: Vec::new(),
         foreign_comments: OnceLock::new(),
-        joined: None,
-        places: PlacesOfScopes::default(),
-        labels_by_name: Arc::default(),
-        functions_by_name: Arc::default(),
+        joined: Joined::default(),
+        labels_by_name: FxHashMap::default(),
+        functions_by_name: FxHashMap::default(),
     };
     bodies(&mut context);
     Some(context)
 }
 
-/// The line behind the last section, and behind the last first line of a block definition.
-pub(crate) fn declared_to(structure: &Structure) -> usize {
-    let sections = structure.sections.iter().map(|section| section.lines.end);
-    let headers = structure.blocks.iter().map(|block| block.lines.start + 1);
-    sections.chain(headers).max().unwrap_or_default()
-}
-
-/// The scopes with their declared tags, and what is wrong with the declarations.
-pub(crate) type Declared = (Vec<Scope>, Arc<Declarations>, Arc<Misdeclared>);
-
-fn declared(parse: &Parse, structure: &Structure, wanted: &StillWanted<'_>) -> Option<Declared> {
+/// The scopes with their declared tags, and what is wrong with the declarations. None if that is not wanted any longer.
+fn declared(
+    parse: &Parse,
+    structure: &Structure,
+    wanted: &StillWanted<'_>,
+) -> Option<(Vec<Scope>, Vec<NameProblem>)> {
     let mut scopes = vec![Scope::default()];
     scopes.extend(structure.blocks.iter().enumerate().map(|(index, definition)| {
         let mut scope = Scope::default();
@@ -146,8 +109,7 @@ fn declared(parse: &Parse, structure: &Structure, wanted: &StillWanted<'_>) -> O
         }
         scope
     }));
-    let mut declarations = Declarations::default();
-    let mut wrong = Misdeclared::default();
+    let mut problems = Vec::new();
     let mut names = vec![0; scopes.len()];
     for section in &structure.sections {
         names[section.block.map_or(0, |block| block + 1)] += declare::names_about(parse, section);
@@ -157,10 +119,9 @@ fn declared(parse: &Parse, structure: &Structure, wanted: &StillWanted<'_>) -> O
     }
     for section in &structure.sections {
         let scope = section.block.map_or(0, |block| block + 1);
-        let scope = &mut scopes[scope];
-        declare::section((parse, wanted), section, &mut declarations, scope, &mut wrong)?;
+        declare::section(parse, section, &mut scopes[scope], &mut problems, wanted)?;
     }
-    Some((scopes, Arc::new(declarations), Arc::new(wrong)))
+    Some((scopes, problems))
 }
 
 fn implicit(name: &str, at: TextRange) -> TagFacts {
@@ -172,10 +133,9 @@ fn implicit(name: &str, at: TextRange) -> TagFacts {
         retain: false,
         constant: false,
         rare: Rare::default(),
-        declared_at: DeclaredAt::in_file(at),
+        declared_at: at,
         uses: Uses::default(),
         mistyped: false,
-        by_company: false,
     }
 }
 
@@ -220,7 +180,7 @@ fn bodies(context: &mut Context) {
             (Some(block), None) => Body::Block(block),
         });
     }
-    context.bodies = Arc::new(bodies);
+    context.bodies = bodies;
     for index in in_file {
         context.networks.set_scope(index, 0);
     }
@@ -229,7 +189,7 @@ fn bodies(context: &mut Context) {
     for (index, function) in context.functions.iter().enumerate() {
         by_name.entry(function.key.clone()).or_insert(index);
     }
-    context.functions_by_name = Arc::new(by_name);
+    context.functions_by_name = by_name;
 }
 
 /// The blocks of a network, if there is a label or the beginning of a function among them.
@@ -240,7 +200,7 @@ fn marks_in(network: NetworkAt<'_>) -> impl Iterator<Item = BlockAt<'_>> {
 }
 
 /// The labels of a network, in the order of its blocks.
-pub(crate) fn labels_in(network: NetworkAt<'_>) -> impl Iterator<Item = LabelFacts> {
+fn labels_in(network: NetworkAt<'_>) -> impl Iterator<Item = LabelFacts> {
     let labels = marks_in(network).filter(|block| block.op() == Some(Op::Lbl));
     labels.filter_map(move |block| {
         let (name, key, at) = named(&block)?;
@@ -260,11 +220,11 @@ fn named(block: &BlockAt<'_>) -> Option<(SmolStr, Name, TextRange)> {
 }
 
 /// Enters the labels of each body by their names.
-pub(crate) fn name_labels(context: &mut Context) {
+fn name_labels(context: &mut Context) {
     let mut by_name: FxHashMap<(Body, Name), Vec<usize>> = FxHashMap::default();
     for (index, label) in context.labels.iter().enumerate() {
         let key = (context.bodies[label.network], label.key.clone());
         by_name.entry(key).or_default().push(index);
     }
-    context.labels_by_name = Arc::new(by_name);
+    context.labels_by_name = by_name;
 }

@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use ladder_analysis::context::{Context, context_while};
-use ladder_analysis::{Diagnostic, Finding, Others, Rule, RuleSettings, analyze_while, says_cplc_draft};
+use ladder_analysis::{Finding, Others, RuleSettings, analyze_while};
 use ladder_format::{Edit, Options, format};
 use ladder_ide::{Action, ActionKind, fix_all, quick_fixes, refactorings};
 use ladder_ide::{
@@ -12,7 +12,6 @@ use ladder_ide::{
     semantic_tokens_of, signature_help,
 };
 use ladder_ide::{Inlay, Lens};
-use ladder_interchange::notation::offer_conversion;
 use ladder_syntax::{Parse, TextRange, TextSize};
 
 /// What one text says: its names, networks and blocks. Enough for most that is asked while somebody types.
@@ -104,10 +103,7 @@ impl Analysis {
         wanted: &dyn Fn() -> bool,
     ) -> Option<Self> {
         let before = before.map(|before| &*before.whole);
-        let mut whole = analyze_while(before, Arc::clone(&names.context), rules, wanted)?;
-        whole.change_finding(Rule::UnexpectedCharacter, says_cplc_draft, |found| {
-            offer_conversion(std::slice::from_mut(found), &names.text(), &Options::default());
-        });
+        let whole = analyze_while(before, Arc::clone(&names.context), rules, wanted)?;
         Some(Analysis {
             whole: Arc::new(whole),
         })
@@ -116,16 +112,6 @@ impl Analysis {
     /// What is wrong, in the order of the places.
     pub(crate) fn findings(&self) -> &[Finding] {
         self.whole.findings()
-    }
-
-    /// See [`Finding::first_lines`].
-    pub(crate) fn first_lines(&self, finding: &Finding, lines: &mut Vec<u32>) -> bool {
-        finding.first_lines(&self.whole.context, lines)
-    }
-
-    /// A finding with all that it says.
-    pub(crate) fn diagnostic(&self, finding: &Finding) -> Diagnostic {
-        finding.diagnostic(&self.whole.context)
     }
 
     /// All of it, for those who put the files of a workspace together.

@@ -72,7 +72,7 @@ impl Document {
             return Vec::new();
         };
         let found = analysis.findings().iter();
-        let placed = found.map(|found| (self.revision.range(found.range), analysis.diagnostic(found)));
+        let placed = found.map(|found| (self.revision.range(found.range), found.diagnostic()));
         placed.collect()
     }
 

@@ -1,75 +1,134 @@
-//! Looking for what is wrong in a file, and keeping what is found from one text to the next.
+//! Looking for what is wrong in a file.
 //!
 //! ```text
-//! Context --ledger--> findings by owner: a network, a tag, the file; each looked for where something changed
-//!         --shown---> those that are shown, with their severities, in the order of their places: a list of Finding
+//! Context --networks--> what the rules about networks find; of a network that is as it was that is in the memo
+//!         --tags------> what the rules about tags find
+//!         --rules-----> what the rules about the file and the program find
+//!         --shown-----> those that are shown, with their severities, in the order of their places
 //! ```
 
-mod addresses;
-mod allowed;
-mod at_tags;
-mod dependencies;
-mod latches;
-mod ledger;
-mod of_bodies;
-mod of_program;
-mod part_notes;
-mod read_above;
-mod shelf;
+mod memo;
+mod networks;
 mod shown;
-mod undeclared;
-mod unused_allows;
+mod tags;
 
-pub(crate) use ledger::Ledger;
-pub use ledger::Work;
-pub(crate) use shown::Shown;
+pub(crate) use memo::Memo;
 pub use shown::keep_nearest;
 
 use crate::context::Context;
+use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
 use crate::findings::Finding;
 use crate::mistakes;
+use crate::networks::NetworkAt;
+use crate::rule::{Rule, Severity};
 use crate::rule_settings::RuleSettings;
+use crate::rules;
+use crate::rules::survey::Survey;
+use crate::rules::tag_summary::{Known, When};
 use crate::still_wanted::StillWanted;
+use networks::InNetworks;
 
 /// What is found in a text.
 #[derive(Debug)]
 pub(crate) struct Found {
-    pub(crate) shown: Shown,
-    /// Errors that settings or comments hide, or count as less, beside those that [`Shown`] keeps.
+    /// In the order of the places.
+    pub(crate) shown: Vec<Finding>,
+    /// Errors that settings or comments hide, or count as less.
     pub(crate) hidden_errors: Vec<Diagnostic>,
-    /// What was looked at for it.
-    pub(crate) work: Work,
-    /// To be handed on to the next text.
-    pub(crate) ledger: Ledger,
+    /// For the next text.
+    pub(crate) memo: Memo,
 }
 
-/// Looks for what is wrong in a file. `before` is what was found in an earlier text of it. None if that is not wanted any
-/// longer.
+/// Looks for what is wrong in a file. `memo` is from an earlier text of it: what comes out is the same with any other. None if
+/// that is not wanted any longer.
 pub(crate) fn find(
-    before: Option<Ledger>,
+    memo: &Memo,
     context: &Context,
     settings: &RuleSettings,
     wanted: &StillWanted<'_>,
 ) -> Option<Found> {
-    let (mut ledger, of_file) = Ledger::look(before, context, settings, wanted)?;
-    let (mut shown, hidden_errors, looked_at) = shown::shown(context, &mut ledger, of_file, settings);
-    if let Some(block) = ledger.unresolved(context)
-        && hidden_errors.is_empty()
-        && !shown.hides_errors()
-        && !shown.has_errors()
-    {
-        shown.add(Finding::from(mistakes::bad_operand::meaningless(block)));
+    let networks = context.networks.iter();
+    let any = networks.fold(ControlFlow::default(), |any, network| {
+        any.with(network.control_flow)
+    });
+    let mut in_networks = InNetworks::check(memo, context, settings, wanted)?;
+    let mut names = Vec::new();
+    rules::of_names(context, &mut names);
+    let of_tags = tags::check(context, any, wanted)?;
+    let mut file = Vec::new();
+    rules::of_file(context, &mut file);
+
+    let has_error = |found: &Diagnostic| found.severity == Severity::Error;
+    let elsewhere = names
+        .iter()
+        .chain(&of_tags)
+        .chain(&file)
+        .filter(|found| has_error(found));
+    let mut unsound = in_networks.faulty.clone();
+    let mut is_sound = true;
+    for found in elsewhere {
+        is_sound = false;
+        if let Some(network) = network_at(context, found) {
+            unsound[network.index] = true;
+        }
     }
-    let work = ledger.work();
+    let is_unclear = |network: NetworkAt<'_>| network.broken || !network.known;
+    let known = Known {
+        whole: is_sound
+            && !in_networks.faulty.contains(&true)
+            && !context.networks.iter().any(is_unclear)
+            && !has_syntax_errors(context),
+        names: !of_tags.iter().any(|found| found.rule == Rule::UndeclaredTag),
+    };
+    let survey = Survey {
+        whole: known.whole,
+        any,
+        context,
+        unsound: &unsound,
+    };
+    in_networks.check_power(context, &survey, wanted)?;
+    let mut program = Vec::new();
+    rules::of_program(&survey, &mut program);
+
+    // Of two findings of one rule at one place the first counts: what is found while types are inferred comes before what
+    // follows from it.
+    let findings = |found: Vec<Diagnostic>| found.into_iter().map(Finding::from);
+    let (types, tags): (Vec<_>, Vec<_>) = of_tags
+        .into_iter()
+        .partition(|found| found.rule == Rule::TypeMismatch);
+    let mut all: Vec<Finding> = findings(names).chain(findings(types)).collect();
+    all.append(&mut in_networks.found);
+    all.extend(findings(file).chain(findings(tags)).chain(findings(program)));
+    all.retain(|found| When::of(found.rule).holds(known));
+    let (mut shown, hidden_errors) = shown::shown(context, all, known, settings);
+    let has_errors = shown.iter().any(|found| found.severity == Severity::Error);
+    if let Some(block) = in_networks.unresolved
+        && hidden_errors.is_empty()
+        && !has_errors
+    {
+        shown.push(Finding::from(mistakes::bad_operand::meaningless(block)));
+    }
     Some(Found {
         shown,
         hidden_errors,
-        work: Work {
-            findings: looked_at.findings,
-            comments: work.comments + looked_at.comments,
-            ..work
-        },
-        ledger,
+        memo: in_networks.memo,
     })
+}
+
+/// The network in which a finding begins.
+fn network_at<'c>(context: &'c Context, found: &Diagnostic) -> Option<NetworkAt<'c>> {
+    let at = found.range.start();
+    let after = context
+        .networks
+        .partition_point(|network| network.range.start() <= at);
+    let network = context.networks.at(after.checked_sub(1)?);
+    (at < network.range.end()).then_some(network)
+}
+
+fn has_syntax_errors(context: &Context) -> bool {
+    let lines = context.parse.lines();
+    lines
+        .of_parts_that(ladder_syntax::Part::is_faulty)
+        .any(|(_, line)| !line.errors.is_empty())
 }

@@ -1,9 +1,8 @@
 //! A finding: what is wrong, where, what to do.
 
-use crate::declaring::Declares;
 use crate::rule::{Rule, Severity};
 use ladder_format::Edit;
-use ladder_syntax::TextRange;
+use ladder_syntax::{TextRange, TextSize};
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -51,8 +50,6 @@ pub struct Fix {
     pub edits: Vec<Edit>,
     /// Whether it may be made unasked.
     pub applicability: Applicability,
-    /// What it declares, of one whose edits are found when somebody asks for the finding.
-    pub(crate) declares: Option<Box<Declares>>,
 }
 
 /// Whether a fix may be made unasked. Of every fix a rule decides it by one question: can the drawing mean something
@@ -82,7 +79,6 @@ impl Fix {
             title: title.into(),
             edits,
             applicability,
-            declares: None,
         }
     }
 
@@ -143,6 +139,19 @@ impl Diagnostic {
         let related = |place: &Related| place.file.is_none() && stretch.contains_range(place.range);
         let edits = |fix: &Fix| fix.edits.iter().all(|edit| stretch.contains_range(edit.range));
         stretch.contains_range(self.range) && self.related.iter().all(related) && self.fixes.iter().all(edits)
+    }
+
+    /// Moves all places of this file that it names.
+    pub(crate) fn move_by(&mut self, bytes: i64) {
+        let moved = |at: TextSize| TextSize::new((i64::from(u32::from(at)) + bytes) as u32);
+        let related = self.related.iter_mut().filter(|related| related.file.is_none());
+        let edits = self.fixes.iter_mut().flat_map(|fix| &mut fix.edits);
+        let places = std::iter::once(&mut self.range)
+            .chain(related.map(|related| &mut related.range))
+            .chain(edits.map(|edit| &mut edit.range));
+        for place in places {
+            *place = TextRange::new(moved(place.start()), moved(place.end()));
+        }
     }
 
     /// As it is kept: the last related place says how many more there are.

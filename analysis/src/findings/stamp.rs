@@ -16,9 +16,6 @@ pub(crate) fn of_network(context: &Context, network: NetworkAt<'_>) -> u64 {
     (context.profile, context.signatures, network.scope).hash(&mut hasher);
     let scope = &context.scopes[network.scope];
     for (number, (_, tag)) in (0u32..).zip(NamedTags::of(context, network).iter()) {
-        let Some(tag) = tag else {
-            continue;
-        };
         number.hash(&mut hasher);
         let mut facts = &scope.tags[tag];
         // A tag of another scope adds both what it is here and what it is there.
@@ -27,8 +24,8 @@ pub(crate) fn of_network(context: &Context, network: NetworkAt<'_>) -> u64 {
             facts = &context.scopes[scope].tags[tag];
         }
         stamp(facts, &mut hasher);
-        if let Some(first) = context.at_address.first(facts) {
-            first.hash(&mut hasher);
+        if let Some((scope, first)) = context.at_address.all(facts).first() {
+            context.scopes[*scope].tags[*first].name.hash(&mut hasher);
         }
     }
     hasher.finish()

@@ -4,10 +4,10 @@
 pub(crate) mod bad_declaration;
 pub(crate) mod bad_operand;
 pub(crate) mod constant_write;
-pub(crate) mod duplicate_declaration;
 pub(crate) mod duplicate_function;
+pub(crate) mod literals;
+pub(crate) mod of_names;
 pub(crate) mod one_address;
-pub(crate) mod shared_globals;
 pub(crate) mod type_mismatch;
 pub(crate) mod unknown_function;
 pub(crate) mod unknown_label;

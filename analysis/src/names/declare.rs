@@ -1,13 +1,9 @@
 //! Declarations: from sections to the tags of a scope (LANGUAGE §4).
 
+use super::problem::NameProblem;
 use crate::constant;
-use crate::declarations::{Declarations, DeclaredAt};
-use crate::diagnostic::Diagnostic;
 use crate::did_you_mean;
 use crate::facts;
-use crate::findings::Anchored;
-use crate::misdeclared::Misdeclared;
-use crate::mistakes::{bad_declaration, duplicate_declaration};
 use crate::program::Role;
 use crate::rare::{Rare, RareFacts};
 use crate::reading::TOGETHER;
@@ -20,7 +16,6 @@ use ladder_syntax::rowan::GreenNode;
 use ladder_syntax::{
     Line, LineKind, Name, Parse, Section, TextRange, TextSize, Trees, is_declaration_keyword, is_reserved,
 };
-use std::sync::Arc;
 
 /// The longest array: what still shows and saves quickly.
 const MAX_ELEMENTS: i128 = 1_000_000;
@@ -28,7 +23,7 @@ const MAX_ELEMENTS: i128 = 1_000_000;
 const MAX_STRING: i128 = 32_767;
 
 /// What a section's first line says of the declarations in it; none if it cannot be read.
-pub(crate) fn around(parse: &Parse, section: &Section) -> Option<Around> {
+fn around(parse: &Parse, section: &Section) -> Option<Around> {
     let header = parse.lines()[section.lines.start].tree();
     let header = SectionHeader::cast(NodeView::root(&header))?;
     let kind = SectionKind::from_keyword(header.section()?.text())?;
@@ -63,11 +58,11 @@ pub(crate) fn names_about(parse: &Parse, section: &Section) -> usize {
 
 /// Adds the tags of a section to its scope. None if that is not wanted any longer.
 pub(crate) fn section(
-    (parse, wanted): (&Parse, &StillWanted<'_>),
+    parse: &Parse,
     section: &Section,
-    declarations: &mut Declarations,
     scope: &mut Scope,
-    out: &mut Misdeclared,
+    out: &mut Vec<NameProblem>,
+    wanted: &StillWanted<'_>,
 ) -> Option<()> {
     let mut trees = Trees::default();
     let Some(around) = around(parse, section) else {
@@ -91,72 +86,41 @@ pub(crate) fn section(
         }
         for (line, start, tree) in together.drain(..) {
             wanted.one_more()?;
-            declared(line, &tree, declarations.push(start), around, scope, out);
+            let found = out.len();
+            if let Some(node) = Declaration::cast(NodeView::root(&tree)) {
+                declaration(&node, start, around, scope, out);
+            }
+            // What the parser has to say about the line is enough.
+            if !line.errors.is_empty() {
+                out.truncate(found);
+            }
         }
     }
-}
-
-/// Adds the tags of a line with a declaration to its scope. The line has this number among those lines.
-pub(crate) fn line(
-    (line, trees): (&Line, &mut Trees),
-    number: u32,
-    around: Around,
-    scope: &mut Scope,
-    out: &mut Misdeclared,
-) {
-    declared(line, &trees.of(line), number, around, scope, out);
-}
-
-/// As [`line()`], of a line with this tree.
-fn declared(
-    line: &Line,
-    tree: &GreenNode,
-    number: u32,
-    around: Around,
-    scope: &mut Scope,
-    out: &mut Misdeclared,
-) {
-    if let Some(node) = Declaration::cast(NodeView::root(tree)) {
-        let found = declaration(&node, number, around, scope, out);
-        // What the parser has to say about the line is enough.
-        if line.errors.is_empty() {
-            out.find(number, found);
-        }
-    }
-}
-
-/// The names on a line with a declaration.
-pub(crate) fn names(line: &Line, trees: &mut Trees) -> Vec<Name> {
-    let tree = trees.of(line);
-    let node = Declaration::cast(NodeView::root(&tree));
-    let names = node.iter().flat_map(Declaration::names);
-    names.map(|name| Name::new(name.text())).collect()
 }
 
 /// What the section says of a declaration.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Around {
-    pub(crate) kind: SectionKind,
-    pub(crate) retain: bool,
-    pub(crate) constant: bool,
-    pub(crate) in_block: bool,
+struct Around {
+    kind: SectionKind,
+    retain: bool,
+    constant: bool,
+    in_block: bool,
 }
 
-/// Adds the tags of a declaration. Gives what is wrong with it.
+/// Adds the tags of a declaration, whose line starts here. What is wrong with it goes to `out`.
 fn declaration(
     node: &Declaration,
-    line: u32,
+    start: TextSize,
     context: Around,
     scope: &mut Scope,
-    declared: &mut Misdeclared,
-) -> Vec<Arc<Anchored>> {
-    let mut out: Vec<Arc<Anchored>> = Vec::new();
-    let here = |found: Diagnostic| Arc::new(Anchored::on_line(found, line, line));
-    // Where the type cannot be read the tag is declared all the same, and its places say its type: one mistake.
+    out: &mut Vec<NameProblem>,
+) {
+    let meaningless = |range: TextRange, message: String| NameProblem::Meaningless(range + start, message);
+    // Where the type cannot be read the tag is declared all the same, and its places say its type: one error.
     let ty = match node.type_ref().map(|type_ref| declared_type(&type_ref)) {
         Some(Ok(ty)) => ty,
         Some(Err((range, message))) => {
-            out.push(here(bad_declaration::wrong(range, message)));
+            out.push(meaningless(range, message));
             None
         }
         None => None,
@@ -165,36 +129,36 @@ fn declaration(
     if let Some(token) = &address
         && let Some(message) = refused_address(context)
     {
-        out.push(here(bad_declaration::wrong(token.text_range(), message)));
+        out.push(meaningless(token.text_range(), message.to_owned()));
     }
     let address = address.filter(|_| refused_address(context).is_none());
     let mut initial = Vec::new();
     if let (Some(value), Some(ty)) = (node.initial_value(), ty) {
         match constant::initial_values(&facts::node(&value), ty) {
             Ok(values) => initial = values,
-            Err(problem) => out.push(here(problem.diagnostic(TextSize::default()))),
+            Err(problem) => out.push(NameProblem::InitialValue(problem.moved_by(start))),
         }
     }
     let mut address_role = None;
     if let (Some(token), Some(ty)) = (&address, ty) {
         match type_by_form(token.text()) {
-            None => out.push(here(bad_declaration::wrong(
+            None => out.push(meaningless(
                 token.text_range(),
                 format!(
                     "`{}` is no address: write one like %IX0.0, %QW1 or %MD2",
                     token.text()
                 ),
-            ))),
+            )),
             Some((of_address, role)) => {
                 address_role = Some(role);
                 if ty
                     .scalar()
                     .is_none_or(|scalar| scalar.width() != of_address.width())
                 {
-                    out.push(here(bad_declaration::wrong(
+                    out.push(meaningless(
                         token.text_range(),
                         format!("`{}` has the size of {of_address}, the tag is {ty}", token.text()),
-                    )));
+                    ));
                 }
             }
         }
@@ -202,22 +166,22 @@ fn declaration(
     for name in node.names() {
         let range = name.text_range();
         if let Some(message) = refused_name(name.text(), context.in_block) {
-            out.push(here(bad_declaration::wrong(range, message)));
+            out.push(meaningless(range, message));
             continue;
         }
         let key = Name::new(name.text());
         if let Some(first) = scope.find(&key) {
             let known = &scope.tags[first];
-            let first_line = known.declared_at.line.unwrap_or(line);
-            let found = duplicate_declaration::twice(name, range, (known, known.declared_at.range));
-            out.push(Arc::new(Anchored::on_line(found, line, first_line)));
+            out.push(NameProblem::Twice {
+                name: name.text().into(),
+                at: range + start,
+                first: known.name.clone(),
+                first_at: known.declared_at,
+            });
             let alike = (known.ty, known.constant) == (ty, context.constant);
             // Which of the two its places mean is open.
             if !alike || known.origin != Origin::Declared(context.kind) {
-                scope.set_mistyped(first);
-            }
-            if !context.in_block {
-                declared.repeat(key, line);
+                scope.tags[first].mistyped = true;
             }
             continue;
         }
@@ -225,7 +189,6 @@ fn declaration(
             name: name.text().into(),
             ty,
             mistyped: ty.is_none(),
-            by_company: false,
             role: role(context.kind, address_role),
             origin: Origin::Declared(context.kind),
             retain: context.retain,
@@ -235,10 +198,7 @@ fn declaration(
                 address: address.as_ref().map(|token| token.text().into()),
                 ..RareFacts::NONE
             }),
-            declared_at: DeclaredAt {
-                line: Some(line),
-                range: name.text_range(),
-            },
+            declared_at: range + start,
             uses: Uses::default(),
         };
         let index = scope.declare(key, tag);
@@ -247,7 +207,6 @@ fn declaration(
             scope.find_by_address(token.text(), index);
         }
     }
-    out
 }
 
 fn role(kind: SectionKind, address: Option<Role>) -> Role {

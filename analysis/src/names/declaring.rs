@@ -1,64 +1,11 @@
 //! The places where declarations of a file go, and the text that puts them there.
-//!
-//! A fix that declares a tag is put into place when somebody asks for it: where the sections end is another matter with
-//! each edit of a declaration, and the finding stays the same.
 
 use crate::context::Context;
-use crate::diagnostic::{Applicability, Fix};
 use crate::scope::SectionKind;
 use ladder_format::Edit;
 use ladder_syntax::ast::{AstNode, SectionHeader};
 use ladder_syntax::{LineKind, Parse, Section, TextRange, TextSize};
 use std::collections::HashMap;
-use std::sync::OnceLock;
-
-/// A declaration that a fix adds.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Declares {
-    /// The scope of the tag: 0 the file's, else that of block definition `scope - 1`.
-    pub(crate) scope: usize,
-    /// The section that its uses ask for.
-    pub(crate) section: SectionKind,
-    /// As first written.
-    pub(crate) name: String,
-    /// Its type.
-    pub(crate) ty: String,
-}
-
-impl Declares {
-    /// The fix that adds it, without the place.
-    pub(crate) fn fix(self) -> Fix {
-        let mut fix = fix(self.section, &self.name, &self.ty, Vec::new());
-        fix.declares = Some(Box::new(self));
-        fix
-    }
-
-    /// The edits that add it to a text.
-    pub(crate) fn edits(&self, context: &Context) -> Option<Vec<Edit>> {
-        let places = context.places.of(context, self.scope);
-        places.declare_all(&[(self.section, self.name.clone(), self.ty.clone())])
-    }
-}
-
-/// The places of all scopes, each found when it is first asked for.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct PlacesOfScopes(OnceLock<Box<[OnceLock<Places>]>>);
-
-impl PlacesOfScopes {
-    fn of(&self, context: &Context, scope: usize) -> &Places {
-        let scopes = self
-            .0
-            .get_or_init(|| context.scopes.iter().map(|_| OnceLock::new()).collect());
-        scopes[scope].get_or_init(|| Places::new(context, scope))
-    }
-}
-
-/// The fix that declares a tag with these edits.
-fn fix(section: SectionKind, name: &str, ty: &str, edits: Vec<Edit>) -> Fix {
-    let title = format!("Declare `{name} : {ty}` in {}", section.keyword());
-    // A typing mistake must not make a tag.
-    Fix::new(Applicability::Unsafe, title, edits)
-}
 
 /// Where declarations of a scope go.
 #[derive(Debug, Clone)]
@@ -115,11 +62,10 @@ impl Places {
         }
     }
 
-    /// The fix that declares a tag: in the last section of its kind, else in a new one. None if a section that is
-    /// not closed leaves no place for it.
-    pub fn declare(&self, section: SectionKind, name: &str, ty: &str) -> Option<Fix> {
-        let edits = self.declare_all(&[(section, name.to_owned(), ty.to_owned())])?;
-        Some(fix(section, name, ty, edits))
+    /// The edits that declare a tag: in the last section of its kind, else in a new one. None if a section that is not closed
+    /// leaves no place for it.
+    pub fn declare(&self, section: SectionKind, name: &str, ty: &str) -> Option<Vec<Edit>> {
+        self.declare_all(&[(section, name.to_owned(), ty.to_owned())])
     }
 
     /// The edits that declare some tags, each with its section, name and type: those of one section together, in the

@@ -11,32 +11,22 @@ use crate::facts::{Node, NodeKind, Operator};
 use crate::network::{Formal, Meaning};
 use crate::networks::BlockAt;
 use crate::program::{Member, Role, SystemTag};
-use crate::scope::{Origin, Scope, TagFacts, Use};
+use crate::scope::{Entry, Origin, Scope, TagFacts, Use};
 use crate::still_wanted::StillWanted;
 use crate::types::{Scalar, Type};
 use ladder_instructions::{Accepts, Law, StateType, States, Timing, TypeClass};
 use ladder_syntax::{Name, TextRange};
 
-/// A scope, and a tag in it.
-pub(crate) type Entry = (usize, usize);
-
 /// Gives every tag its type. None if that is not wanted any longer.
 pub(crate) fn infer(context: &mut Context, wanted: &StillWanted<'_>) -> Option<()> {
     let untyped = by_place(context, wanted)?;
-    settle(context, &untyped);
+    by_other_values(context, &untyped);
+    let integer = Type::Scalar(Scalar::integer_of(context.profile.law()));
+    for (scope, tag) in untyped {
+        context.scopes[scope].tags[tag].ty.get_or_insert(integer);
+    }
     internal_unless_bool(context);
     Some(())
-}
-
-/// Rules 2 and 3, for tags without a type that share no block with others that rule 1 gives no type.
-pub(crate) fn settle(context: &mut Context, untyped: &[Entry]) {
-    by_company(context, untyped);
-    let integer = Type::Scalar(Scalar::integer_of(context.profile.law()));
-    for &(scope, tag) in untyped {
-        let tag = &mut context.scopes[scope].tags[tag];
-        tag.by_company = true;
-        tag.ty.get_or_insert(integer);
-    }
 }
 
 /// Only a BOOL without a declaration is an input or output.
@@ -99,8 +89,8 @@ fn by_place(context: &mut Context, wanted: &StillWanted<'_>) -> Option<Vec<Entry
 }
 
 /// The type that a tag's places give it. One that is only in blocks that could not be read has neither places nor
-/// company that give one.
-pub(crate) fn answer(context: &Context, tag: &TagFacts) -> Option<Type> {
+/// other values that give one.
+fn answer(context: &Context, tag: &TagFacts) -> Option<Type> {
     let readable = |place: Use| !context.networks.at(place.network).block(place.block).faulty;
     let unread = || !context.uses(tag).any(readable);
     let unknown = Type::Scalar(Scalar::integer_of(context.profile.law()));
@@ -170,7 +160,7 @@ fn untyped(scope: &Scope, node: &Node) -> Option<usize> {
 
 /// Rule 2, until no type changes: a type that is found here may give another. After the first round only blocks
 /// that name a tag whose type has just been found can say more.
-fn by_company(context: &mut Context, untyped: &[Entry]) {
+fn by_other_values(context: &mut Context, untyped: &[Entry]) {
     let law = context.profile.law();
     let tags = untyped
         .iter()
@@ -185,7 +175,7 @@ fn by_company(context: &mut Context, untyped: &[Entry]) {
         for &(network, block) in &blocks {
             let network = context.networks.at(network);
             let scope = &context.scopes[network.scope];
-            company(law, scope, network.block(block), |tag, ty| {
+            of_block(law, scope, network.block(block), |tag, ty| {
                 found.push((network.scope, tag, ty));
             });
         }
@@ -203,7 +193,8 @@ fn by_company(context: &mut Context, untyped: &[Entry]) {
     }
 }
 
-fn company(law: &Law, scope: &Scope, bound: BlockAt<'_>, mut give: impl FnMut(usize, Scalar)) {
+/// The types that the operands of a block give each other.
+fn of_block(law: &Law, scope: &Scope, bound: BlockAt<'_>, mut give: impl FnMut(usize, Scalar)) {
     if bound.faulty {
         return;
     }
@@ -213,7 +204,7 @@ fn company(law: &Law, scope: &Scope, bound: BlockAt<'_>, mut give: impl FnMut(us
             .filter(|(_, formal)| matches!(formal, Formal::Operand(o) if asked(o.accepts)))
             .find_map(|(other, _)| type_given_by(law, scope, &other.value))
     };
-    // All compared operands have one company: it is asked for once.
+    // All compared operands are compared with the same values: those are asked once.
     let mut compared = None;
     for (operand, formal) in operands() {
         let Formal::Operand(row) = formal else { continue };
@@ -223,20 +214,20 @@ fn company(law: &Law, scope: &Scope, bound: BlockAt<'_>, mut give: impl FnMut(us
         let Some(tag) = untyped(scope, &operand.value) else {
             continue;
         };
-        let company = match row.accepts {
+        let given = match row.accepts {
             Accepts::Result(TypeClass::Real) => Some(Scalar::real_of(law)),
             Accepts::Result(_) => {
                 type_among(|accepts| matches!(accepts, Accepts::Value | Accepts::Expression))
             }
             _ => *compared.get_or_insert_with(|| type_among(|accepts| accepts == Accepts::Compared)),
         };
-        if let Some(ty) = company {
+        if let Some(ty) = given {
             give(tag, ty);
         }
     }
 }
 
-/// The type that a value gives its company, if it gives one: TIME, STRING, a date, a real.
+/// The type that a value gives the others of its block, if it gives one: TIME, STRING, a date, a real.
 fn type_given_by(law: &Law, scope: &Scope, node: &Node) -> Option<Scalar> {
     if let Some((literal, negative)) = signed_literal(node) {
         return literal

@@ -1,16 +1,13 @@
-//! Which tag each name of a network means, kept from when the names of a whole file are joined.
-//!
-//! A name is looked up in a table that is larger than the processor's cache, and when a file is opened half a dozen passes
-//! ask about every name in it. After an edit few names are asked about: then each is looked up by itself.
+//! Which tag each name of a network means: looked up once, when the names of a file are joined, since half a dozen passes ask
+//! about every name.
 
 use crate::context::Context;
 use crate::networks::NetworkAt;
-use crate::scope::Scope;
 use crate::uses::Named;
 use ladder_syntax::TextRange;
 
 /// The tags that the networks of a file name, as indices in their scopes.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Joined {
     /// In the order of the networks and of the names in them.
     tags: Vec<u32>,
@@ -47,18 +44,16 @@ impl Joined {
 /// Some names of a network, and the tags that they mean.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct NamedTags<'c> {
-    scope: &'c Scope,
     named: &'c [Named],
-    joined: Option<&'c [u32]>,
+    tags: &'c [u32],
 }
 
 impl<'c> NamedTags<'c> {
     /// All names of a network.
     pub(crate) fn of(context: &'c Context, network: NetworkAt<'c>) -> NamedTags<'c> {
         NamedTags {
-            scope: &context.scopes[network.scope],
             named: &network.facts().named,
-            joined: context.joined.as_deref().map(|joined| joined.of(network.index)),
+            tags: context.joined.of(network.index),
         }
     }
 
@@ -67,31 +62,22 @@ impl<'c> NamedTags<'c> {
         let in_it = |named: &&Named| named.block as usize == block;
         let count = self.named.iter().take_while(in_it).count();
         let of_block = NamedTags {
-            scope: self.scope,
             named: &self.named[..count],
-            joined: self.joined.map(|joined| &joined[..count]),
+            tags: &self.tags[..count],
         };
         self.named = &self.named[count..];
-        self.joined = self.joined.map(|joined| &joined[count..]);
+        self.tags = &self.tags[count..];
         of_block
     }
 
-    /// Each name with its tag, if it has one.
-    pub(crate) fn iter(self) -> impl Iterator<Item = (&'c Named, Option<usize>)> {
-        let names = self.named.iter().enumerate();
-        names.map(move |(number, named)| (named, self.tag(number)))
+    /// Each name with its tag.
+    pub(crate) fn iter(self) -> impl Iterator<Item = (&'c Named, usize)> {
+        self.named.iter().zip(self.tags.iter().map(|tag| *tag as usize))
     }
 
     /// The tag of the name at a place, counted from the start of its block's line. None: nothing is known of a name there.
     pub(crate) fn at(self, range: TextRange) -> Option<usize> {
         let number = self.named.iter().position(|named| named.is_at(range))?;
-        self.tag(number)
-    }
-
-    fn tag(self, number: usize) -> Option<usize> {
-        match self.joined {
-            Some(joined) => Some(joined[number] as usize),
-            None => self.scope.find(&self.named[number].key),
-        }
+        Some(self.tags[number] as usize)
     }
 }

@@ -7,9 +7,6 @@
 //! ```
 
 pub(crate) mod at_address;
-pub(crate) mod by_name;
-pub(crate) mod company;
-pub(crate) mod declarations;
 pub(crate) mod declare;
 pub(crate) mod declaring;
 pub(crate) mod did_you_mean;
@@ -17,18 +14,14 @@ pub(crate) mod infer;
 #[cfg(test)]
 mod infer_tests;
 pub(crate) mod joined;
-pub mod letters;
-pub(crate) mod misdeclared;
-pub(crate) mod numbering;
 pub(crate) mod operand_value;
+pub(crate) mod problem;
 pub mod rare;
 pub mod scope;
 pub(crate) mod shared;
 pub mod system_tag;
 mod tag_facts;
-pub mod tags;
 mod type_by_form;
 pub(crate) mod use_kind;
 mod use_place;
 pub(crate) mod uses;
-pub(crate) mod wrong_globals;

@@ -3,8 +3,8 @@
 //! A program of ten thousand rungs has twenty thousand tags and more, and nearly all of them are a name with a type: for
 //! those the rest takes one word.
 
+use crate::scope::Entry;
 use crate::value::Value;
-use ladder_syntax::Name;
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
@@ -16,18 +16,9 @@ pub struct RareFacts {
     /// The address behind AT, or the address itself.
     pub address: Option<Box<str>>,
     /// The tag that this entry leads to, if it is one of another scope.
-    pub(crate) lead: Option<Lead>,
+    pub(crate) lead: Option<Entry>,
     /// The file that declares it, if it is a VAR_GLOBAL tag of another one.
     pub foreign: Option<Arc<str>>,
-}
-
-/// Where an entry of a scope leads that is for a tag of another one.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) enum Lead {
-    /// To the file's own tag of this name, or at this address: it is found while other tags come and go.
-    Named(Name),
-    /// To a tag of this scope that its name may not lead to, by its index, which is true for one text only.
-    Entry(usize, usize),
 }
 
 /// Of most tags.
@@ -86,7 +77,7 @@ mod tests {
     fn nothing_takes_nothing() {
         assert!(Rare::from(RareFacts::NONE).0.is_none());
         let mut rare = Rare::from(RareFacts::NONE);
-        rare.lead = Some(Lead::Entry(1, 2));
-        assert_eq!(rare.lead, Some(Lead::Entry(1, 2)));
+        rare.lead = Some((1, 2));
+        assert_eq!(rare.lead, Some((1, 2)));
     }
 }

@@ -3,45 +3,29 @@
 //! A scope knows a shared tag under an entry of its own, which leads to the tag itself; types, constants and uses
 //! are those of the tag. A tag of another file has one entry in this file's own scope, to which all others lead.
 
+use super::problem::{Differs, InFile, NameProblem};
+use super::scope::{Entry, Origin, SectionKind, TagFacts, Uses};
 use crate::context::Context;
-use crate::declarations::DeclaredAt;
-use crate::diagnostic::Diagnostic;
-use crate::exports::{Exports, Global};
-use crate::mistakes::shared_globals;
-use crate::rare::{Lead, Rare, RareFacts};
-use crate::scope::{Origin, SectionKind, TagFacts, Uses};
-use crate::uses;
-use crate::wrong_globals::WrongGlobals;
+use crate::exports::{Exports, Global, is_one_address};
+use crate::rare::{Rare, RareFacts};
+use crate::types::Type;
+use crate::value::Value;
 use ladder_syntax::{Name, TextRange};
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
-/// A scope and a tag in it.
-type Entry = (usize, usize);
-
-/// Leads what is shared to where it is declared. To be done when all uses are known, before types are inferred.
-/// Gives what does not agree.
-pub(crate) fn share(context: &mut Context) -> WrongGlobals {
-    let mut found = Vec::new();
-    let mut names = FxHashSet::default();
-    check_and_lead(context, &mut found, &mut names);
-    WrongGlobals::new(found, names, context)
-}
-
-/// The same. What does not agree goes to `out`, and the names of the tags that this is about to `names`.
-fn check_and_lead(context: &mut Context, out: &mut Vec<Diagnostic>, names: &mut FxHashSet<Name>) {
+/// Leads what is shared to where it is declared. To be done when all uses are known, before types are inferred. What does not
+/// agree goes to the problems of the context.
+pub(crate) fn share(context: &mut Context) {
     let mut globals: FxHashMap<Name, Entry> = FxHashMap::default();
+    let mut problems = Vec::new();
     let mut external = false;
     for (scope, facts) in context.scopes.iter().enumerate() {
         for (tag, facts) in facts.unusual() {
             match facts.origin {
                 Origin::Declared(SectionKind::Global) => {
                     let key = Name::new(&facts.name);
-                    let before = out.len();
-                    shared_globals::check_declared(context, facts, globals.get(&key), out);
-                    if out.len() > before {
-                        names.insert(key.clone());
-                    }
+                    declared_otherwise(context, (scope, tag), globals.get(&key), &mut problems);
                     globals.entry(key).or_insert((scope, tag));
                 }
                 Origin::Declared(SectionKind::External) => external = true,
@@ -50,54 +34,134 @@ fn check_and_lead(context: &mut Context, out: &mut Vec<Diagnostic>, names: &mut 
         }
     }
     let others = context.others.clone();
-    if context.scopes.len() == 1 && !external && !others.have_globals() {
-        return;
-    }
-    let mut imported: FxHashMap<Name, Entry> = FxHashMap::default();
-    for scope in 0..context.scopes.len() {
-        let unusual: Vec<usize> = context.scopes[scope].unusual().map(|(tag, _)| tag).collect();
-        for tag in unusual {
-            let facts = &context.scopes[scope].tags[tag];
-            let key = Name::new(&facts.name);
-            let before = out.len();
-            let is_external = facts.origin == Origin::Declared(SectionKind::External);
-            let external = is_external.then(|| facts.clone());
-            let target = match facts.origin {
-                // An address is one tag for the whole file.
-                Origin::Form if facts.rare.address.is_some() => {
-                    (scope > 0).then(|| of_file(context, scope, tag))
-                }
-                // A block may introduce a tag that the file declares as well.
-                Origin::Declared(SectionKind::Global) => globals.get(&key).copied(),
-                Origin::Undeclared | Origin::Form | Origin::Declared(SectionKind::External) => {
-                    match (globals.get(&key), others.globals(&key).next()) {
-                        (Some(&own), _) => Some(own),
-                        (None, Some((file, global))) => {
-                            let agree =
-                                shared_globals::check_others(context, facts, &others, file, global, out);
-                            let entry = import(context, &mut imported, (scope, tag), file, global);
-                            context.scopes[entry.0].tags[entry.1].mistyped |= !agree;
-                            Some(entry)
-                        }
-                        (None, None) => None,
-                    }
-                }
-                _ => None,
-            };
-            let mut agrees = true;
-            if let Some(external) = external {
-                let global = target.map(|(scope, tag)| &context.scopes[scope].tags[tag]);
-                agrees = shared_globals::check_external(context, &external, global, out);
+    if context.scopes.len() > 1 || external || others.have_globals() {
+        let mut imported: FxHashMap<Name, Entry> = FxHashMap::default();
+        for scope in 0..context.scopes.len() {
+            let unusual: Vec<usize> = context.scopes[scope].unusual().map(|(tag, _)| tag).collect();
+            for tag in unusual {
+                share_tag(context, (scope, tag), &globals, &mut imported, &mut problems);
             }
-            if out.len() > before {
-                names.insert(key);
-            }
-            if let Some(target) = target.filter(|target| *target != (scope, tag)) {
-                lead(context, (scope, tag), target);
-            }
-            context.scopes[scope].tags[tag].mistyped |= !agrees;
         }
     }
+    context.problems.extend(problems);
+}
+
+/// Leads a tag to where it is declared, if that is elsewhere.
+fn share_tag(
+    context: &mut Context,
+    entry: Entry,
+    globals: &FxHashMap<Name, Entry>,
+    imported: &mut FxHashMap<Name, Entry>,
+    problems: &mut Vec<NameProblem>,
+) {
+    let (scope, tag) = entry;
+    let facts = &context.scopes[scope].tags[tag];
+    let key = Name::new(&facts.name);
+    let is_external = facts.origin == Origin::Declared(SectionKind::External);
+    let external = is_external.then(|| facts.clone());
+    let target = match facts.origin {
+        // An address is one tag for the whole file.
+        Origin::Form if facts.rare.address.is_some() => (scope > 0).then(|| of_file(context, scope, tag)),
+        // A block may introduce a tag that the file declares as well.
+        Origin::Declared(SectionKind::Global) => globals.get(&key).copied(),
+        Origin::Undeclared | Origin::Form | Origin::Declared(SectionKind::External) => {
+            globals.get(&key).copied().or_else(|| {
+                let others = context.others.clone();
+                let (file, global) = others.globals(&key).next()?;
+                let differing = others.globals(&key).find(|(_, other)| !global.agrees(other));
+                if let Some((second, other)) = differing {
+                    problems.push(NameProblem::FilesDiffer {
+                        tag: entry,
+                        first: in_file(file, global),
+                        second: in_file(second, other),
+                    });
+                }
+                let entry = import(context, imported, entry, file, global);
+                context.scopes[entry.0].tags[entry.1].mistyped |= differing.is_some();
+                Some(entry)
+            })
+        }
+        _ => None,
+    };
+    let agrees = external.is_none_or(|external| {
+        let problem = match target {
+            None => Some(NameProblem::NoGlobal { tag: entry }),
+            Some(global) => external_otherwise(context, &external, global),
+        };
+        let agrees = problem.is_none();
+        problems.extend(problem);
+        agrees
+    });
+    if let Some(target) = target.filter(|target| *target != entry) {
+        lead(context, entry, target);
+    }
+    context.scopes[scope].tags[tag].mistyped |= !agrees;
+}
+
+/// Notes where a VAR_GLOBAL declaration of the file does not agree with the one before it, and with that of another file.
+fn declared_otherwise(
+    context: &Context,
+    entry: Entry,
+    first: Option<&Entry>,
+    problems: &mut Vec<NameProblem>,
+) {
+    let tag = &context.scopes[entry.0].tags[entry.1];
+    if let Some(&first) = first {
+        let other = &context.scopes[first.0].tags[first.1];
+        let differs = difference(tag, other.ty, &other.rare.initial, other.rare.address.as_deref());
+        if let Some(differs) = differs.filter(|_| !other.mistyped) {
+            problems.push(NameProblem::GlobalOtherwise {
+                tag: entry,
+                first,
+                differs,
+            });
+        }
+    }
+    let key = Name::new(&tag.name);
+    let otherwise = context.others.globals(&key).find_map(|(file, global)| {
+        let differs = difference(tag, global.ty, &global.initial, global.address.as_deref());
+        Some((in_file(file, global), differs.filter(|_| global.ty.is_some())?))
+    });
+    if let Some((other, differs)) = otherwise {
+        problems.push(NameProblem::OtherwiseInFile {
+            tag: entry,
+            other,
+            differs,
+        });
+    }
+}
+
+fn in_file(file: &Exports, global: &Global) -> InFile {
+    InFile {
+        file: Arc::clone(&file.file),
+        global: global.clone(),
+    }
+}
+
+/// What another declaration of a tag says otherwise.
+fn difference(tag: &TagFacts, ty: Option<Type>, initial: &[Value], address: Option<&str>) -> Option<Differs> {
+    if tag.mistyped {
+        return None;
+    }
+    if tag.ty != ty {
+        return Some(Differs::Type);
+    }
+    if *tag.rare.initial != *initial {
+        return Some(Differs::Value);
+    }
+    (!is_one_address(tag.rare.address.as_deref(), address)).then_some(Differs::Address)
+}
+
+/// A VAR_EXTERNAL declaration that does not agree in type with its global.
+fn external_otherwise(context: &Context, external: &TagFacts, global: Entry) -> Option<NameProblem> {
+    let facts = &context.scopes[global.0].tags[global.1];
+    let agrees = external.mistyped || facts.mistyped || external.ty == facts.ty;
+    (!agrees).then(|| NameProblem::ExternalOtherwise {
+        name: external.name.clone(),
+        at: external.declared_at,
+        ty: external.ty,
+        global,
+    })
 }
 
 /// The file's entry for a global of another file.
@@ -151,7 +215,6 @@ fn imported_tag(file: &Exports, global: &Global) -> TagFacts {
         role: global.role,
         origin: Origin::Shared,
         mistyped: global.ty.is_none(),
-        by_company: false,
         retain: global.retain,
         constant: global.constant,
         rare: Rare::from(RareFacts {
@@ -160,35 +223,9 @@ fn imported_tag(file: &Exports, global: &Global) -> TagFacts {
             foreign: Some(Arc::clone(&file.file)),
             ..RareFacts::NONE
         }),
-        declared_at: DeclaredAt::in_file(TextRange::default()),
+        declared_at: TextRange::default(),
         uses: Uses::default(),
     }
-}
-
-/// A tag of the file that a name brings in which no declaration names: one of the file's own, or a global of another file.
-/// None if files do not agree on it.
-pub(crate) fn brought_in(context: &Context, name: &str) -> Option<TagFacts> {
-    let tag = uses::undeclared(name, context.profile.law());
-    if tag.rare.address.is_some() {
-        return Some(tag);
-    }
-    let key = Name::new(name);
-    let mut globals = context.others.globals(&key);
-    let Some((file, global)) = globals.next() else {
-        return Some(tag);
-    };
-    let agree = global.ty.is_some() && globals.all(|(_, other)| global.agrees(other));
-    agree.then(|| imported_tag(file, global))
-}
-
-/// A tag that a name brings in in a body. None if it is one of several bodies or files.
-pub(crate) fn brought_into_body(context: &Context, name: &str) -> Option<TagFacts> {
-    let key = Name::new(name);
-    let is_global = |tag: &TagFacts| tag.origin == Origin::Declared(SectionKind::Global);
-    let is_of_all = context.find_tag(&(0, key.clone())).is_some_and(is_global)
-        || context.others.globals(&key).next().is_some();
-    let tag = uses::undeclared(name, context.profile.law());
-    (!is_of_all && tag.rare.address.is_none()).then_some(tag)
 }
 
 /// The file's entry for an address that a body uses.
@@ -205,11 +242,6 @@ fn of_file(context: &mut Context, scope: usize, tag: usize) -> Entry {
 }
 
 fn lead(context: &mut Context, from: Entry, to: Entry) {
-    let name = Name::new(&context.scopes[from.0].tags[from.1].name);
-    let lead = match to {
-        (0, tag) if context.scopes[0].find(&name) == Some(tag) => Lead::Named(name),
-        (scope, tag) => Lead::Entry(scope, tag),
-    };
     let target = &context.scopes[to.0].tags[to.1];
     let (ty, role, constant, retain, mistyped) = (
         target.ty,
@@ -220,7 +252,7 @@ fn lead(context: &mut Context, from: Entry, to: Entry) {
     );
     let foreign = target.rare.foreign.clone();
     let entry = &mut context.scopes[from.0].tags[from.1];
-    entry.rare.lead = Some(lead);
+    entry.rare.lead = Some(to);
     if !entry.is_declared() {
         entry.origin = Origin::Shared;
     }

@@ -1,6 +1,5 @@
 //! A tag: what its declaration says of it, and where it is used.
 
-use crate::declarations::DeclaredAt;
 use crate::program::Role;
 use crate::rare::Rare;
 use crate::scope::{Uses, type_by_form};
@@ -76,14 +75,12 @@ pub struct TagFacts {
     /// Its declared type could not be read, or it is declared in two ways. No finding is about the type that it has
     /// at its places.
     pub mistyped: bool,
-    /// Its places alone say no type: it has that of its company, or of integers.
-    pub(crate) by_company: bool,
     /// Declared RETAIN.
     pub retain: bool,
     /// Declared CONSTANT.
     pub constant: bool,
     /// Where it is declared; for one without a declaration see [`Context::place_of`](crate::context::Context::place_of).
-    pub(crate) declared_at: DeclaredAt,
+    pub(crate) declared_at: TextRange,
     /// Where it is used. A shared tag counts the uses in all scopes.
     pub uses: Uses,
     /// Initial values, an address, where it leads to.
@@ -91,18 +88,13 @@ pub struct TagFacts {
 }
 
 impl TagFacts {
-    /// Whether its places and company give it its type: neither a declaration nor its name does.
+    /// Whether its places give it its type: neither a declaration nor its name does.
     pub(crate) fn is_inferred(&self) -> bool {
         match self.origin {
             Origin::Undeclared => true,
             Origin::Form => type_by_form(&self.name).is_none(),
             Origin::Declared(_) | Origin::Implicit | Origin::Shared => false,
         }
-    }
-
-    /// Whether no place of it says its type.
-    pub(crate) const fn depends_on_company(&self) -> bool {
-        self.by_company || self.ty.is_none()
     }
 
     /// Whether the same name in another file may mean this tag: then it is not the file's alone.
@@ -133,13 +125,7 @@ impl TagFacts {
 
     /// Whether it is a tag of another file that this file names without a declaration: then it is where it is first used.
     pub(crate) fn is_imported_by_use(&self) -> bool {
-        let nowhere = DeclaredAt::in_file(TextRange::default());
-        self.rare.foreign.is_some() && !self.leads_elsewhere() && self.declared_at == nowhere
-    }
-
-    /// Whether its first use says where it is among the tags that are not declared: all but what a body declares in VAR_EXTERNAL.
-    pub(crate) fn may_move(&self) -> bool {
-        self.leads_elsewhere() || self.is_imported_by_use()
+        self.rare.foreign.is_some() && !self.leads_elsewhere() && self.declared_at == TextRange::default()
     }
 
     /// Whether it has a declaration.

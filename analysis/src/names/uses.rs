@@ -2,7 +2,6 @@
 //! their scope here.
 
 use crate::context::Context;
-use crate::declarations::DeclaredAt;
 use crate::facts::{Node, NodeKind};
 use crate::joined::Joined;
 use crate::network::{BoundBlock, Formal, NetworkFacts};
@@ -17,7 +16,6 @@ use crate::use_kind::{Deed, Extent, UseKind};
 use crate::user_block::UserBlockFacts;
 use ladder_instructions::{Accepts, Direction, Law};
 use ladder_syntax::{Name, TextRange, TextSize};
-use std::sync::Arc;
 
 /// Enters every use of every tag into its scope. None if that is not wanted any longer.
 pub(crate) fn collect(context: &mut Context, wanted: &StillWanted<'_>) -> Option<()> {
@@ -34,10 +32,9 @@ pub(crate) fn collect(context: &mut Context, wanted: &StillWanted<'_>) -> Option
         let mut known = known.drain(..);
         for network in context.networks.range(together) {
             wanted.one_more()?;
-            let id = context.networks.id(network.index);
             let known = known.by_ref().take(network.named.len());
             enter(
-                (network, id),
+                network,
                 known,
                 law,
                 &mut context.scopes[network.scope],
@@ -45,7 +42,7 @@ pub(crate) fn collect(context: &mut Context, wanted: &StillWanted<'_>) -> Option
             );
         }
     }
-    context.joined = Some(Arc::new(joined));
+    context.joined = joined;
     roles(&mut context.scopes[0]);
     Some(())
 }
@@ -203,7 +200,7 @@ impl Names<'_> {
 
 /// Enters the uses of a network's tags. `known`: those that were known before the networks around it were entered.
 fn enter(
-    (network, id): (NetworkAt<'_>, u32),
+    network: NetworkAt<'_>,
     known: impl Iterator<Item = Option<usize>>,
     law: &Law,
     scope: &mut Scope,
@@ -213,7 +210,10 @@ fn enter(
         let index = known
             .or_else(|| scope.find(&named.key))
             .unwrap_or_else(|| scope.add(undeclared(spelling(network.facts(), named), law)));
-        scope.tags[index].uses.0.push(UseRef::new(id, number, named.kind));
+        scope.tags[index]
+            .uses
+            .0
+            .push(UseRef::new(network.index as u32, number, named.kind));
         joined.push(index);
     }
     joined.end_network();
@@ -242,10 +242,9 @@ pub(crate) fn undeclared(name: &str, law: &Law) -> TagFacts {
             address: is_address.then(|| name.into()),
             ..RareFacts::NONE
         }),
-        declared_at: DeclaredAt::in_file(TextRange::default()),
+        declared_at: TextRange::default(),
         uses: Uses::default(),
         mistyped: false,
-        by_company: false,
     }
 }
 
@@ -282,7 +281,7 @@ fn roles(scope: &mut Scope) {
     }
 }
 
-pub(crate) fn role(uses: &Uses) -> Role {
+fn role(uses: &Uses) -> Role {
     let read = uses.accesses().any(Access::reads);
     let written = uses.accesses().any(Access::writes);
     let by_coils = || uses.writers().all(|place| place.deed().is_coil());

@@ -30,16 +30,6 @@ impl ControlFlow {
         ControlFlow::JUMP.0 | ControlFlow::RETURN.0 | ControlFlow::END.0 | ControlFlow::FLOW_BLOCK.0,
     );
 
-    /// What decides about the flow of the program as a whole: between networks, functions and blocks.
-    pub(crate) const OF_PROGRAM: ControlFlow = ControlFlow(
-        ControlFlow::LEAVES.0
-            | ControlFlow::FOR.0
-            | ControlFlow::NEXT.0
-            | ControlFlow::CALL.0
-            | ControlFlow::USER_BLOCK.0
-            | ControlFlow::MARK.0,
-    );
-
     /// Whether one of these is there.
     pub(crate) const fn has(self, other: ControlFlow) -> bool {
         self.0 & other.0 != 0
@@ -48,11 +38,6 @@ impl ControlFlow {
     /// Both together.
     pub(crate) const fn with(self, other: ControlFlow) -> ControlFlow {
         ControlFlow(self.0 | other.0)
-    }
-
-    /// What one of them has and the other has not.
-    pub(crate) const fn differing(self, other: ControlFlow) -> ControlFlow {
-        ControlFlow(self.0 ^ other.0)
     }
 
     /// What one block adds.

@@ -6,8 +6,6 @@
 
 use crate::context::Context;
 use crate::network::{NetworkFacts, UserBlocks};
-use crate::scope::Scope;
-use crate::skeleton::{Declared, declared_to};
 use ladder_syntax::{Network, Parse, Structure};
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -30,7 +28,7 @@ pub(crate) struct Kept<'c> {
 }
 
 impl<'c> Kept<'c> {
-    pub(crate) fn of(before: &'c Context, parse: &Parse) -> Kept<'c> {
+    pub(crate) fn of(before: &'c Context, parse: &Parse, signatures: u64) -> Kept<'c> {
         let (old, new) = (before.parse.lines(), parse.lines());
         let (above, below) = new.shared_with(old);
         let below = new.len() - below;
@@ -40,38 +38,9 @@ impl<'c> Kept<'c> {
             above,
             below,
             lines: new.len() as isize - old.len() as isize,
-            signatures: false,
+            signatures: before.signatures == signatures,
             next: 0,
         }
-    }
-
-    /// The new text's own blocks have these signatures. To be said before networks are asked for.
-    pub(crate) fn with_signatures(&mut self, signatures: u64) {
-        self.signatures = self.before.signatures == signatures;
-    }
-
-    /// The scopes with their declared tags, if no declaration has changed, or moved.
-    pub(crate) fn declared(&self, structure: &Structure) -> Option<Declared> {
-        let old = &*self.structure;
-        let headers = |structure: &Structure| {
-            structure
-                .blocks
-                .iter()
-                .map(|block| block.lines.start)
-                .collect::<Vec<_>>()
-        };
-        let same = declared_to(structure) <= self.above
-            && old.sections == structure.sections
-            && headers(old) == headers(structure);
-        if !same {
-            return None;
-        }
-        let scopes: Option<Vec<Scope>> = self.before.scopes.iter().map(Scope::as_declared).collect();
-        Some((
-            scopes?,
-            Arc::clone(&self.before.declarations),
-            Arc::clone(&self.before.misdeclared),
-        ))
     }
 
     /// What is known of a network of the new text, if the old one has it too. To be asked from top to bottom.

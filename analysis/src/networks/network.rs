@@ -7,7 +7,6 @@ use crate::known_blocks::KnownBlocks;
 use crate::order::Order;
 use crate::reading::Reading;
 use crate::uses::{self, Named};
-use crate::verdict::Verdict;
 use ladder_instructions::{Accepts, Coil, Instruction, Op, Operand, lookup};
 use ladder_syntax::wiring::{PartKind, Wiring};
 use ladder_syntax::{
@@ -42,7 +41,6 @@ pub struct NetworkFacts {
     pub(crate) known: bool,
     /// A block of it keeps its state in a tag.
     pub(crate) keeps_state: bool,
-    pub(crate) verdict: Verdict,
 }
 
 /// Which user-defined blocks a network holds.
@@ -217,7 +215,6 @@ pub(crate) fn network(
         control_flow,
         known: is_known,
         keeps_state,
-        verdict: Verdict::default(),
     }
 }
 

@@ -3,7 +3,6 @@
 //! file.
 
 use crate::context::{Body, Context};
-use crate::declarations::{Declarations, DeclaredAt};
 use crate::facts::{Node, NodeKind};
 use crate::network::Formal;
 use crate::others::Others;
@@ -19,7 +18,7 @@ use crate::uses;
 use crate::value::Value;
 use ladder_instructions::Accepts;
 use ladder_syntax::{Name, Parse, TextRange};
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 use std::sync::Arc;
 
@@ -33,13 +32,11 @@ pub struct Exports {
     /// Its user-defined blocks in the order of the text.
     pub blocks: Vec<ExportedBlock>,
     /// Its VAR_GLOBAL tags; of one name only the first.
-    pub globals: Arc<Vec<Global>>,
-    /// Where the lines are that declare them.
-    declarations: Arc<Declarations>,
+    pub globals: Vec<Global>,
     /// Tags that it does not declare for itself and on which a block keeps its state.
     pub states: Vec<(Name, TextRange)>,
     /// What it does with names that it does not hold.
-    pub outward: Arc<Outward>,
+    pub(crate) outward: Outward,
 }
 
 /// A function as other files see it.
@@ -90,7 +87,7 @@ pub struct Global {
     /// The direct address that it is declared at.
     pub address: Option<Box<str>>,
     /// Where its name is.
-    declared_at: DeclaredAt,
+    pub at: TextRange,
 }
 
 impl Global {
@@ -145,64 +142,19 @@ pub fn exports(parse: &Arc<Parse>, file: &str) -> Exports {
 impl Exports {
     /// The same, of a file that is analysed already.
     pub fn of(context: &Context, file: &str) -> Exports {
-        Exports::with(context, file, Outward::of(context))
-    }
-
-    /// The same, of a file in which somebody types: what takes long is found when somebody asks for it.
-    pub fn of_edited(context: &Arc<Context>, file: &str) -> Exports {
-        Exports::with(context, file, Outward::later_of(context))
-    }
-
-    fn with(context: &Context, file: &str, outward: Outward) -> Exports {
         Exports {
             file: Arc::from(file),
             functions: functions(context),
             blocks: blocks(context),
-            declarations: if context.globals().is_empty() {
-                Arc::default()
-            } else {
-                Arc::clone(&context.declarations)
-            },
-            globals: Arc::clone(context.globals()),
+            globals: globals(context),
             states: states(context),
-            outward: Arc::new(outward),
+            outward: Outward::of(context),
         }
     }
 
     /// Whether other files see the same; places do not count.
     pub fn says_the_same(&self, other: &Exports) -> bool {
         self.offers_the_same(other) && self.outward == other.outward
-    }
-
-    /// The same, said at once: of two texts that say the same it may be denied.
-    pub fn surely_says_the_same(&self, other: &Exports) -> bool {
-        self.offers_the_same(other) && self.outward.is_surely(&other.outward)
-    }
-
-    /// Where the name of one of its VAR_GLOBAL tags is.
-    pub fn place_of(&self, global: &Global) -> TextRange {
-        self.declarations.range(global.declared_at)
-    }
-
-    /// The names of the tags on which its blocks keep their states and that may be those of other files.
-    pub(crate) fn names_of_states(&self) -> impl Iterator<Item = &Name> {
-        self.states.iter().map(|(name, _)| name)
-    }
-
-    /// The names of VAR_GLOBAL tags that another text of the file declares otherwise, or does not.
-    pub(crate) fn differing_globals<'e>(&'e self, other: &'e Exports) -> Vec<&'e Name> {
-        if Arc::ptr_eq(&self.globals, &other.globals) {
-            return Vec::new();
-        }
-        let mut own: FxHashMap<&Name, &Global> = self.globals.iter().map(|it| (&it.key, it)).collect();
-        let mut differing = Vec::new();
-        for global in other.globals.iter() {
-            if own.remove(&global.key).is_none_or(|own| !own.is_same(global)) {
-                differing.push(&global.key);
-            }
-        }
-        differing.extend(own.into_keys());
-        differing
     }
 
     /// Whether the same functions, blocks, tags and states are seen, whatever the file does with those of others.
@@ -222,8 +174,7 @@ impl Exports {
                     && same(&a.labels, &b.labels, name)
                     && a.own_labels == b.own_labels
             })
-            && (Arc::ptr_eq(&self.globals, &other.globals)
-                || same(&self.globals, &other.globals, Global::is_same))
+            && same(&self.globals, &other.globals, Global::is_same)
             && same(&self.states, &other.states, name)
     }
 }
@@ -276,7 +227,7 @@ fn blocks(context: &Context) -> Vec<ExportedBlock> {
 }
 
 /// The VAR_GLOBAL tags of a file.
-pub(crate) fn globals(context: &Context) -> Vec<Global> {
+fn globals(context: &Context) -> Vec<Global> {
     let mut globals: Vec<Global> = Vec::new();
     for tag in context.scopes.iter().flat_map(|scope| &scope.tags) {
         if tag.origin != Origin::Declared(SectionKind::Global) {
@@ -292,7 +243,7 @@ pub(crate) fn globals(context: &Context) -> Vec<Global> {
             retain: tag.retain,
             initial: tag.rare.initial.clone(),
             address: tag.rare.address.clone(),
-            declared_at: tag.declared_at,
+            at: tag.declared_at,
         });
     }
     // Two scopes of the file may introduce one tag.
@@ -304,9 +255,6 @@ pub(crate) fn globals(context: &Context) -> Vec<Global> {
 }
 
 fn states(context: &Context) -> Vec<(Name, TextRange)> {
-    if context.settled {
-        return states_of_tags(context);
-    }
     let mut states = Vec::new();
     for network in context.networks.iter().filter(|network| network.keeps_state) {
         let scope = &context.scopes[network.scope];
@@ -322,25 +270,6 @@ fn states(context: &Context) -> Vec<(Name, TextRange)> {
             }
         }
     }
-    states
-}
-
-/// The same by the tags of which it is known that a block keeps its state on them.
-fn states_of_tags(context: &Context) -> Vec<(Name, TextRange)> {
-    let mut states = Vec::new();
-    for name in &context.outward_states {
-        for place in context.outward_named(name).flat_map(|tag| context.uses(tag)) {
-            let network = context.networks.at(place.network);
-            let bound = network.block(place.block);
-            let operand = &bound.facts.operands[place.operand].value;
-            let written = state_in(operand, bound.formals[place.operand]);
-            let scope = &context.scopes[network.scope];
-            if written.is_some_and(|written| may_be_shared(context, scope, &Name::new(written))) {
-                states.push((name.clone(), bound.absolute(operand.range)));
-            }
-        }
-    }
-    states.sort_by_key(|(_, at)| at.start());
     states
 }
 

@@ -53,10 +53,10 @@ impl Exported {
             }
         }
         for (file, exports) in files.iter().enumerate() {
-            for (name, used) in exports.outward.tags() {
+            for (name, used) in &exports.outward.tags {
                 if exported.globals.contains_key(name) {
                     let uses = exported.uses.entry(name.clone()).or_default();
-                    uses.push((file as u32, used));
+                    uses.push((file as u32, *used));
                 }
             }
             for name in &exports.outward.calls {
@@ -75,12 +75,8 @@ impl Exported {
         let is_called = |name: &Name| self.functions.contains_key(name);
         let is_global = |name: &Name| self.globals.contains_key(name);
         !before.offers_the_same(after)
-            || old.differing_calls(new).any(is_called)
+            || old.calls.symmetric_difference(&new.calls).any(is_called)
             || (!self.globals.is_empty() && old.differing_tags(new).any(is_global))
-    }
-
-    fn file_names(&self) -> impl Iterator<Item = &str> {
-        self.files.iter().map(|file| &*file.file)
     }
 
     /// The files.
@@ -102,15 +98,6 @@ impl Exported {
 pub struct Others {
     exported: Option<Arc<Exported>>,
     own: Option<usize>,
-}
-
-/// What other files say otherwise than before of tags that may be VAR_GLOBAL tags, by name.
-#[derive(Debug, Default)]
-pub(crate) struct News {
-    /// These are declared otherwise, or only now, or no more.
-    pub(crate) declared: Vec<Name>,
-    /// These may be used in another way.
-    pub(crate) used: Vec<Name>,
 }
 
 type Entries = fn(&Exported) -> &FxHashMap<Name, Vec<(u32, u32)>>;
@@ -182,65 +169,6 @@ impl Others {
         self.exported
             .as_ref()
             .is_some_and(|exported| !exported.globals.is_empty())
-    }
-
-    /// Whether no file at all shows anything else than before, not even the one that sees the others: which of its functions they
-    /// call is noted once it shows them.
-    pub(crate) fn are_all_the_same(&self, before: &Others) -> bool {
-        self.own == before.own
-            && match (&self.exported, &before.exported) {
-                (None, None) => true,
-                (Some(new), Some(old)) => Arc::ptr_eq(new, old),
-                _ => false,
-            }
-    }
-
-    /// Whether the other files are the same, and say the same, as before.
-    pub(crate) fn are_the_same(&self, before: &Others) -> bool {
-        match (&self.exported, &before.exported) {
-            (None, None) => true,
-            (Some(new), Some(old)) => {
-                let mut files = new.files.iter().zip(&old.files).enumerate();
-                self.own == before.own
-                    && new.files.len() == old.files.len()
-                    && files.all(|(index, (now, was))| Some(index) == self.own || Arc::ptr_eq(now, was))
-            }
-            _ => false,
-        }
-    }
-
-    /// What has changed since: none if it is too much to be followed.
-    pub(crate) fn news_since(&self, before: &Others) -> Option<News> {
-        let mut news = News::default();
-        if !self.have_globals() && !before.have_globals() {
-            return Some(news);
-        }
-        if self.are_all_the_same(before) {
-            return Some(news);
-        }
-        let (new, old) = (self.exported.as_ref()?, before.exported.as_ref()?);
-        if self.own != before.own || !new.file_names().eq(old.file_names()) {
-            return None;
-        }
-        for (index, (now, was)) in new.files.iter().zip(&old.files).enumerate() {
-            if Arc::ptr_eq(now, was) {
-                continue;
-            }
-            let globals = now.differing_globals(was).into_iter().cloned();
-            if Some(index) == self.own {
-                // How others use a tag is known of those that a file declares for all.
-                news.used.extend(globals);
-                continue;
-            }
-            news.declared.extend(globals);
-            news.used
-                .extend(now.outward.differing_tags(&was.outward).cloned());
-            if !now.names_of_states().eq(was.names_of_states()) {
-                let states = now.names_of_states().chain(was.names_of_states());
-                news.used.extend(states.cloned());
-            }
-        }
-        Some(news)
     }
 
     /// The names of all functions of the others.

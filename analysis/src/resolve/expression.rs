@@ -20,7 +20,7 @@ impl Resolver<'_, '_> {
         match value {
             Ok(value) => Some(self.constant_expr(value, ty, node.range)),
             Err(problem) => {
-                let diagnostic = problem.diagnostic(self.base);
+                let diagnostic = crate::mistakes::literals::diagnostic(&problem.moved_by(self.base));
                 self.report(diagnostic);
                 None
             }

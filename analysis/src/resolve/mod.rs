@@ -15,12 +15,10 @@ mod ranges;
 mod search;
 mod tags;
 mod times;
-mod unchanged;
 mod user_argument;
 
 pub use argument::in_class;
 pub use expression::is_function;
-pub(crate) use unchanged::check_network;
 
 use crate::context::{Body, Callee, Context};
 use crate::diagnostic::Diagnostic;
@@ -74,7 +72,7 @@ pub(crate) struct Resolved {
 
 /// Resolves a network for the sake of its mistakes, which go to `out`. Gives the first block that could not be
 /// resolved whole.
-fn check(context: &Context, network: usize, out: &mut Vec<Diagnostic>) -> Option<TextRange> {
+pub(crate) fn check(context: &Context, network: usize, out: &mut Vec<Diagnostic>) -> Option<TextRange> {
     let facts = context.networks.at(network);
     let mut unresolved = None;
     let mut names = NamedTags::of(context, facts);

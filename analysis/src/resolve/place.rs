@@ -297,7 +297,7 @@ impl Resolver<'_, '_> {
             None => None,
         };
         let (file, declared) = match elsewhere {
-            Some((file, global)) => (Some(&file.file), file.place_of(global)),
+            Some((file, global)) => (Some(&file.file), global.at),
             None => (None, self.context.place_of(tag)),
         };
         let diagnostic = constant_write::constant(&tag.name, range, file, declared);

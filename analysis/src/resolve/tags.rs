@@ -284,7 +284,7 @@ fn place(unit: &Unit<'_>, index: usize, tag: &TagFacts, program: &mut Program) -
     });
     Location {
         file: file as u32,
-        range: exports.place_of(global),
+        range: global.at,
     }
 }
 

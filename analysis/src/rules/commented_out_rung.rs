@@ -1,14 +1,47 @@
 //! `commented-out-rung`: a comment that is a rung.
 
+use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::facts;
 use crate::rule::Rule;
 use ladder_instructions::lookup;
 use ladder_syntax::wiring::{PartKind, rung};
-use ladder_syntax::{LineKind, TextRange, parse};
+use ladder_syntax::{Line, LineKind, NodeOrToken, Part, TextRange, TextSize, parse};
+
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let parse = &*context.parse;
+    let may_hold_one = |line: &Line| {
+        line.is_commented()
+            && matches!(line.kind, LineKind::Comment | LineKind::Rail)
+            && may_be_rung(line.text())
+    };
+    let commented = parse.lines().of_parts_that(Part::is_commented);
+    for (number, line) in commented.filter(|(_, line)| may_hold_one(line)) {
+        let mut at = parse.line_start(number);
+        for child in line.tree().children() {
+            let NodeOrToken::Token(token) = child else {
+                at += match child {
+                    NodeOrToken::Node(node) => node.text_len(),
+                    NodeOrToken::Token(token) => token.text_len(),
+                };
+                continue;
+            };
+            let text = token.text();
+            if text.starts_with('#') && is_rung(text.trim_matches('#')) {
+                out.push(found(TextRange::at(at, TextSize::of(text))));
+            }
+            at += TextSize::of(text);
+        }
+    }
+}
+
+/// Cheap: most comments are none.
+fn may_be_rung(text: &str) -> bool {
+    text.contains("--") && text.contains('(')
+}
 
 /// The finding about a comment that is a rung.
-pub(crate) fn found(range: TextRange) -> Diagnostic {
+fn found(range: TextRange) -> Diagnostic {
     Diagnostic::new(
         Rule::CommentedOutRung,
         range,
@@ -18,8 +51,8 @@ pub(crate) fn found(range: TextRange) -> Diagnostic {
 }
 
 /// Whether a comment's text is a rung with a block that exists.
-pub(crate) fn is_rung(text: &str) -> bool {
-    if !text.contains("--") || !text.contains('(') || !text.trim_start().starts_with(['+', '|']) {
+fn is_rung(text: &str) -> bool {
+    if !may_be_rung(text) || !text.trim_start().starts_with(['+', '|']) {
         return false;
     }
     let parsed = parse(text.trim_start());

@@ -17,7 +17,7 @@ pub(super) fn check(context: &Context, tag: &TagFacts, leaving: &Leaving, out: &
     if tag.uses.writers().nth(1).is_none() && shared_address.is_none() {
         return;
     }
-    if !context.at_address.is_first(context, tag) {
+    if !context.is_first_at_address(tag) {
         return;
     }
     let names = std::iter::once(tag).chain(others);
@@ -95,28 +95,26 @@ fn part(kind: &NodeKind) -> Option<String> {
     }
 }
 
-/// The numbers of the networks with a block that may leave the straight way down, from top to bottom: what is behind such a
-/// block may be the other case of what is before. It is the same as long as no such network comes or goes.
-#[derive(Debug, Default, PartialEq, Eq)]
-pub(crate) struct Leaving(Vec<u32>);
+/// The networks with a block that may leave the straight way down, from top to bottom: what is after such a block may be the
+/// other case of what is before.
+#[derive(Debug)]
+pub(super) struct Leaving(Vec<usize>);
 
 impl Leaving {
     /// The blocks that may leave it.
-    pub(crate) const WAYS: ControlFlow = ControlFlow::LEAVES.with(ControlFlow::FOR);
+    pub(super) const WAYS: ControlFlow = ControlFlow::LEAVES.with(ControlFlow::FOR);
 
-    /// Of networks that have this of program flow together.
-    pub(crate) fn of(any: ControlFlow, networks: impl FnOnce() -> Vec<u32>) -> Leaving {
-        Leaving(if any.has(Leaving::WAYS) {
-            networks()
-        } else {
-            Vec::new()
-        })
+    /// Those of a file. `any` is what its networks have together of program flow.
+    pub(super) fn of(context: &Context, any: ControlFlow) -> Leaving {
+        let networks = any.has(Leaving::WAYS).then(|| context.networks.iter());
+        let leaving = networks.into_iter().flatten();
+        let leaving = leaving.filter(|network| network.control_flow.has(Leaving::WAYS));
+        Leaving(leaving.map(|network| network.index).collect())
     }
 
     /// How many are above a network.
-    fn above(&self, context: &Context, network: usize) -> usize {
-        self.0
-            .partition_point(|&id| context.networks.index_of(id) < network)
+    fn above(&self, network: usize) -> usize {
+        self.0.partition_point(|&leaving| leaving < network)
     }
 }
 
@@ -125,6 +123,5 @@ impl Leaving {
 fn both_run(context: &Context, leaving: &Leaving, a: &Use, b: &Use) -> bool {
     // Within one network the block that leaves it may be between them.
     let end = b.network.max(a.network + 1);
-    context.bodies[a.network] == context.bodies[b.network]
-        && leaving.above(context, end) == leaving.above(context, a.network)
+    context.bodies[a.network] == context.bodies[b.network] && leaving.above(end) == leaving.above(a.network)
 }

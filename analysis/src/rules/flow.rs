@@ -11,7 +11,6 @@ use crate::networks::BlockAt;
 use crate::program::Step;
 use ladder_instructions::Op;
 use ladder_syntax::Name;
-use rustc_hash::FxHashSet;
 use smallvec::SmallVec;
 use std::collections::BTreeMap;
 
@@ -47,27 +46,15 @@ pub(super) struct Flow<'c> {
     ends: Vec<bool>,
 }
 
-/// Asks the rules about those of some bodies that hold jumps, returns or ends. What is found in such a body depends on its own
-/// networks alone. Gives how many networks these bodies have.
-pub(crate) fn check(
-    context: &Context,
-    survey: &Survey<'_>,
-    bodies: &FxHashSet<Body>,
-    mut give: impl FnMut(Body, Vec<Diagnostic>),
-) -> usize {
+/// Asks the rules about the bodies that hold jumps, returns or ends.
+pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
     let leaves = ControlFlow::LEAVES;
-    if !survey.any.has(leaves) {
-        return 0;
+    if !survey.whole || !survey.any.has(leaves) {
+        return;
     }
     let mut networks_of: BTreeMap<Body, Vec<usize>> = BTreeMap::new();
-    // Networks of one body are mostly below each other.
-    let mut first = 0;
-    for run in context.bodies.chunk_by(PartialEq::eq) {
-        let networks = first..first + run.len();
-        first = networks.end;
-        if bodies.contains(&run[0]) {
-            networks_of.entry(run[0]).or_default().extend(networks);
-        }
+    for (network, body) in context.bodies.iter().enumerate() {
+        networks_of.entry(*body).or_default().push(network);
     }
     networks_of.retain(|_, networks| {
         let mut networks = networks.iter();
@@ -75,25 +62,19 @@ pub(crate) fn check(
     });
     let mut labels: BTreeMap<Body, Vec<usize>> = BTreeMap::new();
     for label in &context.labels {
-        let body = context.bodies[label.network];
-        if networks_of.contains_key(&body) {
-            labels.entry(body).or_default().push(label.network);
-        }
+        labels
+            .entry(context.bodies[label.network])
+            .or_default()
+            .push(label.network);
     }
-    let count = networks_of.values().map(Vec::len).sum();
     for (body, networks) in networks_of {
         let labelled = labels.remove(&body).unwrap_or_default();
         let flow = Flow::new(context, survey, networks, &labelled);
-        let mut found = Vec::new();
-        unconditional_end::check(&flow, &mut found);
+        unconditional_end::check(&flow, out);
         let reached = flow.reached();
-        unreachable::check(&flow, &reached, &mut found);
-        endless_jump::check(&flow, &reached, &mut found);
-        if !found.is_empty() {
-            give(body, found);
-        }
+        unreachable::check(&flow, &reached, out);
+        endless_jump::check(&flow, &reached, out);
     }
-    count
 }
 
 impl<'c> Flow<'c> {

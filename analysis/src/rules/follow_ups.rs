@@ -6,6 +6,7 @@
 
 use super::frame_keyword;
 use crate::context::Context;
+use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
 use crate::excerpt::Excerpts;
 use crate::facts::{Node, NodeKind};
@@ -27,47 +28,15 @@ pub(crate) struct FollowUps<'c> {
 }
 
 impl<'c> FollowUps<'c> {
-    /// None: there is no mistake that anything could follow from. `marked` are the networks with a block that is not
-    /// known, with a label, or with the beginning of a function.
-    pub(crate) fn new(context: &'c Context, marked: impl Iterator<Item = NetworkAt<'c>>) -> Option<Self> {
-        let doubt = Doubt::new(context, marked);
+    /// None: there is no error that anything could follow from.
+    pub(crate) fn new(context: &'c Context) -> Option<Self> {
+        let doubt = Doubt::new(context);
         let is_some = doubt != Doubt::default() || !context.foreign_comments().0.is_empty();
         is_some.then(|| FollowUps {
             context,
             doubt,
             excerpts: Excerpts::new(&context.parse),
         })
-    }
-
-    /// Whether [`hide_declarations`](Self::hide_declarations), [`networks`](Self::networks) and [`has_words`](Self::has_words)
-    /// lead to all findings that follow from the mistakes.
-    pub(crate) fn are_local(&self) -> bool {
-        self.context.foreign_comments().0.is_empty() && self.doubt.open_blocks.is_empty()
-    }
-
-    /// Whether no finding about a tag that is not declared counts.
-    pub(crate) fn hide_declarations(&self) -> bool {
-        self.doubt.lost_header || self.doubt.declarations
-    }
-
-    /// The networks in which findings of any rule may follow from the mistakes.
-    pub(crate) fn networks(&self) -> FxHashSet<usize> {
-        let networks = &self.context.networks;
-        let misread = self.doubt.misread.iter();
-        let misread = misread.map(|&line| networks.partition_point(|network| network.first_line <= line));
-        let mistyped = self.doubt.mistyped.iter();
-        let mistyped =
-            mistyped.map(|block| networks.partition_point(|network| network.range.start() <= block.start()));
-        misread
-            .chain(mistyped)
-            .filter_map(|behind| behind.checked_sub(1))
-            .collect()
-    }
-
-    /// Whether findings of rules that [are about words](is_about_words) may follow from the mistakes, wherever they are.
-    pub(crate) fn has_words(&self) -> bool {
-        let doubt = &self.doubt;
-        !doubt.words.is_empty() || doubt.nameless_label || doubt.nameless_function || doubt.block_header
     }
 
     /// Whether a finding follows from a mistake.
@@ -99,7 +68,7 @@ struct Doubt {
 }
 
 impl Doubt {
-    fn new<'c>(context: &'c Context, marked: impl Iterator<Item = NetworkAt<'c>>) -> Doubt {
+    fn new(context: &Context) -> Doubt {
         let mut doubt = Doubt::default();
         let parse = &*context.parse;
         let foreign = context.foreign_comments();
@@ -128,17 +97,15 @@ impl Doubt {
             };
             doubt.block_header |= line.kind == LineKind::BlockHeader;
         }
+        let networks = context.networks.iter();
+        let marked = networks.filter(|network| !network.known || network.control_flow.has(ControlFlow::MARK));
         marked
             .flat_map(NetworkAt::blocks)
             .for_each(|bound| doubt.block(bound));
-        doubt.mistyped = if context.settled {
-            let tags = context.mistyped.iter();
-            blocks_that_name(context, tags.filter_map(|tag| context.find_tag(tag)))
-        } else {
-            let tags = context.scopes.iter().flat_map(|scope| &scope.tags);
-            blocks_that_name(context, tags.filter(|tag| tag.mistyped))
-        };
-        if !context.is_framed {
+        let tags = context.scopes.iter().flat_map(|scope| &scope.tags);
+        doubt.mistyped = blocks_that_name(context, tags.filter(|tag| tag.mistyped));
+        let is_framed = parse.frame().is_whole();
+        if !is_framed {
             let definitions = parse.frame().blocks.iter();
             let open = definitions.filter(|block| !block.closed);
             let lines = |block: &ladder_syntax::BlockDefinition| {
@@ -147,7 +114,7 @@ impl Doubt {
             };
             doubt.open_blocks = open.map(lines).collect();
         }
-        doubt.lost_header |= !doubt.open_blocks.is_empty() || (!context.is_framed && has_lost_header(parse));
+        doubt.lost_header |= !doubt.open_blocks.is_empty() || (!is_framed && has_lost_header(parse));
         doubt
     }
 
@@ -233,14 +200,6 @@ fn blocks_that_name<'c>(context: &Context, tags: impl Iterator<Item = &'c TagFac
     blocks.sort_unstable_by_key(|range| range.start());
     blocks.dedup();
     blocks
-}
-
-/// Whether a rule is about a word that a mistake elsewhere may have kept from being known.
-pub(crate) const fn is_about_words(rule: Rule) -> bool {
-    matches!(
-        rule,
-        Rule::UnknownLabel | Rule::UnknownFunction | Rule::UnknownBlock | Rule::UnknownMember
-    )
 }
 
 /// Whether what a rule finds at a block depends on how the tags are declared that it names.

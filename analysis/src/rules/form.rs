@@ -6,8 +6,6 @@ use crate::networks::NetworkAt;
 use crate::user_block::UserBlockFacts;
 use ladder_instructions::Profile;
 use ladder_syntax::Parse;
-use rustc_hash::FxHasher;
-use std::hash::{Hash, Hasher};
 
 /// A network with what else decides about its drawing and the form of its blocks.
 pub(super) struct Form<'c> {
@@ -20,8 +18,6 @@ pub(super) struct Form<'c> {
     pub(super) user_blocks: &'c [UserBlockFacts],
     /// The whole file, for a network of which nothing is kept.
     pub(super) file: Option<&'c Context>,
-    /// Stands for the signatures of the file's own blocks.
-    signatures: u64,
 }
 
 impl<'c> Form<'c> {
@@ -34,17 +30,6 @@ impl<'c> Form<'c> {
             profile: context.profile,
             user_blocks: &context.user_blocks,
             file: (!is_kept).then_some(context),
-            signatures: context.signatures,
         }
-    }
-
-    /// The same while all of this is; none if nothing is kept.
-    pub(super) fn key(&self) -> Option<u64> {
-        if self.file.is_some() {
-            return None;
-        }
-        let mut hasher = FxHasher::default();
-        (self.profile, self.signatures, self.network.scope).hash(&mut hasher);
-        Some(hasher.finish())
     }
 }

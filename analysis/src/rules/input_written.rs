@@ -42,7 +42,7 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
     }
     if tag.is_declared() {
         found = found.related(
-            summary.context.declared_at(tag),
+            tag.declared_at,
             format!("`{}` is declared as an input here", tag.name),
         );
     }

@@ -17,6 +17,7 @@ mod contact_after_coil;
 pub(crate) mod cplc_draft;
 mod dead_end;
 pub mod declaration_fix;
+mod dependencies;
 mod division_by_zero;
 pub(crate) mod double_coil;
 mod duplicate_block;
@@ -78,18 +79,19 @@ mod wrong_place;
 mod wrong_shape;
 
 use crate::context::Context;
+use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
 use crate::networks::NetworkAt;
 use crate::rule::Severity;
+use crate::rule_settings::RuleSettings;
 use crate::scope::TagFacts;
-use crate::verdict::{self, InNetwork, Pass};
 use form::Form;
 use survey::Survey;
 
-type NetworkCheck = fn(&Form<'_>, &mut Vec<Diagnostic>);
+type FormCheck = fn(&Form<'_>, &mut Vec<Diagnostic>);
 
 /// The rules that look at a network by itself: its drawing and the form of its blocks.
-const OF_NETWORKS: &[NetworkCheck] = &[
+const OF_FORM: &[FormCheck] = &[
     missing_wire::check,
     misplaced_rail::check,
     unpaired_connector::check,
@@ -112,6 +114,8 @@ const OF_FILE: &[FileCheck] = &[
     unknown_label::check,
     duplicate_block::check,
     recursive_block::check,
+    commented_out_rung::check,
+    one_address::check,
 ];
 
 type ProgramCheck = fn(&Context, &Survey<'_>, &mut Vec<Diagnostic>);
@@ -123,6 +127,7 @@ const OF_PROGRAM: &[ProgramCheck] = &[
     unbalanced_loop::check,
     unused_function::check,
     unused_label::check,
+    flow::check,
 ];
 
 /// Once so much was found in a file, no more is looked for in single networks and lines: nobody reads it, and each
@@ -148,15 +153,31 @@ pub(crate) fn say_enough(last: &mut Diagnostic) {
     last.severity = Severity::Error;
 }
 
-/// Looks at a network by itself: its drawing and the form of its blocks.
-pub(crate) fn of_network(context: &Context, network: NetworkAt<'_>) -> InNetwork {
+/// Looks at a network by itself: its drawing, and its blocks.
+pub(crate) fn of_network(
+    context: &Context,
+    network: NetworkAt<'_>,
+    settings: &RuleSettings,
+    out: &mut Vec<Diagnostic>,
+) {
     let form = Form::of(context, network);
-    verdict::once(Pass::Form, form.key(), network, |out| {
-        for check in OF_NETWORKS {
-            check(&form, out);
-        }
-        true
-    })
+    for check in OF_FORM {
+        check(&form, out);
+    }
+    survey::of_network(context, network, settings, out);
+}
+
+/// Looks at what power does in a network without errors.
+pub(crate) fn of_power(survey: &Survey<'_>, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
+    wiring_walk::check(survey.context, network, out);
+    power_rules::check(survey, network, out);
+}
+
+/// Puts into sentences what is wrong with names.
+pub(crate) fn of_names(context: &Context, out: &mut Vec<Diagnostic>) {
+    for problem in &context.problems {
+        out.push(crate::mistakes::of_names::diagnostic(context, problem));
+    }
 }
 
 /// Looks at the names and definitions of a file.
@@ -167,33 +188,44 @@ pub(crate) fn of_file(context: &Context, out: &mut Vec<Diagnostic>) {
 }
 
 /// What the rules about tags need to know of the rest of the file.
-#[derive(Debug, PartialEq, Eq)]
-pub(crate) struct AroundTags {
-    /// The file has outputs. In one that has none, its internal tags are what people look at.
-    pub(crate) has_outputs: bool,
-    pub(crate) leaving: double_coil::Leaving,
-    /// The file declares tags.
-    pub(crate) declares: bool,
+pub(crate) struct AroundTags<'c> {
+    context: &'c Context,
+    /// What the networks of the file have together of program flow.
+    any: ControlFlow,
+    leaving: double_coil::Leaving,
+    undeclaring: undeclared_tag::Undeclaring<'c>,
+    summaries: tag_summary::Summaries,
+}
+
+impl<'c> AroundTags<'c> {
+    /// `any` is what the networks of the file have together of program flow.
+    pub(crate) fn of(context: &'c Context, any: ControlFlow) -> AroundTags<'c> {
+        AroundTags {
+            context,
+            any,
+            leaving: double_coil::Leaving::of(context, any),
+            undeclaring: undeclared_tag::Undeclaring::of(context),
+            summaries: tag_summary::Summaries::of(context),
+        }
+    }
 }
 
 /// Looks at the places of one tag.
-pub(crate) fn of_tag(
-    context: &Context,
-    (scope, tag): (usize, &TagFacts),
-    (around, undeclaring): (&AroundTags, &undeclared_tag::Undeclaring<'_>),
-    at_addresses: &tag_summary::PlacesAtAddresses,
-    out: &mut Vec<Diagnostic>,
-) {
-    undeclared_tag::check(context, scope, tag, undeclaring, out);
+pub(crate) fn of_tag((scope, tag): (usize, &TagFacts), around: &AroundTags<'_>, out: &mut Vec<Diagnostic>) {
+    let context = around.context;
+    undeclared_tag::check(scope, tag, &around.undeclaring, out);
     type_conflict::check(context, tag, out);
     duplicate_timer::check(context, tag, out);
     double_coil::check(context, tag, &around.leaving, out);
-    tag_summary::check(context, (scope, tag), around.has_outputs, at_addresses, out);
+    tag_summary::check(context, (scope, tag), &around.summaries, out);
+    set_and_reset::check(context, around.any, tag, out);
 }
 
 /// Looks at the program as a whole.
-pub(crate) fn of_program(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
+pub(crate) fn of_program(survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
     for check in OF_PROGRAM {
-        check(context, survey, out);
+        check(survey.context, survey, out);
     }
+    read_before_write::check(survey, out);
+    overlapping_address::check(survey.context, out);
 }

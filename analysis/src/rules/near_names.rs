@@ -4,8 +4,6 @@
 //! letter is taken out of each. So all names with one letter taken out are in a table.
 
 use ladder_syntax::Name;
-use rustc_hash::FxHashMap;
-use std::collections::BTreeSet;
 
 /// Shorter names are alike too easily: `a` and `b` differ by one letter.
 const SHORTEST: usize = 3;
@@ -14,89 +12,46 @@ const LONGEST: usize = 100;
 /// Any large odd number spreads the letters over the hash.
 const BASE: u64 = 0x9E37_79B9_7F4A_7C15;
 
-/// Names that can be asked for. Names come and go.
+/// Names that can be asked for.
 #[derive(Debug, Default)]
 pub(crate) struct NearNames {
-    /// The names by their numbers; none for a number that is free.
-    names: Vec<Option<Name>>,
-    numbers: FxHashMap<Name, u32>,
-    free: Vec<u32>,
-    /// The hash of a name with one letter taken out, and the number of the name.
-    shortened: BTreeSet<(u32, u32)>,
+    names: Vec<Name>,
+    /// Sorted: the hash of a name with one letter taken out, and which name that is.
+    shortened: Vec<(u32, u32)>,
 }
 
 impl NearNames {
     /// Names of which none is there twice.
     pub(crate) fn new(names: impl Iterator<Item = Name>) -> NearNames {
         let mut near = NearNames::default();
-        let mut shortened: Vec<(u32, u32)> = Vec::new();
         for name in names {
             let letters = letters(&name);
             if is_long_enough(&letters) {
-                let number = near.number(name);
-                each_shortened(&letters, |hash| shortened.push((hash, number)));
+                let number = near.names.len() as u32;
+                each_shortened(&letters, |hash| near.shortened.push((hash, number)));
+                near.names.push(name);
             }
         }
-        // A tree of what is in order already is put together at once.
-        shortened.sort_unstable();
-        near.shortened = shortened.into_iter().collect();
+        near.shortened.sort_unstable();
         near
-    }
-
-    /// Whether a name can be asked for.
-    pub(crate) fn has(&self, name: &Name) -> bool {
-        self.numbers.contains_key(name)
-    }
-
-    /// Adds a name that is not there.
-    pub(crate) fn insert(&mut self, name: &Name) {
-        let letters = letters(name);
-        if is_long_enough(&letters) {
-            let number = self.number(name.clone());
-            each_shortened(&letters, |hash| {
-                self.shortened.insert((hash, number));
-            });
-        }
-    }
-
-    /// Takes a name away.
-    pub(crate) fn remove(&mut self, name: &Name) {
-        let Some(number) = self.numbers.remove(name) else {
-            return;
-        };
-        each_shortened(&letters(name), |hash| {
-            self.shortened.remove(&(hash, number));
-        });
-        self.names[number as usize] = None;
-        self.free.push(number);
-    }
-
-    fn number(&mut self, name: Name) -> u32 {
-        let number = self.free.pop().unwrap_or_else(|| {
-            self.names.push(None);
-            self.names.len() as u32 - 1
-        });
-        self.names[number as usize] = Some(name.clone());
-        self.numbers.insert(name, number);
-        number
     }
 
     /// The names that differ by one letter, in no order. Another digit is another tag, not a slip.
     pub(crate) fn one_letter_from(&self, name: &Name) -> Vec<&Name> {
         let wanted = letters(name);
-        if self.numbers.is_empty() || !is_long_enough(&wanted) {
+        if self.names.is_empty() || !is_long_enough(&wanted) {
             return Vec::new();
         }
         let mut numbers: Vec<u32> = Vec::new();
         each_shortened(&wanted, |hash| {
-            let near = self.shortened.range((hash, 0)..=(hash, u32::MAX));
+            let first = self.shortened.partition_point(|(other, _)| *other < hash);
+            let near = self.shortened[first..].iter();
+            let near = near.take_while(|(other, _)| *other == hash);
             numbers.extend(near.map(|(_, number)| *number));
         });
         numbers.sort_unstable();
         numbers.dedup();
-        let names = numbers
-            .into_iter()
-            .filter_map(|number| self.names[number as usize].as_ref());
+        let names = numbers.into_iter().map(|number| &self.names[number as usize]);
         names
             .filter(|near| differ_by_a_letter(&wanted, &letters(near)))
             .collect()
@@ -206,21 +161,5 @@ mod tests {
             let found = near.one_letter_from(&Name::new(wanted));
             assert_eq!(found, expected.iter().collect::<Vec<_>>(), "{wanted}");
         }
-    }
-
-    #[test]
-    fn names_come_and_go() {
-        let [lamp, lump, limp] = ["lamp", "lump", "limp"].map(Name::new);
-        let mut near = NearNames::new([lamp.clone()].into_iter());
-        near.insert(&lump);
-        let mut both = near.one_letter_from(&limp);
-        both.sort();
-        assert_eq!(both, [&lamp, &lump]);
-        near.remove(&lamp);
-        near.remove(&lamp);
-        assert_eq!(near.one_letter_from(&limp), [&lump]);
-        assert!(near.has(&lump) && !near.has(&lamp));
-        near.insert(&limp);
-        assert_eq!(near.one_letter_from(&lump), [&limp]);
     }
 }

@@ -47,13 +47,10 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
         .context
         .uses(tag)
         .next()
-        .map_or(summary.context.declared_at(tag), |first| first.range);
+        .map_or(tag.declared_at, |first| first.range);
     let mut found = Diagnostic::new(Rule::NeverWritten, at, message).help(help);
     if at != summary.context.place_of(tag) {
-        found = found.related(
-            summary.context.declared_at(tag),
-            format!("`{name}` is declared here"),
-        );
+        found = found.related(tag.declared_at, format!("`{name}` is declared here"));
     }
     out.push(found);
 }

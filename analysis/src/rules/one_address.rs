@@ -9,14 +9,11 @@ use ladder_syntax::Name;
 use rustc_hash::FxHashMap;
 
 /// Looks at the tags that have an address.
-pub(crate) fn check<'c>(
-    context: &'c Context,
-    addressed: impl Iterator<Item = &'c TagFacts>,
-    out: &mut Vec<Diagnostic>,
-) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let mut together: FxHashMap<Name, Names<'_>> = FxHashMap::default();
     // What is declared says more of an address than the address itself.
-    let (declared, others): (Vec<&TagFacts>, Vec<&TagFacts>) = addressed.partition(|tag| tag.is_declared());
+    let (declared, others): (Vec<&TagFacts>, Vec<&TagFacts>) =
+        context.addressed().partition(|tag| tag.is_declared());
     for tag in declared.into_iter().chain(others).filter(|tag| !tag.mistyped) {
         let Some(address) = tag.rare.address.as_deref() else {
             continue;

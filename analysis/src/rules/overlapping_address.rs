@@ -7,12 +7,8 @@ use crate::rule::Rule;
 use crate::scope::TagFacts;
 
 /// Looks at tags that have an address.
-pub(crate) fn check<'c>(
-    context: &'c Context,
-    addressed: impl Iterator<Item = &'c TagFacts>,
-    out: &mut Vec<Diagnostic>,
-) {
-    let mut areas: Vec<Area<'_>> = addressed.filter_map(Area::of).collect();
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let mut areas: Vec<Area<'_>> = context.addressed().filter_map(Area::of).collect();
     let start = |area: &Area<'_>| context.place_of(area.tag).start();
     areas.sort_by_key(|area| (area.bits, start(area)));
     // Areas are of few sizes and begin at a multiple of their own: one is within another, or beside it.

@@ -5,9 +5,7 @@ use super::survey::Survey;
 use super::{constant_power, duplicate_branch, order_sensitive, redundant_element};
 use crate::boolean::power::{NetworkPower, Powers, Question};
 use crate::context::Context;
-use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
-use crate::findings::Anchored;
 use crate::joined::NamedTags;
 use crate::networks::{BlockAt, NetworkAt};
 use crate::operand_value::{Number, number, scalar};
@@ -16,12 +14,8 @@ use crate::rule::Rule;
 use crate::scope::Access;
 use crate::types::Scalar;
 use crate::uses::Named;
-use crate::verdict::{self, InNetwork, Pass};
 use ladder_instructions::{Op, Power, Role};
-use rustc_hash::FxHasher;
 use smallvec::SmallVec;
-use std::hash::{Hash, Hasher};
-use std::sync::Arc;
 
 /// A network and its table.
 pub(super) struct Table<'c> {
@@ -37,61 +31,22 @@ pub(super) struct Table<'c> {
 }
 
 /// Looks at a network in which one value is asked for more than once: where each is asked for once, every
-/// contact counts. `stamp` is that of its tags, `wiring` what was found in its wiring.
-pub(crate) fn check(
-    context: &Context,
-    survey: &Survey<'_>,
-    network: NetworkAt<'_>,
-    stamp: u64,
-    wiring: &[Arc<Anchored>],
-) -> InNetwork {
-    if !survey.is_sound(network) {
-        return InNetwork::new();
-    }
-    let bypassed =
-        |found: &Arc<Anchored>| matches!(found.rule(), Rule::ShortedBranch | Rule::RedundantElement);
-    let surroundings = Surroundings {
-        rail_varies: survey.any.has(ControlFlow::MCR) && !network.control_flow.has(ControlFlow::MCR),
-        // A wire round a contact is reported already.
-        is_bypassed: wiring.iter().any(bypassed),
-    };
-    let key = network.names_tags_only.then(|| {
-        let mut hasher = FxHasher::default();
-        (stamp, surroundings).hash(&mut hasher);
-        hasher.finish()
-    });
-    verdict::once(Pass::Power, key, network, |out| {
-        of_network(context, network, surroundings, out);
-        true
-    })
-}
-
-/// What else than a network itself decides what is said of its power.
-#[derive(Clone, Copy, Hash)]
-struct Surroundings {
-    /// An `<MCR>` somewhere may take the power from its left rail.
-    rail_varies: bool,
-    /// It has a contact round which a wire leads.
-    is_bypassed: bool,
-}
-
-fn of_network(
-    context: &Context,
-    network: NetworkAt<'_>,
-    surroundings: Surroundings,
-    out: &mut Vec<Diagnostic>,
-) {
-    if !is_worth_it(context, network) || network.blocks().any(|bound| bound.faulty) {
+/// contact counts. `out` holds what was found in its wiring.
+pub(super) fn check(survey: &Survey<'_>, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
+    // A wire round a contact is reported already.
+    let bypassed = |found: &Diagnostic| matches!(found.rule, Rule::ShortedBranch | Rule::RedundantElement);
+    let is_bypassed = out.iter().any(bypassed);
+    if !is_worth_it(survey.context, network) || network.blocks().any(|bound| bound.faulty) {
         return;
     }
-    let Some(table) = Table::new(context, network, surroundings.rail_varies) else {
+    let Some(table) = Table::new(survey.context, network, survey.rail_varies(network)) else {
         return;
     };
     let found = out.len();
     constant_power::check(&table, out);
     duplicate_branch::check(&table, out);
     // What never or always conducts makes others redundant: it is reported once.
-    if out.len() == found && !surroundings.is_bypassed {
+    if out.len() == found && !is_bypassed {
         redundant_element::check(&table, out);
     }
     order_sensitive::check(&table, out);
@@ -162,7 +117,7 @@ fn is_worth_it(context: &Context, network: NetworkAt<'_>) -> bool {
     };
     let mut uses: SmallVec<[((usize, usize), &Named); 16]> = NamedTags::of(context, network)
         .iter()
-        .filter_map(|(named, tag)| Some((shared(tag?), named)))
+        .map(|(named, tag)| (shared(tag), named))
         .collect();
     uses.sort_by_key(|(tag, _)| *tag);
     uses.chunk_by(|(a, _), (b, _)| a == b)

@@ -1,10 +1,10 @@
 //! `read-before-write`: a rung reads what a rung below it writes, and so sees the value of the scan before,
 //! although the two could be in the other order.
-//!
-//! Whether they could, by the circles of networks that depend on each other, is decided where these are kept: see
-//! `checking/read_above.rs`.
 
-use crate::context::Context;
+use super::dependencies::Circles;
+use super::double_coil::Leaving;
+use super::survey::Survey;
+use crate::context::{Body, Context};
 use crate::diagnostic::Diagnostic;
 use crate::operand_value::{each_tag, tag};
 use crate::program::Role;
@@ -12,24 +12,30 @@ use crate::rule::Rule;
 use crate::scope::{Access, Origin, SectionKind, TagFacts, Use, UseRef};
 use crate::uses::access;
 use rustc_hash::FxHashSet;
+use std::cell::LazyCell;
 
-/// The networks, by their numbers, between which a tag is one scan late.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Late {
-    pub(crate) read: u32,
-    pub(crate) write: u32,
-}
-
-impl Late {
-    /// Of a tag that is read above the first rung that writes it, all of it in one body, unless old and new are compared there on
-    /// purpose.
-    pub(crate) fn of(context: &Context, tag: &TagFacts) -> Option<Late> {
-        let (read, write) = places(context, tag)?;
-        let late = Late {
-            read: context.networks.id(read.network),
-            write: context.networks.id(write.network),
+pub(super) fn check(survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
+    if !survey.whole {
+        return;
+    }
+    let context = survey.context;
+    // The bodies in which the straight way down is not the only one.
+    let jumping: FxHashSet<Body> = survey
+        .networks_with(Leaving::WAYS)
+        .map(|network| context.bodies[network.index])
+        .collect();
+    let circles = LazyCell::new(|| Circles::of(context));
+    for tag in context.scopes.iter().flat_map(|scope| &scope.tags) {
+        let Some((read, write)) = places(context, tag).filter(|_| !tag.leads_elsewhere()) else {
+            continue;
         };
-        (!compares_old_and_new(context, tag, (read, write))).then_some(late)
+        // One rung reads the old value in any order where each depends on the other.
+        if !jumping.contains(&context.bodies[write.network])
+            && !circles.hold_both(read.network, write.network)
+            && !compares_old_and_new(context, tag, (read, write))
+        {
+            out.push(found(tag, read, write));
+        }
     }
 }
 
@@ -47,7 +53,7 @@ fn places(context: &Context, tag: &TagFacts) -> Option<(Use, Use)> {
     if context.others_at_address(tag).next().is_some() {
         return None;
     }
-    let network = |place: &UseRef| context.networks.index_of(place.network);
+    let network = |place: &UseRef| place.network;
     let write = tag.uses.writers().min_by_key(network)?;
     let above = network(&write);
     let mut reads = tag.uses.0.iter().filter(|place| place.access().reads());
@@ -83,9 +89,7 @@ fn tags_read(context: &Context, network: usize) -> FxHashSet<(usize, usize)> {
     found
 }
 
-/// What is found about a tag that is late.
-pub(crate) fn found(context: &Context, tag: &TagFacts) -> Option<Diagnostic> {
-    let (read, write) = places(context, tag)?;
+fn found(tag: &TagFacts, read: Use, write: Use) -> Diagnostic {
     let name = &tag.name;
     let found = Diagnostic::new(
         Rule::ReadBeforeWrite,
@@ -94,5 +98,5 @@ pub(crate) fn found(context: &Context, tag: &TagFacts) -> Option<Diagnostic> {
     );
     let help = format!("move the rung that writes `{name}` above this one, so that it acts in the same scan");
     let related = format!("`{name}` is written here");
-    Some(found.help(help).related(write.range, related))
+    found.help(help).related(write.range, related)
 }

@@ -24,14 +24,11 @@ const UNCLEAR: ControlFlow = ControlFlow::LEAVES
     .with(ControlFlow::CALL)
     .with(ControlFlow::FLOW_BLOCK);
 
-/// What of program flow decides about latches: where it comes or goes, all are looked at.
-pub(crate) const DECIDES: ControlFlow = UNCLEAR.with(ControlFlow::MCR);
-
 /// How many coils of one tag are compared with each other.
 const MOST: usize = 16;
 
 /// Whether a tag is set and reset, as far as a look at its coils says.
-pub(crate) fn is_latch(tag: &TagFacts) -> bool {
+fn is_latch(tag: &TagFacts) -> bool {
     if tag.ty != Some(Type::BOOL) || tag.uses.writers().nth(1).is_none() {
         return false;
     }
@@ -40,17 +37,10 @@ pub(crate) fn is_latch(tag: &TagFacts) -> bool {
     writers().take(MOST).any(|place| sets(&place)) && !writers().all(|place| sets(&place))
 }
 
-/// Looks at a tag that is set and reset. `any` is what the networks of the file have together of program flow. Gives the tags
-/// whose writers decide what is found, as far as they do.
-pub(crate) fn check(
-    context: &Context,
-    any: ControlFlow,
-    tag: &TagFacts,
-    out: &mut Vec<Diagnostic>,
-) -> FxHashSet<(usize, usize)> {
-    let mut decide = FxHashSet::default();
-    if any.has(ControlFlow::MCR) {
-        return decide;
+/// Looks at a tag. `any` is what the networks of the file have together of program flow.
+pub(super) fn check(context: &Context, any: ControlFlow, tag: &TagFacts, out: &mut Vec<Diagnostic>) {
+    if !is_latch(tag) || any.has(ControlFlow::MCR) {
+        return;
     }
     let coil = |place: &Use| context.networks.at(place.network).block(place.block).coil();
     let is_latch = |place: &Use| matches!(coil(place), Some(Coil::Sets | Coil::Resets)) && place.whole;
@@ -63,20 +53,16 @@ pub(crate) fn check(
         .collect();
     for (index, earlier) in coils.iter().enumerate() {
         let undone = coils[index + 1..].iter().find(|later| {
-            let act_together = later.sets != earlier.sets
+            later.sets != earlier.sets
                 && later.conditions.is_subset(&earlier.conditions)
                 && context.bodies[later.place.network] == context.bodies[earlier.place.network]
-                && !is_unclear_between(context, any, earlier, later);
-            if act_together {
-                decide.extend(&earlier.asked);
-            }
-            act_together && !is_changed_between(context, earlier, later)
+                && !is_unclear_between(context, any, earlier, later)
+                && !is_changed_between(context, earlier, later)
         });
         if let Some(later) = undone {
             out.push(found(&tag.name, earlier, later));
         }
     }
-    decide
 }
 
 /// Whether a network from the earlier coil to the later one may move the program on to another place.

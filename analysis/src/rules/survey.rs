@@ -1,4 +1,5 @@
-//! The rules that look at blocks one by one, and what those that look at the whole program need to know of it.
+//! What the rules about power and the whole program need to know of the file, and the walk over blocks that the rules about
+//! single blocks share.
 
 use super::{
     alternative_mnemonic, ambiguous_sign, complex_network, division_by_zero, real_equality, result_arrow,
@@ -8,48 +9,44 @@ use crate::context::Context;
 use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
 use crate::network::Meaning;
-use crate::networks::{BlockAt, NetworkAt, Networks};
+use crate::networks::{BlockAt, NetworkAt};
 use crate::rule::Rule;
 use crate::rule_settings::RuleSettings;
-use crate::verdict::{self, InNetwork, Pass};
 use ladder_instructions::Op;
-use rustc_hash::{FxHashSet, FxHasher};
-use std::hash::{Hash, Hasher};
 
 /// What is known of the file as a whole.
-pub(crate) struct Survey<'l> {
+pub(crate) struct Survey<'c> {
+    pub(crate) context: &'c Context,
     /// Everything could be read, every block is known and nothing is an error: what the text does not hold is not
     /// there. Rules about the whole program are silent otherwise.
     pub(crate) whole: bool,
     /// What the networks together have of program flow.
     pub(crate) any: ControlFlow,
-    pub(crate) networks: &'l Networks,
-    /// What each network has of program flow, by its number.
-    pub(crate) control_flow: &'l [ControlFlow],
-    /// The numbers of networks in which there is an error.
-    pub(crate) unsound: &'l FxHashSet<u32>,
+    /// For each network whether there is an error in it.
+    pub(crate) unsound: &'c [bool],
 }
 
-impl Survey<'_> {
+impl<'c> Survey<'c> {
     /// What a network has of program flow.
     pub(super) fn control_flow(&self, network: usize) -> ControlFlow {
-        self.control_flow[self.networks.id(network) as usize]
+        self.context.networks.at(network).control_flow
     }
 
-    /// The networks that have something of program flow. Without any nothing is looked through.
-    pub(super) fn networks_with(&self, flow: ControlFlow) -> impl Iterator<Item = NetworkAt<'_>> {
-        let count = if self.any.has(flow) {
-            self.networks.len()
-        } else {
-            0
-        };
-        let networks = (0..count).filter(move |&network| self.control_flow(network).has(flow));
-        networks.map(|network| self.networks.at(network))
+    /// The networks that have something of program flow.
+    pub(super) fn networks_with(&self, flow: ControlFlow) -> impl Iterator<Item = NetworkAt<'c>> {
+        let networks = self.any.has(flow).then(|| self.context.networks.iter());
+        let networks = networks.into_iter().flatten();
+        networks.filter(move |network| network.control_flow.has(flow))
     }
 
     /// Whether a network is drawn and written without errors. Rules about its power are silent otherwise.
-    pub(super) fn is_sound(&self, network: NetworkAt<'_>) -> bool {
-        !network.broken && !self.unsound.contains(&self.networks.id(network.index))
+    pub(crate) fn is_sound(&self, network: NetworkAt<'_>) -> bool {
+        !network.broken && !self.unsound[network.index]
+    }
+
+    /// Whether an `<MCR>` somewhere may take the power from the left rail of a network.
+    pub(crate) fn rail_varies(&self, network: NetworkAt<'_>) -> bool {
+        self.any.has(ControlFlow::MCR) && !network.control_flow.has(ControlFlow::MCR)
     }
 }
 
@@ -61,35 +58,23 @@ pub(super) struct SurveyedBlock<'c> {
     pub(super) settings: &'c RuleSettings,
 }
 
-/// Asks the rules about single blocks of a network. `stamp` is that of its tags.
+/// Asks the rules about single blocks of a network.
 pub(crate) fn of_network(
     context: &Context,
     network: NetworkAt<'_>,
-    stamp: u64,
     settings: &RuleSettings,
-) -> InNetwork {
-    let spelling = settings.is_on(Rule::AlternativeMnemonic);
-    let complex = settings.is_on(Rule::ComplexNetwork);
-    let key = network.names_tags_only.then(|| {
-        let mut hasher = FxHasher::default();
-        (
-            stamp,
-            settings.scan_interval,
-            context.cycle,
-            spelling,
-            complex,
-            network.broken,
-        )
-            .hash(&mut hasher);
-        hasher.finish()
-    });
-    verdict::once(Pass::Blocks, key, network, |out| {
-        blocks(context, network, settings, spelling, out);
-        if complex {
-            complex_network::check(context, network, out);
-        }
-        true
-    })
+    out: &mut Vec<Diagnostic>,
+) {
+    blocks(
+        context,
+        network,
+        settings,
+        settings.is_on(Rule::AlternativeMnemonic),
+        out,
+    );
+    if settings.is_on(Rule::ComplexNetwork) {
+        complex_network::check(context, network, out);
+    }
 }
 
 /// Asks the rules about single blocks.

@@ -18,7 +18,7 @@ use ladder_syntax::{
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let parse = &*context.parse;
     let is_faulty = parse.lines().parts().iter().any(|part| part.is_faulty());
-    if !is_faulty && context.is_framed && parse.unclosed_comment().is_none() {
+    if !is_faulty && parse.frame().is_whole() && parse.unclosed_comment().is_none() {
         return;
     }
     let errors = parse.errors();

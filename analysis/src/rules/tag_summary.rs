@@ -4,6 +4,7 @@ use super::{input_written, never_read, never_written, set_without_reset};
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::outward::TagUse;
+use crate::program::Role;
 use crate::rule::Rule;
 use crate::scope::{Origin, SectionKind, TagFacts};
 use crate::types::Type;
@@ -37,23 +38,22 @@ pub(super) struct Places {
     pub(super) resets: usize,
 }
 
-/// The places that use what several names at one address mean, by this address: counted once for all of these names.
-#[derive(Debug, Default)]
-pub(crate) struct PlacesAtAddresses(RefCell<FxHashMap<Name, Places>>);
+/// What is counted once for all tags of a file.
+pub(crate) struct Summaries {
+    /// The file has outputs. In one that has none, its internal tags are what people look at.
+    has_outputs: bool,
+    /// The places that use what several names at one address mean, by this address.
+    at_addresses: RefCell<FxHashMap<Name, Places>>,
+}
 
 impl<'c> Summary<'c> {
-    fn new(
-        context: &'c Context,
-        (scope, tag): (usize, &'c TagFacts),
-        has_outputs: bool,
-        at_addresses: &PlacesAtAddresses,
-    ) -> Summary<'c> {
+    fn new(context: &'c Context, (scope, tag): (usize, &'c TagFacts), summaries: &Summaries) -> Summary<'c> {
         let mut summary = Summary {
-            has_outputs,
+            has_outputs: summaries.has_outputs || scope > 0,
             context,
             tag,
             scope,
-            places: at_addresses.places(context, tag),
+            places: summaries.places(context, tag),
             elsewhere: TagUse::default(),
         };
         if summary.is_global() {
@@ -108,7 +108,15 @@ impl Places {
     }
 }
 
-impl PlacesAtAddresses {
+impl Summaries {
+    pub(super) fn of(context: &Context) -> Summaries {
+        let mut tags = context.scopes[0].tags.iter();
+        Summaries {
+            has_outputs: tags.any(|tag| tag.role == Role::Output),
+            at_addresses: RefCell::default(),
+        }
+    }
+
     /// The places that use a tag, by whichever of the names of its address.
     fn places(&self, context: &Context, tag: &TagFacts) -> Places {
         let mut places = Places::default();
@@ -118,7 +126,7 @@ impl PlacesAtAddresses {
             places.add(tag);
             return places;
         };
-        *self.0.borrow_mut().entry(address).or_insert_with(|| {
+        *self.at_addresses.borrow_mut().entry(address).or_insert_with(|| {
             places.add(tag);
             others.for_each(|other| places.add(other));
             places
@@ -130,14 +138,13 @@ impl PlacesAtAddresses {
 pub(super) fn check(
     context: &Context,
     (scope, tag): (usize, &TagFacts),
-    has_outputs: bool,
-    at_addresses: &PlacesAtAddresses,
+    summaries: &Summaries,
     out: &mut Vec<Diagnostic>,
 ) {
     if tag.mistyped {
         return;
     }
-    let summary = Summary::new(context, (scope, tag), has_outputs || scope > 0, at_addresses);
+    let summary = Summary::new(context, (scope, tag), summaries);
     input_written::check(&summary, out);
     // A global is reported in the first file that declares it.
     let counts = if summary.is_global() {
@@ -163,8 +170,6 @@ pub(crate) struct Known {
     pub(crate) whole: bool,
     /// No tag is undeclared that should not be: a slip in a name is one finding.
     pub(crate) names: bool,
-    /// A slip may hide declarations: that a tag has none says nothing.
-    pub(crate) hides_declarations: bool,
 }
 
 /// When what a rule says of a tag's use or of a body is true.
@@ -175,13 +180,9 @@ pub(crate) enum When {
     Whole,
     /// Where its names are known too.
     WholeAndNames,
-    /// Where no slip may hide declarations.
-    Declarations,
 }
 
 impl When {
-    pub(crate) const ALL: [When; 4] = [When::Always, When::Whole, When::WholeAndNames, When::Declarations];
-
     /// When what a rule finds is true.
     pub(crate) const fn of(rule: Rule) -> When {
         match rule {
@@ -195,7 +196,6 @@ impl When {
             | Rule::UnbalancedLoop
             | Rule::UnusedFunction
             | Rule::UnusedLabel => When::Whole,
-            Rule::UndeclaredTag => When::Declarations,
             _ => When::Always,
         }
     }
@@ -212,7 +212,6 @@ impl When {
             When::Always => true,
             When::Whole => known.whole,
             When::WholeAndNames => known.whole && known.names,
-            When::Declarations => !known.hides_declarations,
         }
     }
 }

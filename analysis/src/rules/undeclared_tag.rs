@@ -7,9 +7,9 @@
 use super::near_names::NearNames;
 use crate::context::Context;
 use crate::declaration_fix::Undeclared;
-use crate::declaring::Declares;
+use crate::declaring::Places;
 use crate::diagnostic::{Applicability, Diagnostic, Fix};
-use crate::did_you_mean::Compared;
+use crate::did_you_mean;
 use crate::facts::NodeKind;
 use crate::network::Formal;
 use crate::program::Role;
@@ -18,27 +18,72 @@ use crate::scope::{Origin, SectionKind, TagFacts, Use};
 use crate::types::{Scalar, Type};
 use ladder_instructions::Accepts;
 use ladder_syntax::{Name, TextRange};
-use std::cell::OnceCell;
+use std::cell::{Cell, LazyCell, OnceCell};
 
 /// For how many tags of a file a near name is looked for among all declared ones.
-pub(crate) const MOST_SUGGESTIONS: usize = 20;
+const MOST_SUGGESTIONS: usize = 20;
 
-/// What decides about the tags of a file that no declaration names.
-pub(crate) enum Undeclaring<'n> {
-    /// The file declares tags: a near name is looked for among these, if at all.
-    Forgotten(Option<&'n OnceCell<Compared>>),
-    /// It declares none, and these are its names.
-    Usual(&'n NearNames),
+/// What the rest of the file adds to what is said about an undeclared tag.
+pub(super) struct Undeclaring<'c> {
+    context: &'c Context,
+    /// Of a file that declares no tags all names.
+    usual: Option<NearNames>,
+    /// For so many tags a near name is still looked for.
+    suggestions: Cell<usize>,
+    /// The declared names, sorted: which of several is nearest does not depend on where they are declared.
+    declared: LazyCell<Vec<&'c str>, Box<dyn FnOnce() -> Vec<&'c str> + 'c>>,
+    /// For each scope where its declarations go.
+    places: Vec<OnceCell<Places>>,
+}
+
+impl<'c> Undeclaring<'c> {
+    pub(super) fn of(context: &'c Context) -> Undeclaring<'c> {
+        let tags = &context.scopes[0].tags;
+        let usual = || {
+            let usual = tags.iter().filter(|tag| tag.origin == Origin::Undeclared);
+            NearNames::new(usual.map(|tag| Name::new(&tag.name)))
+        };
+        let declared = move || {
+            let declared = tags.iter().filter(|tag| tag.is_declared());
+            let mut names: Vec<&str> = declared
+                .map(|tag| tag.name.as_str())
+                .take(did_you_mean::MOST)
+                .collect();
+            names.sort_unstable();
+            names
+        };
+        Undeclaring {
+            context,
+            usual: (!context.scopes[0].declares()).then(usual),
+            suggestions: Cell::new(MOST_SUGGESTIONS),
+            declared: LazyCell::new(Box::new(declared)),
+            places: vec![OnceCell::new(); context.scopes.len()],
+        }
+    }
+
+    /// Has a fix add the declaration of a tag. A typing mistake must not make a tag: it is not made unasked.
+    fn with_declaration(
+        &self,
+        found: Diagnostic,
+        scope: usize,
+        section: SectionKind,
+        name: &str,
+        ty: &str,
+    ) -> Diagnostic {
+        let places = self.places[scope].get_or_init(|| Places::new(self.context, scope));
+        match places.declare(section, name, ty) {
+            Some(edits) => {
+                let title = format!("Declare `{name} : {ty}` in {}", section.keyword());
+                found.with(Fix::new(Applicability::Unsafe, title, edits))
+            }
+            None => found,
+        }
+    }
 }
 
 /// Looks at one tag.
-pub(super) fn check(
-    context: &Context,
-    scope: usize,
-    tag: &TagFacts,
-    undeclaring: &Undeclaring<'_>,
-    out: &mut Vec<Diagnostic>,
-) {
+pub(super) fn check(scope: usize, tag: &TagFacts, around: &Undeclaring<'_>, out: &mut Vec<Diagnostic>) {
+    let context = around.context;
     if !is_undeclared(tag, scope) {
         return;
     }
@@ -47,20 +92,15 @@ pub(super) fn check(
         return;
     };
     if let Some(index) = uses.find(|place| place.indexed) {
-        out.push(array(context, scope, tag, index.range));
+        out.push(array(around, scope, tag, index.range));
     } else if scope > 0 {
-        out.push(in_body(context, scope, tag, first.range));
+        out.push(in_body(around, scope, tag, first.range));
     } else {
-        match undeclaring {
-            Undeclaring::Forgotten(compared) => out.push(forgotten(context, tag, first.range, *compared)),
-            Undeclaring::Usual(near) => out.extend(slip(context, tag, near)),
+        match &around.usual {
+            Some(near) => out.extend(slip(context, tag, near)),
+            None => out.push(forgotten(around, tag, first.range)),
         }
     }
-}
-
-/// Whether a name that is only used counts among those to which a slip is near.
-pub(crate) fn is_usual(tag: &TagFacts) -> bool {
-    tag.origin == Origin::Undeclared
 }
 
 /// Whether the place says that a tag is meant: the block is known and could be read, and no other rule reports
@@ -102,17 +142,17 @@ fn found(severity: Severity, range: TextRange, message: String) -> Diagnostic {
 }
 
 /// An array must be declared: its bounds are nowhere else.
-fn array(context: &Context, scope: usize, tag: &TagFacts, range: TextRange) -> Diagnostic {
+fn array(around: &Undeclaring<'_>, scope: usize, tag: &TagFacts, range: TextRange) -> Diagnostic {
     let name = &tag.name;
-    let (last, element) = extent(context, tag);
+    let (last, element) = extent(around.context, tag);
     let ty = format!("ARRAY[1..{last}] OF {element}");
-    found(
+    let found = found(
         Severity::Error,
         range,
         format!("the array `{name}` is not declared"),
     )
-    .help(format!("declare it with its bounds: {name} : {ty};"))
-    .with(declaring(scope, SectionKind::Var, name, ty))
+    .help(format!("declare it with its bounds: {name} : {ty};"));
+    around.with_declaration(found, scope, SectionKind::Var, name, &ty)
 }
 
 /// The highest index that is written out, and the type of the elements, as far as the places say.
@@ -141,7 +181,8 @@ fn extent(context: &Context, tag: &TagFacts) -> (i64, Scalar) {
 }
 
 /// In a block's body.
-fn in_body(context: &Context, scope: usize, tag: &TagFacts, range: TextRange) -> Diagnostic {
+fn in_body(around: &Undeclaring<'_>, scope: usize, tag: &TagFacts, range: TextRange) -> Diagnostic {
+    let context = around.context;
     let (name, block) = (&tag.name, &context.user_blocks[scope - 1]);
     let mut found = found(
         Severity::Error,
@@ -158,30 +199,27 @@ fn in_body(context: &Context, scope: usize, tag: &TagFacts, range: TextRange) ->
             );
         }
     }
-    found.with(declare(scope, Role::Internal, tag))
+    declaring(around, found, (scope, tag), Role::Internal)
 }
 
 /// In a file that declares tags.
-fn forgotten(
-    context: &Context,
-    tag: &TagFacts,
-    range: TextRange,
-    compared: Option<&OnceCell<Compared>>,
-) -> Diagnostic {
+fn forgotten(around: &Undeclaring<'_>, tag: &TagFacts, range: TextRange) -> Diagnostic {
     let name = &tag.name;
     let found = found(Severity::Warning, range, format!("`{name}` is not declared"));
-    let compared = compared.filter(|_| tag.uses.len() == 1);
-    let near = compared.and_then(|it| it.get_or_init(|| Compared::of(context)).closest(name));
-    let found = match near {
+    let left = around.suggestions.get();
+    around.suggestions.set(left.saturating_sub(1));
+    let may_be_slip = left > 0 && tag.uses.len() == 1;
+    let near = may_be_slip.then(|| did_you_mean::closest(name, around.declared.iter().copied()));
+    let found = match near.flatten() {
         Some(near) => found.help(format!("did you mean `{near}`?")).fix(
             Applicability::Unsafe,
             format!("Replace with `{near}`"),
             range,
             near,
         ),
-        _ => found.help("declare it, so that a typing mistake cannot make a new tag"),
+        None => found.help("declare it, so that a typing mistake cannot make a new tag"),
     };
-    found.with(declare(0, tag.role, tag))
+    declaring(around, found, (0, tag), tag.role)
 }
 
 /// Whether a tag needs a declaration, and its places say enough to make one.
@@ -221,20 +259,15 @@ const fn section_of(role: Role) -> SectionKind {
     }
 }
 
-fn declare(scope: usize, role: Role, tag: &TagFacts) -> Fix {
+/// Has a fix declare the tag in the section that its uses ask for.
+fn declaring(
+    around: &Undeclaring<'_>,
+    found: Diagnostic,
+    (scope, tag): (usize, &TagFacts),
+    role: Role,
+) -> Diagnostic {
     let ty = tag.ty.unwrap_or(Type::Scalar(Scalar::Dint)).to_string();
-    declaring(scope, section_of(role), &tag.name, ty)
-}
-
-fn declaring(scope: usize, section: SectionKind, name: &str, ty: String) -> Fix {
-    let name = name.to_owned();
-    let declares = Declares {
-        scope,
-        section,
-        name,
-        ty,
-    };
-    declares.fix()
+    around.with_declaration(found, scope, section_of(role), &tag.name, &ty)
 }
 
 /// In a file without declarations: used once, and one letter away from a tag that is used more often.

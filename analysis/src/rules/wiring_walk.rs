@@ -1,13 +1,11 @@
 //! One walk over each network's steps, shared by the rules about what is behind what on a wire.
 
-use super::survey::Survey;
 use super::{bypassed, contact_after_coil, dead_end, latched_power, redundant_element, shorted_branch};
 use crate::context::Context;
 use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
 use crate::networks::{BlockAt, NetworkAt};
 use crate::program::Step;
-use crate::verdict::{self, InNetwork, Pass};
 
 /// A network and what the rules ask of each of its steps.
 pub(super) struct Walk<'c> {
@@ -27,25 +25,12 @@ impl<'c> Walk<'c> {
     }
 }
 
-/// Looks at a network that is drawn without a mistake. `stamp` is that of its tags, which messages spell.
-pub(crate) fn check(context: &Context, survey: &Survey<'_>, network: NetworkAt<'_>, stamp: u64) -> InNetwork {
+/// Looks at a network that is drawn without an error.
+pub(super) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
     // What does nothing at all is no-output.
-    if !survey.is_sound(network) || !network.blocks().any(super::no_output::may_act) {
-        return InNetwork::new();
+    if !network.blocks().any(super::no_output::may_act) {
+        return;
     }
-    let key = network.names_tags_only.then_some(stamp);
-    verdict::once(Pass::Wiring, key, network, |out| {
-        of_network(context, network, network.control_flow, out);
-        true
-    })
-}
-
-fn of_network(
-    context: &Context,
-    network: NetworkAt<'_>,
-    control_flow: ControlFlow,
-    out: &mut Vec<Diagnostic>,
-) {
     let walk = &Walk {
         context,
         network,
@@ -57,6 +42,7 @@ fn of_network(
         let shorted = shorted_branch::check(walk, bypassed.as_deref(), out);
         redundant_element::bypassed(walk, &bypassed.unwrap_or_default(), &shorted, out);
     }
+    let control_flow = network.control_flow;
     let coils = ControlFlow::COIL.with(ControlFlow::SET).with(ControlFlow::RESET);
     if control_flow.has(coils) && network.blocks.len() > 1 {
         contact_after_coil::check(walk, out);

@@ -1,43 +1,59 @@
 //! Constants: literals brought to the type that their place asks for, and initial values.
 
 use crate::article::with_article;
-use crate::diagnostic::Diagnostic;
 use crate::facts::{Node, NodeKind, Operator};
 use crate::literal::{Literal, LiteralProblem};
-use crate::rule::Rule;
 use crate::types::{Scalar, Type, passes};
 use crate::value::{Value, wrap};
 use ladder_syntax::{TextRange, TextSize};
 
+/// What is wrong with a value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum ConstantFault {
+    /// It is written in no form that the language has.
+    Malformed,
+    /// It is too small, too large or too long.
+    OutOfRange,
+    /// It is of another type.
+    OtherType,
+    /// It is no initial value for what is declared.
+    NotInitial,
+}
+
 /// Why a value does not fit its place.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct ConstantProblem {
-    pub(crate) rule: Rule,
+    pub(crate) fault: ConstantFault,
     pub(crate) range: TextRange,
     pub(crate) message: String,
 }
 
 impl ConstantProblem {
-    fn new(rule: Rule, range: TextRange, message: impl Into<String>) -> ConstantProblem {
+    fn new(fault: ConstantFault, range: TextRange, message: impl Into<String>) -> ConstantProblem {
         ConstantProblem {
-            rule,
+            fault,
             range,
             message: message.into(),
         }
     }
 
-    /// As a finding; `start` is where the line starts that the ranges count from.
-    pub(crate) fn diagnostic(self, start: TextSize) -> Diagnostic {
-        Diagnostic::new(self.rule, self.range + start, self.message)
+    /// With its place counted from `start` bytes further up.
+    pub(crate) fn moved_by(self, start: TextSize) -> ConstantProblem {
+        ConstantProblem {
+            range: self.range + start,
+            ..self
+        }
     }
 }
 
 /// What a malformed literal is reported as.
 pub(crate) fn literal_problem(problem: &LiteralProblem, range: TextRange) -> ConstantProblem {
     match problem {
-        LiteralProblem::Malformed(message) => ConstantProblem::new(Rule::BadLiteral, range, message.clone()),
+        LiteralProblem::Malformed(message) => {
+            ConstantProblem::new(ConstantFault::Malformed, range, message.clone())
+        }
         LiteralProblem::OutOfRange(message) => {
-            ConstantProblem::new(Rule::LiteralOutOfRange, range, message.clone())
+            ConstantProblem::new(ConstantFault::OutOfRange, range, message.clone())
         }
     }
 }
@@ -52,7 +68,7 @@ pub(crate) fn place(
 ) -> Result<Value, ConstantProblem> {
     let mismatch = || {
         ConstantProblem::new(
-            Rule::TypeMismatch,
+            ConstantFault::OtherType,
             range,
             format!("{} is no {ty}", describe(literal)),
         )
@@ -63,7 +79,7 @@ pub(crate) fn place(
                 "{} does not pass to {ty}: convert it with [TYP]",
                 with_article(own)
             );
-            return Err(ConstantProblem::new(Rule::TypeMismatch, range, message));
+            return Err(ConstantProblem::new(ConstantFault::OtherType, range, message));
         }
         let value = place(inner, negative, *own, range)?;
         return Ok(pass(value, *own, ty));
@@ -76,7 +92,7 @@ pub(crate) fn place(
             let (low, high) = ty.bounds().unwrap_or((0, 0));
             if !(low..=high).contains(&n) {
                 let message = format!("{n} is outside of {ty}, which holds {low} to {high}");
-                return Err(ConstantProblem::new(Rule::LiteralOutOfRange, range, message));
+                return Err(ConstantProblem::new(ConstantFault::OutOfRange, range, message));
             }
             // ULINT and LWORD are kept as the same 64 bits.
             Ok(Value::Int(n as i64))
@@ -94,7 +110,7 @@ pub(crate) fn place(
         (Literal::Text(text), Scalar::String(length)) if !negative => {
             if text.len() > usize::from(length) {
                 let message = format!("the text has {} characters, {ty} holds {length}", text.len());
-                return Err(ConstantProblem::new(Rule::LiteralOutOfRange, range, message));
+                return Err(ConstantProblem::new(ConstantFault::OutOfRange, range, message));
             }
             Ok(Value::Text(text.clone()))
         }
@@ -110,7 +126,7 @@ fn real(value: f64, ty: Scalar, range: TextRange) -> Result<Value, ConstantProbl
     };
     if !value.is_finite() {
         return Err(ConstantProblem::new(
-            Rule::LiteralOutOfRange,
+            ConstantFault::OutOfRange,
             range,
             format!("the number is too large for {ty}"),
         ));
@@ -200,12 +216,20 @@ pub(crate) fn initial_values(node: &Node, ty: Type) -> Result<Vec<Value>, Consta
                 "{} starts cleared: it has no initial value",
                 with_article(state.name())
             );
-            Err(ConstantProblem::new(Rule::BadDeclaration, node.range, message))
+            Err(ConstantProblem::new(
+                ConstantFault::NotInitial,
+                node.range,
+                message,
+            ))
         }
         Type::Array { first, last, element } => {
             let NodeKind::Array(nodes) = &node.kind else {
                 let message = "an array's values belong in brackets: [1, 2, 3]";
-                return Err(ConstantProblem::new(Rule::BadDeclaration, node.range, message));
+                return Err(ConstantProblem::new(
+                    ConstantFault::NotInitial,
+                    node.range,
+                    message,
+                ));
             };
             let most = (last - first + 1) as usize;
             let mut values = Vec::new();
@@ -214,7 +238,11 @@ pub(crate) fn initial_values(node: &Node, ty: Type) -> Result<Vec<Value>, Consta
             }
             if values.len() > most {
                 let message = format!("there are {} values for {most} elements", values.len());
-                return Err(ConstantProblem::new(Rule::BadDeclaration, node.range, message));
+                return Err(ConstantProblem::new(
+                    ConstantFault::NotInitial,
+                    node.range,
+                    message,
+                ));
             }
             values.resize(most, Value::zero(element));
             Ok(values)
@@ -235,7 +263,7 @@ fn elements(
     };
     let Some(&Literal::Int(count)) = count.literal() else {
         return Err(ConstantProblem::new(
-            Rule::BadDeclaration,
+            ConstantFault::NotInitial,
             count.range,
             "a count is a whole number: 4(0)",
         ));
@@ -243,7 +271,11 @@ fn elements(
     let count = usize::try_from(count).unwrap_or(usize::MAX);
     if count.saturating_mul(repeated.len()) > most {
         let message = format!("there are more values than the array's {most} elements");
-        return Err(ConstantProblem::new(Rule::BadDeclaration, node.range, message));
+        return Err(ConstantProblem::new(
+            ConstantFault::NotInitial,
+            node.range,
+            message,
+        ));
     }
     let mut once = Vec::new();
     for value in repeated {
@@ -260,7 +292,7 @@ fn initial_value(node: &Node, ty: Scalar) -> Result<Value, ConstantProblem> {
         Some((Ok(literal), negative)) => place(literal, negative, ty, node.range),
         Some((Err(problem), _)) => Err(literal_problem(problem, node.range)),
         None => Err(ConstantProblem::new(
-            Rule::BadDeclaration,
+            ConstantFault::NotInitial,
             node.range,
             "an initial value is a literal",
         )),

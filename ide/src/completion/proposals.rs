@@ -2,7 +2,6 @@
 
 use super::item::{Completion, CompletionKind, Completions, Snippet, Topic};
 use crate::typing::Typing;
-use ladder_analysis::letters::Letters;
 use ladder_syntax::TextRange;
 
 /// This many are proposed at once. A longer list helps nobody, and a large program has thousands of tags.
@@ -34,11 +33,6 @@ impl<'t> Proposals<'t> {
     /// Adds a proposal behind those that were added before.
     pub(super) fn add(&mut self, item: Completion) {
         self.add_at((0, 0), item);
-    }
-
-    /// The letters of every name that may be meant by what is written.
-    pub(super) fn letters(&self) -> Letters {
-        Letters::asked_by(self.prefix)
     }
 
     /// Whether a name begins as it is written.

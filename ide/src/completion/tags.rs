@@ -5,16 +5,11 @@ use super::proposals::{MOST, Order, Proposals};
 use crate::typing::{Operand, Typing};
 use crate::wanted::{Kind, Wanted, rank, scalar_rank};
 use itertools::Itertools;
-use ladder_analysis::letters::Letters;
 use ladder_analysis::program::{Role, SystemTag};
 use ladder_analysis::scope::{Access, Origin, SectionKind, TagFacts};
-use ladder_analysis::tags::Tags;
 use ladder_analysis::types::{Scalar, Type};
 use ladder_instructions::Law;
 use ladder_syntax::Name;
-use std::ops::Range;
-use std::panic::resume_unwind;
-use std::thread;
 
 /// Inputs come last where something is written: the outside writes them.
 const INPUTS: u8 = 4;
@@ -26,9 +21,6 @@ const LITERALS: u8 = 5;
 const ITSELF: u8 = 6;
 /// A duration is written out more often than it is a count of milliseconds or a member of another timer.
 const WRITTEN: (u8, u8) = (0, 9);
-
-/// This many tags are gone through before another processor could begin to help.
-const ALONE: usize = 1 << 15;
 
 /// A tag, whether its name only holds the letters that are written instead of beginning with them, how well it fits, and what
 /// else speaks for it.
@@ -60,8 +52,7 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
         Some((known, (fits, second)))
     };
     // A large program has more tags than anybody reads. One more than is shown says that there are others.
-    let (tags, letters) = (&scope.tags, out.letters());
-    let tags = best((tags, letters), (MOST + 1, ALONE), |tag, enough_begin| {
+    let tags = best(&scope.tags, MOST + 1, |tag, enough_begin| {
         let begins = out.begins(&tag.name);
         if !begins && (enough_begin || !out.may_be(&tag.name)) {
             return None;
@@ -79,40 +70,23 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
     }
 }
 
-/// This many of the tags that have these letters and a rank, in their order. `ranked` is asked with whether there are as many that begin as is
-/// written: then no others are needed. Of more than `alone` another processor takes half.
+/// This many of the tags that have a rank, in their order. `ranked` is asked with whether there are as many that begin as is
+/// written: then no others are needed.
 fn best<'c>(
-    (tags, letters): (&'c Tags, Letters),
-    (most, alone): (usize, usize),
-    ranked: impl Fn(&'c TagFacts, bool) -> Option<Ranked<'c>> + Sync,
+    tags: &'c [TagFacts],
+    most: usize,
+    ranked: impl Fn(&'c TagFacts, bool) -> Option<Ranked<'c>>,
 ) -> Vec<Ranked<'c>> {
     let order =
         |(a, rank): &Ranked<'_>, (b, other): &Ranked<'_>| rank.cmp(other).then_with(|| a.name.cmp(&b.name));
-    let best_of = |range: Range<usize>| -> Vec<Ranked<'c>> {
-        let some = tags.that_have(letters, range);
-        let mut begin = 0;
-        let ranked = some.filter_map(|tag| {
-            let found = ranked(tag, begin >= most)?;
-            let (_, (only_holds, _)) = found;
-            begin += usize::from(!only_holds);
-            Some(found)
-        });
-        ranked.k_smallest_by(most, order).collect()
-    };
-    let all = 0..tags.len();
-    if all.len() <= alone {
-        return best_of(all);
-    }
-    let middle = all.len() / 2;
-    thread::scope(|scope| {
-        let Ok(upper) = thread::Builder::new().spawn_scoped(scope, || best_of(0..middle)) else {
-            return best_of(all);
-        };
-        let lower = best_of(middle..tags.len());
-        let upper = upper.join().unwrap_or_else(|panic| resume_unwind(panic));
-        let both = upper.into_iter().chain(lower);
-        both.k_smallest_by(most, order).collect()
-    })
+    let mut begin = 0;
+    let ranked = tags.iter().filter_map(|tag| {
+        let found = ranked(tag, begin >= most)?;
+        let (_, (only_holds, _)) = found;
+        begin += usize::from(!only_holds);
+        Some(found)
+    });
+    ranked.k_smallest_by(most, order).collect()
 }
 
 /// Whether all that is known of a tag is the half of a name that is at the cursor.
@@ -228,39 +202,5 @@ fn literals(wanted: &Wanted, out: &mut Proposals<'_>) {
             (LITERALS, 0)
         };
         value(out, order, "T#1s", "A duration: T#250ms, T#5s, T#1h30m.");
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Letters, best};
-    use std::sync::Arc;
-
-    #[test]
-    fn two_processors_find_what_one_finds() {
-        let mut rungs = String::new();
-        for n in 0..50 {
-            rungs.push_str(&format!("+--[ ]( a{:02} )--( )( b{n} )--+\n", n * 37 % 50));
-        }
-        let parse = Arc::new(ladder_syntax::parse(&rungs));
-        let analysis = ladder_analysis::analyze(&parse, "many");
-        let tags = &analysis.context.scopes[0].tags;
-        let found = |most, alone| {
-            let all = (tags, Letters::asked_by(""));
-            let best = best(all, (most, alone), |tag, enough_begin| {
-                let begins = tag.name.starts_with('a');
-                (begins || !enough_begin).then_some((tag, (!begins, (0, 0))))
-            });
-            best.into_iter()
-                .map(|(tag, _)| tag.name.as_str())
-                .collect::<Vec<_>>()
-        };
-        assert_eq!(found(3, usize::MAX), ["a00", "a01", "a02"]);
-        assert_eq!(found(52, usize::MAX)[49..], ["a49", "b0", "b1"]);
-        for most in [1, 3, 50, 200] {
-            for alone in [0, 10, 99, 100] {
-                assert_eq!(found(most, alone), found(most, usize::MAX));
-            }
-        }
     }
 }

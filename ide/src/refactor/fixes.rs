@@ -16,7 +16,7 @@ pub fn quick_fixes(analysis: &Analysis, range: TextRange) -> Vec<Action> {
         .filter(|(_, found)| found.range.start() <= range.end() && range.start() <= found.range.end());
     let mut fixes: Vec<Action> = Vec::new();
     for (index, found) in touched {
-        for (nth, fix) in found.diagnostic(&analysis.context).fixes.into_iter().enumerate() {
+        for (nth, fix) in found.diagnostic().fixes.into_iter().enumerate() {
             let action = Action {
                 finding: Some(index),
                 preferred: nth == 0 && fix.is_safe(),

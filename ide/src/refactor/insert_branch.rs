@@ -40,10 +40,10 @@ pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
     // In a body nothing runs with a tag that is not declared.
     if on.facts.scope > 0 {
         let places = Places::new(place.context, on.facts.scope);
-        let Some(fix) = places.declare(SectionKind::Var, &tag, "BOOL") else {
+        let Some(declaration) = places.declare(SectionKind::Var, &tag, "BOOL") else {
             return;
         };
-        edits.extend(fix.edits);
+        edits.extend(declaration);
     }
     let title = if output {
         format!("Draw a parallel coil `{tag}` beside `{name}`")

@@ -97,8 +97,7 @@ pub(super) fn declare(place: &Selected<'_>, scope: usize, tag: &str) -> Option<V
     if scope == 0 && !place.context.scopes[0].declares() {
         return Some(Vec::new());
     }
-    let fix = Places::new(place.context, scope).declare(SectionKind::Var, tag, "BOOL")?;
-    Some(fix.edits)
+    Places::new(place.context, scope).declare(SectionKind::Var, tag, "BOOL")
 }
 
 /// The blocks on some rows.

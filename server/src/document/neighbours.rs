@@ -75,7 +75,7 @@ impl Neighbours {
 
     /// Enters the analysis of an open file, which was read when there had been this many changes.
     pub(super) fn analysed(&self, path: &Path, analysis: &Arc<Analysis>, read_at: Option<u64>) -> News {
-        let exports = Arc::new(Exports::of_edited(&analysis.context, &analysis.context.name));
+        let exports = Arc::new(Exports::of(&analysis.context, &analysis.context.name));
         let mut state = self.lock();
         let (root, folder) = state.folder(path);
         let changed = match folder.shown(path).cloned() {
@@ -84,7 +84,7 @@ impl Neighbours {
         };
         let for_itself = changed && read_at.is_some_and(|read_at| read_at != folder.changes);
         let shown = folder.shown(path);
-        if !shown.is_some_and(|before| before.surely_says_the_same(&exports)) {
+        if !shown.is_some_and(|before| before.says_the_same(&exports)) {
             folder.changes += 1;
         }
         let open = Open {

@@ -1,146 +1,128 @@
-//! After every edit the analysis that takes over what an earlier one found says the same as one from scratch.
+//! What is kept from one text to the next is a memo: after every edit the analysis that has one says the same as one without,
+//! and as one from scratch, whichever of several files that see each other is edited, opened or closed.
 
-use ladder_analysis::context::Context;
+mod pieces;
+
+use ladder_analysis::context::{Context, context_after};
 use ladder_analysis::scope::{Scope, Use};
 use ladder_analysis::{
-    Analysis, Diagnostic, Exports, Level, Others, Rule, RuleSettings, Severity, analyze_after, analyze_with,
-    exports,
+    Analysis, Diagnostic, Exported, Exports, Level, Rule, RuleSettings, Severity, analyze_after,
+    analyze_context, analyze_with, exports,
 };
-use ladder_syntax::{Parse, TextRange, TextSize, parse};
+use ladder_syntax::{Parse, TextRange, parse};
 use ladder_tests::generator::{Dice, Mode, program};
+use pieces::{GLOBALS, LIBRARY, MAIN, NETWORKS, OTHERS, PIECES, SEEN, WORDS};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// What a hand puts in.
-const PIECES: [&str; 47] = [
-    "",
-    "",
-    "",
-    "",
-    "\\",
-    "/",
-    "-",
-    "--",
-    "+",
-    "|",
-    " ",
-    "\n",
-    "(",
-    ")",
-    "[",
-    "]",
-    "<",
-    ">",
-    "#",
-    "# note #",
-    ",",
-    ":=",
-    ";",
-    "'",
-    "a",
-    "5",
-    "T#5s",
-    "é",
-    "\r\n",
-    "END_VAR\n",
-    "VAR\n",
-    "VAR\n    b : INT;\nEND_VAR\n",
-    "FUNCTION_BLOCK [$F]\n",
-    "END_FUNCTION_BLOCK\n",
-    "+--[ ]( a )--( )( b )--+\n",
-    "+--<FUN>( f )--+\n",
-    "+--<LBL>( l )--+\n",
-    "--<CALL>( f )--",
-    "--[$F]( a )--",
-    "# ladder: allow(never-read) #\n",
-    "# ladder: allow-file(double-coil) #\n",
-    "# ladder: profile ldmicro #\n",
-    "VAR CONSTANT\n    n : INT := 5;\nEND_VAR\n",
-    "[GT]( n, 5 )--",
-    "[ ]( a )--[/]( a )--",
-    "+--<MCR>--+\n",
-    "+--\\--[ ]( a )--\\--( )( b )--+\n|  /--[ ]( A )--/\n",
-];
-
-/// Words of declarations, to be exchanged for each other.
-const WORDS: [&str; 12] = [
-    "BOOL",
-    "INT",
-    "DINT",
-    "REAL",
-    "TIME",
-    "STRING",
-    "TON",
-    "CTU",
-    "RETAIN",
-    "CONSTANT",
-    "VAR_INPUT",
-    "VAR_OUTPUT",
-];
-
-/// A text with its analysis, edited step by step.
-pub(crate) struct Document {
-    pub(crate) text: String,
+/// A file that is open in an editor.
+struct Open {
+    text: String,
     parse: Arc<Parse>,
     analysis: Analysis,
+    exports: Arc<Exports>,
+}
+
+/// Files of one workspace. As in the server, an edit has the others analysed again if it concerns them.
+#[derive(Default)]
+struct Files {
+    open: BTreeMap<&'static str, Open>,
+    exported: Arc<Exported>,
     settings: RuleSettings,
 }
 
-impl Document {
-    pub(crate) fn new(text: String) -> Document {
-        Document::with(text, RuleSettings::default())
-    }
-
-    pub(crate) fn with(text: String, settings: RuleSettings) -> Document {
-        let parse = Arc::new(parse(&text));
-        let analysis = analyze_with(&parse, "main", &Others::default(), &settings);
-        Document {
-            text,
-            parse,
-            analysis,
-            settings,
-        }
-    }
-
-    /// The settings change, and the text stays.
-    pub(crate) fn is_set(&mut self, settings: RuleSettings) {
-        self.settings = settings;
-        self.becomes(self.text.clone());
-    }
-
-    pub(crate) fn becomes(&mut self, text: String) {
-        let parsed = Arc::new(self.parse.updated(&self.text, &text));
+impl Files {
+    /// A file is opened, or its text becomes another.
+    fn becomes(&mut self, name: &'static str, text: String) {
+        let others = self.exported.others_of(name);
+        let before = self.open.remove(name);
+        let parsed = Arc::new(match &before {
+            Some(before) => before.parse.updated(&before.text, &text),
+            None => parse(&text),
+        });
         assert_eq!(parsed.to_string(), text);
-        let (others, rules) = (Others::default(), &self.settings);
-        let before = Some(&self.analysis);
-        let analysis = analyze_after(before, &parsed, "main", &others, rules);
-        let fresh = analyze_with(&Arc::new(parse(&text)), "main", &others, rules);
-        assert_eq!(
-            show(&analysis),
-            show(&fresh),
-            "after an edit from\n{}\nto\n{text}",
-            self.text
-        );
-        for place in [0, text.len() / 2, text.len()] {
-            assert_eq!(near(&analysis, place), near(&fresh, place), "{text}");
+        let known = before.as_ref().map(|before| &before.analysis);
+        let analysis = analyze_after(known, &parsed, name, &others, &self.settings);
+        let shown = Arc::new(Exports::of(&analysis.context, name));
+        let concerned = before.is_none_or(|before| self.exported.concerns(&before.exports, &shown));
+        let open = Open {
+            text,
+            parse: parsed,
+            analysis,
+            exports: shown,
+        };
+        self.open.insert(name, open);
+        if concerned {
+            self.analyze_again();
         }
-        let shown = Exports::of_edited(&analysis.context, "main");
-        assert!(
-            shown.says_the_same(&exports(&parsed, "main")),
-            "{shown:#?}\n{text}"
-        );
-        (self.text, self.parse, self.analysis) = (text, parsed, analysis);
+        self.check();
     }
-}
 
-/// The findings that are shown where there is room for few, and how many there are.
-fn near(analysis: &Analysis, place: usize) -> (usize, Vec<(Rule, TextRange)>) {
-    let found = analysis.findings_near(3, TextSize::new(place as u32));
-    let found = found.iter().map(|found| (found.rule, found.range));
-    (analysis.count(), found.collect())
+    /// A file is closed, and there is none on the disk.
+    fn close(&mut self, name: &'static str) {
+        self.open.remove(name);
+        self.analyze_again();
+        self.check();
+    }
+
+    /// The settings of the workspace change.
+    fn are_set(&mut self, settings: RuleSettings) {
+        self.settings = settings;
+        self.analyze_again();
+        self.check();
+    }
+
+    fn analyze_again(&mut self) {
+        let shown = self.open.values().map(|open| Arc::clone(&open.exports));
+        self.exported = Arc::new(Exported::new(shown.collect()));
+        for (name, open) in &mut self.open {
+            let others = self.exported.others_of(name);
+            let before = Some(&open.analysis);
+            open.analysis = analyze_after(before, &open.parse, name, &others, &self.settings);
+        }
+    }
+
+    /// Compares all files with an analysis without a memo, and with one of everything from scratch.
+    fn check(&self) {
+        let fresh = self
+            .open
+            .iter()
+            .map(|(name, open)| (*name, Arc::new(parse(&open.text))));
+        let fresh: BTreeMap<&str, Arc<Parse>> = fresh.collect();
+        let shown = fresh.iter().map(|(name, parse)| Arc::new(exports(parse, name)));
+        let exported = Arc::new(Exported::new(shown.collect()));
+        for (name, open) in &self.open {
+            let others = exported.others_of(name);
+            let kept = show(&open.analysis);
+            let names = context_after(Some(&open.analysis.context), &open.parse, name, &others);
+            let without = show(&analyze_context(None, Arc::new(names), &self.settings));
+            assert_eq!(
+                here(&kept),
+                here(&without),
+                "{name} with a memo, of\n{}",
+                self.texts()
+            );
+            let scratch = show(&analyze_with(&fresh[name], name, &others, &self.settings));
+            assert_eq!(
+                here(&kept),
+                here(&scratch),
+                "{name} from scratch, of\n{}",
+                self.texts()
+            );
+            let alone = exports(&fresh[name], name);
+            assert!(open.exports.says_the_same(&alone), "{name} of\n{}", self.texts());
+        }
+    }
+
+    fn texts(&self) -> String {
+        let all = self.open.iter();
+        all.map(|(name, open)| format!("== {name}\n{}\n", open.text))
+            .collect()
+    }
 }
 
 /// All that an analysis says. Where things are in other files is not kept up to date.
-pub(crate) fn show(analysis: &Analysis) -> String {
+fn show(analysis: &Analysis) -> String {
     let context = &analysis.context;
     let here = |found: &Diagnostic| {
         let mut found = found.clone();
@@ -192,6 +174,17 @@ fn tags(context: &Context) -> Vec<String> {
     context.scopes.iter().map(of_scope).collect()
 }
 
+/// Without the places in other files: those that only moved are no reason to look at a file again.
+fn here(shown: &str) -> String {
+    let mut pieces = shown.split("Location { file: ");
+    let mut here = pieces.next().unwrap_or_default().to_owned();
+    for piece in pieces {
+        let end = piece.find('}').filter(|_| !piece.starts_with("0,")).unwrap_or(0);
+        here.push_str(&piece[end..]);
+    }
+    here
+}
+
 fn somewhere(text: &str, dice: &mut Dice) -> usize {
     let mut at = dice.below(text.len() + 1);
     while !text.is_char_boundary(at) {
@@ -201,7 +194,7 @@ fn somewhere(text: &str, dice: &mut Dice) -> usize {
 }
 
 /// One to three pieces put in, taken out or exchanged; now and then lines are doubled, moved or taken away.
-pub(crate) fn edited(text: &str, dice: &mut Dice) -> String {
+fn edited(text: &str, dice: &mut Dice) -> String {
     let mut text = text.to_owned();
     for _ in 0..=dice.below(3) {
         if dice.one_in(4) {
@@ -240,138 +233,40 @@ pub(crate) fn edited(text: &str, dice: &mut Dice) -> String {
     text
 }
 
-/// Puts one of the letters behind the first one of an operand.
-pub(crate) fn type_in_an_operand(rung: &mut String, letters: &[&str], dice: &mut Dice) {
-    let places: Vec<usize> = rung.match_indices("( ").map(|(at, _)| at + 3).collect();
-    if let Some(place) = places.get(dice.below(places.len().max(1))) {
-        rung.insert_str(*place, dice.of(letters));
+/// A program of pieces, each of which decides about what rules find in others.
+fn of_pieces(dice: &mut Dice) -> String {
+    let declared = (0..dice.below(5)).map(|_| dice.of(OTHERS).to_owned());
+    let mut text: String = declared.collect();
+    for _ in 0..2 + dice.below(12) {
+        text.push_str(dice.of(NETWORKS));
+        text.push_str("\n\n");
     }
+    text
 }
 
-fn steps(mode: Mode, seeds: std::ops::Range<u64>, count: usize) {
-    for seed in seeds {
-        let mut dice = Dice::new(seed);
-        let original = program(seed, mode);
-        let mut document = Document::new(original.clone());
-        for step in 0..count {
-            // Mistakes come and go, as when somebody types.
-            let next = if step % 5 == 4 {
-                original.clone()
-            } else {
-                edited(&document.text, &mut dice)
-            };
-            document.becomes(next);
-            if dice.one_in(8) {
-                document.is_set(settings(&mut dice));
-            }
+/// One such piece comes or goes, or something is typed.
+fn changed(text: &str, dice: &mut Dice) -> String {
+    let mut parts: Vec<&str> = text.split_inclusive("\n\n").collect();
+    let at = dice.below(parts.len() + 1);
+    match dice.below(5) {
+        0 if at < parts.len() => {
+            parts.remove(at);
         }
-    }
-}
-
-#[test]
-fn edits_of_sensible_programs() {
-    steps(Mode::Sensible, 0..asked(40), 25);
-}
-
-#[test]
-fn edits_of_wild_programs() {
-    steps(Mode::Wild, 0..asked(40), 25);
-}
-
-/// Programs of several parts, in which somebody types: letters come and go in one place, and now and then elsewhere.
-#[test]
-fn typing_in_long_programs() {
-    for seed in 0..asked(40) / 4 {
-        let mut dice = Dice::new(seed);
-        let rungs = [
-            "+--[ ]( a )--[/]( b )--( )( c )--+\n",
-            "+--\\--[ ]( b )--\\--[TON]( t, T#1s )--( )( d )--+\n|  /--[ ]( d )--/                            |\n",
-            "# note #\n",
-            "\n",
-            "|\n",
-            "+--[ ]( e )--[/]( e )--(S)( f )--+\n\n",
-            "+--[ ]( t.Q )--(R)( f )--( )( d )--+ # ladder: allow(double-coil) #\n",
-            "+--[GT]( n, 5 )--[MOV]( 3, n )--+\n",
-            "+--[P]( g )--<LBL>( here )--( )( h )--+\n",
-            "+--[ ]( i )--<JMP>( here )--+\n\n",
-            "+--[ ]( i )--<JMP>( there )--+\n\n",
-            "+--<LBL>( there )--[ ]( a )--( )( j )--+\n\n",
-            "+--[$F]( a )--( )( j )--+\n",
-        ];
-        // Few kinds of rungs in one program: there are programs without a jump, and without a mistake.
-        let mut kinds: Vec<&str> = (0..2 + dice.below(6)).map(|_| dice.of(&rungs)).collect();
-        kinds.push(rungs[0]);
-        let body: String = (0..80).map(|_| dice.of(&kinds)).collect();
-        let declared = dice.of(&[
-            "",
-            "VAR\n    a, b, c : BOOL;\n    t : TON;\nEND_VAR\n\n",
-            "VAR\n    a, b, c, d, e, f, g, h, i, j : BOOL;\n    t : TON;\n    n : INT;\nEND_VAR\n\n",
-            "VAR_INPUT\n    a, b, e, new_one : BOOL;\nEND_VAR\nVAR_OUTPUT\n    c, d, h, j : BOOL;\nEND_VAR\n\
-             VAR\n    f, g, i, unused : BOOL;\n    t : TON;\n    n : INT;\nEND_VAR\n\n",
-            "FUNCTION_BLOCK [$F]\nVAR_INPUT\n    x : BOOL;\nEND_VAR\n+--[ ]( x )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n\n",
-        ]);
-        let declared = format!("{declared}+--[ ]( a )--( )( b )--+\n\n");
-        // Some programs have their definitions at the end, and more declarations with them.
-        let behind = dice.of(&[
-            "",
-            "\nFUNCTION_BLOCK [$G]\nVAR_INPUT\n    x : BOOL;\nEND_VAR\nVAR\n    unused : INT;\nEND_VAR\n\
-             +--[ ]( x )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n",
-            "\nVAR\n    late, d : BOOL;\nEND_VAR\n\n+--[ ]( late )--( )( b )--+\n",
-        ]);
-        let mut document = Document::with(format!("{declared}{body}{behind}"), settings(&mut dice));
-        for _ in 0..6 {
-            let mut at = match dice.below(4) {
-                // Around the first network.
-                0 => declared.len() - declared.len().min(dice.below(30)),
-                _ => somewhere(&document.text, &mut dice),
-            };
-            while !document.text.is_char_boundary(at.min(document.text.len())) {
-                at -= 1;
-            }
-            at = at.min(document.text.len());
-            for letter in dice
-                .of(&[
-                    "--[ ]( new_one )--",
-                    "5",
-                    "x",
-                    "\n",
-                    "# note #",
-                    "--[/]( a )",
-                    "\\",
-                    "(S)( A )",
-                    "+--( )( c )--+\n",
-                    "+--<LBL>( there )--( )( c )--+\n\n",
-                    "--<JMP>( here )",
-                ])
-                .chars()
-            {
-                let mut text = document.text.clone();
-                text.insert(at, letter);
-                at += letter.len_utf8();
-                document.becomes(text);
-            }
-            for _ in 0..dice.below(6) {
-                let mut text = document.text.clone();
-                let Some((last, _)) = text[..at].char_indices().next_back() else {
-                    break;
-                };
-                text.replace_range(last..at, "");
-                at = last;
-                document.becomes(text);
-            }
-            if dice.one_in(3) {
-                let next = edited(&document.text, &mut dice);
-                document.becomes(next);
-            }
-            if dice.one_in(4) {
-                document.is_set(settings(&mut dice));
-            }
+        1 => parts.insert(at, dice.of(OTHERS)),
+        2 => {
+            let network = format!("{}\n\n", dice.of(NETWORKS));
+            return [&parts[..at], &[network.as_str()], &parts[at..]]
+                .concat()
+                .concat();
         }
+        3 => parts.insert(at, dice.of(&SEEN)),
+        _ => return edited(text, dice),
     }
+    parts.concat()
 }
 
 /// As the table of rules says, or everything, or with some rules off or counting otherwise.
-pub(crate) fn settings(dice: &mut Dice) -> RuleSettings {
+fn settings(dice: &mut Dice) -> RuleSettings {
     let mut settings = if dice.one_in(3) {
         RuleSettings::everything()
     } else {
@@ -385,122 +280,48 @@ pub(crate) fn settings(dice: &mut Dice) -> RuleSettings {
         ]);
         settings.set(dice.of(Rule::ALL), level);
     }
+    settings.scan_interval = dice.of(&[settings.scan_interval, Some(5_000_000)]);
     settings
 }
 
-/// What decides about findings in a network beside its own lines: it must not keep them when that changes.
 #[test]
-fn findings_whose_reasons_stand_elsewhere() {
-    let constant = |value| {
-        format!(
-            "VAR CONSTANT n : INT := {value}; END_VAR\nVAR_OUTPUT y : BOOL; END_VAR\n\n\
-             +--[GT]( n, 5 )--( )( y )--+\n"
-        )
-    };
-    let spelled = |name| {
-        format!(
-            "VAR_INPUT {name} : BOOL; END_VAR\nVAR_OUTPUT y : BOOL; END_VAR\n\n\
-             +--[ ]( start )--[/]( START )--( )( y )--+\n"
-        )
-    };
-    let typed = |ty| format!("VAR a : {ty}; END_VAR\n\n+--[MOV]( a, 300 )--[EQ]( a, 1.5 )--( )( y )--+\n");
-    let with_rail = |above| format!("{above}\n+--[ ]( a )--[/]( a )--( )( y )--+\n");
-    let profile =
-        |name| format!("# ladder: profile {name} #\n\n+--[TON]( t, T#1s, B := T#10ms )--( )( y )--+\n");
-    let called = |parameters| {
-        format!(
-            "FUNCTION_BLOCK [$F]\n{parameters}\n+--[ ]( EN )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n\n\
-             VAR a : INT; END_VAR\n\n+--[$F]( a, b )--( )( y )--+\n\n+--[$F]( a )--[ ]( c )--[/]( c )--( )( z )--+\n"
-        )
-    };
-    let signatures = [
-        "VAR_INPUT p : INT; q : BOOL; END_VAR",
-        "VAR_INPUT p : INT; r : BOOL; END_VAR",
-        "VAR_INPUT p : BOOL; r : BOOL; END_VAR",
-        "VAR_INPUT p : INT; END_VAR\nVAR_OUTPUT q : BOOL; END_VAR",
-        "VAR_INPUT p : INT; q : BOOL := TRUE; END_VAR",
-        "VAR_INPUT p : INT; q : BOOL := TRUE END_VAR",
-        "VAR_INPUT p : INT; END_VAR",
-        "",
-    ]
-    .map(called)
-    .to_vec();
-    let constants = ["5", "6", "-32768", "5"].map(constant).to_vec();
-    let spellings = ["start", "Start", "stop"].map(spelled).to_vec();
-    let types = ["INT", "SINT", "REAL", "BOOL", "LREAL"].map(typed).to_vec();
-    let rails = ["", "+--[ ]( b )--<MCR>--+\n", "+--[ ]( b )--( )( c )--+\n"]
-        .map(with_rail)
-        .to_vec();
-    let profiles = ["iec", "iot", "ldmicro", "iec"].map(profile).to_vec();
-    for texts in [constants, spellings, types, rails, profiles, signatures] {
-        let mut document = Document::new(String::new());
-        for text in texts {
-            document.becomes(text);
-        }
-    }
-}
-
-/// An edit in one network that decides about findings in another, which is not looked at for its own sake.
-/// What an unknown word in brackets could be is not another one because of what is elsewhere in the file.
-#[test]
-fn a_word_in_brackets_that_a_tag_has_as_well() {
-    let text = "+--[TOM]--( )( y )--+\n\n+--[ ]( a )--( )( b )--+\n".to_owned();
-    let mut document = Document::new(text.clone());
-    document.becomes(text.replace("( a )", "( TOM )"));
-    document.becomes(text.clone());
-    document.becomes(format!("VAR TOM : BOOL; END_VAR\n{text}"));
-    document.becomes(text);
-}
-
-#[test]
-fn edits_that_decide_about_other_networks() {
-    let network = |drawn: &str| format!("+--[ ]( first )--( )( second )--+\n\n{drawn}\n");
-    // Messages spell a tag as it is first.
-    let spelled = |name| {
-        network(&format!(
-            "+--[ ]( {name} )--( )( x )--+\n\n+--[ ]( a )--( )( m )--[/]( m )--( )( y )--+"
-        ))
-    };
-    // A second block of a timer is an error: of that network no more is said.
-    let timed = |timer| {
-        network(&format!(
-            "+--[ ]( a )--[TON]( {timer}, T#1s )--+\n\n+--[ ]( b )--[/]( b )--[TON]( t, T#1s )--( )( y )--+"
-        ))
-    };
-    // In a program without outputs its internal tags are what people look at.
-    let led_out = |tag| {
-        network(&format!(
-            "+--[ ]( I1 )--( )( {tag} )--+\n\n+--[ ]( I2 )--( )( M2 )--+"
-        ))
-    };
-    // Behind a way out two coils may be two cases.
-    let left = |block| {
-        network(&format!(
-            "+--[ ]( a )--( )( y )--+\n\n+--[ ]( b )--{block}--+\n\n+--[ ]( c )--( )( y )--+"
-        ))
-    };
-    // The nearest timer is the one that is meant.
-    let meant = |timer| {
-        network(&format!(
-            "+--[ ]( a )--[TON]( {timer}, T#1s )--+\n\n+--[ ]( wait1.Q )--( )( y )--+"
-        ))
-    };
-    for texts in [
-        ["wait", "other", "waits", "wait1"].map(meant),
-        ["y", "Y", "y", "other"].map(spelled),
-        ["u", "t", "u", "t"].map(timed),
-        ["Q1", "M1", "Q1", "M2"].map(led_out),
-        ["( )( z )", "<END>", "( )( z )", "( )( y )"].map(left),
-    ] {
-        let mut document = Document::with(String::new(), RuleSettings::everything());
-        for text in texts {
-            document.becomes(text);
+fn random_edits_of_several_files() {
+    for seed in 0..asked(60) {
+        let mut dice = Dice::new(seed);
+        let generated = dice.of(&[Mode::Sensible, Mode::Wild]);
+        let main = match dice.below(3) {
+            0 => MAIN.to_owned(),
+            1 => program(seed, generated),
+            _ => of_pieces(&mut dice),
+        };
+        let originals = [
+            ("globals", GLOBALS.to_owned()),
+            ("library", LIBRARY.to_owned()),
+            ("main", main),
+        ];
+        let mut files = Files::default();
+        for step in 0..40 {
+            // Most happens in one file.
+            let (name, original) = &originals[if dice.one_in(2) { 2 } else { dice.below(3) }];
+            if dice.one_in(10) {
+                files.are_set(settings(&mut dice));
+            }
+            match files.open.get(name) {
+                None => files.becomes(name, original.clone()),
+                Some(_) if dice.one_in(12) => files.close(name),
+                // Errors come and go, as when a person types.
+                Some(_) if step % 5 == 4 => files.becomes(name, original.clone()),
+                Some(open) => {
+                    let next = changed(&open.text, &mut dice);
+                    files.becomes(name, next);
+                }
+            }
         }
     }
 }
 
 /// `GENERATED_PROGRAMS` asks for more of them.
-pub(crate) fn asked(usual: u64) -> u64 {
+fn asked(usual: u64) -> u64 {
     let asked = std::env::var("GENERATED_PROGRAMS");
     asked.ok().and_then(|count| count.parse().ok()).unwrap_or(usual)
 }

@@ -5,7 +5,7 @@ mod directive;
 mod scope;
 mod switches;
 
-pub(crate) use scope::{Allow, Covers, Directives, Says, directives, idle_words};
+use scope::{Allow, Directives, directives, idle_words};
 
 use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic};
@@ -22,13 +22,9 @@ pub(crate) struct Allows<'c> {
 }
 
 impl<'c> Allows<'c> {
-    /// Those of a file, of which these are the lines with directives. What is wrong with directives goes to `out`.
-    pub(crate) fn of(
-        context: &'c Context,
-        asking: impl Iterator<Item = usize>,
-        out: &mut Vec<Diagnostic>,
-    ) -> Allows<'c> {
-        let Directives { allows, says, wrong } = directives(context, asking);
+    /// Those of a file. What is wrong with directives goes to `out`.
+    pub(crate) fn of(context: &'c Context, out: &mut Vec<Diagnostic>) -> Allows<'c> {
+        let Directives { allows, says, wrong } = directives(context);
         out.extend(wrong);
         out.extend(idle_words(context, says.into_iter()));
         let switches = Switches::of(context, &allows);
@@ -70,7 +66,7 @@ pub(crate) fn level(settings: &RuleSettings, rule: Rule, severity: Severity) -> 
 }
 
 /// A comment that switches off what finds nothing. `removal` is what to take out to be rid of it.
-pub(crate) fn unused(
+fn unused(
     rules: &[Rule],
     is_used: impl Fn(Rule) -> bool,
     (comment, removal): (TextRange, Option<TextRange>),

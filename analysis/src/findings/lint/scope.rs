@@ -1,30 +1,29 @@
 //! Where the comments are that switch rules off, and what each of them covers.
 
 use super::directive::{self, Directive, Word};
+use crate::asked::may_ask;
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::networks::NetworkAt;
 use crate::rule::Rule;
 use ladder_syntax::wiring::{PartKind, RungPart};
-use ladder_syntax::{LineKind, NodeOrToken, TextRange, TextSize};
+use ladder_syntax::{LineKind, NodeOrToken, Part, TextRange, TextSize};
 use std::ops::Range;
 
 /// A comment that switches rules off.
 #[derive(Debug)]
-pub(crate) struct Allow {
+pub(super) struct Allow {
     /// The comment.
-    pub(crate) comment: TextRange,
-    /// The line on which it begins.
-    pub(crate) line: usize,
-    pub(crate) rules: Vec<Rule>,
-    pub(crate) covers: Covers,
+    pub(super) comment: TextRange,
+    pub(super) rules: Vec<Rule>,
+    pub(super) covers: Covers,
     /// What to take out to be rid of the comment: its line, if nothing else is there.
-    pub(crate) removal: Option<TextRange>,
+    pub(super) removal: Option<TextRange>,
 }
 
 /// Where what rules find is not shown.
 #[derive(Debug)]
-pub(crate) enum Covers {
+pub(super) enum Covers {
     File,
     /// On the lines of a network, by its index.
     Network(usize),
@@ -45,39 +44,26 @@ impl Covers {
 
 /// What comments to the tools say.
 #[derive(Debug, Default)]
-pub(crate) struct Directives {
-    pub(crate) allows: Vec<Allow>,
-    pub(crate) says: Vec<Says>,
+pub(super) struct Directives {
+    pub(super) allows: Vec<Allow>,
+    pub(super) says: Vec<Says>,
     /// What is wrong with them, each by itself.
-    pub(crate) wrong: Vec<Diagnostic>,
+    pub(super) wrong: Vec<Diagnostic>,
 }
 
 /// A comment that says something of the file.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Says {
+pub(super) struct Says {
     word: Word,
     comment: TextRange,
 }
 
-impl Says {
-    /// With its place counted from `own`.
-    pub(crate) fn counted_from(self, own: TextSize) -> Says {
-        let comment = self.comment - own;
-        Says { comment, ..self }
-    }
-
-    /// With its place counted from the start of the file again.
-    pub(crate) fn placed(self, own: TextSize) -> Says {
-        let comment = self.comment + own;
-        Says { comment, ..self }
-    }
-}
-
-/// What comments say of which these are the lines, from top to bottom.
-pub(crate) fn directives(context: &Context, asking: impl Iterator<Item = usize>) -> Directives {
+/// What the comments of a file say.
+pub(super) fn directives(context: &Context) -> Directives {
     let parse = &context.parse;
     let mut directives = Directives::default();
-    for line in asking {
+    let commented = parse.lines().of_parts_that(Part::is_commented);
+    for (line, _) in commented.filter(|(_, line)| line.is_commented() && may_ask(line.text())) {
         let kind = parse.lines()[line].kind;
         let network = context.networks.on_line(line);
         let covers = || match network {
@@ -150,7 +136,7 @@ fn next_thing(context: &Context, line: usize) -> Covers {
 
 /// What is wrong with comments that say something of the file, all of which these are, from top to bottom: with those that
 /// change nothing.
-pub(crate) fn idle_words(context: &Context, says: impl Iterator<Item = Says>) -> Vec<Diagnostic> {
+pub(super) fn idle_words(context: &Context, says: impl Iterator<Item = Says>) -> Vec<Diagnostic> {
     let first_network = context.parse.lines().first_network();
     let first_network = first_network.map(|line| context.parse.line_start(line));
     let mut said: Vec<Says> = Vec::new();
@@ -200,7 +186,6 @@ fn read_line(context: &Context, line: usize, covers: impl Fn() -> Covers, direct
             Some(Directive::Says(word)) => directives.says.push(Says { word, comment }),
             Some(Directive::Allow { rules, file }) => directives.allows.push(Allow {
                 comment,
-                line,
                 rules,
                 covers: if file { Covers::File } else { covers() },
                 removal: None,

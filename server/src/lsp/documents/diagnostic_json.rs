@@ -304,7 +304,7 @@ mod tests {
         let mut writer = Writer::new(agreed, &revision);
         let mut all = String::new();
         for finding in analysis.findings() {
-            all.push_str(writer.write(&analysis.diagnostic(finding), &[]).as_str());
+            all.push_str(writer.write(&finding.diagnostic(), &[]).as_str());
             all.push('\n');
         }
         expected.assert_eq(&all);

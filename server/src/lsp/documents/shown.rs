@@ -16,7 +16,7 @@ const MOST: usize = 1_000;
 /// and then what is near to the place where the person works.
 pub(crate) fn shown(analysis: &Analysis, revision: &Revision) -> (Vec<Finding>, usize) {
     let shown = analysis.whole().findings_near(MOST, revision.edited());
-    let left_out = analysis.whole().count() - shown.len();
+    let left_out = analysis.findings().len() - shown.len();
     (shown, left_out)
 }
 

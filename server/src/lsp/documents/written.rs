@@ -152,46 +152,11 @@ impl Kept {
         shown: &[Finding],
         out: &mut String,
     ) {
-        self.times += 1;
-        let same_lines = std::mem::replace(&mut self.line_breaks, revision.line_breaks()) == self.line_breaks;
         let mut writer = Writer::new(agreed, revision);
-        let mut lines = Vec::new();
-        let mut room = String::new();
         for (number, finding) in shown.iter().enumerate() {
             separate(out, number == 0);
-            let one = self.all.get_mut(&finding.identity());
-            let one = one.filter(|one| one.severity == finding.severity);
-            if let Some(one) = one {
-                let was_last = std::mem::replace(&mut one.last, self.times) + 1 == self.times;
-                if !same_lines || !was_last {
-                    lines.clear();
-                    analysis.first_lines(finding, &mut lines);
-                    if *one.lines != *lines {
-                        one.json.count_from(&lines, &mut room);
-                        one.lines.copy_from_slice(&lines);
-                    }
-                }
-                out.push_str(one.json.as_str());
-                continue;
-            }
-            lines.clear();
-            let stays = analysis.first_lines(finding, &mut lines);
-            let json = writer.write(&analysis.diagnostic(finding), &lines);
+            let json = writer.write(&finding.diagnostic(), &[]);
             out.push_str(json.as_str());
-            if stays {
-                let one = One {
-                    _finding: finding.clone(),
-                    severity: finding.severity,
-                    lines: lines.as_slice().into(),
-                    json,
-                    last: self.times,
-                };
-                self.all.insert(finding.identity(), one);
-            }
-        }
-        // What is not shown any more may be shown again soon, but not for ever.
-        if self.all.len() > 2 * shown.len() {
-            self.all.retain(|_, one| one.last == self.times);
         }
     }
 }

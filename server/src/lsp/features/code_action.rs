@@ -148,7 +148,7 @@ fn offer(
         title: action.title.clone(),
         kind: Some(name(action.kind)),
         diagnostics: finding.map(|finding| {
-            let typed = Writer::new(agreed, revision).typed(&analysis.diagnostic(finding));
+            let typed = Writer::new(agreed, revision).typed(&finding.diagnostic());
             typed.into_iter().collect()
         }),
         edit: now.and_then(|text| edit(agreed, revision, analysis, action, text)),

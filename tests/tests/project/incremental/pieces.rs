@@ -1,11 +1,74 @@
-//! The same for programs that hold, in small, what each rule looks at: whatever else decides about a finding comes and goes
-//! elsewhere in the file.
+//! The files that are edited, and what edits put in.
 
-use crate::incremental::{Document, asked, settings};
-use ladder_tests::generator::Dice;
+/// What a hand puts in.
+pub(super) const PIECES: [&str; 47] = [
+    "",
+    "",
+    "",
+    "",
+    "\\",
+    "/",
+    "-",
+    "--",
+    "+",
+    "|",
+    " ",
+    "\n",
+    "(",
+    ")",
+    "[",
+    "]",
+    "<",
+    ">",
+    "#",
+    "# note #",
+    ",",
+    ":=",
+    ";",
+    "'",
+    "a",
+    "5",
+    "T#5s",
+    "é",
+    "\r\n",
+    "END_VAR\n",
+    "VAR\n",
+    "VAR\n    b : INT;\nEND_VAR\n",
+    "FUNCTION_BLOCK [$F]\n",
+    "END_FUNCTION_BLOCK\n",
+    "+--[ ]( a )--( )( b )--+\n",
+    "+--<FUN>( f )--+\n",
+    "+--<LBL>( l )--+\n",
+    "--<CALL>( f )--",
+    "--[$F]( a )--",
+    "# ladder: allow(never-read) #\n",
+    "# ladder: allow-file(double-coil) #\n",
+    "# ladder: profile ldmicro #\n",
+    "VAR CONSTANT\n    n : INT := 5;\nEND_VAR\n",
+    "[GT]( n, 5 )--",
+    "[ ]( a )--[/]( a )--",
+    "+--<MCR>--+\n",
+    "+--\\--[ ]( a )--\\--( )( b )--+\n|  /--[ ]( A )--/\n",
+];
+
+/// Words of declarations, to be exchanged for each other.
+pub(super) const WORDS: [&str; 12] = [
+    "BOOL",
+    "INT",
+    "DINT",
+    "REAL",
+    "TIME",
+    "STRING",
+    "TON",
+    "CTU",
+    "RETAIN",
+    "CONSTANT",
+    "VAR_INPUT",
+    "VAR_OUTPUT",
+];
 
 /// Declarations, definitions and comments.
-const OTHERS: &[&str] = &[
+pub(super) const OTHERS: &[&str] = &[
     "VAR TOM : BOOL; END_VAR\n",
     "VAR n : INT; END_VAR\n",
     "VAR t : TON; END_VAR\n",
@@ -32,7 +95,10 @@ const OTHERS: &[&str] = &[
 ];
 
 /// Networks, without the blank line behind them.
-const NETWORKS: &[&str] = &[
+pub(super) const NETWORKS: &[&str] = &[
+    "+--\\--[ ]( a )--\\--( )( y )--+\n|  /--[/]( a )--/",
+    "+--[ ]( x )--<MCR>--+",
+    "+--[TON]( t, T#7ms )--( )( z )--+",
     "+--[TOM]--( )( y )--+",
     "+--[ ]( TOM )--( )( b )--+",
     "+--[ ]( n )--( )( z )--+",
@@ -99,51 +165,58 @@ const NETWORKS: &[&str] = &[
     "+--[ ]( x )--( )( y )--( )( y )--+",
 ];
 
-/// Names that take the place of others.
-const NAMES: [&str; 14] = [
-    "TOM", "n", "t", "a", "x", "y", "k", "arr", "g", "z", "f", "l", "start", "I1",
+pub(super) const MAIN: &str = "\
+VAR_INPUT go : BOOL; END_VAR
+VAR_OUTPUT lamp : BOOL; END_VAR
+VAR t : TON; END_VAR
+
++--[ ]( go )--<CALL>( count )--+
+
++--[$Hold]( go, lamp )--[GT]( total, 3 )--( )( alarm )--+
+
++--[ ]( alarm )--[TON]( t, T#1s )--( )( reset )--+
+
++--[ ]( go )--[/]( alarm )--(S)( latched )--+
+";
+
+pub(super) const LIBRARY: &str = "\
+VAR_GLOBAL total : DINT; alarm, latched : BOOL; END_VAR
+
++--[ ]( SYS.ON )--[MOV]( 0, total )--+
+
++--[ ]( reset )--(R)( latched )--+
+
++--<FUN>( count )--[ADD]( total, total, 1 )--+
+
+FUNCTION_BLOCK [$Hold]
+VAR_INPUT a : BOOL; END_VAR
+VAR_OUTPUT q : BOOL; END_VAR
+VAR_EXTERNAL total : DINT; END_VAR
++--[ ]( a )--[GT]( total, 5 )--(S)( q )--+
+END_FUNCTION_BLOCK
+";
+
+pub(super) const GLOBALS: &str = "\
+VAR_GLOBAL reset : BOOL; total : INT; END_VAR
+VAR_GLOBAL CONSTANT most : DINT := 5; END_VAR
+
++--[ ]( first )--( )( second )--+
+
++--[GT]( total, most )--(R)( latched )--+
+";
+
+/// What a hand puts in that concerns other files.
+pub(super) const SEEN: [&str; 12] = [
+    "VAR_GLOBAL alarm : BOOL; END_VAR\n",
+    "VAR_GLOBAL go : BOOL; END_VAR\n",
+    "VAR_EXTERNAL total : DINT; END_VAR\n",
+    "VAR_EXTERNAL reset : INT; END_VAR\n",
+    "+--[ ]( alarm )--( )( reset )--+\n",
+    "+--<CALL>( count )--+\n",
+    "+--<FUN>( count )--+\n",
+    "+--[$Hold]( reset, alarm )--+\n",
+    "+--[ ]( latched )--[/]( latched )--( )( lamp )--+\n",
+    "FUNCTION_BLOCK [$Hold]\nVAR_INPUT a : INT; END_VAR\n+--[ ]( EN )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n",
+    "+--[MOV]( 7, total )--+\n",
+    "T",
 ];
-
-fn piece(dice: &mut Dice) -> String {
-    if dice.one_in(4) {
-        return dice.of(OTHERS).to_owned();
-    }
-    format!("{}\n\n", dice.of(NETWORKS))
-}
-
-/// Gives another name to one of the words in a piece.
-fn rename(piece: &mut String, dice: &mut Dice) {
-    let bytes = piece.as_bytes();
-    let is_word = |at: usize| bytes[at].is_ascii_alphanumeric() || bytes[at] == b'_';
-    let starts = (1..piece.len()).filter(|&at| bytes[at].is_ascii_lowercase() && !is_word(at - 1));
-    let starts: Vec<usize> = starts.collect();
-    if starts.is_empty() {
-        return;
-    }
-    let start = starts[dice.below(starts.len())];
-    let end = (start..piece.len())
-        .find(|&at| !is_word(at))
-        .unwrap_or(piece.len());
-    piece.replace_range(start..end, NAMES[dice.below(NAMES.len())]);
-}
-
-#[test]
-fn what_rules_look_at_comes_and_goes() {
-    for seed in 0..asked(80) {
-        let mut dice = Dice::new(seed);
-        let mut pieces: Vec<String> = (0..8).map(|_| piece(&mut dice)).collect();
-        let mut document = Document::with(pieces.concat(), settings(&mut dice));
-        for _ in 0..40 {
-            let at = dice.below(pieces.len());
-            match dice.below(4) {
-                0 if pieces.len() < 14 => pieces.insert(at, piece(&mut dice)),
-                1 if pieces.len() > 4 => {
-                    pieces.remove(at);
-                }
-                2 => rename(&mut pieces[at], &mut dice),
-                _ => pieces[at] = piece(&mut dice),
-            }
-            document.becomes(pieces.concat());
-        }
-    }
-}

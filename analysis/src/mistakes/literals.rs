@@ -1,0 +1,17 @@
+//! A value that does not fit its place: `bad-literal`, `literal-out-of-range`, `type-mismatch`, and `bad-declaration` for an
+//! initial value.
+
+use crate::constant::{ConstantFault, ConstantProblem};
+use crate::diagnostic::Diagnostic;
+use crate::rule::Rule;
+
+/// The finding about a value.
+pub(crate) fn diagnostic(problem: &ConstantProblem) -> Diagnostic {
+    let rule = match problem.fault {
+        ConstantFault::Malformed => Rule::BadLiteral,
+        ConstantFault::OutOfRange => Rule::LiteralOutOfRange,
+        ConstantFault::OtherType => Rule::TypeMismatch,
+        ConstantFault::NotInitial => Rule::BadDeclaration,
+    };
+    Diagnostic::new(rule, problem.range, &problem.message)
+}

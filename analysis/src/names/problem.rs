@@ -1,0 +1,67 @@
+//! What is wrong with the names of a file, as it is found while they are joined: plain values, which the rules
+//! `bad-declaration`, `duplicate-declaration` and those about literals put into sentences.
+
+use super::scope::Entry;
+use crate::exports::Global;
+use crate::values::constant::ConstantProblem;
+use ladder_syntax::TextRange;
+use smol_str::SmolStr;
+use std::sync::Arc;
+
+/// Something wrong with a declaration, or with how scopes and files agree on a tag.
+#[derive(Debug, Clone)]
+pub(crate) enum NameProblem {
+    /// A declaration that is well formed and means nothing: where, and why.
+    Meaningless(TextRange, String),
+    /// An initial value that does not fit its type.
+    InitialValue(ConstantProblem),
+    /// A name that its scope declares a second time.
+    Twice {
+        name: SmolStr,
+        at: TextRange,
+        first: SmolStr,
+        first_at: TextRange,
+    },
+    /// A VAR_GLOBAL tag that the file declares a second time, otherwise.
+    GlobalOtherwise {
+        tag: Entry,
+        first: Entry,
+        differs: Differs,
+    },
+    /// A VAR_GLOBAL tag that another file declares otherwise.
+    OtherwiseInFile {
+        tag: Entry,
+        other: InFile,
+        differs: Differs,
+    },
+    /// A tag of other files, which do not declare it alike.
+    FilesDiffer {
+        tag: Entry,
+        first: InFile,
+        second: InFile,
+    },
+    /// A VAR_EXTERNAL tag that nothing declares as VAR_GLOBAL.
+    NoGlobal { tag: Entry },
+    /// A VAR_EXTERNAL tag of another type than the global.
+    ExternalOtherwise {
+        name: SmolStr,
+        at: TextRange,
+        ty: Option<crate::types::Type>,
+        global: Entry,
+    },
+}
+
+/// What one declaration says otherwise than another.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Differs {
+    Type,
+    Value,
+    Address,
+}
+
+/// A declaration in another file.
+#[derive(Debug, Clone)]
+pub(crate) struct InFile {
+    pub(crate) file: Arc<str>,
+    pub(crate) global: Global,
+}
