@@ -1,14 +1,15 @@
 //! A file, analysed.
 
 use crate::checking::{self, Memo, keep_nearest};
-use crate::context::{Context, context_after};
-use crate::diagnostic::Diagnostic;
+use crate::context::Context;
 use crate::findings::Finding;
-use crate::others::Others;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Severity;
+use crate::findings::rule_settings::RuleSettings;
+use crate::names::join::context_after;
+use crate::other_files::others::Others;
 use crate::program::Program;
 use crate::resolve::{self, Resolved, numbers::Unit};
-use crate::rule::Severity;
-use crate::rule_settings::RuleSettings;
 use crate::still_wanted::StillWanted;
 use ladder_syntax::{Parse, TextSize};
 use std::sync::{Arc, OnceLock};
@@ -62,7 +63,7 @@ impl Analysis {
     }
 
     /// The program, if there are no errors and it uses no function or block of another file: see
-    /// [`link()`](crate::link()). It is put together when it is first asked for.
+    /// [`link()`](crate::other_files::link()). It is put together when it is first asked for.
     pub fn program(&self) -> Option<&Arc<Program>> {
         let program = || {
             if self.has_errors() {

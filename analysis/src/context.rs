@@ -1,18 +1,16 @@
 //! All that is known of a file before its program is put together: what rules and the editor's features read.
 
-use crate::at_address::AtAddress;
-use crate::foreign_comment::ForeignComments;
-use crate::infer;
-use crate::joined::Joined;
+use crate::findings::foreign_comment::ForeignComments;
+use crate::names::at_address::AtAddress;
+use crate::names::joined::{Joined, NamedTags};
+use crate::names::problem::NameProblem;
+use crate::names::scope::{Entry, Origin, Scope, TagFacts};
+use crate::networks::network::BoundBlock;
+use crate::networks::use_place::Use;
+use crate::networks::user_block::UserBlockFacts;
 use crate::networks::{NetworkAt, Networks};
-use crate::others::{Import, Others};
-use crate::problem::NameProblem;
-use crate::scope::{Entry, Origin, Scope, TagFacts, Use};
-use crate::shared;
-use crate::skeleton;
-use crate::still_wanted::StillWanted;
-use crate::user_block::UserBlockFacts;
-use crate::uses;
+use crate::other_files::import::Import;
+use crate::other_files::others::Others;
 use ladder_instructions::Profile;
 use ladder_syntax::{LineIndex, Name, Parse, TextRange, TextSize};
 use rustc_hash::FxHashMap;
@@ -171,6 +169,16 @@ impl Context {
             .map_or(tag, |(scope, tag)| &self.scopes[scope].tags[tag])
     }
 
+    /// The names of a network, with the tags that they mean.
+    pub(crate) fn names_of<'c>(&'c self, network: NetworkAt<'c>) -> NamedTags<'c> {
+        self.joined.names(network.index, &network.facts().named)
+    }
+
+    /// The block at a place where a tag is used.
+    pub(crate) fn block_at(&self, place: &Use) -> &BoundBlock {
+        &self.networks.facts(place.network).blocks[place.block]
+    }
+
     /// The scope of the tag that an entry leads to, and which of its tags it is.
     pub fn leads_to(&self, entry: &TagFacts) -> Option<Entry> {
         entry.rare.lead
@@ -253,35 +261,4 @@ impl Context {
             item: function.item,
         }))
     }
-}
-
-/// Reads a file's names, networks and blocks. Messages call the file by this name.
-pub fn context(parse: &Arc<Parse>, name: &str, others: &Others) -> Context {
-    context_after(None, parse, name, others)
-}
-
-/// As [`context()`]. What an earlier text had as well is taken from its context.
-pub fn context_after(before: Option<&Context>, parse: &Arc<Parse>, name: &str, others: &Others) -> Context {
-    match context_while(before, parse, name, others, &|| true) {
-        Some(context) => context,
-        None => unreachable!("it is always wanted"),
-    }
-}
-
-/// As [`context_after()`], while `wanted` holds: where the names of the whole file are joined anew, that is asked between each
-/// [`BETWEEN`](crate::BETWEEN) networks, tags or declarations. None once it does not.
-pub fn context_while(
-    before: Option<&Context>,
-    parse: &Arc<Parse>,
-    name: &str,
-    others: &Others,
-    wanted: &dyn Fn() -> bool,
-) -> Option<Context> {
-    let wanted = StillWanted::new(wanted);
-    let mut context = skeleton::skeleton(parse, name, others, before, &wanted)?;
-    uses::collect(&mut context, &wanted)?;
-    shared::share(&mut context);
-    context.at_address = AtAddress::of(&context.scopes);
-    infer::infer(&mut context, &wanted)?;
-    Some(context)
 }

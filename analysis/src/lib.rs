@@ -32,50 +32,35 @@ mod boolean;
 mod checking;
 pub mod context;
 mod cplc_draft;
-mod findings;
+pub mod findings;
 mod mistakes;
-mod names;
+pub mod names;
 pub mod networks;
-mod other_files;
+pub mod other_files;
 mod profile;
 pub mod program;
 mod resolve;
-mod rules;
-mod skeleton;
+pub mod rules;
 mod still_wanted;
-mod values;
-
-pub(crate) use findings::{article, excerpt, foreign_comment, lint, stamp};
-pub use findings::{diagnostic, fix, rule, rule_settings};
-pub(crate) use names::{
-    at_address, declare, declaring, did_you_mean, infer, joined, operand_value, problem, shared, use_kind,
-    uses,
-};
-pub use names::{rare, scope, system_tag};
-pub(crate) use networks::{
-    control_flow, kept, known_blocks, order_table, outward_jumps, reading, unread_line,
-};
-pub use networks::{facts, network, order, user_block};
-pub(crate) use other_files::{exports, link, others, outward};
-pub(crate) use values::address_bits;
-pub use values::{constant, literal, types, value};
+pub mod values;
 
 pub use analyze::{
     Analysis, analyze, analyze_after, analyze_context, analyze_in, analyze_while, analyze_with,
 };
-pub use article::with_article;
 pub use boolean::formula::{Formulas, formulas};
 pub use checking::keep_nearest;
 pub use cplc_draft::is_cplc_draft;
-pub use diagnostic::{Applicability, Diagnostic, Fix, Related};
-pub use exports::{ExportedBlock, ExportedFunction, Exports, Global, exports};
 pub use findings::Finding;
-pub use infer::member as state_member;
-pub use link::{NotWhole, link};
-pub use others::{Exported, Import, Others};
-pub use resolve::{in_class, is_function as is_expression_function};
-pub use rule::{Rule, RuleGroup, Severity};
-pub use rule_settings::{Level, RuleSettings};
+pub use findings::article::with_article;
+pub use findings::diagnostic::{Applicability, Diagnostic, Fix, Related};
+pub use findings::rule::{Rule, RuleGroup, Severity};
+pub use findings::rule_settings::{Level, RuleSettings};
+pub use names::infer::member as state_member;
+pub use other_files::exporting::exports;
+pub use other_files::exports::{ExportedBlock, ExportedFunction, Exports, Global};
+pub use other_files::import::Import;
+pub use other_files::link::{NotWhole, link};
+pub use other_files::others::{Exported, Others};
+pub use resolve::in_class;
 pub use rules::cplc_draft::is_reported as says_cplc_draft;
-pub use rules::declaration_fix;
 pub use still_wanted::BETWEEN;

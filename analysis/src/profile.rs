@@ -2,7 +2,7 @@
 //! the time from one scan to the next that it is made for, `# ladder: cycle 5ms #`.
 
 use crate::asked::asked;
-use crate::literal::{Literal, literal};
+use crate::values::literal::{Literal, literal};
 use ladder_instructions::Profile;
 use ladder_syntax::{NodeOrToken, Parse};
 

@@ -4,9 +4,9 @@
 //! resolved, operands typed and brought to the type that the instruction works in, and each network's elements
 //! are in their order of evaluation (LANGUAGE §6).
 
-pub use crate::system_tag::{Clock, SystemTag};
-use crate::types::{Scalar, Type};
-use crate::value::Value;
+pub use crate::names::system_tag::{Clock, SystemTag};
+use crate::values::types::{Scalar, Type};
+use crate::values::value::Value;
 use ladder_instructions::{Instruction, Law, Op, Operand, Profile, Shape, Timing};
 use ladder_syntax::{Name, TextRange};
 use std::ops::Range;

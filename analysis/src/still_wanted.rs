@@ -35,7 +35,7 @@ impl<'a> StillWanted<'a> {
 #[cfg(test)]
 mod tests {
     use super::BETWEEN;
-    use crate::context::{context, context_after, context_while};
+    use crate::names::join::{context, context_after, context_while};
     use crate::{Others, RuleSettings, analyze_context, analyze_while};
     use ladder_syntax::parse;
     use std::cell::Cell;

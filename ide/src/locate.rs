@@ -1,8 +1,8 @@
 //! What is at an offset: the network, the rung, the part of its drawing, the block and the operand.
 
 use ladder_analysis::context::Context;
-use ladder_analysis::facts::{Node, NodeKind};
 use ladder_analysis::networks::BlockAt;
+use ladder_analysis::networks::facts::{Node, NodeKind};
 use ladder_syntax::TextSize;
 use ladder_syntax::wiring::RungPart;
 

@@ -3,8 +3,8 @@
 use crate::typing::{CursorContext, Open, Operand, typing};
 use crate::wanted::{Called, called, function};
 use ladder_analysis::context::Context;
+use ladder_analysis::networks::user_block::UserBlockFacts;
 use ladder_analysis::program::ParameterKind;
-use ladder_analysis::user_block::UserBlockFacts;
 use ladder_instructions::{Direction, Instruction, Presence, Profile};
 use ladder_syntax::TextSize;
 use std::ops::Range;

@@ -2,11 +2,12 @@
 
 use crate::typing::{Open, Operand, Typing};
 use ladder_analysis::context::Context;
+use ladder_analysis::names::scope::{TagFacts, type_by_form};
+use ladder_analysis::networks::user_block::{Parameter, UserBlockFacts};
 use ladder_analysis::program::{ParameterKind, SystemTag};
-use ladder_analysis::scope::{TagFacts, type_by_form};
-use ladder_analysis::types::{Scalar, Type, are_comparable, passes};
-use ladder_analysis::user_block::{Parameter, UserBlockFacts};
-use ladder_analysis::{in_class, is_expression_function, state_member};
+use ladder_analysis::values::callable::is_callable;
+use ladder_analysis::values::types::{Scalar, Type, are_comparable, passes};
+use ladder_analysis::{in_class, state_member};
 use ladder_instructions::{
     Accepts, Direction, Instruction, Law, Shape, StateType, States, Truth, TypeClass, lookup,
 };
@@ -172,7 +173,7 @@ fn inside(typing: &Typing<'_>, operand: &Operand) -> Option<Wanted> {
 
 /// The row of a function that expressions call by name.
 pub(crate) fn function(name: &str) -> Option<&'static Instruction> {
-    lookup(Shape::Logical, name).find(|row| is_expression_function(row))
+    lookup(Shape::Logical, name).find(|row| is_callable(row))
 }
 
 fn of_row(typing: &Typing<'_>, operand: &Operand, accepts: Accepts) -> Wanted {

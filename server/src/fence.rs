@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use ladder_analysis::Others;
-use ladder_analysis::context::context;
+use ladder_analysis::names::join::context;
 use ladder_analysis::networks::BlockAt;
 use ladder_ide::{Modifiers, Token, TokenKind, semantic_tokens};
 use ladder_instructions::Shape;

@@ -3,7 +3,8 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use ladder_analysis::context::{Context, context_while};
+use ladder_analysis::context::Context;
+use ladder_analysis::names::join::context_while;
 use ladder_analysis::{Finding, Others, RuleSettings, analyze_while};
 use ladder_format::{Edit, Options, format};
 use ladder_ide::{Action, ActionKind, fix_all, quick_fixes, refactorings};

@@ -4,7 +4,7 @@
 //! `cargo bench -p ladder-simulator --bench history`
 
 use ladder_analysis::analyze;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_simulator::{HistoryLimits, Options, Session, Simulation};
 use std::fmt::Write;
 use std::sync::Arc;

@@ -4,8 +4,8 @@ use crate::compile::CompileError;
 use crate::memory::{Bit, Memory, Text, TextSlot, Word};
 use crate::operation::Width;
 use ladder_analysis::program::{Member, Tag};
-use ladder_analysis::types::{Scalar, Type};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::{Scalar, Type};
+use ladder_analysis::values::value::Value;
 use ladder_instructions::StateType;
 
 /// Where a tag lives. An elementary tag is an array of one.

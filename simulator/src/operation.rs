@@ -1,7 +1,7 @@
 //! The operations on words: which there are, and what each computes.
 
 use crate::fault::Trouble;
-use ladder_analysis::types::Scalar;
+use ladder_analysis::values::types::Scalar;
 use std::cmp::Ordering;
 
 /// A comparison, as the set of orders for which it holds: one look instead of a choice among six.

@@ -23,7 +23,7 @@ use crate::memory::{Bit, Memory, TextSlot, Word};
 use crate::operation::Test;
 use crate::timers::Clock;
 use crate::work;
-use ladder_analysis::types::Scalar;
+use ladder_analysis::values::types::Scalar;
 
 /// Which routine; behind each what its operands are. A range is two words: the slot of its first element, and how
 /// many there are. A list is its length and its members.

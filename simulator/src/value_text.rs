@@ -1,8 +1,8 @@
 //! Values as text: for traces, for people, and back.
 
-use ladder_analysis::literal::{Literal, LiteralProblem, literal};
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::{Value, wrap};
+use ladder_analysis::values::literal::{Literal, LiteralProblem, literal};
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::{Value, wrap};
 use ladder_analysis::with_article;
 use std::fmt::{self, Write};
 

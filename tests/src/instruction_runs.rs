@@ -1,8 +1,8 @@
 //! What an instruction does, scan by scan: its example is run, and its page shows what comes of it.
 
 use ladder_analysis::program::Role;
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use ladder_instructions::{Instruction, Op, TABLE};
 use ladder_simulator::value_text::{display, parse};
 use ladder_simulator::{Options, Point, Simulation};

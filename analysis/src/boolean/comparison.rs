@@ -3,10 +3,10 @@
 use super::gate::{Ask, Variable};
 use super::value_space::{Bound, Regions};
 use super::variables::{Draft, Reader};
-use crate::facts::Node;
-use crate::literal::Literal;
+use crate::names::operand_value::{Number, number, scalar};
 use crate::networks::BlockAt;
-use crate::operand_value::{Number, number, scalar};
+use crate::networks::facts::Node;
+use crate::values::literal::Literal;
 use ladder_instructions::Op;
 
 /// A comparison before all numbers are known that its value is compared with.

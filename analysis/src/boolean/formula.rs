@@ -5,12 +5,12 @@
 
 use super::written::{written, written_block};
 use crate::context::{Body, Context};
-use crate::facts::NodeKind;
-use crate::network::Meaning;
+use crate::names::operand_value::tag;
+use crate::networks::facts::NodeKind;
+use crate::networks::network::Meaning;
 use crate::networks::{BlockAt, NetworkAt};
-use crate::operand_value::tag;
 use crate::program::Step;
-use crate::types::Type;
+use crate::values::types::Type;
 use ladder_instructions::{Coil, Edge, Op, Power, SetPower, StateType, Timing};
 use std::fmt;
 

@@ -1,8 +1,8 @@
 //! The values of a number, as the numbers that it is compared with cut them up.
 
 use super::comparison::order_mask;
-use crate::operand_value::Number;
-use crate::types::Scalar;
+use crate::names::operand_value::Number;
+use crate::values::types::Scalar;
 use ladder_instructions::Op;
 
 /// A number that a value is compared with.

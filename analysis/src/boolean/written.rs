@@ -1,12 +1,12 @@
 //! Operands and blocks as sentences name them.
 
 use crate::context::Context;
-use crate::excerpt::shortened;
-use crate::facts::{Node, NodeKind};
-use crate::literal::Literal;
-use crate::network::Formal;
+use crate::findings::excerpt::shortened;
+use crate::names::operand_value::tag;
 use crate::networks::BlockAt;
-use crate::operand_value::tag;
+use crate::networks::facts::{Node, NodeKind};
+use crate::networks::network::Formal;
+use crate::values::literal::Literal;
 use ladder_instructions::Accepts;
 
 /// A place or number as it is written, without blanks.

@@ -3,8 +3,8 @@
 //! A memo: without it all comes out the same, later. Its key is the network's own facts, which are read again whenever one of its
 //! lines changes, and a number that stands for all else that the rules see of it.
 
-use crate::diagnostic::Diagnostic;
-use crate::network::NetworkFacts;
+use crate::findings::diagnostic::Diagnostic;
+use crate::networks::network::NetworkFacts;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 

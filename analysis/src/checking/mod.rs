@@ -16,13 +16,13 @@ pub(crate) use memo::Memo;
 pub use shown::keep_nearest;
 
 use crate::context::Context;
-use crate::control_flow::ControlFlow;
-use crate::diagnostic::Diagnostic;
 use crate::findings::Finding;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::{Rule, Severity};
+use crate::findings::rule_settings::RuleSettings;
 use crate::mistakes;
 use crate::networks::NetworkAt;
-use crate::rule::{Rule, Severity};
-use crate::rule_settings::RuleSettings;
+use crate::networks::control_flow::ControlFlow;
 use crate::rules;
 use crate::rules::survey::Survey;
 use crate::rules::tag_summary::{Known, When};

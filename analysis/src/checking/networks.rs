@@ -2,15 +2,15 @@
 
 use super::memo::{FoundInNetwork, Group, Memo};
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
 use crate::findings::Finding;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::{Rule, Severity};
+use crate::findings::rule_settings::RuleSettings;
+use crate::findings::stamp;
 use crate::networks::NetworkAt;
 use crate::resolve;
-use crate::rule::{Rule, Severity};
-use crate::rule_settings::RuleSettings;
 use crate::rules::survey::Survey;
 use crate::rules::{self, MOST_FINDINGS};
-use crate::stamp;
 use crate::still_wanted::StillWanted;
 use ladder_syntax::TextRange;
 use rustc_hash::FxHasher;

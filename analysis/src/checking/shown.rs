@@ -2,11 +2,11 @@
 //! settings ask for, without what comments switch off, in the order of their places.
 
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
 use crate::findings::Finding;
-use crate::lint::{self, Allows};
-use crate::rule::Severity;
-use crate::rule_settings::RuleSettings;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::lint::{self, Allows};
+use crate::findings::rule::Severity;
+use crate::findings::rule_settings::RuleSettings;
 use crate::rules;
 use crate::rules::follow_ups::FollowUps;
 use crate::rules::tag_summary::{Known, When};

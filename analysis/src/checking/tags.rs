@@ -1,8 +1,8 @@
 //! What is found at the places of tags.
 
 use crate::context::Context;
-use crate::control_flow::ControlFlow;
-use crate::diagnostic::Diagnostic;
+use crate::findings::diagnostic::Diagnostic;
+use crate::networks::control_flow::ControlFlow;
 use crate::rules::{self, AroundTags};
 use crate::still_wanted::StillWanted;
 

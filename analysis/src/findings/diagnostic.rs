@@ -1,6 +1,6 @@
 //! A finding: what is wrong, where, what to do.
 
-use crate::rule::{Rule, Severity};
+use crate::findings::rule::{Rule, Severity};
 use ladder_format::Edit;
 use ladder_syntax::{TextRange, TextSize};
 use std::borrow::Cow;

@@ -6,7 +6,7 @@
 //! for all. This parses the whole text: it is done for the one fix that is wanted, not for each that
 //! is offered.
 
-use crate::diagnostic::{Applicability, Diagnostic, Fix};
+use crate::findings::diagnostic::{Applicability, Diagnostic, Fix};
 use ladder_format::{Edit, Options, apply, format_ranges, format_text, reformat};
 use ladder_syntax::{TextRange, TextSize, parse};
 use std::collections::BTreeMap;

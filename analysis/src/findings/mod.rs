@@ -11,8 +11,8 @@ pub mod rule;
 pub mod rule_settings;
 pub(crate) mod stamp;
 
-use crate::diagnostic::Diagnostic;
-use crate::rule::{Rule, Severity};
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::{Rule, Severity};
 use ladder_syntax::{TextRange, TextSize};
 use std::sync::Arc;
 

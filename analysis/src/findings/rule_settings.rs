@@ -1,6 +1,6 @@
 //! What the rules are given before they look: which of them look at all, and how long a scan takes.
 
-use crate::rule::{Rule, Severity};
+use crate::findings::rule::{Rule, Severity};
 use std::collections::BTreeMap;
 
 /// The scan interval unless set otherwise, in nanoseconds (LANGUAGE §6).

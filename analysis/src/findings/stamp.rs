@@ -2,10 +2,9 @@
 //! same, and the lines are, so are the findings.
 
 use crate::context::Context;
-use crate::joined::NamedTags;
+use crate::names::scope::{Origin, TagFacts};
 use crate::networks::NetworkAt;
-use crate::scope::{Origin, TagFacts};
-use crate::value::Value;
+use crate::values::value::Value;
 use rustc_hash::FxHasher;
 use std::hash::{Hash, Hasher};
 
@@ -15,7 +14,7 @@ pub(crate) fn of_network(context: &Context, network: NetworkAt<'_>) -> u64 {
     let mut hasher = FxHasher::default();
     (context.profile, context.signatures, network.scope).hash(&mut hasher);
     let scope = &context.scopes[network.scope];
-    for (number, (_, tag)) in (0u32..).zip(NamedTags::of(context, network).iter()) {
+    for (number, (_, tag)) in (0u32..).zip(context.names_of(network).iter()) {
         number.hash(&mut hasher);
         let mut facts = &scope.tags[tag];
         // A tag of another scope adds both what it is here and what it is there.

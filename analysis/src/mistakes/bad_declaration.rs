@@ -1,8 +1,8 @@
 //! `bad-declaration`: a section, a declaration or a block definition that cannot be read.
 
-use crate::diagnostic::{Applicability, Diagnostic};
-use crate::excerpt::shortened;
-use crate::rule::Rule;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::excerpt::shortened;
+use crate::findings::rule::Rule;
 use ladder_syntax::{DeclarationProblem, TextRange};
 
 /// A declaration that is well formed but means nothing.

@@ -1,8 +1,8 @@
 //! `bad-operand`: something is in an operand's place that cannot be there. `rules/bad_operand.rs` looks at
 //! operands that are given by name.
 
-use crate::diagnostic::{Applicability, Diagnostic};
-use crate::rule::Rule;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::rule::Rule;
 use ladder_instructions::StateType;
 use ladder_syntax::{Many, OperandPlace, TextRange};
 
@@ -80,7 +80,7 @@ pub(crate) fn meaningless(block: TextRange) -> Diagnostic {
 pub(crate) fn unknown_function(name: &str, range: TextRange) -> Diagnostic {
     let found = wrong(range, format!("there is no function `{name}` for expressions"));
     match ladder_instructions::closest(ladder_instructions::Shape::Logical, name) {
-        Some(row) if crate::resolve::is_function(row) => {
+        Some(row) if crate::values::callable::is_callable(row) => {
             found.help(format!("did you mean {}?", row.mnemonic))
         }
         _ => found,

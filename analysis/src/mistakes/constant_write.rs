@@ -1,7 +1,7 @@
 //! `constant-write`: a block writes a tag that must not be written.
 
-use crate::diagnostic::Diagnostic;
-use crate::rule::Rule;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
 use ladder_syntax::TextRange;
 use std::sync::Arc;
 

@@ -1,8 +1,8 @@
 //! `duplicate-function` where it matters: a call of a function that several other files define.
 
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
-use crate::rule::Rule;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
 use ladder_syntax::{Name, TextRange};
 
 /// A `<CALL>` of a function that the file does not have, and several others do.

@@ -1,9 +1,9 @@
 //! A value that does not fit its place: `bad-literal`, `literal-out-of-range`, `type-mismatch`, and `bad-declaration` for an
 //! initial value.
 
-use crate::constant::{ConstantFault, ConstantProblem};
-use crate::diagnostic::Diagnostic;
-use crate::rule::Rule;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
+use crate::values::constant::{ConstantFault, ConstantProblem};
 
 /// The finding about a value.
 pub(crate) fn diagnostic(problem: &ConstantProblem) -> Diagnostic {

@@ -3,11 +3,11 @@
 use super::bad_declaration;
 use super::literals;
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
-use crate::problem::{Differs, InFile, NameProblem};
-use crate::rule::Rule;
-use crate::scope::{Entry, TagFacts};
-use crate::types::Type;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
+use crate::names::problem::{Differs, InFile, NameProblem};
+use crate::names::scope::{Entry, TagFacts};
+use crate::values::types::Type;
 use ladder_syntax::TextRange;
 
 const HELP: &str =

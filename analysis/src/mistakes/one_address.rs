@@ -1,9 +1,9 @@
 //! A direct address is one tag of the program (LANGUAGE §4): what its names say of it must agree.
 
+use crate::names::scope::TagFacts;
 use crate::program::Tag;
-use crate::scope::TagFacts;
-use crate::types::{Scalar, Type};
-use crate::value::{Value, wrap};
+use crate::values::types::{Scalar, Type};
+use crate::values::value::{Value, wrap};
 
 /// What one name says of its address.
 #[derive(Debug, Clone, Copy)]

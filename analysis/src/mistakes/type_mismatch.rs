@@ -1,9 +1,9 @@
 //! `type-mismatch`: a value does not pass to the type that its place asks for.
 
-use crate::article::with_article;
-use crate::diagnostic::{Applicability, Diagnostic};
-use crate::rule::Rule;
-use crate::types::{Scalar, Type};
+use crate::findings::article::with_article;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::rule::Rule;
+use crate::values::types::{Scalar, Type};
 use ladder_instructions::{Op, StateType, TypeClass};
 use ladder_syntax::TextRange;
 

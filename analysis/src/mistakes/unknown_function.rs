@@ -1,9 +1,9 @@
 //! `unknown-function`: a `<CALL>` names no function.
 
 use crate::context::Context;
-use crate::diagnostic::{Applicability, Diagnostic};
-use crate::did_you_mean;
-use crate::rule::Rule;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::rule::Rule;
+use crate::names::did_you_mean;
 use ladder_syntax::TextRange;
 
 pub(crate) fn unknown(context: &Context, name: &str, range: TextRange) -> Diagnostic {

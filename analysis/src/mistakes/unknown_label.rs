@@ -2,9 +2,9 @@
 //! jumps out of blocks.
 
 use crate::context::Context;
-use crate::diagnostic::{Applicability, Diagnostic};
-use crate::did_you_mean;
-use crate::rule::Rule;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::rule::Rule;
+use crate::names::did_you_mean;
 use ladder_syntax::{Name, TextRange};
 
 pub(crate) fn unknown(context: &Context, network: usize, name: &str, range: TextRange) -> Diagnostic {

@@ -1,12 +1,12 @@
 //! `unknown-member`: the word or number behind a point names no part of the tag.
 
-use crate::article::with_article;
-use crate::diagnostic::{Applicability, Diagnostic};
-use crate::did_you_mean;
-use crate::rule::Rule;
-use crate::scope::Scope;
-use crate::system_tag::SystemTag;
-use crate::types::{Scalar, Type};
+use crate::findings::article::with_article;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::rule::Rule;
+use crate::names::did_you_mean;
+use crate::names::scope::Scope;
+use crate::names::system_tag::SystemTag;
+use crate::values::types::{Scalar, Type};
 use ladder_instructions::StateType;
 use ladder_syntax::TextRange;
 

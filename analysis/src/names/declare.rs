@@ -1,15 +1,16 @@
 //! Declarations: from sections to the tags of a scope (LANGUAGE §4).
 
 use super::problem::NameProblem;
-use crate::constant;
-use crate::did_you_mean;
-use crate::facts;
+use crate::names::did_you_mean;
+use crate::names::rare::{Rare, RareFacts};
+use crate::names::scope::{Origin, Scope, SectionKind, TagFacts, type_by_form};
+use crate::networks::facts;
+use crate::networks::reading::TOGETHER;
+use crate::networks::use_place::Uses;
 use crate::program::Role;
-use crate::rare::{Rare, RareFacts};
-use crate::reading::TOGETHER;
-use crate::scope::{Origin, Scope, SectionKind, TagFacts, Uses, type_by_form};
 use crate::still_wanted::StillWanted;
-use crate::types::{Scalar, Type};
+use crate::values::constant;
+use crate::values::types::{Scalar, Type};
 use ladder_instructions::StateType;
 use ladder_syntax::ast::{AstNode, Declaration, NodeView, SectionHeader, TypeRef};
 use ladder_syntax::rowan::GreenNode;
@@ -256,8 +257,8 @@ fn declared_type(type_ref: &TypeRef) -> Result<Option<Type>, TypeProblem> {
     };
     let mut numbers = Vec::new();
     for (negative, token) in type_ref.numbers() {
-        match crate::literal::literal(token.text()) {
-            Ok(crate::literal::Literal::Int(n)) => numbers.push(if negative { -n } else { n }),
+        match crate::values::literal::literal(token.text()) {
+            Ok(crate::values::literal::Literal::Int(n)) => numbers.push(if negative { -n } else { n }),
             _ => {
                 return Err((
                     token.text_range(),

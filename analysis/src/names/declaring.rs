@@ -1,7 +1,7 @@
 //! The places where declarations of a file go, and the text that puts them there.
 
 use crate::context::Context;
-use crate::scope::SectionKind;
+use crate::names::scope::SectionKind;
 use ladder_format::Edit;
 use ladder_syntax::ast::{AstNode, SectionHeader};
 use ladder_syntax::{LineKind, Parse, Section, TextRange, TextSize};

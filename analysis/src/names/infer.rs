@@ -5,15 +5,16 @@
 //!    type (real: LREAL), as does being the result of a function on reals;
 //! 3. DINT.
 
-use crate::constant::{natural_type, signed_literal};
 use crate::context::Context;
-use crate::facts::{Node, NodeKind, Operator};
-use crate::network::{Formal, Meaning};
+use crate::names::scope::{Entry, Origin, Scope, TagFacts};
 use crate::networks::BlockAt;
+use crate::networks::facts::{Node, NodeKind, Operator};
+use crate::networks::network::{Formal, Meaning};
+use crate::networks::use_place::Use;
 use crate::program::{Member, Role, SystemTag};
-use crate::scope::{Entry, Origin, Scope, TagFacts, Use};
 use crate::still_wanted::StillWanted;
-use crate::types::{Scalar, Type};
+use crate::values::constant::{natural_type, signed_literal};
+use crate::values::types::{Scalar, Type};
 use ladder_instructions::{Accepts, Law, StateType, States, Timing, TypeClass};
 use ladder_syntax::{Name, TextRange};
 
@@ -52,7 +53,7 @@ fn asked(context: &Context, bound: BlockAt<'_>, formal: Formal) -> Option<Type> 
             Accepts::Duration | Accepts::Time => Some(Type::Scalar(Scalar::Time)),
             Accepts::Count => Some(counted),
             Accepts::String | Accepts::Result(TypeClass::String) => {
-                Some(Type::Scalar(Scalar::String(crate::types::DEFAULT_STRING)))
+                Some(Type::Scalar(Scalar::String(crate::values::types::DEFAULT_STRING)))
             }
             _ => None,
         },
@@ -264,7 +265,7 @@ fn type_given_by(law: &Law, scope: &Scope, node: &Node) -> Option<Scalar> {
 fn given_type(law: &Law, ty: Scalar) -> Option<Scalar> {
     match ty {
         Scalar::Real | Scalar::Lreal => Some(Scalar::real_of(law)),
-        Scalar::String(_) => Some(Scalar::String(crate::types::DEFAULT_STRING)),
+        Scalar::String(_) => Some(Scalar::String(crate::values::types::DEFAULT_STRING)),
         Scalar::Time => Some(ty),
         ty if ty.is_date() => Some(ty),
         _ => None,

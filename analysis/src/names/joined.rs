@@ -1,9 +1,7 @@
 //! Which tag each name of a network means: looked up once, when the names of a file are joined, since half a dozen passes ask
 //! about every name.
 
-use crate::context::Context;
-use crate::networks::NetworkAt;
-use crate::uses::Named;
+use crate::networks::named::Named;
 use ladder_syntax::TextRange;
 
 /// The tags that the networks of a file name, as indices in their scopes.
@@ -36,8 +34,13 @@ impl Joined {
         self.first.push(self.tags.len() as u32);
     }
 
-    fn of(&self, network: usize) -> &[u32] {
-        &self.tags[self.first[network] as usize..self.first[network + 1] as usize]
+    /// The names of a network, which are these.
+    pub(crate) fn names<'c>(&'c self, network: usize, named: &'c [Named]) -> NamedTags<'c> {
+        let tags = self.first[network] as usize..self.first[network + 1] as usize;
+        NamedTags {
+            named,
+            tags: &self.tags[tags],
+        }
     }
 }
 
@@ -49,14 +52,6 @@ pub(crate) struct NamedTags<'c> {
 }
 
 impl<'c> NamedTags<'c> {
-    /// All names of a network.
-    pub(crate) fn of(context: &'c Context, network: NetworkAt<'c>) -> NamedTags<'c> {
-        NamedTags {
-            named: &network.facts().named,
-            tags: context.joined.of(network.index),
-        }
-    }
-
     /// The names of the next block, which is the one with this number: the rest is left.
     pub(crate) fn next_block(&mut self, block: usize) -> NamedTags<'c> {
         let in_it = |named: &&Named| named.block as usize == block;

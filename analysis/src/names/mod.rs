@@ -7,21 +7,22 @@
 //! ```
 
 pub(crate) mod at_address;
+mod block_definition;
 pub(crate) mod declare;
-pub(crate) mod declaring;
+pub mod declaring;
 pub(crate) mod did_you_mean;
 pub(crate) mod infer;
 #[cfg(test)]
 mod infer_tests;
+pub mod join;
 pub(crate) mod joined;
 pub(crate) mod operand_value;
 pub(crate) mod problem;
 pub mod rare;
 pub mod scope;
 pub(crate) mod shared;
+pub(crate) mod skeleton;
 pub mod system_tag;
 mod tag_facts;
 mod type_by_form;
-pub(crate) mod use_kind;
-mod use_place;
 pub(crate) mod uses;

@@ -2,7 +2,7 @@
 //! `bad-declaration`, `duplicate-declaration` and those about literals put into sentences.
 
 use super::scope::Entry;
-use crate::exports::Global;
+use crate::other_files::exports::Global;
 use crate::values::constant::ConstantProblem;
 use ladder_syntax::TextRange;
 use smol_str::SmolStr;
@@ -46,7 +46,7 @@ pub(crate) enum NameProblem {
     ExternalOtherwise {
         name: SmolStr,
         at: TextRange,
-        ty: Option<crate::types::Type>,
+        ty: Option<crate::values::types::Type>,
         global: Entry,
     },
 }

@@ -3,8 +3,8 @@
 //! A program of ten thousand rungs has twenty thousand tags and more, and nearly all of them are a name with a type: for
 //! those the rest takes one word.
 
-use crate::scope::Entry;
-use crate::value::Value;
+use crate::names::scope::Entry;
+use crate::values::value::Value;
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
@@ -65,7 +65,7 @@ impl DerefMut for Rare {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scope::TagFacts;
+    use crate::names::scope::TagFacts;
 
     /// With the two counts before it a tag takes what the allocator gives for 128 bytes.
     #[test]

@@ -2,8 +2,6 @@
 
 pub use super::tag_facts::{Origin, SectionKind, TagFacts};
 pub use super::type_by_form::type_by_form;
-pub(crate) use super::use_place::UseRef;
-pub use super::use_place::{Access, Use, Uses};
 
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;

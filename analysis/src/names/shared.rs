@@ -4,12 +4,13 @@
 //! are those of the tag. A tag of another file has one entry in this file's own scope, to which all others lead.
 
 use super::problem::{Differs, InFile, NameProblem};
-use super::scope::{Entry, Origin, SectionKind, TagFacts, Uses};
+use super::scope::{Entry, Origin, SectionKind, TagFacts};
 use crate::context::Context;
-use crate::exports::{Exports, Global, is_one_address};
-use crate::rare::{Rare, RareFacts};
-use crate::types::Type;
-use crate::value::Value;
+use crate::names::rare::{Rare, RareFacts};
+use crate::networks::use_place::Uses;
+use crate::other_files::exports::{Exports, Global, is_one_address};
+use crate::values::types::Type;
+use crate::values::value::Value;
 use ladder_syntax::{Name, TextRange};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;

@@ -1,6 +1,6 @@
 //! The tags of `SYS` (LANGUAGE §4), in one table: their names, their types and what they hold.
 
-use crate::types::Scalar;
+use crate::values::types::Scalar;
 
 /// A system tag: read-only.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -1,9 +1,10 @@
 //! A tag: what its declaration says of it, and where it is used.
 
+use crate::names::rare::Rare;
+use crate::names::scope::type_by_form;
+use crate::networks::use_place::Uses;
 use crate::program::Role;
-use crate::rare::Rare;
-use crate::scope::{Uses, type_by_form};
-use crate::types::Type;
+use crate::values::types::Type;
 use ladder_syntax::{Name, TextRange};
 use smol_str::SmolStr;
 

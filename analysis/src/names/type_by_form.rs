@@ -1,7 +1,7 @@
 //! What the form of a name says of a tag that has no declaration.
 
 use crate::program::Role;
-use crate::types::Scalar;
+use crate::values::types::Scalar;
 
 /// The type and role that a name without a declaration says by its form (LANGUAGE §4): `I1`, `MF3`, `%QX1.7`.
 pub fn type_by_form(name: &str) -> Option<(Scalar, Role)> {

@@ -1,21 +1,20 @@
 //! Which tags the operands of all blocks name, and how they use them. Tags that are nowhere declared come into
 //! their scope here.
 
+use super::joined::Joined;
+use super::rare::{Rare, RareFacts};
+use super::scope::{Origin, Scope, TagFacts, type_by_form};
 use crate::context::Context;
-use crate::facts::{Node, NodeKind};
-use crate::joined::Joined;
-use crate::network::{BoundBlock, Formal, NetworkFacts};
 use crate::networks::NetworkAt;
-use crate::program::{ParameterKind, Role};
-use crate::rare::{Rare, RareFacts};
-use crate::reading::TOGETHER;
-use crate::scope::{Access, Origin, Scope, TagFacts, Use, UseRef, Uses, type_by_form};
+use crate::networks::access::Access;
+use crate::networks::named::spelling;
+use crate::networks::reading::TOGETHER;
+use crate::networks::use_place::{UseRef, Uses};
+use crate::program::Role;
 use crate::still_wanted::StillWanted;
-use crate::types::{Scalar, Type};
-use crate::use_kind::{Deed, Extent, UseKind};
-use crate::user_block::UserBlockFacts;
-use ladder_instructions::{Accepts, Direction, Law};
-use ladder_syntax::{Name, TextRange, TextSize};
+use crate::values::types::{Scalar, Type};
+use ladder_instructions::Law;
+use ladder_syntax::TextRange;
 
 /// Enters every use of every tag into its scope. None if that is not wanted any longer.
 pub(crate) fn collect(context: &mut Context, wanted: &StillWanted<'_>) -> Option<()> {
@@ -45,157 +44,6 @@ pub(crate) fn collect(context: &mut Context, wanted: &StillWanted<'_>) -> Option
     context.joined = joined;
     roles(&mut context.scopes[0]);
     Some(())
-}
-
-/// How an operand's tag is used. None: the operand names no tag.
-pub(crate) fn access(bound: &BoundBlock, formal: Formal, user_blocks: &[UserBlockFacts]) -> Option<Access> {
-    match formal {
-        Formal::Operand(operand) => match operand.accepts {
-            Accepts::Label | Accepts::Function | Accepts::SearchOperator => None,
-            _ => Some(match operand.direction {
-                Direction::In => Access::Read,
-                Direction::Out => Access::Write,
-                Direction::InOut => Access::ReadWrite,
-            }),
-        },
-        Formal::Parameter(index) => {
-            let crate::network::Meaning::User(block) = bound.meaning else {
-                return None;
-            };
-            Some(match user_blocks[block].parameters[index].kind {
-                ParameterKind::Input => Access::Read,
-                ParameterKind::Output => Access::Write,
-                ParameterKind::InOut => Access::ReadWrite,
-            })
-        }
-        // Nothing is known of the operand: count it as both, so that no other rule complains of the tag.
-        Formal::Excess | Formal::UnknownName | Formal::Unknown => Some(Access::ReadWrite),
-    }
-}
-
-/// A tag's name in an operand.
-#[derive(Debug, Clone)]
-pub(crate) struct Named {
-    pub(crate) key: Name,
-    /// Where it is, from the start of the block's line.
-    range: TextRange,
-    pub(crate) block: u32,
-    /// A block has far fewer than 2^16 of them.
-    pub(crate) operand: u16,
-    pub(crate) kind: UseKind,
-}
-
-impl Named {
-    /// Whether it is at this place of its block's line.
-    pub(crate) fn is_at(&self, range: TextRange) -> bool {
-        self.range == range
-    }
-
-    /// The use that it is, in this network, on a line that starts here.
-    pub(crate) fn at(&self, network: usize, line: TextSize) -> Use {
-        Use {
-            network,
-            block: self.block as usize,
-            operand: self.operand as usize,
-            range: self.range + line,
-            access: self.kind.access(),
-            whole: self.kind.extent() == Extent::Whole,
-            indexed: self.kind.extent() == Extent::Elements,
-        }
-    }
-}
-
-/// The tags that blocks name, in the order in which they are. `room` is to gather them in.
-pub(crate) fn named(
-    blocks: &[BoundBlock],
-    user_blocks: &[UserBlockFacts],
-    room: &mut Vec<Named>,
-) -> Box<[Named]> {
-    let mut names = Names {
-        block: 0,
-        operand: 0,
-        deed: Deed::Other,
-        found: room,
-    };
-    for (block, bound) in blocks.iter().enumerate() {
-        names.block = block as u32;
-        for (operand, (written, formal)) in bound.facts.operands.iter().zip(bound.formals.iter()).enumerate()
-        {
-            if let Some(access) = access(bound, *formal, user_blocks) {
-                names.operand = operand as u16;
-                names.deed = Deed::of(bound, *formal);
-                names.walk(&written.value, access, true);
-            }
-        }
-    }
-    room.drain(..).collect()
-}
-
-/// Names that are being gathered, and where.
-struct Names<'r> {
-    block: u32,
-    operand: u16,
-    /// What the block does with the operand.
-    deed: Deed,
-    found: &'r mut Vec<Named>,
-}
-
-impl Names<'_> {
-    fn walk(&mut self, node: &Node, access: Access, whole: bool) {
-        match &node.kind {
-            NodeKind::Name(name) | NodeKind::Address(name) => {
-                let extent = if whole { Extent::Whole } else { Extent::Member };
-                self.add(name, node.range, access, extent);
-            }
-            NodeKind::Member(base, _) => {
-                let system = matches!(&base.kind, NodeKind::Name(name) if name.eq_ignore_ascii_case("SYS"));
-                if !system {
-                    self.walk(base, access, false);
-                }
-            }
-            NodeKind::Index(base, index) => {
-                self.walk_indexed(base, access);
-                self.walk(index, Access::Read, true);
-            }
-            NodeKind::Range(base, first, last) => {
-                self.walk_indexed(base, access);
-                self.walk(first, Access::Read, true);
-                self.walk(last, Access::Read, true);
-            }
-            NodeKind::Unary(_, inner) | NodeKind::Paren(inner) => self.walk(inner, Access::Read, whole),
-            NodeKind::Binary(_, left, right) => {
-                self.walk(left, Access::Read, true);
-                self.walk(right, Access::Read, true);
-            }
-            NodeKind::Call(_, arguments) | NodeKind::Array(arguments) | NodeKind::Repeat(_, arguments) => {
-                for argument in arguments {
-                    self.walk(argument, Access::Read, true);
-                }
-            }
-            NodeKind::Literal(_) | NodeKind::NoFunction | NodeKind::Missing => {}
-        }
-    }
-
-    /// The base of an index.
-    fn walk_indexed(&mut self, base: &Node, access: Access) {
-        match &base.kind {
-            NodeKind::Name(name) => self.add(name, base.range, access, Extent::Elements),
-            _ => self.walk(base, access, false),
-        }
-    }
-
-    fn add(&mut self, name: &str, range: TextRange, access: Access, extent: Extent) {
-        if name.eq_ignore_ascii_case("SYS") || name.eq_ignore_ascii_case("PI") {
-            return;
-        }
-        self.found.push(Named {
-            key: Name::new(name),
-            range,
-            block: self.block,
-            operand: self.operand,
-            kind: UseKind::new(access, extent, self.deed),
-        });
-    }
 }
 
 /// Enters the uses of a network's tags. `known`: those that were known before the networks around it were entered.
@@ -245,29 +93,6 @@ pub(crate) fn undeclared(name: &str, law: &Law) -> TagFacts {
         declared_at: TextRange::default(),
         uses: Uses::default(),
         mistyped: false,
-    }
-}
-
-/// A name of a network's operands, as it is written.
-pub(crate) fn spelling<'n>(network: &'n NetworkFacts, named: &Named) -> &'n str {
-    let block = &network.blocks[named.block as usize];
-    spelled(&block.facts.operands[named.operand as usize].value, named.range).unwrap_or_default()
-}
-
-/// The name that is at a place of an operand, as it is written.
-fn spelled(node: &Node, at: TextRange) -> Option<&str> {
-    match &node.kind {
-        NodeKind::Name(name) | NodeKind::Address(name) => (node.range == at).then_some(name),
-        NodeKind::Member(inner, _) | NodeKind::Unary(_, inner) | NodeKind::Paren(inner) => spelled(inner, at),
-        NodeKind::Index(base, index) => spelled(base, at).or_else(|| spelled(index, at)),
-        NodeKind::Range(base, first, last) => spelled(base, at)
-            .or_else(|| spelled(first, at))
-            .or_else(|| spelled(last, at)),
-        NodeKind::Binary(_, left, right) => spelled(left, at).or_else(|| spelled(right, at)),
-        NodeKind::Call(_, nodes) | NodeKind::Array(nodes) | NodeKind::Repeat(_, nodes) => {
-            nodes.iter().find_map(|node| spelled(node, at))
-        }
-        NodeKind::Literal(_) | NodeKind::NoFunction | NodeKind::Missing => None,
     }
 }
 

@@ -1,6 +1,6 @@
 //! What networks have of program flow: the rules about the whole program look no further where there is none.
 
-use crate::network::{BoundBlock, Meaning};
+use crate::networks::network::{BoundBlock, Meaning};
 use ladder_instructions::{Coil, Op, Shape};
 
 /// What in a network moves the program on to another place than the next network, or can, as bits; and its coils.

@@ -3,7 +3,7 @@
 //! Facts of a line depend on that line's green node alone; ranges count from the start of the line, so that
 //! they stay true when lines above change.
 
-use crate::literal::{self, Literal, LiteralProblem};
+use crate::values::literal::{self, Literal, LiteralProblem};
 use ladder_instructions::Shape;
 use ladder_syntax::ast::{
     AstNode, Block, BlockShape, Expression, HeadName, NodeView, Operand, OperandList, TokenView,

@@ -5,7 +5,7 @@
 //! begin with, and those that both end with.
 
 use crate::context::Context;
-use crate::network::{NetworkFacts, UserBlocks};
+use crate::networks::network::{NetworkFacts, UserBlocks};
 use ladder_syntax::{Network, Parse, Structure};
 use std::borrow::Cow;
 use std::sync::Arc;

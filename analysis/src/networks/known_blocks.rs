@@ -1,7 +1,8 @@
 //! The user-defined blocks that a file can use: its own, then those of other files that it does use.
 
-use crate::others::{Import, Others};
-use crate::user_block::UserBlockFacts;
+use crate::networks::user_block::UserBlockFacts;
+use crate::other_files::import::Import;
+use crate::other_files::others::Others;
 use ladder_instructions::Shape;
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;

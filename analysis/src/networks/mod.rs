@@ -3,10 +3,12 @@
 //! What is known of a network by itself counts from its start, and the texts before and after an edit share it. Where it
 //! is, and what surrounds it, is next to it here.
 
+pub mod access;
 pub(crate) mod control_flow;
 pub mod facts;
 pub(crate) mod kept;
 pub(crate) mod known_blocks;
+pub(crate) mod named;
 pub(crate) mod neighbours;
 pub mod network;
 pub mod order;
@@ -16,10 +18,13 @@ mod order_tests;
 pub(crate) mod outward_jumps;
 pub(crate) mod reading;
 pub(crate) mod unread_line;
+pub(crate) mod use_kind;
+pub mod use_place;
 pub mod user_block;
 
-use crate::network::{BoundBlock, Formal, NetworkFacts};
-use crate::scope::{Use, UseRef};
+use crate::networks::network::{BoundBlock, Formal, NetworkFacts};
+
+use crate::networks::use_place::{Use, UseRef};
 use ladder_syntax::{Parse, TextRange, TextSize};
 use std::ops::{Deref, Range};
 use std::sync::Arc;

@@ -1,12 +1,12 @@
 //! A network with its blocks bound to the instruction table: which row each block is, and which operand each value is
 //! given for.
 
-use crate::control_flow::ControlFlow;
-use crate::facts::{self, BlockFacts, Head};
-use crate::known_blocks::KnownBlocks;
-use crate::order::Order;
-use crate::reading::Reading;
-use crate::uses::{self, Named};
+use crate::networks::control_flow::ControlFlow;
+use crate::networks::facts::{self, BlockFacts, Head};
+use crate::networks::known_blocks::KnownBlocks;
+use crate::networks::named::{self, Named};
+use crate::networks::order::Order;
+use crate::networks::reading::Reading;
 use ladder_instructions::{Accepts, Coil, Instruction, Op, Operand, lookup};
 use ladder_syntax::wiring::{PartKind, Wiring};
 use ladder_syntax::{
@@ -192,7 +192,7 @@ pub(crate) fn network(
             .iter()
             .flat_map(|bound| bound.formals.iter())
             .all(names_tag);
-    let named = uses::named(&blocks, known.list(), &mut reading.named);
+    let named = named::named(&blocks, known.list(), &mut reading.named);
     let mut formals = blocks.iter().flat_map(|bound| bound.formals.iter());
     let keeps_state = formals
         .any(|formal| matches!(formal, Formal::Operand(row) if matches!(row.accepts, Accepts::State(_))));

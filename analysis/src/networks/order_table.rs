@@ -3,7 +3,7 @@
 //! The order follows from the kinds of the parts and from what touches, not from lengths and names. Most networks of a
 //! program have one of a few forms, so that they need neither be walked nor kept one by one.
 
-use crate::order::{Order, order};
+use crate::networks::order::{Order, order};
 use ladder_syntax::wiring::{Rung, Wiring};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;

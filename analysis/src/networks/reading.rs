@@ -1,7 +1,7 @@
 //! What is at hand while networks are read, one after the other.
 
-use crate::order_table::OrderTable;
-use crate::uses::Named;
+use crate::networks::named::Named;
+use crate::networks::order_table::OrderTable;
 use ladder_syntax::rowan::GreenNode;
 use ladder_syntax::wiring::{Wiring, wiring_of};
 use ladder_syntax::{LineKind, Network, Parse, Trees};

@@ -1,13 +1,10 @@
 //! Definitions of user-defined blocks: name, shape, parameters (LANGUAGE §5.7).
 
-use crate::others::Import;
+use crate::other_files::import::Import;
 use crate::program::ParameterKind;
-use crate::scope::{Origin, Scope, SectionKind};
-use crate::types::Type;
-use crate::unread_line::looks_like_declaration;
+use crate::values::types::Type;
 use ladder_instructions::Shape;
-use ladder_syntax::ast::{AstNode, BlockHeader, BlockShape, HeadName};
-use ladder_syntax::{BlockDefinition, Line, LineKind, Name, Parse, TextRange};
+use ladder_syntax::{Name, TextRange};
 use rustc_hash::FxHasher;
 use std::hash::{Hash, Hasher};
 use std::sync::Arc;
@@ -70,63 +67,4 @@ pub struct Parameter {
     pub kind: ParameterKind,
     /// It may be left out.
     pub has_default: bool,
-}
-
-/// The facts of a definition; `scope` is its body's, with its declarations. A header
-/// that names no block gives a name that nothing can call.
-pub(crate) fn user_block(parse: &Parse, definition: &BlockDefinition, scope: &Scope) -> UserBlockFacts {
-    let header_line = definition.lines.start;
-    let start = parse.line_start(header_line);
-    let head = BlockHeader::cast(parse.lines()[header_line].view()).and_then(|header| header.head());
-    let (name, shape, at) = match head {
-        Some(head) => {
-            let shape = match head.shape() {
-                BlockShape::Logical => Shape::Logical,
-                BlockShape::Coil => Shape::Coil,
-                BlockShape::Function => Shape::Function,
-            };
-            let name = match head.name() {
-                HeadName::User(token) => token.text().to_owned(),
-                _ => String::new(),
-            };
-            (name, shape, head.range() + start)
-        }
-        None => (String::new(), Shape::Logical, parse.line_range(header_line)),
-    };
-    let parameters = scope
-        .tags
-        .iter()
-        .enumerate()
-        .filter_map(|(tag, facts)| {
-            let kind = match facts.origin {
-                Origin::Declared(SectionKind::Input) => ParameterKind::Input,
-                Origin::Declared(SectionKind::Output) => ParameterKind::Output,
-                Origin::Declared(SectionKind::InOut) => ParameterKind::InOut,
-                _ => return None,
-            };
-            Some(Parameter {
-                name: facts.name.to_string(),
-                key: Name::new(&facts.name),
-                ty: facts.ty.filter(|_| !facts.mistyped),
-                tag,
-                kind,
-                has_default: !facts.rare.initial.is_empty(),
-            })
-        })
-        .collect();
-    UserBlockFacts {
-        key: Name::new(&name),
-        doubtful: parse.lines().range(definition.lines.clone()).any(is_doubtful),
-        name,
-        shape,
-        at,
-        parameters,
-        import: None,
-    }
-}
-
-/// Whether a line may have been a declaration that could not be read.
-pub(crate) fn is_doubtful(line: &Line) -> bool {
-    let mistaken = line.kind == LineKind::Stray || !line.errors.is_empty();
-    mistaken && (line.kind != LineKind::Rung || looks_like_declaration(line))
 }

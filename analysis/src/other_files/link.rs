@@ -2,9 +2,9 @@
 
 use crate::analyze::Analysis;
 use crate::context::{Body, Callee, Context};
-use crate::facts::NodeKind;
-use crate::network::Meaning;
-use crate::others::Import;
+use crate::networks::facts::NodeKind;
+use crate::networks::network::Meaning;
+use crate::other_files::import::Import;
 use crate::program::Program;
 use crate::resolve::{self, numbers::Unit};
 use ladder_instructions::Op;

@@ -1,6 +1,9 @@
-//! What a file shows to the others of its workspace, what it sees of theirs, and programs of several files.
+//! What files show to each other, and programs of several files.
 
-pub(crate) mod exports;
-pub(crate) mod link;
-pub(crate) mod others;
+pub(crate) mod exporting;
+pub mod exports;
+pub mod import;
+pub mod link;
+pub mod others;
 pub(crate) mod outward;
+mod outward_uses;

@@ -1,7 +1,7 @@
 //! The other files of a workspace, as one of its files sees them: their [`Exports`], found by name.
 
-use crate::exports::{ExportedBlock, ExportedFunction, Exports, Global};
-use crate::outward::TagUse;
+use crate::other_files::exports::{ExportedBlock, ExportedFunction, Exports, Global};
+use crate::other_files::outward::TagUse;
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
@@ -18,15 +18,6 @@ pub struct Exported {
     uses: FxHashMap<Name, Vec<(u32, TagUse)>>,
     /// The files that call a function.
     calls: FxHashMap<Name, Vec<u32>>,
-}
-
-/// Something in another file: its name, and the index in that file's own context.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Import {
-    /// The file.
-    pub file: Arc<str>,
-    /// The function or block.
-    pub item: usize,
 }
 
 impl Exported {

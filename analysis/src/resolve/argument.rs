@@ -2,16 +2,16 @@
 
 use super::Resolver;
 use super::compared::{Compared, compared_in_bool};
-use crate::constant::{natural_type, signed_literal};
 use crate::context::Callee;
-use crate::facts::{Node, NodeKind};
 use crate::mistakes::{bad_operand, type_mismatch};
-use crate::network::Formal;
 use crate::networks::BlockAt;
+use crate::networks::access::Access;
+use crate::networks::facts::{Node, NodeKind};
+use crate::networks::network::Formal;
 use crate::program::{Argument, BinaryOperator, Bound, Expr, ExprKind, Place};
-use crate::scope::Access;
-use crate::types::{Scalar, Type, converts};
-use crate::value::Value;
+use crate::values::constant::{natural_type, signed_literal};
+use crate::values::types::{Scalar, Type, converts};
+use crate::values::value::Value;
 use ladder_instructions::{
     Accepts, Direction, Instruction, Op, Operand, StateType, States, Timing, Truth, TypeClass,
 };
@@ -250,10 +250,10 @@ impl Resolver<'_, '_> {
             Accepts::Integer => self.integer(node).map(Argument::Value),
             Accepts::Number => self.number(node).map(Argument::Value),
             Accepts::String => {
-                if let Some((Ok(crate::literal::Literal::Text(_)), _)) = signed_literal(node) {
+                if let Some((Ok(crate::values::literal::Literal::Text(_)), _)) = signed_literal(node) {
                     return self.natural(node).map(Argument::Value);
                 }
-                self.value(node, Scalar::String(crate::types::DEFAULT_STRING))
+                self.value(node, Scalar::String(crate::values::types::DEFAULT_STRING))
                     .map(Argument::Value)
             }
             Accepts::Duration => self.duration(node).map(Argument::Value),
@@ -349,7 +349,7 @@ impl Resolver<'_, '_> {
             Some(ty) if ty.is_integer() => self.natural(node)?,
             None if matches!(
                 signed_literal(node),
-                Some((Ok(crate::literal::Literal::Int(_)), _))
+                Some((Ok(crate::values::literal::Literal::Int(_)), _))
             ) =>
             {
                 self.literal_in(node, Scalar::Dint)?

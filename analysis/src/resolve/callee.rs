@@ -1,8 +1,8 @@
 //! Operands that name a network: labels to jump to, functions to call.
 
 use super::Resolver;
-use crate::facts::{Node, NodeKind};
 use crate::mistakes::{bad_operand, duplicate_function, unknown_function, unknown_label};
+use crate::networks::facts::{Node, NodeKind};
 use crate::program::Argument;
 use ladder_instructions::Shape;
 use ladder_syntax::Name;
@@ -58,7 +58,7 @@ impl Resolver<'_, '_> {
     }
 
     /// Says so if a function that the file does not have is one of several other files.
-    fn several_functions(&self, name: &str, node: &Node) -> Option<crate::diagnostic::Diagnostic> {
+    fn several_functions(&self, name: &str, node: &Node) -> Option<crate::findings::diagnostic::Diagnostic> {
         if self.context.function(&Name::new(name)).is_some() {
             return None;
         }

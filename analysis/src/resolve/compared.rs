@@ -1,14 +1,14 @@
 //! The type that an instruction works in where its operands decide it.
 
 use super::Resolver;
-use crate::constant::{natural_type, signed_literal};
-use crate::facts::Node;
 use crate::mistakes::type_mismatch;
-use crate::network::Formal;
 use crate::networks::BlockAt;
+use crate::networks::facts::Node;
+use crate::networks::network::Formal;
 use crate::program::{Expr, ExprKind};
-use crate::types::{Scalar, common};
-use crate::value::Value;
+use crate::values::constant::{natural_type, signed_literal};
+use crate::values::types::{Scalar, common};
+use crate::values::value::Value;
 use ladder_instructions::{Accepts, Arithmetic, Op, Truth};
 
 /// How the operands of a comparison agree.
@@ -84,7 +84,7 @@ impl Resolver<'_, '_> {
         let has_real_literal = nodes.iter().any(|node| {
             matches!(
                 signed_literal(node),
-                Some((Ok(crate::literal::Literal::Real(_)), _))
+                Some((Ok(crate::values::literal::Literal::Real(_)), _))
             )
         });
         let integers = typed.iter().all(|ty| ty.is_integer());

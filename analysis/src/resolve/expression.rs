@@ -1,12 +1,13 @@
 //! Values and expressions, brought to the type that their place asks for (LANGUAGE §5.2).
 
 use super::Resolver;
-use crate::constant::{self, literal_problem, natural_type, signed_literal};
-use crate::facts::{Node, NodeKind, Operator, Word};
 use crate::mistakes::{bad_operand, type_mismatch};
+use crate::networks::facts::{Node, NodeKind, Operator, Word};
 use crate::program::{BinaryOperator, Expr, ExprKind, UnaryOperator};
-use crate::types::{Scalar, common, passes};
-use crate::value::Value;
+use crate::values::callable::is_callable;
+use crate::values::constant::{self, literal_problem, natural_type, signed_literal};
+use crate::values::types::{Scalar, common, passes};
+use crate::values::value::Value;
 use ladder_instructions::{Accepts, Op, Shape, Truth, TypeClass, lookup};
 
 impl Resolver<'_, '_> {
@@ -100,7 +101,8 @@ impl Resolver<'_, '_> {
     pub(super) fn own_type(&self, node: &Node) -> Option<Scalar> {
         if let Some((literal, _)) = signed_literal(node) {
             return match literal {
-                Ok(crate::literal::Literal::Int(_) | crate::literal::Literal::Real(_)) | Err(_) => None,
+                Ok(crate::values::literal::Literal::Int(_) | crate::values::literal::Literal::Real(_))
+                | Err(_) => None,
                 Ok(literal) => Some(natural_type(literal, false)),
             };
         }
@@ -137,7 +139,7 @@ impl Resolver<'_, '_> {
                 }
             }
             NodeKind::Range(base, ..) => match self.named_tag(base).map(|tag| self.tag_type(tag)) {
-                Some(crate::types::Type::Array { element, .. }) => Some(element),
+                Some(crate::values::types::Type::Array { element, .. }) => Some(element),
                 _ => None,
             },
             _ => self.place_type(node),
@@ -349,7 +351,7 @@ impl Resolver<'_, '_> {
         }
         let count = arguments.len();
         // A function has a result and takes the rest as values.
-        let row = lookup(Shape::Logical, &name.text).find(|row| is_function(row));
+        let row = lookup(Shape::Logical, &name.text).find(|row| is_callable(row));
         let Some(row) = row else {
             self.report(bad_operand::unknown_function(&name.text, self.at(name.range)));
             return None;
@@ -377,7 +379,9 @@ impl Resolver<'_, '_> {
                 Accepts::Bool => self.expression(argument, Scalar::Bool),
                 Accepts::Integer => self.integer_expression(argument),
                 Accepts::Number => self.number(argument),
-                Accepts::String => self.expression(argument, Scalar::String(crate::types::DEFAULT_STRING)),
+                Accepts::String => {
+                    self.expression(argument, Scalar::String(crate::values::types::DEFAULT_STRING))
+                }
                 _ => self.expression(argument, ty),
             };
             values.push(value);
@@ -395,22 +399,6 @@ impl Resolver<'_, '_> {
 fn is_choice(row: &ladder_instructions::Instruction, argument: usize) -> bool {
     let formal = row.positional(argument + 1);
     formal.is_some_and(|formal| matches!(formal.accepts, Accepts::Bool | Accepts::Integer))
-}
-
-/// Whether a row can be called by name in an expression.
-pub fn is_function(row: &ladder_instructions::Instruction) -> bool {
-    let mut operands = row.operands.iter();
-    operands
-        .next()
-        .is_some_and(|first| matches!(first.accepts, Accepts::Result(_)))
-        && row.op != Op::Typ
-        && row.operands.len() > 1
-        && operands.all(|operand| {
-            matches!(
-                operand.accepts,
-                Accepts::Value | Accepts::Bool | Accepts::Integer | Accepts::Number | Accepts::String
-            )
-        })
 }
 
 /// `LIMIT(low, a, high)`

@@ -2,10 +2,10 @@
 //! ([`Arithmetic::OfFormula`](ladder_instructions::Arithmetic)).
 
 use super::Resolver;
-use crate::constant::signed_literal;
-use crate::facts::{Node, NodeKind};
-use crate::literal::Literal;
-use crate::types::Scalar;
+use crate::networks::facts::{Node, NodeKind};
+use crate::values::constant::signed_literal;
+use crate::values::literal::Literal;
+use crate::values::types::Scalar;
 use ladder_instructions::{Accepts, Arithmetic, Shape, TypeClass, lookup};
 
 /// What a formula and its result are made of.

@@ -18,18 +18,17 @@ mod times;
 mod user_argument;
 
 pub use argument::in_class;
-pub use expression::is_function;
 
 use crate::context::{Body, Callee, Context};
-use crate::diagnostic::Diagnostic;
-use crate::joined::NamedTags;
-use crate::network::Meaning;
+use crate::findings::diagnostic::Diagnostic;
+use crate::names::joined::NamedTags;
+use crate::names::scope::Scope;
+use crate::networks::network::Meaning;
 use crate::networks::{BlockAt, NetworkAt};
 use crate::program::{
     Block, BlockKind, Element, Function, Location, Network, Place, Program, TagId, UserBlock,
 };
-use crate::scope::Scope;
-use crate::types::Scalar;
+use crate::values::types::Scalar;
 use ladder_instructions::{Law, Op};
 use ladder_syntax::{Name, TextRange, TextSize};
 use numbers::{Numbers, Unit};
@@ -75,7 +74,7 @@ pub(crate) struct Resolved {
 pub(crate) fn check(context: &Context, network: usize, out: &mut Vec<Diagnostic>) -> Option<TextRange> {
     let facts = context.networks.at(network);
     let mut unresolved = None;
-    let mut names = NamedTags::of(context, facts);
+    let mut names = context.names_of(facts);
     for (block, bound) in facts.blocks().enumerate() {
         let mut resolver = Resolver {
             context,
@@ -133,7 +132,7 @@ fn networks(
             continue;
         };
         let mut blocks = Vec::with_capacity(facts.blocks.len());
-        let mut names = NamedTags::of(context, facts);
+        let mut names = context.names_of(facts);
         for (block, bound) in facts.blocks().enumerate() {
             let mut resolver = Resolver {
                 context,

@@ -1,14 +1,15 @@
 //! Places: tags, elements, members, bits, system tags, ranges.
 
 use super::Resolver;
-use crate::facts::{Node, NodeKind, Word};
-use crate::infer;
-use crate::literal::Literal;
 use crate::mistakes::{bad_operand, constant_write, type_mismatch, unknown_member};
+use crate::names::infer;
+use crate::names::scope::{Origin, type_by_form};
+use crate::networks::access::Access;
+use crate::networks::facts::{Node, NodeKind, Word};
 use crate::program::{Expr, ExprKind, Member, Place, RangeRef, SystemTag};
-use crate::scope::{Access, Origin, type_by_form};
-use crate::types::{Scalar, Type};
-use crate::value::Value;
+use crate::values::literal::Literal;
+use crate::values::types::{Scalar, Type};
+use crate::values::value::Value;
 use ladder_instructions::StateType;
 use ladder_syntax::{Name, TextRange};
 
@@ -204,7 +205,7 @@ impl Resolver<'_, '_> {
             index.kind,
             NodeKind::Unary(..) | NodeKind::Binary(..) | NodeKind::Call(..)
         );
-        if is_expression && crate::constant::signed_literal(index).is_none() {
+        if is_expression && crate::values::constant::signed_literal(index).is_none() {
             self.report(bad_operand::expression_as_index(self.at(index.range)));
             return None;
         }
@@ -318,7 +319,7 @@ impl Resolver<'_, '_> {
 
     /// An integer value in its own type: a count, selector or index.
     pub(super) fn integer(&mut self, node: &Node) -> Option<Expr> {
-        if let Some((Ok(Literal::Int(_)), _)) = crate::constant::signed_literal(node) {
+        if let Some((Ok(Literal::Int(_)), _)) = crate::values::constant::signed_literal(node) {
             return self.literal_in(node, Scalar::Lint);
         }
         let expr = self.natural(node)?;

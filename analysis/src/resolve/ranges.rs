@@ -1,13 +1,13 @@
 //! `[BMOV]`, `[PACK]`, `[UNPACK]` and `[SEARCH]`: what is wrong with their ranges however the program runs (LANGUAGE §5.2).
 
 use super::Resolver;
-use crate::article::with_article;
-use crate::facts::{Node, NodeKind};
+use crate::findings::article::with_article;
 use crate::mistakes::{bad_operand, type_mismatch};
+use crate::names::operand_value::{Number, number};
 use crate::networks::BlockAt;
-use crate::operand_value::{Number, number};
+use crate::networks::facts::{Node, NodeKind};
 use crate::program::{Argument, Bound};
-use crate::types::{Scalar, Type};
+use crate::values::types::{Scalar, Type};
 use ladder_instructions::Op;
 use ladder_syntax::TextRange;
 

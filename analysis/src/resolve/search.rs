@@ -1,11 +1,11 @@
 //! `[SEARCH]` with NEXT: -1 in y must mean that nothing was found, so no element may have that index.
 
 use super::Resolver;
-use crate::facts::NodeKind;
 use crate::mistakes::bad_operand;
-use crate::network::Formal;
 use crate::networks::BlockAt;
-use crate::types::Type;
+use crate::networks::facts::NodeKind;
+use crate::networks::network::Formal;
+use crate::values::types::Type;
 
 impl Resolver<'_, '_> {
     /// Says where NEXT is given for an array that begins below 0.

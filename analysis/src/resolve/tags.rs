@@ -3,9 +3,9 @@
 
 use super::numbers::{Numbers, Unit};
 use crate::mistakes::one_address::{self, Said};
+use crate::names::scope::{Origin, SectionKind, TagFacts, type_by_form};
 use crate::program::{Disagreement, Location, OtherName, Program, Role, Tag, TagId};
-use crate::scope::{Origin, SectionKind, TagFacts, type_by_form};
-use crate::types::{Scalar, Type};
+use crate::values::types::{Scalar, Type};
 use ladder_syntax::Name;
 use rustc_hash::{FxHashMap, FxHashSet};
 

@@ -2,12 +2,12 @@
 //! and DIV of a TIME by a number; DT - DT and TOD - TOD are TIME, DT + TIME is DT. Nothing else.
 
 use super::Resolver;
-use crate::constant::{natural_type, signed_literal};
-use crate::facts::Node;
 use crate::mistakes::type_mismatch;
-use crate::network::Formal;
 use crate::networks::BlockAt;
-use crate::types::Scalar;
+use crate::networks::facts::Node;
+use crate::networks::network::Formal;
+use crate::values::constant::{natural_type, signed_literal};
+use crate::values::types::Scalar;
 use ladder_instructions::{Accepts, Op};
 
 /// What an operand is to such an instruction.

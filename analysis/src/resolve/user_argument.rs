@@ -1,14 +1,14 @@
 //! Arguments of user-defined blocks.
 
 use super::Resolver;
-use crate::facts::Node;
 use crate::mistakes::type_mismatch;
-use crate::network::Formal;
 use crate::networks::BlockAt;
+use crate::networks::access::Access;
+use crate::networks::facts::Node;
+use crate::networks::network::Formal;
 use crate::program::{Argument, Bound, ParameterKind};
-use crate::scope::Access;
-use crate::types::{Scalar, Type, passes};
-use crate::value::Value;
+use crate::values::types::{Scalar, Type, passes};
+use crate::values::value::Value;
 
 impl Resolver<'_, '_> {
     /// The arguments of a user-defined block, in the order of its parameters.

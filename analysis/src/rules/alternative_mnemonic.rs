@@ -1,8 +1,8 @@
 //! `alternative-mnemonic`: an instruction is written in one of the spellings that are also accepted.
 
-use crate::diagnostic::{Applicability, Diagnostic};
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::rule::Rule;
 use crate::networks::BlockAt;
-use crate::rule::Rule;
 use ladder_instructions::Instruction;
 
 pub(super) fn check(row: &Instruction, bound: BlockAt<'_>, out: &mut Vec<Diagnostic>) {

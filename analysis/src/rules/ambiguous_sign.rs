@@ -1,11 +1,11 @@
 //! `ambiguous-sign`: `-a ^ b`, which people read in two ways.
 
 use super::survey::SurveyedBlock;
-use crate::diagnostic::{Applicability, Diagnostic, Fix};
-use crate::facts::{Node, NodeKind, Operator};
-use crate::literal::Literal;
-use crate::operand_value::each_node;
-use crate::rule::Rule;
+use crate::findings::diagnostic::{Applicability, Diagnostic, Fix};
+use crate::findings::rule::Rule;
+use crate::names::operand_value::each_node;
+use crate::networks::facts::{Node, NodeKind, Operator};
+use crate::values::literal::Literal;
 use ladder_format::Edit;
 use ladder_syntax::TextRange;
 

@@ -2,12 +2,12 @@
 
 use super::form::Form;
 use super::{missing_wire, wrong_shape};
-use crate::diagnostic::{Applicability, Diagnostic, Fix};
-use crate::network::{Formal, Meaning};
+use crate::findings::diagnostic::{Applicability, Diagnostic, Fix};
+use crate::findings::rule::Rule;
 use crate::networks::BlockAt;
+use crate::networks::network::{Formal, Meaning};
+use crate::networks::user_block::UserBlockFacts;
 use crate::program::ParameterKind;
-use crate::rule::Rule;
-use crate::user_block::UserBlockFacts;
 use ladder_format::Edit;
 use ladder_instructions::{Accepts, Instruction, Operand};
 use ladder_syntax::{Parse, TextRange};

@@ -1,7 +1,7 @@
 //! `bad-literal`: a number, duration, date or text that is not written like one.
 
-use crate::diagnostic::{Applicability, Diagnostic};
-use crate::rule::Rule;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::rule::Rule;
 use ladder_syntax::TextRange;
 
 /// A text without its closing quote.

@@ -1,12 +1,12 @@
 //! `bad-operand`: something is in an operand's place that cannot be there.
 
 use super::form::Form;
-use crate::diagnostic::{Applicability, Diagnostic};
-use crate::did_you_mean;
-use crate::facts::{OperandFacts, Word};
+use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::mistakes::bad_operand::wrong;
-use crate::network::{Formal, Meaning};
+use crate::names::did_you_mean;
 use crate::networks::BlockAt;
+use crate::networks::facts::{OperandFacts, Word};
+use crate::networks::network::{Formal, Meaning};
 use crate::program::ParameterKind;
 use ladder_instructions::{Direction, Presence, Profile, Profiles};
 use ladder_syntax::TextRange;

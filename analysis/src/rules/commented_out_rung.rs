@@ -1,9 +1,9 @@
 //! `commented-out-rung`: a comment that is a rung.
 
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
-use crate::facts;
-use crate::rule::Rule;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
+use crate::networks::facts;
 use ladder_instructions::lookup;
 use ladder_syntax::wiring::{PartKind, rung};
 use ladder_syntax::{Line, LineKind, NodeOrToken, Part, TextRange, TextSize, parse};

@@ -1,10 +1,10 @@
 //! `complex-network`: a network that holds more than a person can follow at once. Off unless set.
 
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
-use crate::network::BoundBlock;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
 use crate::networks::NetworkAt;
-use crate::rule::Rule;
+use crate::networks::network::BoundBlock;
 use ladder_instructions::Role;
 
 /// How many conditions a network may have.

@@ -4,9 +4,9 @@ use super::power_rules::{Table, is_condition};
 use crate::boolean::power::{Question, Replacement};
 use crate::boolean::space::Set;
 use crate::boolean::written::written_block;
-use crate::diagnostic::Diagnostic;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
 use crate::program::Step;
-use crate::rule::Rule;
 use ladder_syntax::TextRange;
 
 pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {

@@ -3,10 +3,10 @@
 use super::power_rules::is_condition;
 use super::wiring_walk::Walk;
 use crate::boolean::written::written_block;
-use crate::diagnostic::Diagnostic;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
 use crate::networks::BlockAt;
 use crate::program::Step;
-use crate::rule::Rule;
 use ladder_instructions::{Op, Shape};
 
 pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {

@@ -3,8 +3,8 @@
 //! The conversion is the fix, but what reads the draft is above the analysis and adds it: see [`is_reported`].
 
 use crate::cplc_draft::beginning;
-use crate::diagnostic::Diagnostic;
-use crate::rule::{Rule, Severity};
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::{Rule, Severity};
 use ladder_syntax::Parse;
 
 const MESSAGE: &str = "this is a program in the first draft of CPLC-LD, which ladder text has moved on from";

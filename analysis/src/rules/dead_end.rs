@@ -3,9 +3,9 @@
 use super::no_output::may_act;
 use super::wiring_walk::Walk;
 use crate::boolean::written::written_block;
-use crate::diagnostic::Diagnostic;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
 use crate::program::Step;
-use crate::rule::Rule;
 use ladder_syntax::wiring::PartKind;
 
 pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {

@@ -1,9 +1,9 @@
 //! Which tags need a declaration; where it goes is for [`Places`] to say.
 
 use crate::context::Context;
-use crate::scope::SectionKind;
+use crate::names::scope::SectionKind;
 
-pub use crate::declaring::Places;
+pub use crate::names::declaring::Places;
 
 /// A tag that needs a declaration.
 #[derive(Debug, Clone, PartialEq, Eq)]

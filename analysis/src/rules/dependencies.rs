@@ -2,7 +2,7 @@
 //! one scan or over several.
 
 use crate::context::Context;
-use crate::scope::TagFacts;
+use crate::names::scope::TagFacts;
 
 /// For each network the circle to which it belongs; two that are in none have different ones.
 pub(super) struct Circles(Vec<usize>);

@@ -1,10 +1,10 @@
 //! `division-by-zero`: a divisor that is always zero.
 
 use super::survey::SurveyedBlock;
-use crate::diagnostic::Diagnostic;
-use crate::facts::{Node, NodeKind, Operator};
-use crate::operand_value::{Number, each_node, number};
-use crate::rule::Rule;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
+use crate::names::operand_value::{Number, each_node, number};
+use crate::networks::facts::{Node, NodeKind, Operator};
 use ladder_instructions::Division;
 
 pub(super) fn check(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {

@@ -1,12 +1,13 @@
 //! `double-coil`: a tag is written by more than one plain coil, so that the last one alone decides.
 
 use crate::context::Context;
-use crate::control_flow::ControlFlow;
-use crate::diagnostic::Diagnostic;
-use crate::facts::{Node, NodeKind};
-use crate::literal::Literal;
-use crate::rule::Rule;
-use crate::scope::{TagFacts, Use};
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
+use crate::names::scope::TagFacts;
+use crate::networks::control_flow::ControlFlow;
+use crate::networks::facts::{Node, NodeKind};
+use crate::networks::use_place::Use;
+use crate::values::literal::Literal;
 use ladder_instructions::Coil;
 use std::collections::HashMap;
 
@@ -77,7 +78,7 @@ fn is_plain_coil(context: &Context, place: &Use) -> bool {
 }
 
 fn operand<'c>(context: &'c Context, place: &Use) -> &'c Node {
-    &place.bound(context).facts.operands[place.operand].value
+    &context.block_at(place).facts.operands[place.operand].value
 }
 
 /// Which part of its tag a coil writes: empty for the whole, else a bit or element whose number is written out.

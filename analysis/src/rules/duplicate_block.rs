@@ -2,9 +2,9 @@
 //! it: which of them is meant?
 
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
 use crate::networks::NetworkAt;
-use crate::rule::Rule;
 use ladder_syntax::Name;
 use std::collections::{HashMap, HashSet};
 

@@ -1,9 +1,9 @@
 //! `duplicate-branch`: two branches side by side that conduct in the same cases.
 
 use super::power_rules::Table;
-use crate::diagnostic::Diagnostic;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
 use crate::program::Step;
-use crate::rule::Rule;
 
 pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
     let steps = &table.network.order.steps;

@@ -2,8 +2,8 @@
 //! while operands are resolved.
 
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
-use crate::rule::Rule;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
 use rustc_hash::FxHashMap;
 
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {

@@ -1,13 +1,15 @@
 //! `duplicate-timer` and `duplicate-counter`: a second block on the tag of a timer or counter.
 
-use crate::article::with_article;
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
-use crate::network::Formal;
-use crate::rule::Rule;
-use crate::scope::{Origin, SectionKind, TagFacts, Use, UseRef};
-use crate::types::Type;
-use crate::use_kind::Deed;
+use crate::findings::article::with_article;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
+use crate::names::scope::{Origin, SectionKind, TagFacts};
+use crate::networks::network::Formal;
+use crate::networks::use_kind::Deed;
+
+use crate::networks::use_place::{Use, UseRef};
+use crate::values::types::Type;
 use ladder_instructions::{Accepts, StateType, States};
 use ladder_syntax::Name;
 

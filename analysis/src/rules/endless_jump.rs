@@ -2,13 +2,13 @@
 
 use super::flow::{Exit, Flow};
 use crate::context::Context;
-use crate::control_flow::ControlFlow;
-use crate::diagnostic::Diagnostic;
-use crate::facts::{Node, NodeKind};
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
+use crate::names::operand_value::tag;
+use crate::networks::control_flow::ControlFlow;
+use crate::networks::facts::{Node, NodeKind};
 use crate::networks::{BlockAt, NetworkAt};
-use crate::operand_value::tag;
 use crate::program::Step;
-use crate::rule::Rule;
 use ladder_instructions::Op;
 use std::cell::LazyCell;
 

@@ -6,15 +6,15 @@
 
 use super::frame_keyword;
 use crate::context::Context;
-use crate::control_flow::ControlFlow;
-use crate::diagnostic::Diagnostic;
-use crate::excerpt::Excerpts;
-use crate::facts::{Node, NodeKind};
-use crate::network::{Meaning, breaks_drawing};
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::excerpt::Excerpts;
+use crate::findings::rule::Rule;
+use crate::names::scope::TagFacts;
+use crate::networks::control_flow::ControlFlow;
+use crate::networks::facts::{Node, NodeKind};
+use crate::networks::network::{Meaning, breaks_drawing};
+use crate::networks::unread_line::{identifiers, looks_like_declaration};
 use crate::networks::{BlockAt, NetworkAt};
-use crate::rule::Rule;
-use crate::scope::TagFacts;
-use crate::unread_line::{identifiers, looks_like_declaration};
 use ladder_instructions::Op;
 use ladder_syntax::{LineKind, Name, Parse, SyntaxErrorKind, TextRange};
 use rustc_hash::FxHashSet;

@@ -1,9 +1,9 @@
 //! `unexpected-character`, for a comment as another language writes it: reported once, with what is written here.
 
 use crate::context::Context;
-use crate::diagnostic::{Applicability, Diagnostic};
-use crate::foreign_comment::ForeignComment;
-use crate::rule::Rule;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::foreign_comment::ForeignComment;
+use crate::findings::rule::Rule;
 
 /// One finding for each.
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {

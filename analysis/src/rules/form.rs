@@ -3,7 +3,7 @@
 
 use crate::context::Context;
 use crate::networks::NetworkAt;
-use crate::user_block::UserBlockFacts;
+use crate::networks::user_block::UserBlockFacts;
 use ladder_instructions::Profile;
 use ladder_syntax::Parse;
 

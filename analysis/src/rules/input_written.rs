@@ -1,10 +1,10 @@
 //! `input-written`: a block writes a tag that is fed from outside.
 
 use super::tag_summary::Summary;
-use crate::article::with_article;
-use crate::diagnostic::Diagnostic;
+use crate::findings::article::with_article;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
 use crate::program::Role;
-use crate::rule::Rule;
 
 pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
     let tag = summary.tag;

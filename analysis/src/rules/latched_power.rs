@@ -2,9 +2,9 @@
 
 use super::wiring_walk::Walk;
 use crate::boolean::written::{written, written_block};
-use crate::diagnostic::Diagnostic;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
 use crate::program::Step;
-use crate::rule::Rule;
 use ladder_instructions::{Coil, SetPower};
 
 pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {

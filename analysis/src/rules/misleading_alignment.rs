@@ -1,10 +1,10 @@
 //! `misleading-alignment`: two connectors are in one column and belong to two pairs.
 
 use super::form::Form;
-use crate::diagnostic::{Applicability, Diagnostic};
-use crate::excerpt::columns;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::excerpt::columns;
+use crate::findings::rule::Rule;
 use crate::networks::NetworkAt;
-use crate::rule::Rule;
 use ladder_syntax::TextRange;
 use ladder_syntax::numeral::nth;
 use ladder_syntax::wiring::{PartKind, Point};

@@ -2,10 +2,10 @@
 
 use super::form::Form;
 use super::unpaired_connector::completion;
-use crate::diagnostic::{Applicability, Diagnostic};
-use crate::excerpt::columns;
-use crate::network::breaks_drawing;
-use crate::rule::Rule;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::excerpt::columns;
+use crate::findings::rule::Rule;
+use crate::networks::network::breaks_drawing;
 use ladder_syntax::TextRange;
 use ladder_syntax::wiring::{PartKind, RungPart};
 

@@ -1,11 +1,11 @@
 //! `missing-wire`: two blocks, or a block and a connector, touch without a `-` between them.
 
 use super::form::Form;
-use crate::diagnostic::{Applicability, Diagnostic};
-use crate::facts::Head;
-use crate::network::breaks_drawing;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::rule::{Rule, Severity};
 use crate::networks::NetworkAt;
-use crate::rule::{Rule, Severity};
+use crate::networks::facts::Head;
+use crate::networks::network::breaks_drawing;
 use ladder_instructions::{Shape, lookup};
 use ladder_syntax::wiring::PartKind;
 use ladder_syntax::{TextRange, TextSize};

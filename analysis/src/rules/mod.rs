@@ -79,12 +79,12 @@ mod wrong_place;
 mod wrong_shape;
 
 use crate::context::Context;
-use crate::control_flow::ControlFlow;
-use crate::diagnostic::Diagnostic;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Severity;
+use crate::findings::rule_settings::RuleSettings;
+use crate::names::scope::TagFacts;
 use crate::networks::NetworkAt;
-use crate::rule::Severity;
-use crate::rule_settings::RuleSettings;
-use crate::scope::TagFacts;
+use crate::networks::control_flow::ControlFlow;
 use form::Form;
 use survey::Survey;
 

@@ -1,10 +1,10 @@
 //! `never-read`: a tag of the program that no block reads.
 
 use super::tag_summary::Summary;
-use crate::diagnostic::Diagnostic;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
+use crate::names::scope::{Origin, SectionKind};
 use crate::program::Role;
-use crate::rule::Rule;
-use crate::scope::{Origin, SectionKind};
 
 pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
     let tag = summary.tag;

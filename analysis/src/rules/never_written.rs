@@ -1,11 +1,11 @@
 //! `never-written`: a tag that is read, or an output, that nothing writes.
 
 use super::tag_summary::Summary;
-use crate::diagnostic::Diagnostic;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
+use crate::names::scope::{Origin, SectionKind};
 use crate::program::Role;
-use crate::rule::Rule;
-use crate::scope::{Origin, SectionKind};
-use crate::types::{Scalar, Type};
+use crate::values::types::{Scalar, Type};
 
 pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
     let tag = summary.tag;

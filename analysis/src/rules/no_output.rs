@@ -1,9 +1,9 @@
 //! `no-output`: a network that writes nothing and calls, jumps or ends nothing.
 
 use super::form::Form;
-use crate::diagnostic::Diagnostic;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
 use crate::networks::{BlockAt, NetworkAt};
-use crate::rule::Rule;
 use ladder_instructions::{Op, Role};
 use ladder_syntax::wiring::PartKind;
 use ladder_syntax::{Parse, TextRange};

@@ -1,10 +1,10 @@
 //! `duplicate-declaration`: two names of one direct address do not agree on what it holds.
 
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
 use crate::mistakes::one_address::{HELP, Said, disagreement};
-use crate::rule::Rule;
-use crate::scope::TagFacts;
+use crate::names::scope::TagFacts;
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;
 

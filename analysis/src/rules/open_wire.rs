@@ -5,10 +5,10 @@
 
 use super::form::Form;
 use super::rung_not_powered;
-use crate::diagnostic::{Applicability, Diagnostic, Fix};
+use crate::findings::diagnostic::{Applicability, Diagnostic, Fix};
+use crate::findings::rule::Rule;
 use crate::networks::NetworkAt;
 use crate::program::Step;
-use crate::rule::Rule;
 use ladder_format::Edit;
 use ladder_syntax::wiring::{PartKind, RungPart, Segment};
 use ladder_syntax::{Parse, TextRange, TextSize};

@@ -4,8 +4,8 @@ use super::no_output::may_act;
 use super::power_rules::Table;
 use crate::boolean::power::Question;
 use crate::boolean::written::written;
-use crate::diagnostic::Diagnostic;
-use crate::rule::Rule;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
 use ladder_instructions::Coil;
 
 pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {

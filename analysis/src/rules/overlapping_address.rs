@@ -1,10 +1,10 @@
 //! `overlapping-address`: two direct addresses that would share memory in a controller, and do not here.
 
-use crate::address_bits::AddressBits;
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
-use crate::rule::Rule;
-use crate::scope::TagFacts;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
+use crate::names::scope::TagFacts;
+use crate::values::address_bits::AddressBits;
 
 /// Looks at tags that have an address.
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {

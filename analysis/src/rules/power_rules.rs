@@ -5,15 +5,14 @@ use super::survey::Survey;
 use super::{constant_power, duplicate_branch, order_sensitive, redundant_element};
 use crate::boolean::power::{NetworkPower, Powers, Question};
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
-use crate::joined::NamedTags;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
+use crate::names::operand_value::{Number, number, scalar};
+use crate::networks::access::Access;
+use crate::networks::named::Named;
 use crate::networks::{BlockAt, NetworkAt};
-use crate::operand_value::{Number, number, scalar};
 use crate::program::Step;
-use crate::rule::Rule;
-use crate::scope::Access;
-use crate::types::Scalar;
-use crate::uses::Named;
+use crate::values::types::Scalar;
 use ladder_instructions::{Op, Power, Role};
 use smallvec::SmallVec;
 
@@ -115,7 +114,8 @@ fn is_worth_it(context: &Context, network: NetworkAt<'_>) -> bool {
         let shared = context.leads_to(&scope.tags[tag]).unwrap_or((network.scope, tag));
         context.first_at_address(shared)
     };
-    let mut uses: SmallVec<[((usize, usize), &Named); 16]> = NamedTags::of(context, network)
+    let mut uses: SmallVec<[((usize, usize), &Named); 16]> = context
+        .names_of(network)
         .iter()
         .map(|(named, tag)| (shared(tag), named))
         .collect();

@@ -1,10 +1,10 @@
 //! `real-equality`: real numbers are compared for being exactly equal.
 
 use super::survey::SurveyedBlock;
-use crate::diagnostic::Diagnostic;
-use crate::facts::{Node, NodeKind, Operator};
-use crate::operand_value::{Number, each_node, is_real, number};
-use crate::rule::Rule;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
+use crate::names::operand_value::{Number, each_node, is_real, number};
+use crate::networks::facts::{Node, NodeKind, Operator};
 use ladder_instructions::Op;
 use ladder_syntax::TextRange;
 

@@ -4,10 +4,10 @@
 
 use super::circles::{Use, circles, way};
 use crate::context::{Body, Context};
-use crate::diagnostic::Diagnostic;
-use crate::exports::{ExportedBlock, Exports};
-use crate::network::Meaning;
-use crate::rule::Rule;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
+use crate::networks::network::Meaning;
+use crate::other_files::exports::{ExportedBlock, Exports};
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;

@@ -7,9 +7,9 @@ use super::wiring_walk::Walk;
 use crate::boolean::gate::Gate;
 use crate::boolean::power::{Powers, Question, Replacement};
 use crate::boolean::written::written_block;
-use crate::diagnostic::Diagnostic;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
 use crate::networks::BlockAt;
-use crate::rule::Rule;
 use ladder_instructions::Power;
 use rustc_hash::FxHashSet;
 

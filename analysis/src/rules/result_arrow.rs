@@ -1,11 +1,11 @@
 //! `result-arrow`: a result is taken with `:=` where `=>` shows that it comes out of the block.
 
 use crate::context::Context;
-use crate::diagnostic::{Applicability, Diagnostic};
-use crate::network::{Formal, Meaning};
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::rule::Rule;
 use crate::networks::BlockAt;
+use crate::networks::network::{Formal, Meaning};
 use crate::program::ParameterKind;
-use crate::rule::Rule;
 use ladder_instructions::Direction;
 
 pub(super) fn check(context: &Context, bound: BlockAt<'_>, out: &mut Vec<Diagnostic>) {

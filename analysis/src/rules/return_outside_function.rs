@@ -2,9 +2,9 @@
 
 use super::survey::Survey;
 use crate::context::{Body, Context};
-use crate::control_flow::ControlFlow;
-use crate::diagnostic::Diagnostic;
-use crate::rule::Rule;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
+use crate::networks::control_flow::ControlFlow;
 use ladder_instructions::Op;
 
 pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {

@@ -1,7 +1,7 @@
 //! `rung-not-powered`: a rung begins with `|--` where `+--` takes power from the left rail.
 
-use crate::diagnostic::Diagnostic;
-use crate::rule::Rule;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
 use ladder_syntax::TextRange;
 
 /// `range` is the stretch without power, as open-wire would show it.

@@ -5,16 +5,18 @@
 
 use crate::boolean::written::written;
 use crate::context::Context;
-use crate::control_flow::ControlFlow;
-use crate::diagnostic::Diagnostic;
-use crate::facts::{Node, NodeKind};
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
+use crate::names::operand_value::{each_tag, tag};
+use crate::names::scope::TagFacts;
 use crate::networks::NetworkAt;
-use crate::operand_value::{each_tag, tag};
+use crate::networks::control_flow::ControlFlow;
+use crate::networks::facts::{Node, NodeKind};
+use crate::networks::use_kind::Deed;
+
+use crate::networks::use_place::{Use, UseRef};
 use crate::program::Step;
-use crate::rule::Rule;
-use crate::scope::{TagFacts, Use, UseRef};
-use crate::types::Type;
-use crate::use_kind::Deed;
+use crate::values::types::Type;
 use ladder_instructions::{Coil, Power, Role};
 use rustc_hash::FxHashSet;
 

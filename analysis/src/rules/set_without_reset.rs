@@ -1,9 +1,9 @@
 //! `set-without-reset` and `reset-without-set`: a tag that is only ever set, or only ever reset.
 
 use super::tag_summary::Summary;
-use crate::diagnostic::Diagnostic;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
 use crate::program::Role;
-use crate::rule::Rule;
 
 pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
     let tag = summary.tag;

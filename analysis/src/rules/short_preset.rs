@@ -1,14 +1,14 @@
 //! `short-preset`: a timer's time is shorter than a scan.
 
 use super::survey::SurveyedBlock;
-use crate::diagnostic::Diagnostic;
-use crate::facts::{Node, NodeKind};
-use crate::literal::Literal;
-use crate::network::Formal;
-use crate::operand_value::{Number, number, scalar};
-use crate::rule::Rule;
-use crate::rule_settings::DEFAULT_SCAN_INTERVAL;
-use crate::types::Scalar;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
+use crate::findings::rule_settings::DEFAULT_SCAN_INTERVAL;
+use crate::names::operand_value::{Number, number, scalar};
+use crate::networks::facts::{Node, NodeKind};
+use crate::networks::network::Formal;
+use crate::values::literal::Literal;
+use crate::values::types::Scalar;
 use ladder_instructions::{Accepts, Timing};
 use ladder_syntax::TextRange;
 

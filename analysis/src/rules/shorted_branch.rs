@@ -4,10 +4,10 @@ use super::bypassed::Bypassed;
 use super::power_rules::is_condition;
 use super::wiring_walk::Walk;
 use crate::boolean::written::written_block;
-use crate::diagnostic::Diagnostic;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
 use crate::networks::BlockAt;
 use crate::program::Step;
-use crate::rule::Rule;
 use rustc_hash::FxHashSet;
 
 /// How far a branch is followed.

@@ -6,12 +6,12 @@ use super::{
     short_preset,
 };
 use crate::context::Context;
-use crate::control_flow::ControlFlow;
-use crate::diagnostic::Diagnostic;
-use crate::network::Meaning;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
+use crate::findings::rule_settings::RuleSettings;
+use crate::networks::control_flow::ControlFlow;
+use crate::networks::network::Meaning;
 use crate::networks::{BlockAt, NetworkAt};
-use crate::rule::Rule;
-use crate::rule_settings::RuleSettings;
 use ladder_instructions::Op;
 
 /// What is known of the file as a whole.

@@ -5,11 +5,11 @@
 
 use super::{bad_literal, frame_keyword, is_enough, unclosed_block, unclosed_comment, unexpected_character};
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
-use crate::excerpt::{self, Excerpts, blanks_before_drawing};
-use crate::foreign_comment::ForeignComments;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::excerpt::{self, Excerpts, blanks_before_drawing};
+use crate::findings::foreign_comment::ForeignComments;
 use crate::mistakes::{bad_declaration, bad_operand};
-use crate::unread_line::{identifiers, looks_like_declaration};
+use crate::networks::unread_line::{identifiers, looks_like_declaration};
 use ladder_syntax::{
     DeclarationProblem, LineKind, Many, Parse, Surroundings, SyntaxError, SyntaxErrorKind, TextRange,
     TextSize,

@@ -2,13 +2,13 @@
 
 use super::{input_written, never_read, never_written, set_without_reset};
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
-use crate::outward::TagUse;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
+use crate::names::scope::{Origin, SectionKind, TagFacts};
+use crate::networks::use_kind::Deed;
+use crate::other_files::outward::TagUse;
 use crate::program::Role;
-use crate::rule::Rule;
-use crate::scope::{Origin, SectionKind, TagFacts};
-use crate::types::Type;
-use crate::use_kind::Deed;
+use crate::values::types::Type;
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;
 use std::cell::RefCell;

@@ -1,10 +1,10 @@
 //! `type-mismatch`, where two places ask for two types of one undeclared tag.
 
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
-use crate::infer;
+use crate::findings::diagnostic::Diagnostic;
 use crate::mistakes::type_mismatch;
-use crate::scope::TagFacts;
+use crate::names::infer;
+use crate::names::scope::TagFacts;
 
 /// Looks at the places of one tag.
 pub(super) fn check(context: &Context, tag: &TagFacts, out: &mut Vec<Diagnostic>) {

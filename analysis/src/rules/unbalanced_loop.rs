@@ -2,9 +2,9 @@
 
 use super::survey::Survey;
 use crate::context::Context;
-use crate::control_flow::ControlFlow;
-use crate::diagnostic::Diagnostic;
-use crate::rule::Rule;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
+use crate::networks::control_flow::ControlFlow;
 use ladder_instructions::Op;
 use ladder_syntax::TextRange;
 

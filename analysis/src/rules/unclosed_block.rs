@@ -1,8 +1,8 @@
 //! `unclosed-block`: a bracket of a block has no partner on its line.
 
-use crate::diagnostic::{Applicability, Diagnostic};
-use crate::excerpt::shortened;
-use crate::rule::Rule;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::excerpt::shortened;
+use crate::findings::rule::Rule;
 use ladder_syntax::{SyntaxKind, TextRange, TextSize};
 
 /// `text` is what is from the opening bracket to the place where the closing one belongs, which is the

@@ -4,8 +4,8 @@
 //! is read the other way round, comments as drawing and drawing as comments. So the finding is at the
 //! first comment that holds a line of drawing, and what is found behind it is not shown.
 
-use crate::diagnostic::Diagnostic;
-use crate::rule::Rule;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
 use ladder_syntax::{Parse, SyntaxErrorKind, TextRange};
 
 /// `range` is the `#` at which the parser puts it.

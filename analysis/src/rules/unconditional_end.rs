@@ -1,8 +1,8 @@
 //! `unconditional-end`: an `<END>` that every scan comes to, so that the program runs once.
 
 use super::flow::Flow;
-use crate::diagnostic::{Applicability, Diagnostic};
-use crate::rule::Rule;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::rule::Rule;
 use ladder_instructions::Op;
 
 pub(super) fn check(flow: &Flow<'_>, out: &mut Vec<Diagnostic>) {

@@ -4,18 +4,19 @@
 //! every declaration; a file that declares tags has probably forgotten one; and in a file that declares none, a
 //! name that is used once and looks like another is probably a slip.
 
+use super::declaration_fix::Undeclared;
 use super::near_names::NearNames;
 use crate::context::Context;
-use crate::declaration_fix::Undeclared;
-use crate::declaring::Places;
-use crate::diagnostic::{Applicability, Diagnostic, Fix};
-use crate::did_you_mean;
-use crate::facts::NodeKind;
-use crate::network::Formal;
+use crate::findings::diagnostic::{Applicability, Diagnostic, Fix};
+use crate::findings::rule::{Rule, Severity};
+use crate::names::declaring::Places;
+use crate::names::did_you_mean;
+use crate::names::scope::{Origin, SectionKind, TagFacts};
+use crate::networks::facts::NodeKind;
+use crate::networks::network::Formal;
+use crate::networks::use_place::Use;
 use crate::program::Role;
-use crate::rule::{Rule, Severity};
-use crate::scope::{Origin, SectionKind, TagFacts, Use};
-use crate::types::{Scalar, Type};
+use crate::values::types::{Scalar, Type};
 use ladder_instructions::Accepts;
 use ladder_syntax::{Name, TextRange};
 use std::cell::{Cell, LazyCell, OnceCell};

@@ -3,9 +3,9 @@
 pub(super) mod box_drawing;
 
 use super::frame_keyword;
-use crate::diagnostic::{Applicability, Diagnostic};
-use crate::excerpt::shortened;
-use crate::rule::Rule;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::excerpt::shortened;
+use crate::findings::rule::Rule;
 use ladder_syntax::{Many, Surroundings, TextRange, is_identifier};
 
 pub(crate) fn unexpected(

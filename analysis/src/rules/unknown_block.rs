@@ -2,11 +2,11 @@
 
 use super::form::Form;
 use crate::context::Context;
-use crate::diagnostic::{Applicability, Diagnostic};
-use crate::did_you_mean;
-use crate::network::Meaning;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::rule::Rule;
+use crate::names::did_you_mean;
 use crate::networks::BlockAt;
-use crate::rule::Rule;
+use crate::networks::network::Meaning;
 use ladder_syntax::Name;
 
 pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {

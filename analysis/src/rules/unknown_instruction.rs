@@ -2,12 +2,12 @@
 
 use super::form::Form;
 use super::{missing_wire, wrong_shape};
-use crate::article::with_article;
-use crate::diagnostic::{Applicability, Diagnostic};
-use crate::excerpt::in_sentence;
-use crate::network::Meaning;
+use crate::findings::article::with_article;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::excerpt::in_sentence;
+use crate::findings::rule::Rule;
 use crate::networks::BlockAt;
-use crate::rule::Rule;
+use crate::networks::network::Meaning;
 use ladder_instructions::{Accepts, Instruction, Operand, Profile, Shape, TABLE, closest};
 use ladder_syntax::is_identifier;
 use std::fmt::Write;

@@ -1,10 +1,10 @@
 //! `unknown-label` where a `<$B>` block jumps out of its body. Other jumps are found while operands are resolved.
 
 use crate::context::{Body, Context};
-use crate::diagnostic::Diagnostic;
-use crate::network::Meaning;
-use crate::outward_jumps::{Jump, outward_jumps};
-use crate::rule::Rule;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
+use crate::networks::network::Meaning;
+use crate::networks::outward_jumps::{Jump, outward_jumps};
 use ladder_instructions::Shape;
 use ladder_syntax::{Name, TextRange};
 use std::collections::HashSet;

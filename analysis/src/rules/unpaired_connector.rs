@@ -5,11 +5,11 @@ pub(super) mod completion;
 
 use super::form::Form;
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
-use crate::excerpt::{columns, trimmed_line};
-use crate::network::breaks_drawing;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::excerpt::{columns, trimmed_line};
+use crate::findings::rule::Rule;
 use crate::networks::neighbours::{rung_above, rung_below};
-use crate::rule::Rule;
+use crate::networks::network::breaks_drawing;
 use ladder_syntax::numeral::nth;
 use ladder_syntax::wiring::{self, PartKind, Rung};
 use ladder_syntax::{Parse, TextRange};

@@ -3,9 +3,9 @@
 use super::flow::{Exit, Flow};
 use super::no_output::first_rung;
 use crate::boolean::written::written_block;
-use crate::diagnostic::Diagnostic;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
 use crate::program::Step;
-use crate::rule::Rule;
 use ladder_instructions::Op;
 
 pub(super) fn check(flow: &Flow<'_>, reached: &[bool], out: &mut Vec<Diagnostic>) {

@@ -2,11 +2,11 @@
 
 use super::survey::Survey;
 use crate::context::{Body, Context};
-use crate::control_flow::ControlFlow;
-use crate::diagnostic::Diagnostic;
-use crate::network::Meaning;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
 use crate::networks::BlockAt;
-use crate::rule::Rule;
+use crate::networks::control_flow::ControlFlow;
+use crate::networks::network::Meaning;
 use ladder_instructions::Op;
 use ladder_syntax::Name;
 use rustc_hash::FxHashSet;

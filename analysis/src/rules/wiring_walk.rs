@@ -2,8 +2,8 @@
 
 use super::{bypassed, contact_after_coil, dead_end, latched_power, redundant_element, shorted_branch};
 use crate::context::Context;
-use crate::control_flow::ControlFlow;
-use crate::diagnostic::Diagnostic;
+use crate::findings::diagnostic::Diagnostic;
+use crate::networks::control_flow::ControlFlow;
 use crate::networks::{BlockAt, NetworkAt};
 use crate::program::Step;
 

@@ -1,9 +1,9 @@
 //! `wrong-place`: `<END>` or `<FUN>` in the body of a `[$B]` or `($B)` block, or a second `<FUN>` in one network.
 
 use super::form::Form;
-use crate::diagnostic::Diagnostic;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
 use crate::networks::BlockAt;
-use crate::rule::Rule;
 use ladder_instructions::{Op, Shape};
 
 pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {

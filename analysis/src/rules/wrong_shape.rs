@@ -1,9 +1,9 @@
 //! `wrong-shape`: an instruction in brackets that it does not have, as in `<TON>` or `[SET]( run )`.
 
-use crate::diagnostic::{Applicability, Diagnostic};
-use crate::excerpt;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::excerpt;
+use crate::findings::rule::Rule;
 use crate::networks::BlockAt;
-use crate::rule::Rule;
 use ladder_instructions::{Instruction, Op, in_other_shape};
 use ladder_syntax::Parse;
 

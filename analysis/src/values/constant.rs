@@ -1,10 +1,10 @@
 //! Constants: literals brought to the type that their place asks for, and initial values.
 
-use crate::article::with_article;
-use crate::facts::{Node, NodeKind, Operator};
-use crate::literal::{Literal, LiteralProblem};
-use crate::types::{Scalar, Type, passes};
-use crate::value::{Value, wrap};
+use crate::findings::article::with_article;
+use crate::networks::facts::{Node, NodeKind, Operator};
+use crate::values::literal::{Literal, LiteralProblem};
+use crate::values::types::{Scalar, Type, passes};
+use crate::values::value::{Value, wrap};
 use ladder_syntax::{TextRange, TextSize};
 
 /// What is wrong with a value.

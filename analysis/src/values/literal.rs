@@ -1,6 +1,6 @@
 //! Literals: from their text to a value (LANGUAGE §3).
 
-use crate::types::Scalar;
+use crate::values::types::Scalar;
 
 /// A literal's value before its place gives it a type.
 #[derive(Debug, Clone, PartialEq)]

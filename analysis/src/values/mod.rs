@@ -1,6 +1,7 @@
 //! Types, literals and the values that programs hold (LANGUAGE §3, §4).
 
 pub(crate) mod address_bits;
+pub mod callable;
 pub mod constant;
 pub mod literal;
 pub mod types;

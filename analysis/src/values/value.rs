@@ -1,6 +1,6 @@
 //! Values as programs hold them.
 
-use crate::types::Scalar;
+use crate::values::types::Scalar;
 
 /// A value. Its type is beside it: the same `Int` is a DINT, a WORD or a TIME.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,7 +1,8 @@
 //! Shows what is found in a text the way a person reads it.
 
 use expect_test::Expect;
-use ladder_analysis::{Diagnostic, Exported, Level, Others, Rule, RuleSettings, analyze_with, exports, fix};
+use ladder_analysis::findings::fix;
+use ladder_analysis::{Diagnostic, Exported, Level, Others, Rule, RuleSettings, analyze_with, exports};
 use ladder_format::{Options, apply};
 use ladder_syntax::{LineIndex, TextRange, parse};
 use std::sync::Arc;

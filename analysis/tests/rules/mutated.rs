@@ -1,8 +1,9 @@
 //! Programs with a piece missing, doubled or exchanged: whatever comes of it, findings lie in the text, fixes
 //! can be made, and what has no errors is whole.
 
+use ladder_analysis::findings::fix;
 use ladder_analysis::program::Step;
-use ladder_analysis::{Analysis, analyze, fix};
+use ladder_analysis::{Analysis, analyze};
 use ladder_format::{Options, apply};
 use ladder_syntax::parse;
 use std::sync::Arc;

@@ -1,6 +1,7 @@
 //! The pages of the rules: each shows a wrong and a right program, and both are what they say.
 
-use ladder_analysis::{Diagnostic, Others, Rule, RuleSettings, Severity, analyze_with, fix};
+use ladder_analysis::findings::fix;
+use ladder_analysis::{Diagnostic, Others, Rule, RuleSettings, Severity, analyze_with};
 use ladder_format::{Options, apply, format_text};
 use ladder_syntax::parse;
 use std::path::{Path, PathBuf};

@@ -1,7 +1,7 @@
 //! Texts that consist of mistakes: each is read in a time that grows with its length. Where a rule compared
 //! everything with everything, this test would not come to an end.
 
-use ladder_analysis::diagnostic::MOST_RELATED;
+use ladder_analysis::findings::diagnostic::MOST_RELATED;
 use ladder_analysis::{Rule, analyze};
 use ladder_syntax::parse;
 use std::fmt::Write as _;

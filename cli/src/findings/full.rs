@@ -3,7 +3,8 @@
 use super::source::{Lines, Source};
 use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Origin, Patch, Renderer, Snippet};
 use ladder_analysis::Severity;
-use ladder_analysis::{Diagnostic, Fix, Related, fix};
+use ladder_analysis::findings::fix;
+use ladder_analysis::{Diagnostic, Fix, Related};
 use ladder_interchange::notation::Mark;
 use ladder_syntax::{TextRange, TextSize};
 use ladder_workspace::shown;

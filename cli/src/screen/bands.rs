@@ -3,7 +3,7 @@
 use super::columns;
 use super::fold::{Band, Content, LineShape};
 use super::sheet::{Sheet, Shown};
-use ladder_analysis::types::Scalar;
+use ladder_analysis::values::types::Scalar;
 use ladder_format::display_width;
 use ladder_simulator::Point;
 use ladder_syntax::{LineKind, Parse};

@@ -2,8 +2,8 @@
 
 use super::plant::Plant;
 use super::values;
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use ladder_format::display_width;
 use ladder_simulator::Point;
 

@@ -6,7 +6,7 @@ use crate::form::Form;
 use crate::outcome::Failure;
 use crate::run::{self, KeptIn, Retention, Stimulus};
 use ladder_analysis::program::{Program, Role};
-use ladder_analysis::types::Scalar;
+use ladder_analysis::values::types::Scalar;
 use ladder_analysis::{NotWhole, Severity};
 use ladder_simulator::{HistoryLimits, Point, Session, Simulation};
 use ladder_workspace::{Settings, Stamp};

@@ -2,7 +2,7 @@
 
 use super::sheet::{Operand, Shown};
 use ladder_analysis::program::{Argument, Block, BlockKind, Bound, Program, TagId};
-use ladder_analysis::types::{Scalar, Type};
+use ladder_analysis::values::types::{Scalar, Type};
 use ladder_instructions::{Direction, Instruction};
 use ladder_simulator::Simulation;
 use ladder_syntax::TextRange;

@@ -5,7 +5,7 @@ use crate::findings::Source;
 use crate::outcome::Failure;
 use crate::run::Retention;
 use ladder_analysis::program::{Program, Role};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_simulator::Inputs;
 use ladder_simulator::chart::{Recorder, Track};
 use ladder_simulator::scenario::{self, Recorded};

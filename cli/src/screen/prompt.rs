@@ -1,7 +1,7 @@
 //! A value that is being typed.
 
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use ladder_simulator::{Point, value_text};
 
 /// A question for a value.

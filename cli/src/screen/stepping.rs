@@ -3,7 +3,7 @@
 use super::app::App;
 use super::plant::StepUnit;
 use ladder_analysis::program::Location;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_simulator::{Breakpoint, Hit, Status, Stepped, value_text};
 
 impl App<'_> {

@@ -1,7 +1,7 @@
 //! Values as they are beside the diagram: short.
 
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use ladder_simulator::value_text;
 
 /// A value for a narrow place. A TIME is in its largest unit with one decimal, so that it does not jump about

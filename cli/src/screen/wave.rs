@@ -130,7 +130,7 @@ fn bars(marks: &[Option<Mark>], steps: &[char; 8]) -> String {
 mod tests {
     use super::*;
     use expect_test::{Expect, expect};
-    use ladder_analysis::value::Value;
+    use ladder_analysis::values::value::Value;
     use ladder_simulator::chart::Recorder;
     use ladder_simulator::{HistoryLimits, Options, Session};
 

@@ -5,7 +5,7 @@ use super::item::{Completion, CompletionKind, Snippet, Topic};
 use super::proposals::Proposals;
 use crate::typing::{Head, Operand, Typing};
 use crate::wanted::Called;
-use ladder_analysis::user_block::UserBlockFacts;
+use ladder_analysis::networks::user_block::UserBlockFacts;
 use ladder_instructions::{Accepts, Instruction, Op, Presence, Profile, Purpose, Shape, TABLE, purpose};
 use rustc_hash::FxHashSet;
 use std::ops::Range;

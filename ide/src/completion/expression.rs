@@ -3,14 +3,14 @@
 use super::item::{Completion, CompletionKind, Snippet, Topic};
 use super::proposals::{Order, Proposals};
 use crate::typing::Typing;
-use ladder_analysis::is_expression_function;
+use ladder_analysis::values::callable::is_callable;
 use ladder_instructions::{Instruction, TABLE};
 use ladder_syntax::is_reserved;
 
 /// Functions, and the words that begin a value.
 pub(super) fn values(typing: &Typing<'_>, out: &mut Proposals<'_>) {
     // The words that are operators (AND, MOD) are not called.
-    let callable = |row: &&Instruction| is_expression_function(row) && !is_reserved(row.mnemonic);
+    let callable = |row: &&Instruction| is_callable(row) && !is_reserved(row.mnemonic);
     for row in TABLE.iter().filter(callable) {
         let called = typing.rest(typing.word.end).starts_with('(');
         let text = if called {

@@ -6,7 +6,7 @@ use crate::typing::{Operand, Typing};
 use crate::wanted::{Wanted, scalar_rank, wanted, whole_type};
 use ladder_analysis::program::SystemTag;
 use ladder_analysis::state_member;
-use ladder_analysis::types::{Scalar, Type};
+use ladder_analysis::values::types::{Scalar, Type};
 use ladder_instructions::{Law, StateType};
 
 /// The members by their names in IEC 61131-3, then the other names that controllers have for them.

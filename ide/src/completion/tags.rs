@@ -5,9 +5,10 @@ use super::proposals::{MOST, Order, Proposals};
 use crate::typing::{Operand, Typing};
 use crate::wanted::{Kind, Wanted, rank, scalar_rank};
 use itertools::Itertools;
+use ladder_analysis::names::scope::{Origin, SectionKind, TagFacts};
+use ladder_analysis::networks::access::Access;
 use ladder_analysis::program::{Role, SystemTag};
-use ladder_analysis::scope::{Access, Origin, SectionKind, TagFacts};
-use ladder_analysis::types::{Scalar, Type};
+use ladder_analysis::values::types::{Scalar, Type};
 use ladder_instructions::Law;
 use ladder_syntax::Name;
 

@@ -2,10 +2,10 @@
 
 use super::Hover;
 use ladder_analysis::context::Context;
-use ladder_analysis::network::Meaning;
 use ladder_analysis::networks::BlockAt;
+use ladder_analysis::networks::network::Meaning;
+use ladder_analysis::networks::user_block::UserBlockFacts;
 use ladder_analysis::program::ParameterKind;
-use ladder_analysis::user_block::UserBlockFacts;
 use ladder_instructions::{Direction, Instruction, Presence, Profile};
 use std::fmt::Write;
 

@@ -3,13 +3,13 @@
 use super::Hover;
 use super::uses::{self, line_link};
 use crate::locate::{OnRung, node_at};
-use ladder_analysis::constant::natural_literal;
 use ladder_analysis::context::{Callee, Context};
-use ladder_analysis::facts::{Node, NodeKind};
-use ladder_analysis::network::Formal;
+use ladder_analysis::names::scope::{Origin, TagFacts};
 use ladder_analysis::networks::BlockAt;
+use ladder_analysis::networks::facts::{Node, NodeKind};
+use ladder_analysis::networks::network::Formal;
 use ladder_analysis::program::{Role, SystemTag};
-use ladder_analysis::scope::{Origin, TagFacts};
+use ladder_analysis::values::constant::natural_literal;
 use ladder_instructions::Accepts;
 use ladder_syntax::{Name, TextSize};
 use std::fmt::Write;
@@ -33,7 +33,7 @@ pub(super) fn hover(
     let used_for = match formal {
         Some(Formal::Operand(row)) => format!("`{}` of `{}`: {}", row.name, block.head_text(), row.doc),
         Some(Formal::Parameter(parameter)) => match block.meaning {
-            ladder_analysis::network::Meaning::User(user) => {
+            ladder_analysis::networks::network::Meaning::User(user) => {
                 let name = &context.user_blocks[user].parameters[parameter].name;
                 format!("`{name}` of `{}`", block.head_text())
             }

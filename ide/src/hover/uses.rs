@@ -2,7 +2,8 @@
 
 use crate::body::line_text;
 use ladder_analysis::context::Context;
-use ladder_analysis::scope::{Access, Origin, SectionKind, TagFacts};
+use ladder_analysis::names::scope::{Origin, SectionKind, TagFacts};
+use ladder_analysis::networks::access::Access;
 use ladder_syntax::{LineKind, TextSize};
 use std::fmt::Write;
 

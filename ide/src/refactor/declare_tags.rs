@@ -3,9 +3,10 @@
 use super::place::Selected;
 use super::{Action, ActionKind, Work};
 use ladder_analysis::context::Context;
-use ladder_analysis::declaration_fix::{Places, can_be_declared, undeclared};
-use ladder_analysis::facts::{Node, NodeKind};
+use ladder_analysis::names::declaring::Places;
 use ladder_analysis::networks::NetworkAt;
+use ladder_analysis::networks::facts::{Node, NodeKind};
+use ladder_analysis::rules::declaration_fix::{can_be_declared, undeclared};
 use ladder_format::Edit;
 use ladder_syntax::Name;
 

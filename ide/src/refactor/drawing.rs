@@ -5,7 +5,7 @@
 
 use ladder_analysis::context::Context;
 use ladder_analysis::networks::NetworkAt;
-use ladder_analysis::order::order;
+use ladder_analysis::networks::order::order;
 use ladder_analysis::program::Step;
 use ladder_format::Edit;
 use ladder_syntax::wiring::{PartKind, RungPart, wiring};

@@ -1,7 +1,8 @@
 //! Fixes of findings: each where its finding is, and all safe ones of a file at once.
 
 use super::{Action, ActionKind, Work};
-use ladder_analysis::{Analysis, Applicability, Diagnostic, Finding, fix};
+use ladder_analysis::findings::fix;
+use ladder_analysis::{Analysis, Applicability, Diagnostic, Finding};
 use ladder_format::Edit;
 use ladder_syntax::TextRange;
 

@@ -1,7 +1,7 @@
 //! Blocks of program flow: refactorings that move rungs keep away from them.
 
 use ladder_analysis::context::{Body, Context};
-use ladder_analysis::network::BoundBlock;
+use ladder_analysis::networks::network::BoundBlock;
 use ladder_instructions::{Op, Shape};
 
 /// Whether a block only marks a place: a label, or where a function begins.

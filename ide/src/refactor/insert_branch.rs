@@ -7,8 +7,8 @@ use super::passing::insert_rows;
 use super::place::{OnNetwork, Selected};
 use super::region::Region;
 use super::{Action, ActionKind};
-use ladder_analysis::declaration_fix::Places;
-use ladder_analysis::scope::SectionKind;
+use ladder_analysis::names::declaring::Places;
+use ladder_analysis::names::scope::SectionKind;
 use ladder_instructions::Shape;
 
 pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {

@@ -34,7 +34,8 @@ mod wrap_branch;
 pub use fixes::{fix_all, quick_fixes};
 pub use redraw::{Redraw, Redrawn, redraw};
 
-use ladder_analysis::{Analysis, Applicability, Fix, fix};
+use ladder_analysis::findings::fix;
+use ladder_analysis::{Analysis, Applicability, Fix};
 use ladder_format::{Edit, Options};
 use ladder_syntax::TextRange;
 use place::Selected;

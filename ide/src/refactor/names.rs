@@ -1,7 +1,7 @@
 //! Names that nothing has yet, and how titles call things.
 
 use ladder_analysis::context::Context;
-use ladder_analysis::network::BoundBlock;
+use ladder_analysis::networks::network::BoundBlock;
 use ladder_syntax::Name;
 
 /// A name for a new tag of a scope that no tag has.

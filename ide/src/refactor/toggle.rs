@@ -3,9 +3,9 @@
 use super::names::called;
 use super::place::Selected;
 use super::{Action, ActionKind};
-use ladder_analysis::facts::NodeKind;
 use ladder_analysis::networks::BlockAt;
-use ladder_analysis::types::Type;
+use ladder_analysis::networks::facts::NodeKind;
+use ladder_analysis::values::types::Type;
 use ladder_format::Edit;
 use ladder_instructions::Op;
 

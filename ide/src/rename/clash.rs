@@ -4,7 +4,7 @@ use super::RenameRefused;
 use crate::neighbour::{Which, Workspace, in_each};
 use crate::symbol::{Symbol, Usage, declared_names, occurrences, tag_of};
 use ladder_analysis::context::Context;
-use ladder_analysis::scope::{Origin, SectionKind};
+use ladder_analysis::names::scope::{Origin, SectionKind};
 use ladder_analysis::with_article;
 use ladder_syntax::{Name, TextRange};
 use std::sync::Arc;

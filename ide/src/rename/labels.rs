@@ -4,7 +4,7 @@
 use crate::neighbour::{Which, Workspace, in_each};
 use crate::symbol::{Symbol, Usage, occurrences};
 use ladder_analysis::context::{Body, Context};
-use ladder_analysis::network::Meaning;
+use ladder_analysis::networks::network::Meaning;
 use ladder_instructions::Shape;
 use ladder_syntax::Name;
 use std::sync::Arc;

@@ -14,8 +14,9 @@ use crate::body::file_text;
 use crate::neighbour::Workspace;
 use crate::outline::text_of;
 use crate::symbol::{Found, Occurrence, Symbol, find, in_files_of, occurrences, tag_of};
-use ladder_analysis::context::{Context, context};
-use ladder_analysis::scope::Origin;
+use ladder_analysis::context::Context;
+use ladder_analysis::names::join::context;
+use ladder_analysis::names::scope::Origin;
 use ladder_analysis::with_article;
 use ladder_format::{Edit, Options, apply};
 use ladder_syntax::{Name, TextRange, TextSize, parse};
@@ -250,7 +251,7 @@ fn same_type(
     if (before.ty, before.role) == (after.ty, after.role) {
         return Ok(());
     }
-    let what = |tag: &ladder_analysis::scope::TagFacts| {
+    let what = |tag: &ladder_analysis::names::scope::TagFacts| {
         let ty = tag.ty.map(|ty| ty.to_string()).unwrap_or_default();
         let role = match tag.role {
             ladder_analysis::program::Role::Input => "input",

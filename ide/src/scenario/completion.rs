@@ -8,7 +8,7 @@ use super::row::{stem_of, value_type};
 use super::used::used_files;
 use crate::completion::{Completion, CompletionKind, Completions, Snippet, Topic};
 use ladder_analysis::program::SystemTag;
-use ladder_analysis::types::Scalar;
+use ladder_analysis::values::types::Scalar;
 use ladder_simulator::scenario::{Direction, HEADINGS, Scenario, TextLine};
 use ladder_syntax::{Name, TextRange, TextSize};
 

@@ -3,9 +3,9 @@
 use crate::completion::{CompletionKind, Topic};
 use crate::symbol::{Symbol, tag_of};
 use ladder_analysis::context::{Body, Context};
+use ladder_analysis::names::scope::TagFacts;
 use ladder_analysis::program::Role;
-use ladder_analysis::scope::TagFacts;
-use ladder_analysis::types::{Scalar, Type};
+use ladder_analysis::values::types::{Scalar, Type};
 use ladder_simulator::members_of;
 use ladder_simulator::scenario::Direction;
 use ladder_syntax::Name;

@@ -11,10 +11,10 @@ mod legend;
 pub use legend::{Modifiers, TokenKind};
 
 use ladder_analysis::context::Context;
-use ladder_analysis::network::{Formal, Meaning};
+use ladder_analysis::names::scope::{Origin, SectionKind};
+use ladder_analysis::networks::network::{Formal, Meaning};
 use ladder_analysis::networks::{BlockAt, NetworkAt};
 use ladder_analysis::program::{ParameterKind, Role};
-use ladder_analysis::scope::{Origin, SectionKind};
 use ladder_instructions::{Accepts, Direction, Op};
 use ladder_syntax::rowan::GreenNodeData;
 use ladder_syntax::{LineKind, Name, NodeOrToken, SyntaxKind, TextRange, TextSize, Trees};

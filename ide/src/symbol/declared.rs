@@ -2,7 +2,7 @@
 
 use crate::body::line_body;
 use ladder_analysis::context::Context;
-use ladder_analysis::scope::SectionKind;
+use ladder_analysis::names::scope::SectionKind;
 use ladder_syntax::ast::{AstNode, Declaration, NodeView, SectionHeader};
 use ladder_syntax::{Line, LineKind, Name, TextRange, TextSize, Trees, is_identifier};
 use smallvec::SmallVec;

@@ -4,10 +4,10 @@ use super::occurrences::{block_file, block_name, function_file, label_name, memb
 use super::{DeclaredName, Symbol, declared};
 use crate::locate::{node_at, on_rung};
 use ladder_analysis::context::Context;
-use ladder_analysis::facts::{Node, NodeKind};
-use ladder_analysis::network::{Formal, Meaning};
+use ladder_analysis::names::scope::{Origin, SectionKind};
 use ladder_analysis::networks::BlockAt;
-use ladder_analysis::scope::{Origin, SectionKind};
+use ladder_analysis::networks::facts::{Node, NodeKind};
+use ladder_analysis::networks::network::{Formal, Meaning};
 use ladder_instructions::{Accepts, Shape, lookup};
 use ladder_syntax::wiring::PartKind;
 use ladder_syntax::{LineKind, Name, SyntaxKind, TextRange, TextSize};

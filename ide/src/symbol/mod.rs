@@ -15,7 +15,7 @@ pub(crate) use find::{Found, find, tag_of};
 pub(crate) use occurrences::{Occurrence, block_name, occurrences};
 
 use ladder_analysis::context::Body;
-use ladder_analysis::scope::Access;
+use ladder_analysis::networks::access::Access;
 use ladder_instructions::Op;
 use ladder_syntax::Name;
 use std::sync::Arc;

@@ -3,11 +3,11 @@
 use super::find::{is_system, tag_of_node};
 use super::{Symbol, Usage, declared_names, tag_of};
 use ladder_analysis::context::{Body, Callee, Context};
-use ladder_analysis::facts::{Node, NodeKind};
-use ladder_analysis::network::{Formal, Meaning};
+use ladder_analysis::names::scope::SectionKind;
+use ladder_analysis::networks::facts::{Node, NodeKind};
+use ladder_analysis::networks::network::{Formal, Meaning};
 use ladder_analysis::networks::{BlockAt, NetworkAt};
 use ladder_analysis::program::ParameterKind;
-use ladder_analysis::scope::SectionKind;
 use ladder_instructions::{Accepts, Op};
 use ladder_syntax::{Name, TextRange};
 use std::collections::HashMap;

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use ladder_simulator::value_text;
 use serde::Deserialize;
 use serde_json::{Map, Value as Json};

@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use ladder_analysis::types::Type;
+use ladder_analysis::values::types::Type;
 use ladder_simulator::{Instance, Point, members_of};
 use serde_json::{Value as Json, json};
 

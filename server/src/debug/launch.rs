@@ -4,7 +4,7 @@ use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
 use ladder_analysis::program::Program;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_analysis::{Analysis, NotWhole};
 use ladder_simulator::scenario;
 use ladder_simulator::{HistoryLimits, Inputs, Options, Session, Simulation};

@@ -116,9 +116,9 @@ impl Marker {
                 // A condition that is no BOOL is found now; a fault is for later.
                 let watch = beside.watch_any();
                 match watch.map(|watch| watch.evaluate(target.simulation())) {
-                    Some(Ok(Typed { ty, .. })) if ty != ladder_analysis::types::Scalar::Bool => Err(format!(
-                        "`{text}` is of type {ty}; a condition is TRUE or FALSE, as in {text} > 0"
-                    )),
+                    Some(Ok(Typed { ty, .. })) if ty != ladder_analysis::values::types::Scalar::Bool => Err(
+                        format!("`{text}` is of type {ty}; a condition is TRUE or FALSE, as in {text} > 0"),
+                    ),
                     _ => Ok(beside),
                 }
             })

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use ladder_analysis::analyze;
 use ladder_analysis::program::Program;
-use ladder_analysis::types::{Scalar, Type};
+use ladder_analysis::values::types::{Scalar, Type};
 use ladder_instructions::Profile;
 use ladder_simulator::{Options, Point, Simulation};
 use ladder_syntax::{SyntaxKind, SyntaxNode, TextRange, TextSize, parse};

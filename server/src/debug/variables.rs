@@ -2,8 +2,8 @@
 //! of each place of a user-defined block.
 
 use ladder_analysis::program::{Role, SystemTag, Tag};
-use ladder_analysis::types::{Scalar, Type};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::{Scalar, Type};
+use ladder_analysis::values::value::Value;
 use ladder_simulator::{Instance, Point, Simulation, members_of, value_text};
 use serde_json::{Value as Json, json};
 

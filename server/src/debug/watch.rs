@@ -4,8 +4,8 @@
 //! the one block `[CALC]( result, expression )`. To evaluate it these tags are given what the running program holds, and
 //! the small program runs one scan. So arithmetic, conversions and faults are those of the language.
 
-use ladder_analysis::types::{Scalar, Type};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::{Scalar, Type};
+use ladder_analysis::values::value::Value;
 use ladder_simulator::{Instance, Point, Simulation, value_text};
 use ladder_syntax::Name;
 

@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use ladder_analysis::context::{Context, context};
+use ladder_analysis::context::Context;
+use ladder_analysis::names::join::context;
 use ladder_analysis::{Exported, Exports, exports};
 use ladder_syntax::Parse;
 use ladder_workspace::Stamp;

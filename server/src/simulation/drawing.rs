@@ -7,8 +7,8 @@ use std::ops::Range;
 use ladder_analysis::program::{
     Argument, Block, BlockKind, Bound, ElementKind, ExprKind, Network, Step, TagId,
 };
-use ladder_analysis::types::{Scalar, Type};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::{Scalar, Type};
+use ladder_analysis::values::value::Value;
 use ladder_instructions::{Group, Op};
 use ladder_simulator::{Point, Simulation};
 use ladder_syntax::TextRange;

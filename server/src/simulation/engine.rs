@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use ladder_analysis::program::Location;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_analysis::{Analysis, NotWhole};
 use ladder_simulator::chart::Recorder;
 use ladder_simulator::{Brake, Breakpoint, HistoryLimits, Point, Session, Simulation, Status, Stop};

@@ -1,7 +1,7 @@
 //! What a simulation shows: tags and power, and of those what a client looks at.
 
 use ladder_analysis::program::Role;
-use ladder_analysis::types::Scalar;
+use ladder_analysis::values::types::Scalar;
 use ladder_simulator::{Point, Simulation, value_text};
 use ladder_syntax::{TextRange, TextSize};
 

@@ -1,6 +1,6 @@
 //! Pulses: a tag of BOOL that holds its other value for one scan, as if somebody had touched a button.
 
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 
 use super::engine::{Engine, point};
 use super::request::Failure;

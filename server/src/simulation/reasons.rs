@@ -1,6 +1,6 @@
 //! The tree of reasons in the words of the messages.
 
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_simulator::{Cause, Point, Reason, Since, Wording, Write};
 
 use super::engine::{Engine, point};

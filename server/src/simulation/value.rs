@@ -1,7 +1,7 @@
 //! Values as JSON and back.
 
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use ladder_analysis::with_article;
 use ladder_simulator::value_text;
 use serde_json::{Number, Value as Json};

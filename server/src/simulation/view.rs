@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_simulator::{Point, Simulation};
 
 use super::drawing::{Drawing, Element};

@@ -3,7 +3,7 @@
 use crate::sketch::{Dice, Sketch, Type};
 use crate::{BATCHES, Run};
 use ladder_analysis::analyze;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_simulator::{Options, Simulation};
 use std::fmt::Write;
 use std::hint::black_box;

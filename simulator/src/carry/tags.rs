@@ -8,7 +8,7 @@ use crate::layout::{Home, state_size};
 use crate::memory::{Bit, Memory, Word};
 use crate::simulation::Simulation;
 use ladder_analysis::program::{Tag, TagId};
-use ladder_analysis::types::Type;
+use ladder_analysis::values::types::Type;
 use ladder_analysis::with_article;
 use ladder_syntax::Name;
 use std::collections::{HashMap, HashSet};

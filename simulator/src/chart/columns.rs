@@ -3,7 +3,7 @@
 use super::Tick;
 use super::track::{Change, Kind, Track};
 use super::{text, time_axis};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 
 /// The scans that are drawn, and in how many columns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! The axis of a track's values.
 
 use super::{Tick, time_axis};
-use ladder_analysis::types::Scalar;
+use ladder_analysis::values::types::Scalar;
 
 /// Ticks at round values from the least to the greatest, at most `most` of them and one more. TIME in milliseconds.
 pub(super) fn ticks(least: f64, greatest: f64, most: u64, ty: Scalar) -> Vec<Tick> {

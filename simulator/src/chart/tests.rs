@@ -5,7 +5,7 @@ use crate::simulation::{Options, Simulation};
 use crate::tags::Point;
 use crate::{HistoryLimits, Session};
 use expect_test::{Expect, expect};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use std::fmt::Write;
 use std::sync::Arc;
 
@@ -33,7 +33,7 @@ fn points(session: &Session, names: &[&str]) -> Vec<Point> {
 fn set(session: &mut Session, name: &str, value: i64) {
     let point = session.simulation().resolve(name).unwrap();
     let value = match point.ty {
-        ladder_analysis::types::Scalar::Bool => Value::Bool(value != 0),
+        ladder_analysis::values::types::Scalar::Bool => Value::Bool(value != 0),
         _ => Value::Int(value),
     };
     session.set(&point, value).unwrap();
@@ -374,7 +374,7 @@ fn a_tag_that_is_renamed_keeps_its_track_and_its_past() {
 
 #[test]
 fn words() {
-    use ladder_analysis::types::Scalar;
+    use ladder_analysis::values::types::Scalar;
     let says = |from: i64, to: i64, ty| {
         let (from, to) = (Value::Int(from), Value::Int(to));
         let difference = difference(&from, &to, ty);
@@ -418,7 +418,7 @@ fn durations_are_written_as_editors_write_them() {
 
 #[test]
 fn scales() {
-    use ladder_analysis::types::Scalar;
+    use ladder_analysis::values::types::Scalar;
     let ticks = |least, greatest, most, ty| {
         let ticks = scale::ticks(least, greatest, most, ty).into_iter();
         ticks.map(|tick| tick.text).collect::<Vec<_>>().join(", ")

@@ -1,8 +1,8 @@
 //! Values of a trace in words.
 
 use crate::value_text;
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 
 /// A value as it is beside a drawing: `1`, `1.5s`, `16#00FF`.
 pub fn reading(value: &Value, ty: Scalar) -> String {

@@ -2,8 +2,8 @@
 
 use super::Tick;
 use crate::value_text;
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 
 /// Ticks at round times from `first` to `last` (nanoseconds), at most `most` of them and one more.
 pub(crate) fn ticks(first: f64, last: f64, most: f64) -> Vec<Tick> {

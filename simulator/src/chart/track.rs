@@ -2,8 +2,8 @@
 
 use super::{Tick, scale};
 use crate::tags::Point;
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use std::cell::Cell;
 use std::collections::VecDeque;
 

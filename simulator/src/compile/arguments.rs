@@ -2,7 +2,7 @@
 
 use super::{CompileError, Result};
 use ladder_analysis::program::{Argument, Block, Bound, Expr, Place, RangeRef, TagId};
-use ladder_analysis::types::Scalar;
+use ladder_analysis::values::types::Scalar;
 use ladder_instructions::{Op, Presence};
 
 /// The arguments of one block.

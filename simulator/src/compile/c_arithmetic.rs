@@ -7,7 +7,7 @@ use super::{Compiler, Result};
 use crate::code::Instr;
 use crate::memory::{Bit, Word};
 use crate::operation::{Conversion, IntegerOp, RealOp, Test, Width};
-use ladder_analysis::types::Scalar;
+use ladder_analysis::values::types::Scalar;
 use ladder_instructions::{Arithmetic, Op};
 
 impl Compiler<'_> {

@@ -7,7 +7,7 @@ use crate::code::Instr;
 use crate::memory::Bit;
 use crate::operation::{Test, Width};
 use ladder_analysis::program::{Argument, Expr, ExprKind, Place};
-use ladder_analysis::types::{Scalar, common};
+use ladder_analysis::values::types::{Scalar, common};
 use ladder_instructions::{Edge, Edges, Instruction, Op, Power};
 
 impl Compiler<'_> {

@@ -9,7 +9,7 @@ use crate::memory::{Bit, Word};
 use crate::operation::{Conversion, IntegerOp, RealFunction, RealOp, Test, Width};
 use crate::routine::Routine;
 use ladder_analysis::program::Expr;
-use ladder_analysis::types::{Scalar, passes};
+use ladder_analysis::values::types::{Scalar, passes};
 use ladder_instructions::{Division, Op};
 
 impl Compiler<'_> {

@@ -7,8 +7,8 @@ use crate::code::Instr;
 use crate::memory::{Bit, TextSlot, Word};
 use crate::operation::{Conversion, IntegerOp, RealFunction, RealOp, Width};
 use ladder_analysis::program::{BinaryOperator, Expr, ExprKind, UnaryOperator};
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use ladder_instructions::Op;
 
 impl Compiler<'_> {

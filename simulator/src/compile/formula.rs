@@ -5,7 +5,7 @@ use super::place::Slot;
 use crate::code::Instr;
 use crate::memory::{Bit, Word};
 use crate::routine::{Operation, Routine, type_operand};
-use ladder_analysis::types::Scalar;
+use ladder_analysis::values::types::Scalar;
 use ladder_instructions::{Conversion, Division, Op, Remainder};
 
 /// The bits that note what went wrong in a block.

@@ -5,7 +5,7 @@ use super::place::Slot;
 use super::{Compiler, Result};
 use crate::code::Instr;
 use crate::memory::Bit;
-use ladder_analysis::types::Scalar;
+use ladder_analysis::values::types::Scalar;
 use ladder_instructions::{Coil, Edge};
 
 /// Whether what a coil writes is a number.

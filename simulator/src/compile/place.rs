@@ -7,8 +7,8 @@ use crate::memory::{Bit, TextSlot, Word};
 use crate::operation::Width;
 use crate::system::{self, SystemSlot};
 use ladder_analysis::program::{Expr, ExprKind, Place, TagId};
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 
 /// Where a value is read or written. What ends in `At` holds the slot's number in a word, which is known only
 /// when the place is reached.

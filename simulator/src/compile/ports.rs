@@ -8,7 +8,7 @@ use crate::memory::{Bit, Word};
 use crate::operation::{Conversion, Width};
 use crate::routine::{Routine, type_operand};
 use ladder_analysis::program::Expr;
-use ladder_analysis::types::Scalar;
+use ladder_analysis::values::types::Scalar;
 use ladder_instructions::Serial;
 
 /// How many analog inputs and pulse outputs there are, counted from 0.

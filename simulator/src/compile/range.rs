@@ -6,7 +6,7 @@ use crate::layout::Home;
 use crate::memory::{Bit, Word};
 use crate::routine::Routine;
 use ladder_analysis::program::{Expr, ExprKind, RangeRef};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 
 /// A range: the words that hold the slot of its first element, and how many there are.
 #[derive(Debug, Clone, Copy)]

@@ -9,8 +9,8 @@ use crate::layout::Home;
 use crate::memory::{Bit, Word};
 use crate::routine::{Routine, type_operand};
 use ladder_analysis::program::{Argument, Expr, ExprKind, RangeRef};
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 
 /// The routine for a type's bank, of those for bits, words and texts.
 fn of_bank(ty: Scalar, routines: [Routine; 3]) -> Routine {

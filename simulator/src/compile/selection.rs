@@ -7,7 +7,7 @@ use crate::memory::TextSlot;
 use crate::operation::Width;
 use crate::routine::{Routine, type_operand};
 use ladder_analysis::program::Expr;
-use ladder_analysis::types::Scalar;
+use ladder_analysis::values::types::Scalar;
 
 impl Compiler<'_> {
     /// `[SEL]`: both values are read, one is taken.

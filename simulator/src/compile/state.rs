@@ -8,8 +8,8 @@ use crate::layout::{Home, counter, timer};
 use crate::memory::{Bit, Word};
 use crate::operation::{Conversion, Width};
 use ladder_analysis::program::{Expr, ExprKind};
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use ladder_instructions::Op;
 
 impl Compiler<'_> {

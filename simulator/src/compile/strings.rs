@@ -5,7 +5,7 @@ use super::{Compiler, Result};
 use crate::memory::{Bit, TextSlot, Word};
 use crate::routine::{Routine, type_operand};
 use ladder_analysis::program::Expr;
-use ladder_analysis::types::Scalar;
+use ladder_analysis::values::types::Scalar;
 use ladder_instructions::Op;
 
 /// The longest STRING there is.

@@ -7,8 +7,8 @@ use crate::memory::{Bit, Word};
 use crate::operation::{IntegerOp, Width};
 use crate::routine::Routine;
 use ladder_analysis::program::{Argument, Expr, ExprKind};
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use ladder_instructions::{Counting, Op, StateType};
 
 /// The time base where none is given.

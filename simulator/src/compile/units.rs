@@ -6,8 +6,8 @@ use crate::layout::{counter, timer};
 use crate::memory::{Bit, Word};
 use crate::routine::Routine;
 use ladder_analysis::program::ExprKind;
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use ladder_instructions::Op;
 
 /// The unit where none is given: a millisecond.

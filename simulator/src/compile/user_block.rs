@@ -9,8 +9,8 @@ use crate::code::Instr;
 use crate::layout::{Elsewhere, Home};
 use crate::memory::Bit;
 use ladder_analysis::program::{Argument, Block, BlockKind, Bound, Network, ParameterKind, Place, TagId};
-use ladder_analysis::types::{Scalar, Type};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::{Scalar, Type};
+use ladder_analysis::values::value::Value;
 use ladder_instructions::{Op, Shape};
 
 /// Blocks inside blocks; compiling them nests as deep.

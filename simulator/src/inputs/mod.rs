@@ -3,7 +3,7 @@
 mod table;
 
 use crate::{Point, Simulation, value_text};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use std::fmt;
 use table::Table;
 

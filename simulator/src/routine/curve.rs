@@ -4,7 +4,7 @@ use super::Operands;
 use crate::fault::Trouble;
 use crate::memory::{Memory, Word};
 use crate::operation::{Width, finite};
-use ladder_analysis::types::Scalar;
+use ladder_analysis::values::types::Scalar;
 
 pub(super) fn point(memory: &mut Memory, with: &mut Operands) -> Result<(), Trouble> {
     let (to, ty) = (with.word(), with.ty());

@@ -5,7 +5,7 @@ use super::Operands;
 use crate::fault::Trouble;
 use crate::memory::{Memory, Word};
 use crate::operation::Width;
-use ladder_analysis::types::Scalar;
+use ladder_analysis::values::types::Scalar;
 
 /// An operation on two numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

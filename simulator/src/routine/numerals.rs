@@ -5,8 +5,8 @@ use crate::fault::Trouble;
 use crate::memory::{Memory, TextSlot};
 use crate::operation::{Width, finite};
 use crate::value_text;
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 
 /// A word's value in its type.
 fn value(word: i64, ty: Scalar) -> Value {

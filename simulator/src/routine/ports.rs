@@ -4,8 +4,8 @@ use super::Operands;
 use crate::memory::{Memory, SERIAL_ROOM, Word};
 use crate::timers::Clock;
 use crate::value_text;
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use std::collections::VecDeque;
 use std::fmt::{self, Write};
 

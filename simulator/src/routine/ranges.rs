@@ -241,7 +241,7 @@ pub(super) fn sum(memory: &mut Memory, with: &mut Operands) -> Result<(), Troubl
     let range = with.range(memory);
     let element = with.ty();
     if ty.is_real() {
-        let single = ty == ladder_analysis::types::Scalar::Real;
+        let single = ty == ladder_analysis::values::types::Scalar::Real;
         let mut total = 0.0;
         for &word in &memory.words[range] {
             let value = if element.is_real() {

@@ -3,7 +3,7 @@
 use super::Operands;
 use crate::memory::{Memory, TextSlot, Word};
 use crate::operation::Width;
-use ladder_analysis::types::Scalar;
+use ladder_analysis::values::types::Scalar;
 use std::cmp::Ordering;
 
 /// Looks for the first element that compares with a as asked, behind index y if NEXT is high.

@@ -3,8 +3,8 @@
 use super::bind::{Case, Given, Target};
 use super::run::{Difference, Ran};
 use crate::value_text;
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use unicode_width::UnicodeWidthStr;
 
 /// What a line of the drawing shows.

@@ -3,8 +3,8 @@
 use super::words::{Word, lines, range};
 use super::{Mistake, Tolerance};
 use crate::value_text;
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use ladder_syntax::numeral::counted;
 use ladder_syntax::{TextRange, TextSize};
 use std::collections::HashMap;

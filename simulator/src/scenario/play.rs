@@ -5,7 +5,7 @@ use super::run::is_met;
 use crate::session::Session;
 use crate::simulation::{Simulation, Status};
 use crate::value_text;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_syntax::TextRange;
 
 /// An expectation that is not met.

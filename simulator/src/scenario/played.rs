@@ -4,8 +4,8 @@
 use crate::simulation::Simulation;
 use crate::tags::Point;
 use ladder_analysis::program::Role;
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use std::collections::BTreeSet;
 
 /// With more rows than this only outputs are looked at.

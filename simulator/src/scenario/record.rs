@@ -11,8 +11,8 @@ use crate::simulation::{Simulation, Status};
 use crate::tags::Point;
 use crate::value_text;
 use ladder_analysis::program::Role;
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 

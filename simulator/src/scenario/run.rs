@@ -4,7 +4,7 @@ use super::Tolerance;
 use super::bind::{Case, Expected, Target};
 use crate::fault::Fault;
 use crate::simulation::{Simulation, Status};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_syntax::TextRange;
 
 /// A scenario may do the work of this many blocks.

@@ -1,8 +1,8 @@
 //! How far a number may be from what is expected.
 
 use crate::value_text;
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 
 /// How far a number may be from what is expected.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,7 +5,7 @@ use crate::machine::Until;
 use crate::simulation::{Status, Stepped};
 use crate::tags::Point;
 use ladder_analysis::program::Location;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_syntax::TextSize;
 use std::sync::atomic::{AtomicBool, Ordering};
 

@@ -6,7 +6,7 @@ use crate::memory::Memory;
 use crate::simulation::Simulation;
 use crate::tags::Point;
 use ladder_analysis::program::{Program, Role};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use std::collections::HashMap;
 use std::sync::Arc;
 

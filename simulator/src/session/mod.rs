@@ -33,7 +33,7 @@ pub(crate) use given::{MOST_GIVEN, NotKnown};
 use history::History;
 pub use history::HistoryLimits;
 use ladder_analysis::program::{Location, Program, Role};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use std::cell::OnceCell;
 use std::collections::VecDeque;
 use std::sync::Arc;

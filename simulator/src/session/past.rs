@@ -5,8 +5,8 @@ use super::change::Era;
 use super::history::History;
 use crate::simulation::Simulation;
 use crate::tags::Point;
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 
 impl Session {
     /// What points held after each of the last scans, the oldest first: for each point up to `scans` values, of which

@@ -6,7 +6,7 @@ use super::history::{Forces, History};
 use super::touched::{Cells, SPAN};
 use crate::simulation::Simulation;
 use crate::tags::Point;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use std::ops::Range;
 
 /// A moment of the past. It is at the start of a scan, with what was given for it; from there

@@ -3,8 +3,8 @@
 use super::{Change, Force, Simulation};
 use crate::tags::{Point, PointSlot};
 use ladder_analysis::program::Role;
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use ladder_analysis::with_article;
 use std::collections::BTreeMap;
 
@@ -170,7 +170,7 @@ impl Simulation {
             (PointSlot::BitOf { word, bit, ty }, Value::Bool(high)) => {
                 let mask = 1i64 << bit;
                 let value = memory.word(word) & !mask | if *high { mask } else { 0 };
-                memory.words[word.0 as usize] = ladder_analysis::value::wrap(value, ty);
+                memory.words[word.0 as usize] = ladder_analysis::values::value::wrap(value, ty);
             }
             _ => {}
         }
@@ -210,7 +210,7 @@ fn check(point: &Point, value: &Value) -> Result<(), ValueRefused> {
         (Value::Real(real), ty) => ty.is_real() && real.is_finite(),
         (Value::Text(_), ty) => ty.is_string(),
         (Value::Int(number), ty) => match ty.bounds() {
-            Some(_) => ladder_analysis::value::wrap(*number, ty) == *number,
+            Some(_) => ladder_analysis::values::value::wrap(*number, ty) == *number,
             None => ty == Scalar::Time || ty.is_date(),
         },
         (Value::Bool(_), _) => false,

@@ -15,7 +15,7 @@ use crate::memory::SERIAL_ROOM;
 use crate::tags::{self, Names, Point, UnknownTag};
 use crate::work::Brake;
 use ladder_analysis::program::{Location, Place, Program, TagId};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 

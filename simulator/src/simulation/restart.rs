@@ -5,7 +5,7 @@ use crate::memory::Memory;
 use crate::retain::{self, Kept, Retained};
 use crate::tags::Point;
 use ladder_analysis::program::Program;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 
 impl Simulation {
     /// Begins again from cold: all tags as before the first scan. Forces stay.

@@ -2,7 +2,7 @@
 
 use super::{Header, time_of};
 use crate::value_text;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use std::fmt::Write;
 
 #[derive(Debug)]

@@ -4,8 +4,8 @@
 
 use super::{Header, Write, time_of};
 use crate::value_text;
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 
 #[derive(Debug)]
 pub(super) struct Json;

@@ -14,8 +14,8 @@ mod vcd;
 
 use crate::simulation::Simulation;
 use crate::tags::Point;
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 pub use timing::{Lane, Signal, Timing};
 
 /// The form of a trace.

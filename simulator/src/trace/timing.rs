@@ -7,8 +7,8 @@ mod draw;
 
 use super::{Header, Write};
 use crate::value_text;
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 
 /// What a timing diagram shows.
 #[derive(Debug, Clone, PartialEq)]

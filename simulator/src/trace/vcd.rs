@@ -6,8 +6,8 @@
 
 use super::{Header, Write};
 use crate::value_text;
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use std::collections::BTreeMap;
 
 #[derive(Debug, Default)]

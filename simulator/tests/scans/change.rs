@@ -3,7 +3,7 @@
 use crate::support::{simulation, stimulus};
 use expect_test::{Expect, expect};
 use ladder_analysis::program::Program;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_simulator::value_text::{cell, parse};
 use ladder_simulator::{Breakpoint, Changeover, HistoryLimits, Session};
 use std::sync::Arc;

@@ -3,7 +3,7 @@
 use crate::change::{COUNTS, MOTOR, program, program_of, session};
 use crate::support::simulation;
 use ladder_analysis::program::{Program, Role};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_simulator::value_text::cell;
 use ladder_simulator::{Changeover, Point, Session};
 use std::sync::Arc;
@@ -38,7 +38,7 @@ pub(crate) fn give(session: &mut Session, seed: u64) {
         .filter(|point| point.role == Role::Input && !point.name.starts_with("zz"))
     {
         let number = numbers.next();
-        let value = if point.ty == ladder_analysis::types::Scalar::Bool {
+        let value = if point.ty == ladder_analysis::values::types::Scalar::Bool {
             Value::Bool(number >> 20 & 1 != 0)
         } else if point.ty.bounds().is_some() {
             Value::Int((number >> 20 & 15) as i64)

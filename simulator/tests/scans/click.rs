@@ -307,7 +307,7 @@ fn a_program_can_stop_the_controller() {
     assert!(simulation.scan());
     let halt = simulation.resolve("halt").expect("it is there");
     simulation
-        .set(&halt, ladder_analysis::value::Value::Bool(true))
+        .set(&halt, ladder_analysis::values::value::Value::Bool(true))
         .expect("it is a BOOL");
     assert!(simulation.scan());
     assert_eq!(simulation.status(), Status::Ended);
@@ -320,7 +320,7 @@ fn a_forced_relay_stays_as_it_is_forced() {
     ));
     let relay = simulation.resolve("SC[40]").expect("it is there");
     simulation
-        .force(&relay, ladder_analysis::value::Value::Bool(false))
+        .force(&relay, ladder_analysis::values::value::Value::Bool(false))
         .expect("it can be forced");
     simulation.scan();
     assert_eq!(get(&simulation, "SC[40]"), "0");

@@ -10,8 +10,8 @@ fn every_example_runs() {
         for scan in 0..8 {
             for point in &points {
                 let inputs = point.role == ladder_analysis::program::Role::Input;
-                if inputs && point.ty == ladder_analysis::types::Scalar::Bool {
-                    let value = ladder_analysis::value::Value::Bool(scan % 3 == 1);
+                if inputs && point.ty == ladder_analysis::values::types::Scalar::Bool {
+                    let value = ladder_analysis::values::value::Value::Bool(scan % 3 == 1);
                     simulation.set(point, value).unwrap();
                 }
             }

@@ -117,7 +117,7 @@ fn what_cannot_be_given_a_value() {
         refused("t.TT", "1"),
     ));
     let point = simulation.resolve("x").unwrap();
-    let wide = ladder_analysis::value::Value::Int(300);
+    let wide = ladder_analysis::values::value::Value::Int(300);
     expect!["x is a SINT and cannot hold this value"]
         .assert_eq(&simulation.set(&point, wide).unwrap_err().message);
 }

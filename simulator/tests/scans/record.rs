@@ -3,7 +3,7 @@
 use crate::change_and_back::{Numbers, give, programs};
 use crate::support::{simulation, simulation_with};
 use expect_test::{Expect, expect};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_simulator::scenario::{Recorded, bind, parse, record, run};
 use ladder_simulator::value_text;
 use ladder_simulator::{HistoryLimits, Options, Session};

@@ -20,8 +20,8 @@ fn run(name: &str) -> String {
     while let (Some(option), Some(value)) = (words.next(), words.next()) {
         match option {
             "--scans" => scans = value.parse().unwrap(),
-            "--dt" => match parse(value, ladder_analysis::types::Scalar::Time) {
-                Ok(ladder_analysis::value::Value::Int(nanoseconds)) => interval = nanoseconds,
+            "--dt" => match parse(value, ladder_analysis::values::types::Scalar::Time) {
+                Ok(ladder_analysis::values::value::Value::Int(nanoseconds)) => interval = nanoseconds,
                 other => panic!("{other:?}"),
             },
             "--watch" => watch = value,

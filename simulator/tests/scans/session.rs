@@ -2,8 +2,8 @@
 
 use crate::support::simulation;
 use ladder_analysis::program::Role;
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use ladder_simulator::value_text::cell;
 use ladder_simulator::{HistoryLimits, Options, Point, Session, Status, Stop};
 use std::path::{Path, PathBuf};

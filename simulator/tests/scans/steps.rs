@@ -3,7 +3,7 @@
 use crate::support::simulation;
 use expect_test::{Expect, expect};
 use ladder_analysis::program::Location;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_simulator::value_text::cell;
 use ladder_simulator::{Breakpoint, HistoryLimits, Hit, Routine, Session, StepBy, Stepped, Stop};
 use ladder_syntax::{TextRange, TextSize};

@@ -2,7 +2,7 @@
 
 use crate::support::simulation_with;
 use expect_test::{Expect, expect};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_simulator::{Brake, Breakpoint, Fault, HistoryLimits, Options, Session, Simulation, Status, Stop};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};

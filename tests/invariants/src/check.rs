@@ -4,8 +4,9 @@
 
 use crate::features::apart;
 use crate::input;
+use ladder_analysis::findings::fix;
 use ladder_analysis::program::{BlockKind, Step};
-use ladder_analysis::{Analysis, Diagnostic, analyze, fix};
+use ladder_analysis::{Analysis, Diagnostic, analyze};
 use ladder_format::{Options, apply};
 use ladder_ide::fix_all;
 use ladder_syntax::{TextRange, TextSize, parse};

@@ -7,7 +7,7 @@ use crate::input::Numbers;
 use crate::reference::Boolean;
 use crate::trace::{Engine, Stimulus, compare, compile, difference, trace};
 use ladder_analysis::program::Program;
-use ladder_analysis::types::{Scalar, Type};
+use ladder_analysis::values::types::{Scalar, Type};
 use ladder_format::{Options, format_text};
 use ladder_simulator::{Simulation, Stepped};
 use std::sync::Arc;

@@ -1,7 +1,7 @@
 //! Whole programs of Click run as they are imported, and keep over a restart what Click keeps.
 
 use ladder_analysis::program::Program;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_analysis::{Severity, analyze};
 use ladder_interchange::notation::{Companion, Converted, Source, by_name, convert};
 use ladder_simulator::{Options, Simulation};
@@ -99,7 +99,7 @@ fn whole_programs_run() {
                 .cloned()
                 .collect();
             for (number, input) in inputs.iter().enumerate() {
-                if input.ty == ladder_analysis::types::Scalar::Bool {
+                if input.ty == ladder_analysis::values::types::Scalar::Bool {
                     let high = (scan / (number + 2)) % 2 == 1;
                     simulation
                         .set(input, Value::Bool(high))

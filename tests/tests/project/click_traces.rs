@@ -2,8 +2,8 @@
 //! fed with what the trace sets, and compared scan by scan.
 
 use ladder_analysis::analyze;
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use ladder_interchange::notation::{Source, by_name, convert};
 use ladder_simulator::{Options, Point, Simulation};
 use std::collections::BTreeMap;

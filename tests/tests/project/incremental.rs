@@ -3,8 +3,10 @@
 
 mod pieces;
 
-use ladder_analysis::context::{Context, context_after};
-use ladder_analysis::scope::{Scope, Use};
+use ladder_analysis::context::Context;
+use ladder_analysis::names::join::context_after;
+use ladder_analysis::names::scope::Scope;
+use ladder_analysis::networks::use_place::Use;
 use ladder_analysis::{
     Analysis, Diagnostic, Exported, Exports, Level, Rule, RuleSettings, Severity, analyze_after,
     analyze_context, analyze_with, exports,

@@ -2,7 +2,7 @@
 //! fed with its script, and compared with the trace scan by scan.
 
 use ladder_analysis::analyze;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_interchange::notation::{Source, by_name, convert};
 use ladder_simulator::{Options, Simulation};
 use std::collections::BTreeMap;

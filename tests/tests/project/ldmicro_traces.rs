@@ -2,7 +2,7 @@
 //! with the trace that LDmicro 2.2 gave, cycle by cycle.
 
 use ladder_analysis::program::{Argument, BlockKind, Expr, ExprKind, Place, Program};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_analysis::{Severity, analyze};
 use ladder_instructions::Op;
 use ladder_interchange::notation::{Converted, Source, by_name, convert};
@@ -186,7 +186,7 @@ impl Plant {
     }
 
     fn names(&mut self, program: &Program, renamed: &BTreeMap<String, String>) -> Result<(), String> {
-        use ladder_analysis::types::Type;
+        use ladder_analysis::values::types::Type;
         for tag in &program.tags {
             let name = renamed.get(&tag.name).unwrap_or(&tag.name);
             let point = |text: &str| self.simulation.resolve(text).map_err(|error| error.message);

@@ -3,8 +3,8 @@
 
 use ladder_analysis::analyze;
 use ladder_analysis::program::{ElementKind, Program, Role};
-use ladder_analysis::types::{Scalar, Type};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::{Scalar, Type};
+use ladder_analysis::values::value::Value;
 use ladder_format::{Edit, Options, apply, format_text};
 use ladder_ide::{Alone, prepare_rename, rename};
 use ladder_simulator::{Options as Run, Point, Simulation};

@@ -5,7 +5,8 @@
 //!
 //! A failure names the seed. `GENERATED_PROGRAMS=5000 cargo test -p ladder-tests safe_fixes` tries more.
 
-use ladder_analysis::{Analysis, Applicability, analyze, fix};
+use ladder_analysis::findings::fix;
+use ladder_analysis::{Analysis, Applicability, analyze};
 use ladder_format::{Options, apply};
 use ladder_syntax::parse;
 use ladder_tests::generator::{Dice, Mode, program};

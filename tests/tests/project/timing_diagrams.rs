@@ -3,7 +3,7 @@
 //! A diagram has the rows EN, perhaps R, Q and ET, one column for each scan, and says how many columns PT is.
 
 use ladder_analysis::analyze;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_instructions::{Instruction, TABLE};
 use ladder_simulator::{Options, Simulation};
 use ladder_syntax::parse;

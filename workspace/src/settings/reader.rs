@@ -2,8 +2,8 @@
 
 use super::given::{Entry, Given, Value};
 use super::table::{Kind, Section, SetBy, Setting, keys, sections};
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value;
 use ladder_simulator::value_text;
 use std::ops::Range;
 

@@ -1,10 +1,10 @@
 //! Directives, which are comments for the tools: `# ladder: allow(double-coil): two modes, only one is wired #`.
 
 use crate::asked::{Asked, asked};
-use crate::diagnostic::Diagnostic;
-use crate::did_you_mean::closest;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
+use crate::names::did_you_mean::closest;
 use crate::profile;
-use crate::rule::Rule;
 use ladder_instructions::Profile;
 use ladder_syntax::{TextRange, TextSize};
 

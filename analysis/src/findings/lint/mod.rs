@@ -8,9 +8,9 @@ mod switches;
 use scope::{Allow, Directives, directives, idle_words};
 
 use crate::context::Context;
-use crate::diagnostic::{Applicability, Diagnostic};
-use crate::rule::{Rule, Severity};
-use crate::rule_settings::{Level, RuleSettings};
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::rule::{Rule, Severity};
+use crate::findings::rule_settings::{Level, RuleSettings};
 use ladder_syntax::{TextRange, TextSize};
 use switches::Switches;
 

@@ -3,9 +3,9 @@
 use super::directive::{self, Directive, Word};
 use crate::asked::may_ask;
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule::Rule;
 use crate::networks::NetworkAt;
-use crate::rule::Rule;
 use ladder_syntax::wiring::{PartKind, RungPart};
 use ladder_syntax::{LineKind, NodeOrToken, Part, TextRange, TextSize};
 use std::ops::Range;

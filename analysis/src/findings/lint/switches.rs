@@ -2,7 +2,7 @@
 
 use super::scope::Allow;
 use crate::context::Context;
-use crate::rule::Rule;
+use crate::findings::rule::Rule;
 use std::collections::BTreeMap;
 use std::ops::Range;
 

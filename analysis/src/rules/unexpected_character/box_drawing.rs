@@ -1,7 +1,7 @@
 //! A drawing in box-drawing characters, as other programs and books print them: drawn with the language's own.
 
-use crate::diagnostic::{Applicability, Fix};
-use crate::excerpt;
+use crate::findings::diagnostic::{Applicability, Fix};
+use crate::findings::excerpt;
 use ladder_format::Edit;
 use ladder_syntax::{Parse, TextRange, TextSize, is_identifier};
 

@@ -3,9 +3,9 @@
 use super::Side;
 use super::completion::{NEAR, Row};
 use crate::context::Context;
-use crate::diagnostic::{Applicability, Diagnostic, Fix};
+use crate::findings::diagnostic::{Applicability, Diagnostic, Fix};
+use crate::findings::rule::Rule;
 use crate::networks::neighbours::{rung_above, rung_below};
-use crate::rule::Rule;
 use ladder_format::Edit;
 use ladder_syntax::wiring::PartKind;
 use ladder_syntax::{Parse, TextRange};

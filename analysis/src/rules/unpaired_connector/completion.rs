@@ -3,8 +3,8 @@
 //! Each of them decides which way power takes, and the drawing does not say for sure: none is safe.
 
 use super::{Side, beside, partner, symbol};
-use crate::diagnostic::{Applicability, Fix};
-use crate::excerpt::columns;
+use crate::findings::diagnostic::{Applicability, Fix};
+use crate::findings::excerpt::columns;
 use crate::networks::neighbours::{rung_above, rung_below};
 use ladder_format::Edit;
 use ladder_syntax::wiring::{self, PartKind, Rung};

@@ -2,7 +2,8 @@
 
 use super::Checked;
 use crate::findings::Source;
-use ladder_analysis::{Applicability, Diagnostic, Rule, Severity, fix};
+use ladder_analysis::findings::fix;
+use ladder_analysis::{Applicability, Diagnostic, Rule, Severity};
 use ladder_format::apply;
 use ladder_syntax::LineColumn;
 use ladder_workspace::shown;

@@ -15,7 +15,7 @@ use crate::output::{DRAWN_BY, may_write};
 use crate::run::{Run, Stimulus, number_of_scans, place, program, show_errors};
 use crate::terminal::{self, Stdout};
 use clap::{Args, ValueEnum};
-use ladder_analysis::types::Scalar;
+use ladder_analysis::values::types::Scalar;
 #[cfg(feature = "pdf")]
 use ladder_interchange::picture::sheet;
 use ladder_interchange::picture::{self, Options, Scene, Theme};

@@ -2,7 +2,7 @@
 
 use super::value_of;
 use crate::findings::Source;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_instructions::Op;
 use ladder_interchange::picture::letters::{self, Gate, Live, Shown};
 use ladder_simulator::Simulation;

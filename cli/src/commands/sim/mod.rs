@@ -14,7 +14,7 @@ use crate::screen;
 use crate::terminal;
 use clap::{Args, ValueEnum};
 use ladder_analysis::program::{Argument, Place, Program, TagId};
-use ladder_analysis::types::Type;
+use ladder_analysis::values::types::Type;
 use ladder_simulator::{Point, Simulation, diagram, diagram_of};
 use ladder_workspace::shown;
 use std::collections::HashSet;

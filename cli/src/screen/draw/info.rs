@@ -8,7 +8,7 @@ use crate::screen::theme::quiet;
 use crate::screen::values;
 use crate::screen::view::{Mode, NoteKind};
 use ladder_analysis::program::Role;
-use ladder_analysis::types::Scalar;
+use ladder_analysis::values::types::Scalar;
 use ladder_simulator::{Point, value_text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};

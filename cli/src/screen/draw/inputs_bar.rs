@@ -2,7 +2,7 @@
 
 use super::{Scene, heading, put};
 use crate::screen::inputs;
-use ladder_analysis::types::Scalar;
+use ladder_analysis::values::types::Scalar;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;

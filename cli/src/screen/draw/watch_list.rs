@@ -3,7 +3,7 @@
 use super::{Scene, heading, put};
 use crate::screen::values;
 use crate::screen::wave::wave;
-use ladder_analysis::types::Scalar;
+use ladder_analysis::values::types::Scalar;
 use ladder_format::display_width;
 use ladder_simulator::chart::Track;
 use ladder_simulator::value_text;

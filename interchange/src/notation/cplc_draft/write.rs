@@ -6,8 +6,8 @@ use ladder_analysis::networks::NetworkAt;
 use ladder_analysis::program::{
     Argument, Block, BlockKind, Expr, ExprKind, Member, Place as Operand, Program, Role, Tag, TagId,
 };
-use ladder_analysis::types::{Scalar, Type};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::{Scalar, Type};
+use ladder_analysis::values::value::Value;
 use ladder_format::{ElementKind, Options, Sketch, display_width};
 use ladder_instructions::Op;
 use ladder_syntax::Item;

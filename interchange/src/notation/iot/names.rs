@@ -4,8 +4,8 @@ use super::super::{LineColumn, Report};
 use super::model::Family;
 use super::parse::variable;
 use ladder_analysis::program::{Argument, ExprKind, Location, Place as Operand, Program, Role, Tag, TagId};
-use ladder_analysis::types::{Scalar, Type};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::{Scalar, Type};
+use ladder_analysis::values::value::Value;
 use ladder_instructions::StateType;
 use std::collections::{HashMap, HashSet};
 

@@ -9,8 +9,8 @@ use ladder_analysis::Analysis;
 use ladder_analysis::program::{
     Argument, Block, BlockKind, Expr, ExprKind, Member, Network, Place as Operand, Program, SystemTag, TagId,
 };
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use ladder_format::Circuit;
 use ladder_instructions::{Op, Profile};
 use ladder_syntax::Item;

@@ -7,7 +7,7 @@ use ladder_analysis::Analysis;
 use ladder_analysis::program::{
     Argument, Block, BlockKind, ExprKind, Network, Place as Operand, Program, Role, TagId,
 };
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_format::Circuit;
 use ladder_instructions::Op;
 use ladder_syntax::Item;

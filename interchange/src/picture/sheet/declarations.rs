@@ -2,8 +2,8 @@
 
 use super::super::comment;
 use ladder_analysis::context::Context;
+use ladder_analysis::names::scope::Origin;
 use ladder_analysis::program::Role;
-use ladder_analysis::scope::Origin;
 use ladder_syntax::ast::{AstNode, Declaration, NodeView, SectionHeader};
 use ladder_syntax::{LineKind, Section, SyntaxKind};
 

@@ -21,8 +21,8 @@ use crate::session::touched::Cells;
 use crate::simulation::Simulation;
 use crate::tags::Point;
 use ladder_analysis::program::{Network, Role};
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use std::ops::Range;
 
 /// This many scans are run again at most for one question.

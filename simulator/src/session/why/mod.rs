@@ -18,7 +18,7 @@ use super::Session;
 use crate::tags::Point;
 use inquiry::Inquiry;
 use ladder_analysis::program::Location;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 pub use text::Wording;
 pub(super) use writers::Writers;
 

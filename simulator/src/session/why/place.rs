@@ -6,7 +6,7 @@ use crate::tags::Point;
 use ladder_analysis::program::{
     Argument, Block, BlockKind, Expr, ExprKind, Member, Place, RangeRef, Step, TagId,
 };
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_instructions::Group;
 use std::ops::Range;
 

@@ -5,7 +5,7 @@ use super::{Cause, Reason, Since, Why, Write};
 use crate::session::history::History;
 use crate::tags::Point;
 use ladder_analysis::program::Location;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 
 /// A moment in a scan: an entry of the history, or the one that is open, and how far it had come.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

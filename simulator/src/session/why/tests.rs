@@ -3,7 +3,7 @@
 use crate::simulation::{Options, Simulation};
 use crate::{HistoryLimits, Session};
 use expect_test::{Expect, expect};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use std::fmt::Write;
 
 /// A motor that is started in scan 3 and one that never is, behind this many rungs in which something changes all the time.

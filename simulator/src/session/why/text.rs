@@ -4,8 +4,8 @@ use super::{Cause, Reason, Since, Why, Write};
 use crate::tags::Point;
 use crate::value_text;
 use ladder_analysis::program::{Location, Role};
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use ladder_syntax::LineIndex;
 
 impl Why {

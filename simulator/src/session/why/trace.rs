@@ -10,7 +10,7 @@ use crate::places::BlockAt;
 use crate::simulation::{Simulation, Stepped};
 use crate::tags::Point;
 use ladder_analysis::program::{Block, BlockKind, Network, Step};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_instructions::{Acts, Coil, Group, Op, Power};
 use std::collections::HashMap;
 

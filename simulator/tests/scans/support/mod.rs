@@ -149,7 +149,7 @@ pub(crate) fn trace(simulation: &mut Simulation, inputs: &str, watch: &str) -> S
     let width = points.iter().map(|(tag, _)| tag.len()).max().unwrap_or(0);
     let mut text = String::new();
     for ((tag, point), column) in points.iter().zip(columns) {
-        let cells = if point.ty == ladder_analysis::types::Scalar::Bool {
+        let cells = if point.ty == ladder_analysis::values::types::Scalar::Bool {
             column
                 .iter()
                 .map(|cell| if cell == "1" { '-' } else { '_' })

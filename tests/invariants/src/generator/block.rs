@@ -5,7 +5,7 @@ use super::expression::expression;
 use super::operand::{INTEGERS, integer, place, range, read, read_exactly};
 use super::scope::{Scope, Type};
 use super::value::{SCALARS, literal};
-use ladder_analysis::types::{DEFAULT_STRING, Scalar, converts};
+use ladder_analysis::values::types::{DEFAULT_STRING, Scalar, converts};
 use ladder_instructions::{
     Accepts, Direction, Group, Instruction, Op, Operand, Presence, Profile, TABLE, TypeClass,
 };

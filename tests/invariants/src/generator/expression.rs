@@ -3,7 +3,7 @@
 use super::dice::Dice;
 use super::operand::{integer, read, read_exactly};
 use super::scope::Scope;
-use ladder_analysis::types::{DEFAULT_STRING, Scalar};
+use ladder_analysis::values::types::{DEFAULT_STRING, Scalar};
 
 /// An expression that nests at most so deep.
 pub(super) fn expression(dice: &mut Dice, scope: &mut Scope, ty: Scalar, depth: usize) -> String {

@@ -6,7 +6,7 @@ use super::operand::{integer, place};
 use super::scope::Scope;
 use super::user_block::Definition;
 use super::{block, wiring};
-use ladder_analysis::types::Scalar;
+use ladder_analysis::values::types::Scalar;
 
 /// What the networks of a region may use.
 #[derive(Debug, Clone, Copy)]

@@ -26,7 +26,7 @@ pub use dice::Dice;
 pub use drawing::{Item, Network, Pen};
 
 use flow::Region;
-use ladder_analysis::types::Scalar;
+use ladder_analysis::values::types::Scalar;
 use scope::{Scope, Section, Tag, Type};
 use user_block::Definition;
 

@@ -3,7 +3,7 @@
 use super::dice::Dice;
 use super::scope::{Scope, Type};
 use super::value::{SCALARS, literal};
-use ladder_analysis::types::{Scalar, passes};
+use ladder_analysis::values::types::{Scalar, passes};
 use ladder_instructions::StateType;
 
 /// The integer types.

@@ -2,7 +2,7 @@
 
 use super::dice::Dice;
 use super::value::literal;
-use ladder_analysis::types::Scalar;
+use ladder_analysis::values::types::Scalar;
 use ladder_instructions::StateType;
 use std::fmt::Write;
 

@@ -6,7 +6,7 @@ use super::flow::Region;
 use super::operand::{place, read};
 use super::scope::{Scope, Section, Tag, Type};
 use super::value::{SCALARS, literal};
-use ladder_analysis::types::{Scalar, passes};
+use ladder_analysis::values::types::{Scalar, passes};
 use ladder_instructions::Shape;
 
 /// A user-defined block.

@@ -1,7 +1,7 @@
 //! Literals of all types.
 
 use super::dice::Dice;
-use ladder_analysis::types::{DEFAULT_STRING, Scalar};
+use ladder_analysis::values::types::{DEFAULT_STRING, Scalar};
 
 /// Every elementary type.
 pub(super) const SCALARS: [Scalar; 20] = [

@@ -5,8 +5,8 @@ use super::super::bank::{Bank, Kind};
 use super::super::model::{Constant, Nickname};
 use crate::notation::{LineColumn, Report};
 use ladder_analysis::program::{self as ladder, Role, TagId};
-use ladder_analysis::types::{Scalar, Type};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::{Scalar, Type};
+use ladder_analysis::values::value::Value;
 use std::collections::{HashMap, HashSet};
 
 /// What a tag is.

@@ -9,8 +9,8 @@ use crate::notation::click::model::{
     TimerKind, Unit,
 };
 use ladder_analysis::program::{Argument, BinaryOperator, Bound, ExprKind};
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use ladder_instructions::Timing;
 
 const MILLISECOND: i64 = 1_000_000;

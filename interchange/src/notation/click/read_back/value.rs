@@ -9,7 +9,7 @@ use crate::notation::click::tags::system_number;
 use ladder_analysis::program::{
     Argument, BinaryOperator, Bound, Expr, ExprKind, Member, Place, RangeRef, TagId, UnaryOperator,
 };
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_instructions::Op;
 use ladder_syntax::TextRange;
 

@@ -7,7 +7,7 @@ use crate::notation::ldmicro::fork::{RESOLUTION, table};
 use crate::notation::ldmicro::kept::behind;
 use crate::notation::ldmicro::model::Version;
 use ladder_analysis::program::{Argument, Block, BlockKind, Expr, ExprKind, Place as Operand};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::value::Value;
 use ladder_instructions::Op;
 
 /// How a line begins that is not yet one of LDmicro's: which rung it leads to, or that something leads to its rung, is

@@ -20,8 +20,8 @@ use ladder_analysis::program::{
     Argument, Block, BlockKind, Expr, ExprKind, Location, Member, Network, Place as Operand, Program,
     RangeRef, Role, SystemTag, TagId,
 };
-use ladder_analysis::types::{Scalar, Type};
-use ladder_analysis::value::Value;
+use ladder_analysis::values::types::{Scalar, Type};
+use ladder_analysis::values::value::Value;
 use ladder_format::Circuit;
 use ladder_instructions::{Op, Profile};
 use std::collections::{HashMap, HashSet};

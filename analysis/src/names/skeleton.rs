@@ -1,26 +1,28 @@
 //! From the lines of a text to what is known before any use of a tag is looked at: declared tags, blocks, networks, and the
 //! bodies that these belong to.
 
-use crate::at_address::AtAddress;
+use super::at_address::AtAddress;
+use super::block_definition;
+use super::declare;
+use super::joined::Joined;
+use super::problem::NameProblem;
+use super::rare::Rare;
+use super::scope::{Origin, Scope, TagFacts};
 use crate::context::{Body, Context, FunctionFacts, LabelFacts};
-use crate::control_flow::ControlFlow;
-use crate::declare;
-use crate::joined::Joined;
-use crate::kept::Kept;
-use crate::known_blocks::KnownBlocks;
-use crate::network;
+use crate::networks::control_flow::ControlFlow;
+use crate::networks::kept::Kept;
+use crate::networks::known_blocks::KnownBlocks;
 use crate::networks::neighbours::break_neighbours;
+use crate::networks::network;
+use crate::networks::reading::{Reading, TOGETHER};
+use crate::networks::use_place::Uses;
+use crate::networks::user_block::{self, UserBlockFacts};
 use crate::networks::{BlockAt, NetworkAt, Networks};
-use crate::others::Others;
-use crate::problem::NameProblem;
+use crate::other_files::others::Others;
 use crate::profile;
 use crate::program::Role;
-use crate::rare::Rare;
-use crate::reading::{Reading, TOGETHER};
-use crate::scope::{Origin, Scope, TagFacts, Uses};
 use crate::still_wanted::StillWanted;
-use crate::types::{Scalar, Type};
-use crate::user_block::{self, UserBlockFacts};
+use crate::values::types::{Scalar, Type};
 use ladder_instructions::{Op, Shape};
 use ladder_syntax::{Name, Parse, Structure, TextRange};
 use rustc_hash::FxHashMap;
@@ -45,7 +47,7 @@ pub(crate) fn skeleton(
         .blocks
         .iter()
         .zip(&scopes[1..])
-        .map(|(definition, scope)| user_block::user_block(parse, definition, scope))
+        .map(|(definition, scope)| block_definition::user_block(parse, definition, scope))
         .collect();
     let own_blocks = user_blocks.len();
     let signatures = user_block::signatures(&user_blocks);

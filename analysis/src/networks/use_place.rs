@@ -1,31 +1,9 @@
 //! The places where tags are in operands.
 
-use crate::context::Context;
-use crate::network::BoundBlock;
-use crate::use_kind::{Deed, UseKind};
+use super::access::Access;
+use super::use_kind::{Deed, UseKind};
 use ladder_syntax::TextRange;
 use smallvec::SmallVec;
-
-/// How a block uses a tag.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
-pub enum Access {
-    Read,
-    Write,
-    ReadWrite,
-}
-
-impl Access {
-    /// Whether the block reads it.
-    pub const fn reads(self) -> bool {
-        !matches!(self, Access::Write)
-    }
-
-    /// Whether the block writes it.
-    pub const fn writes(self) -> bool {
-        !matches!(self, Access::Read)
-    }
-}
 
 /// One place where a tag is in an operand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -104,12 +82,5 @@ impl Uses {
     /// How each place uses it.
     pub fn accesses(&self) -> impl Iterator<Item = Access> {
         self.0.iter().map(|place| place.access())
-    }
-}
-
-impl Use {
-    /// The block, wherever it is.
-    pub(crate) fn bound(self, context: &Context) -> &BoundBlock {
-        &context.networks.at(self.network).facts().blocks[self.block]
     }
 }
