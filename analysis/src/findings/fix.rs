@@ -190,7 +190,7 @@ mod tests {
             } else {
                 Applicability::Safe
             };
-            Diagnostic::new(crate::Rule::MissingWire, range, "").fix(applicability, "", range, text)
+            Diagnostic::new(crate::rules::missing_wire::RULE, range, "").fix(applicability, "", range, text)
         };
         let findings: Vec<_> = fixes.iter().map(finding).collect();
         let fixes = together(&findings, most);

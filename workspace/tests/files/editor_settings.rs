@@ -1,7 +1,7 @@
 //! What editors say of settings, and what is wrong with it.
 
 use expect_test::{Expect, expect};
-use ladder_analysis::{Level, Rule};
+use ladder_analysis::Level;
 use ladder_workspace::{EditorSettings, Tree};
 
 fn table(entries: &[(&str, Tree)]) -> Tree {
@@ -56,7 +56,13 @@ fn every_key() {
     assert!(settings.inlay_hints && !settings.code_lens);
     let project = settings.project;
     assert_eq!((project.format.width, project.format.spacing), (120, 3));
-    assert_eq!(project.lint.levels.get(&Rule::DoubleCoil), Some(&Level::Off));
+    assert_eq!(
+        project
+            .lint
+            .levels
+            .get(&ladder_analysis::rules::rule_named("double-coil").expect("a rule")),
+        Some(&Level::Off)
+    );
     assert_eq!(project.simulate.interval, Some(20_000_000));
     assert_eq!(
         (project.simulate.watchdog, project.simulate.history),

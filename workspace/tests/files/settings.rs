@@ -2,7 +2,7 @@
 
 use expect_test::{Expect, expect};
 use ladder_analysis::program::Program;
-use ladder_analysis::{Level, Rule, Severity};
+use ladder_analysis::{Level, Severity};
 use ladder_workspace::{Root, Settings, find_programs};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -57,9 +57,18 @@ exclude = ["old", "*.tmp.clad"]
     assert_eq!(
         lint,
         [
-            (Rule::UndeclaredTag, Level::Shown(Severity::Error)),
-            (Rule::NoOutput, Level::Shown(Severity::Info)),
-            (Rule::DoubleCoil, Level::Off),
+            (
+                ladder_analysis::rules::rule_named("undeclared-tag").expect("a rule"),
+                Level::Shown(Severity::Error)
+            ),
+            (
+                ladder_analysis::rules::rule_named("no-output").expect("a rule"),
+                Level::Shown(Severity::Info)
+            ),
+            (
+                ladder_analysis::rules::rule_named("double-coil").expect("a rule"),
+                Level::Off
+            ),
         ]
     );
     assert_eq!(settings.simulate.interval, Some(20_000_000));

@@ -1,5 +1,4 @@
-//! What becomes of findings before they are shown: the severities that a workspace asks for, and the comments that
-//! switch rules off (LANGUAGE §7).
+//! The comments that speak to the tools, and what those that switch rules off hide (LANGUAGE §7).
 
 mod directive;
 mod scope;
@@ -9,8 +8,9 @@ use scope::{Allow, Directives, directives, idle_words};
 
 use crate::context::Context;
 use crate::findings::diagnostic::{Applicability, Diagnostic};
-use crate::findings::rule::{Rule, Severity};
-use crate::findings::rule_settings::{Level, RuleSettings};
+use crate::findings::rule::Rule;
+use crate::findings::rule_settings::RuleSettings;
+use crate::rules::suppression_unused;
 use ladder_syntax::{TextRange, TextSize};
 use switches::Switches;
 
@@ -55,16 +55,6 @@ impl<'c> Allows<'c> {
     }
 }
 
-/// The severity that a finding has by the settings; none if its rule is off.
-pub(crate) fn level(settings: &RuleSettings, rule: Rule, severity: Severity) -> Option<Severity> {
-    match settings.level(rule) {
-        None => Some(severity),
-        Some(Level::Shown(severity)) => Some(severity),
-        // A rule that is off unless set may still have errors to report.
-        Some(Level::Off) => None,
-    }
-}
-
 /// A comment that switches off what finds nothing. `removal` is what to take out to be rid of it.
 fn unused(
     rules: &[Rule],
@@ -72,10 +62,9 @@ fn unused(
     (comment, removal): (TextRange, Option<TextRange>),
     settings: &RuleSettings,
 ) -> Option<Diagnostic> {
-    let severity = level(
-        settings,
-        Rule::SuppressionUnused,
-        Rule::SuppressionUnused.default_severity(),
+    let severity = settings.severity_of(
+        suppression_unused::RULE,
+        suppression_unused::RULE.default_severity(),
     )?;
     let idle = rules.iter().filter(|rule| !is_used(**rule));
     let names: Vec<String> = idle.map(|rule| format!("`{}`", rule.name())).collect();
@@ -84,7 +73,7 @@ fn unused(
     }
     let all = names.len() == rules.len();
     let mut found = Diagnostic::new(
-        Rule::SuppressionUnused,
+        suppression_unused::RULE,
         comment,
         format!(
             "{} {} nothing here that could be switched off",

@@ -2,16 +2,15 @@
 
 use crate::context::Context;
 use crate::findings::diagnostic::{Applicability, Diagnostic};
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::names::did_you_mean;
 use ladder_syntax::TextRange;
 
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Names, "unknown-function", Severity::Error).fixed(Applicability::Unsafe));
+
 pub(crate) fn unknown(context: &Context, name: &str, range: TextRange) -> Diagnostic {
-    let found = Diagnostic::new(
-        Rule::UnknownFunction,
-        range,
-        format!("there is no function `{name}`"),
-    );
+    let found = Diagnostic::new(RULE, range, format!("there is no function `{name}`"));
     let own = context.functions.iter().map(|f| f.name.as_str());
     let names = own.chain(context.others.function_names());
     match did_you_mean::closest(name, names) {

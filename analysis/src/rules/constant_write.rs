@@ -1,9 +1,12 @@
 //! `constant-write`: a block writes a tag that must not be written.
 
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use ladder_syntax::TextRange;
 use std::sync::Arc;
+
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Blocks, "constant-write", Severity::Error).about_types());
 
 /// `file` is the one that declares it, if that is another.
 pub(crate) fn constant(
@@ -13,7 +16,7 @@ pub(crate) fn constant(
     declared: TextRange,
 ) -> Diagnostic {
     Diagnostic::new(
-        Rule::ConstantWrite,
+        RULE,
         range,
         format!("`{name}` is a constant: no block may write it"),
     )
@@ -23,7 +26,7 @@ pub(crate) fn constant(
 
 pub(crate) fn system(range: TextRange) -> Diagnostic {
     Diagnostic::new(
-        Rule::ConstantWrite,
+        RULE,
         range,
         "the tags of SYS are read only: the controller sets them",
     )

@@ -2,7 +2,7 @@
 
 use crate::findings::article::with_article;
 use crate::findings::diagnostic::{Applicability, Diagnostic};
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::names::did_you_mean;
 use crate::names::scope::Scope;
 use crate::names::system_tag::SystemTag;
@@ -10,8 +10,11 @@ use crate::values::types::{Scalar, Type};
 use ladder_instructions::StateType;
 use ladder_syntax::TextRange;
 
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Names, "unknown-member", Severity::Error).about_types());
+
 fn unknown(range: TextRange, message: String) -> Diagnostic {
-    Diagnostic::new(Rule::UnknownMember, range, message)
+    Diagnostic::new(RULE, range, message)
 }
 
 pub(crate) fn system(word: &str, range: TextRange) -> Diagnostic {

@@ -4,7 +4,6 @@ use super::bad_declaration;
 use super::literals;
 use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
 use crate::names::problem::{Differs, InFile, NameProblem};
 use crate::names::scope::{Entry, TagFacts};
 use crate::values::types::Type;
@@ -25,7 +24,7 @@ pub(crate) fn diagnostic(context: &Context, problem: &NameProblem) -> Diagnostic
             first,
             first_at,
         } => Diagnostic::new(
-            Rule::DuplicateDeclaration,
+            super::duplicate_declaration::RULE,
             *at,
             format!("`{name}` is declared twice"),
         )
@@ -65,7 +64,7 @@ fn otherwise_in_this_file(second: &TagFacts, first: &TagFacts, differs: Differs)
     };
     let message = format!("`{}` is declared otherwise before, {otherwise}", second.name);
     let related = format!("`{}` is first declared here", first.name);
-    Diagnostic::new(Rule::DuplicateDeclaration, second.declared_at, message)
+    Diagnostic::new(super::duplicate_declaration::RULE, second.declared_at, message)
         .help(HELP)
         .related(first.declared_at, related)
 }
@@ -77,7 +76,7 @@ fn otherwise_in_another(tag: &TagFacts, differs: Differs, InFile { file, global 
         Differs::Address => format!("`{}` lies at another address in {file}", tag.name),
     };
     let related = format!("`{}` is declared here as well", global.name);
-    Diagnostic::new(Rule::DuplicateDeclaration, tag.declared_at, message)
+    Diagnostic::new(super::duplicate_declaration::RULE, tag.declared_at, message)
         .help(HELP)
         .related_in(file, global.at, related)
 }
@@ -90,7 +89,7 @@ fn files_differ(context: &Context, tag: &TagFacts, first: &InFile, second: &InFi
     let used = context.uses(tag).next();
     let at = used.map_or(tag.declared_at, |place| place.range);
     let related = format!("`{}` is declared here", first.global.name);
-    Diagnostic::new(Rule::DuplicateDeclaration, at, message)
+    Diagnostic::new(super::duplicate_declaration::RULE, at, message)
         .help(HELP)
         .related_in(&first.file, first.global.at, related)
         .related_in(&second.file, second.global.at, "and here")

@@ -2,20 +2,26 @@
 
 use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::excerpt::shortened;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use ladder_syntax::{DeclarationProblem, TextRange};
+
+pub(crate) const RULE: Rule = Rule(&RuleFacts::new(
+    RuleGroup::Text,
+    "bad-declaration",
+    Severity::Error,
+));
 
 /// A declaration that is well formed but means nothing.
 pub(crate) fn wrong(range: TextRange, message: impl Into<String>) -> Diagnostic {
-    Diagnostic::new(Rule::BadDeclaration, range, message)
+    Diagnostic::new(RULE, range, message)
 }
 
 /// The name of a user-defined block, on the first line of its definition or where it is used.
 pub(crate) fn block_name(header: bool, text: &str, range: TextRange) -> Diagnostic {
     let rule = if header {
-        Rule::BadDeclaration
+        RULE
     } else {
-        Rule::UnexpectedCharacter
+        super::unexpected_character::RULE
     };
     Diagnostic::new(rule, range, format!("`{text}` is no name for a block"))
         .help("a block's name is a `$` and a letter, then letters and digits: $Debounce2")
@@ -111,7 +117,7 @@ pub(crate) fn unreadable(
             "close the definition above with END_FUNCTION_BLOCK first",
         ),
     };
-    let diagnostic = Diagnostic::new(Rule::BadDeclaration, range, message).help(help);
+    let diagnostic = Diagnostic::new(RULE, range, message).help(help);
     let applicability = if has_text {
         Applicability::Unsafe
     } else {

@@ -2,16 +2,15 @@
 //! initial value.
 
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
 use crate::values::constant::{ConstantFault, ConstantProblem};
 
 /// The finding about a value.
 pub(crate) fn diagnostic(problem: &ConstantProblem) -> Diagnostic {
     let rule = match problem.fault {
-        ConstantFault::Malformed => Rule::BadLiteral,
-        ConstantFault::OutOfRange => Rule::LiteralOutOfRange,
-        ConstantFault::OtherType => Rule::TypeMismatch,
-        ConstantFault::NotInitial => Rule::BadDeclaration,
+        ConstantFault::Malformed => super::bad_literal::RULE,
+        ConstantFault::OutOfRange => super::literal_out_of_range::RULE,
+        ConstantFault::OtherType => super::type_mismatch::RULE,
+        ConstantFault::NotInitial => super::bad_declaration::RULE,
     };
     Diagnostic::new(rule, problem.range, &problem.message)
 }

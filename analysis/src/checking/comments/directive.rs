@@ -5,6 +5,7 @@ use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::Rule;
 use crate::names::did_you_mean::closest;
 use crate::profile;
+use crate::rules;
 use ladder_instructions::Profile;
 use ladder_syntax::{TextRange, TextSize};
 
@@ -74,7 +75,7 @@ fn rules(text: &str, place: TextRange, out: &mut Vec<Diagnostic>) -> Option<Vec<
     };
     let mut rules = Vec::new();
     for name in names.split(',').map(str::trim) {
-        match Rule::from_name(name) {
+        match rules::rule_named(name) {
             Some(rule) => rules.push(rule),
             None => out.push(no_rule(name, place)),
         }
@@ -121,7 +122,7 @@ fn unknown(name: &str, place: TextRange) -> Diagnostic {
 
 fn no_rule(name: &str, place: TextRange) -> Diagnostic {
     let found = bad(place, format!("there is no rule `{name}`"));
-    found.help(match closest(name, Rule::ALL.iter().map(|rule| rule.name())) {
+    found.help(match closest(name, rules::ALL.iter().map(|rule| rule.name())) {
         Some(near) => format!("did you mean `{near}`?"),
         None => "the reference of the rules lists them all".to_owned(),
     })
@@ -149,5 +150,5 @@ pub(super) fn said_before(word: Word, place: TextRange, first: TextRange, line: 
 }
 
 fn bad(place: TextRange, message: impl Into<String>) -> Diagnostic {
-    Diagnostic::new(Rule::BadDirective, place, message)
+    Diagnostic::new(crate::rules::bad_directive::RULE, place, message)
 }

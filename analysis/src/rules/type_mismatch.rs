@@ -2,13 +2,19 @@
 
 use crate::findings::article::with_article;
 use crate::findings::diagnostic::{Applicability, Diagnostic};
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::values::types::{Scalar, Type};
 use ladder_instructions::{Op, StateType, TypeClass};
 use ladder_syntax::TextRange;
 
+pub(crate) const RULE: Rule = Rule(
+    &RuleFacts::new(RuleGroup::Blocks, "type-mismatch", Severity::Error)
+        .about_types()
+        .fixed(Applicability::Unsafe),
+);
+
 pub(crate) fn wrong(range: TextRange, message: impl Into<String>) -> Diagnostic {
-    Diagnostic::new(Rule::TypeMismatch, range, message)
+    Diagnostic::new(RULE, range, message)
 }
 
 /// Two places ask for two types of one undeclared tag.
