@@ -1,7 +1,10 @@
 //! What a person probably meant by a spelling that the table does not have.
 
+use crate::instruction::{Instruction, Shape};
+use crate::lookup::by_op;
+use crate::op::Op;
 use crate::spelling::Spelling;
-use crate::{Instruction, Op, Shape, TABLE, by_op};
+use crate::table::TABLE;
 
 /// Names that other controllers and other notations give to an instruction, none of which is accepted here:
 /// they only make a better answer than the nearest spelling.
