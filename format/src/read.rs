@@ -7,7 +7,7 @@ use crate::stays::directive;
 use crate::width::display_width;
 use ladder_syntax::SyntaxKind::COIL_BLOCK;
 use ladder_syntax::wiring::{self, PartKind, RungPart};
-use ladder_syntax::{Line, Network};
+use ladder_syntax::{Network, ReadLine};
 
 /// A rung cannot be drawn anew without changing what it says (LANGUAGE §8 rule 10, and the few texts whose
 /// canonical form would read differently), so its network stays as it is.
@@ -217,7 +217,7 @@ fn is_between(drawing: &wiring::Rung, index: usize, first: usize, last: usize) -
 }
 
 /// Whether a block has a mistake that formatting does not stop at; it is moved, but not touched.
-fn has_mistake<N>(line: &Line<N>, block: &RungPart) -> bool {
+fn has_mistake<N>(line: &ReadLine<N>, block: &RungPart) -> bool {
     let place = block.range;
     line.errors
         .iter()

@@ -1,6 +1,6 @@
 //! Mistakes that the parser finds. Ranges count from the start of the logical line that holds them.
 
-use crate::SyntaxKind;
+use crate::kind::SyntaxKind;
 use rowan::{TextRange, TextSize};
 
 /// A mistake in the text, with the place where it is.

@@ -53,9 +53,9 @@ pub use error::{DeclarationProblem, Many, OperandPlace, Surroundings, SyntaxErro
 pub use file_lines::{AllLines, FileLines};
 pub use grammar::is_declaration_keyword;
 pub use kind::{LadderLanguage, SyntaxElement, SyntaxKind, SyntaxNode, SyntaxToken};
-pub use line::{Line, LineKind, Mode};
+pub use line::{LineKind, Mode, ReadLine};
 pub use line_index::{LineColumn, LineIndex, line_around};
-pub use line_tree::{LineTree, Trees};
+pub use line_tree::{Line, LineTree, Trees};
 pub use lines::{LineList, LineReader, Lines, read_lines};
 pub use name::{Name, is_identifier, is_reserved};
 pub use parse::{MAX_FILE_BYTES, MAX_OPEN_BYTES, MAX_OPEN_LINES, Parse, parse, tree};

@@ -1,7 +1,8 @@
 //! A part of a file: the unit that an edit makes anew. All that it knows counts from its own start, so that what is
 //! above and below it may change.
 
-use crate::line::{Line, LineKind};
+use crate::line::LineKind;
+use crate::line_tree::Line;
 use crate::structure::{PartItem, group};
 use std::ops::Range;
 use std::sync::Arc;

@@ -3,10 +3,11 @@
 //! Reads the green nodes of the lines directly, without a tree cursor: this runs for every network at every
 //! check, format and simulation.
 
+use crate::kind::SyntaxKind;
 use crate::line::LineKind;
 use crate::line_tree::Trees;
+use crate::parse::Parse;
 use crate::structure::Network;
-use crate::{Parse, SyntaxKind};
 use rowan::{GreenNode, GreenNodeData, NodeOrToken, TextRange, TextSize};
 use std::ops::Range;
 

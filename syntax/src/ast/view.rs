@@ -3,7 +3,7 @@
 //! rowan's own cursor knows its parents and allocates for each node it is on. What is read downwards only, for
 //! every block of every check, needs neither.
 
-use crate::SyntaxKind;
+use crate::kind::SyntaxKind;
 use rowan::{GreenNodeData, GreenTokenData, NodeOrToken, TextRange, TextSize};
 use std::fmt;
 
