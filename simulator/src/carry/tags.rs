@@ -3,9 +3,9 @@
 use super::Lost;
 use super::matching::Matching;
 use super::renamed::Renamed;
-use crate::compile::EdgeOf;
 use crate::layout::{Home, state_size};
 use crate::memory::{Bit, Memory, Word};
+use crate::places::EdgeOf;
 use crate::simulation::Simulation;
 use ladder_analysis::program::{Tag, TagId};
 use ladder_analysis::types::Type;

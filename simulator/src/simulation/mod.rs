@@ -8,7 +8,8 @@ mod restart;
 mod scan;
 mod state;
 
-use crate::compile::{CompileError, Compiled, compile};
+use crate::compile::{Compiled, compile};
+use crate::compile_error::CompileError;
 use crate::fault::{Fault, Trouble};
 use crate::machine::{FaultRecord, Machine};
 use crate::memory::SERIAL_ROOM;
