@@ -147,9 +147,8 @@ impl Trouble {
                  program do less in each"
             ),
             Trouble::CallDepth => format!(
-                "calls are nested deeper than {}, so the simulation was stopped; look for a function that calls \
-                 itself without end",
-                CALL_DEPTH
+                "calls are nested deeper than {CALL_DEPTH}, so the simulation was stopped; look for a function that calls \
+                 itself without end"
             ),
         }
     }
