@@ -20,7 +20,7 @@ impl SyntaxError {
 
     /// The same mistake, counted from another origin.
     #[must_use]
-    pub fn shifted(&self, by: TextSize) -> SyntaxError {
+    pub(crate) fn shifted(&self, by: TextSize) -> SyntaxError {
         SyntaxError {
             kind: self.kind,
             range: self.range + by,

@@ -52,7 +52,7 @@ pub use dump::dump;
 pub use error::{DeclarationProblem, Many, OperandPlace, Surroundings, SyntaxError, SyntaxErrorKind};
 pub use file_lines::{AllLines, FileLines};
 pub use grammar::is_declaration_keyword;
-pub use kind::{LadderLanguage, SyntaxElement, SyntaxKind, SyntaxNode, SyntaxToken};
+pub use kind::{LadderLanguage, SyntaxKind, SyntaxNode, SyntaxToken};
 pub use line::{LineKind, Mode, ReadLine};
 pub use line_index::{LineColumn, LineIndex, line_around};
 pub use line_tree::{Line, LineTree, Trees};

@@ -100,13 +100,8 @@ impl Part {
     }
 
     /// Its length in bytes.
-    pub fn len(&self) -> u32 {
+    pub(crate) fn len(&self) -> u32 {
         self.starts[self.lines.len()]
-    }
-
-    /// Whether it holds nothing. Only the part of an empty text would.
-    pub fn is_empty(&self) -> bool {
-        self.lines.is_empty()
     }
 
     /// The lines of its networks, counted from its first line, from top to bottom.
@@ -118,12 +113,12 @@ impl Part {
     }
 
     /// The first line of its first network, counted from its first line.
-    pub fn first_network(&self) -> Option<usize> {
+    pub(crate) fn first_network(&self) -> Option<usize> {
         self.first_network.map(|line| line as usize)
     }
 
     /// How many physical lines end in it.
-    pub fn line_ends(&self) -> u32 {
+    pub(crate) fn line_ends(&self) -> u32 {
         self.line_ends
     }
 

@@ -278,7 +278,7 @@ impl Session {
     }
 
     /// Whether anything was given since the last scan.
-    pub fn is_given(&self) -> bool {
+    pub(crate) fn is_given(&self) -> bool {
         self.changed
     }
 

@@ -240,7 +240,7 @@ impl Simulation {
     }
 
     /// Whether the program uses the serial port.
-    pub fn has_serial(&self) -> bool {
+    pub(crate) fn has_serial(&self) -> bool {
         self.compiled.ports.serial
     }
 

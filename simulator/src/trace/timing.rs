@@ -12,29 +12,29 @@ use ladder_analysis::value::Value;
 
 /// What a timing diagram shows.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Timing {
+struct Timing {
     /// Said to those who cannot see the picture, and shown where a pointer rests on it.
-    pub title: String,
+    title: String,
     /// Nanoseconds that a column stands for.
-    pub interval: i64,
+    interval: i64,
     /// How many columns there are.
-    pub columns: u64,
+    columns: u64,
     /// From top to bottom.
-    pub lanes: Vec<Lane>,
+    lanes: Vec<Lane>,
 }
 
 /// One line of a timing diagram.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Lane {
+struct Lane {
     /// What is at its left.
-    pub name: String,
+    name: String,
     /// What it draws.
-    pub signal: Signal,
+    signal: Signal,
 }
 
 /// What a lane draws. A change is a column and what holds from there on; the first is at column 0.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Signal {
+enum Signal {
     /// A waveform.
     Levels(Vec<(u64, bool)>),
     /// Values: as they are read, and as a number if they are one.
@@ -43,7 +43,7 @@ pub enum Signal {
 
 impl Timing {
     /// The picture: one SVG document.
-    pub fn svg(&self) -> String {
+    fn svg(&self) -> String {
         draw::svg(self)
     }
 }
