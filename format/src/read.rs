@@ -80,12 +80,10 @@ impl Reader {
         let text = source.text;
         let line = &source.lines.lines()[index];
         let node = source.line(index);
-        let children = node.children().map(|child| {
-            (
-                child.kind(),
-                ((child.end() - child.start()) as u32).into(),
-                child.index(),
-            )
+        let children = node.children().map(|child| wiring::Child {
+            kind: child.kind(),
+            len: ((child.end() - child.start()) as u32).into(),
+            number: child.index(),
         });
         wiring::read_rung(children, &mut self.drawing);
         let drawing = &self.drawing;

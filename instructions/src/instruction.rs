@@ -162,15 +162,13 @@ impl Instruction {
 
     /// The largest number of operands by place; none if the last ones may be given again and again.
     pub fn limit(&self) -> Option<usize> {
-        if self.repeats() {
-            return None;
-        }
-        Some(
-            self.operands
-                .iter()
-                .filter(|operand| operand.presence != Presence::Named)
-                .count(),
-        )
+        (!self.repeats()).then(|| self.places())
+    }
+
+    /// How many of its operands are given by place. Those are before the named ones in every row.
+    fn places(&self) -> usize {
+        let by_place = |operand: &&Operand| operand.presence != Presence::Named;
+        self.operands.iter().take_while(by_place).count()
     }
 
     /// Whether the last positional operands may be given again and again.
@@ -189,21 +187,16 @@ impl Instruction {
     /// Whether `count` operands by place fit this row.
     pub fn takes(&self, count: usize) -> bool {
         let least = self.required();
-        match (self.group_size(), self.limit()) {
-            (Some(group), _) => count >= least && (count - least).is_multiple_of(group),
-            (None, Some(most)) => (least..=most).contains(&count),
-            (None, None) => unreachable!("a row without repetition has a limit"),
+        match self.group_size() {
+            Some(group) => count >= least && (count - least).is_multiple_of(group),
+            None => (least..=self.places()).contains(&count),
         }
     }
 
     /// The operand that the `index`-th positional value (from 0) stands for.
     pub fn positional(&self, index: usize) -> Option<&'static Operand> {
-        // The named operands are last in every row, the repeated ones directly before them.
-        let places = self
-            .operands
-            .iter()
-            .take_while(|operand| operand.presence != Presence::Named)
-            .count();
+        // The repeated operands are the last of these.
+        let places = self.places();
         if index < places {
             return Some(&self.operands[index]);
         }

@@ -38,7 +38,15 @@ enum Signal {
     /// A waveform.
     Levels(Vec<(u64, bool)>),
     /// Values: as they are read, and as a number if they are one.
-    Values(Vec<(u64, String, Option<f64>)>),
+    Values(Vec<Change>),
+}
+
+/// A new value.
+#[derive(Debug, Clone, PartialEq)]
+struct Change {
+    column: u64,
+    text: String,
+    number: Option<f64>,
 }
 
 impl Timing {
@@ -76,7 +84,11 @@ impl Write for Recorder {
                 (Signal::Levels(changes), value) => changes.push((scan, *value == Value::Bool(true))),
                 (Signal::Values(changes), value) => {
                     let ty = header.tags[index].ty();
-                    changes.push((scan, shown(value, ty), number(value, ty)));
+                    changes.push(Change {
+                        column: scan,
+                        text: shown(value, ty),
+                        number: number(value, ty),
+                    });
                 }
             }
         }
