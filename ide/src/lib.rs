@@ -55,9 +55,9 @@ pub use refactor::{Redraw, Redrawn, redraw};
 pub use references::{Reference, references};
 pub use rename::{Renamable, RenameRefused, Renamed, prepare_rename, rename};
 pub use scenario::{
-    SCENARIO_TRIGGERS, ScenarioPart, Scenarios, prepare_scenario_rename, rename_in_scenario,
-    scenario_completions, scenario_definition, scenario_highlights, scenario_hover, scenario_layout,
-    scenario_on_type, scenario_outline, scenario_references,
+    ScenarioPart, Scenarios, prepare_scenario_rename, rename_in_scenario, scenario_completions,
+    scenario_definition, scenario_highlights, scenario_hover, scenario_layout, scenario_on_type,
+    scenario_outline, scenario_references,
 };
 pub use selection::selections;
 pub use semantic_tokens::{Modifiers, Token, TokenKind, semantic_tokens, semantic_tokens_of};

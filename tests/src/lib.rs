@@ -10,12 +10,14 @@
 //! SECTIONS --settings_reference--> settings.md, the schema, package.json  compared by tests/project/settings_reference.rs
 //! client: the language server as a process, for the benches
 //! typed_programs: what an edit costs, counted by tests/project/work_of_an_edit.rs and measured by benches/language_server
+//! src/**/*.rs --imports--> circles of files that import each other  checked by tests/project/rooms.rs
 //! console blocks --console--> what they really show                compared by cli/tests/project/book_sessions.rs
 //! ```
 
 pub mod book;
 pub mod client;
 pub mod console;
+pub mod imports;
 pub mod instruction_pages;
 pub mod instruction_runs;
 pub mod markdown;

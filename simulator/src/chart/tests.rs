@@ -1,9 +1,9 @@
 //! What is recorded of a session, and what is drawn of it.
 
 use super::*;
+use crate::session::{HistoryLimits, Session};
 use crate::simulation::{Options, Simulation};
 use crate::tags::Point;
-use crate::{HistoryLimits, Session};
 use expect_test::{Expect, expect};
 use ladder_analysis::values::value::Value;
 use std::fmt::Write;

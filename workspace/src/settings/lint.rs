@@ -23,7 +23,7 @@ pub struct Lint {
 
 impl Lint {
     /// What holds in a program's file.
-    pub fn levels_of(&self, program: &Path) -> Levels {
+    pub(crate) fn levels_of(&self, program: &Path) -> Levels {
         let mut levels = self.levels.clone();
         for (files, own) in &self.overrides {
             if covers(files, program) {

@@ -192,7 +192,7 @@ pub(super) const CODE_LENS: Setting = Setting {
 };
 
 /// How diagrams are laid out.
-pub const FORMAT: Section = Section {
+pub(super) const FORMAT: Section = Section {
     name: "format",
     about: "How diagrams are laid out.",
     settings: &[WIDTH, SPACING],
@@ -206,14 +206,14 @@ pub const LINT: Section = Section {
 };
 
 /// How programs are run.
-pub const SIMULATE: Section = Section {
+pub(super) const SIMULATE: Section = Section {
     name: "simulate",
     about: "How programs are run.",
     settings: &[INTERVAL, WATCHDOG, HISTORY, RETAIN],
 };
 
 /// Which programs belong to the workspace.
-pub const WORKSPACE: Section = Section {
+pub(super) const WORKSPACE: Section = Section {
     name: "workspace",
     about: "Which programs belong to the workspace. Patterns are those of `.gitignore`, seen from the folder of `ladder.toml`.",
     settings: &[INCLUDE, EXCLUDE],
