@@ -4,7 +4,7 @@ import * as vscode from 'vscode';
 import { CLICK, type Click } from './click.ts';
 import { convert, exportAs } from './conversion.ts';
 import type { DiagramEditors } from './diagram/editor.ts';
-import { editDrawing } from './edit.ts';
+import { editDrawing, toggleComment } from './edit.ts';
 import { openExample } from './example.ts';
 import { showReferences } from './lenses.ts';
 import { askValue, pickTag } from './prompts.ts';
@@ -15,7 +15,6 @@ import type { Speed } from './session.ts';
 import type { Simulation } from './simulation.ts';
 import { goToStop } from './tabStops.ts';
 import type { TestExplorer } from './testExplorer.ts';
-import { toggleCommentInEditor } from './toggleComment.ts';
 import type { TraceView } from './trace/traceView.ts';
 import type { WhyRow } from './whyTree.ts';
 import type { WhyView } from './whyView.ts';
@@ -191,7 +190,7 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
         'ladder.debug.force': (row) => forceVariable(row),
         'ladder.debug.unforce': (row) => releaseVariable(row),
         'ladder.debug.stepBackScan': () => stepBackScan(),
-        'ladder.toggleComment': () => toggleCommentInEditor(),
+        'ladder.toggleComment': () => toggleComment(server),
         'ladder.draw.contact': () => editDrawing(server, 'contact'),
         'ladder.draw.closedContact': () => editDrawing(server, 'closedContact'),
         'ladder.draw.coil': () => editDrawing(server, 'coil'),

@@ -200,7 +200,7 @@ interface Stretch {
     readonly end: Place;
 }
 
-/** The answer to `ladder.edit`. */
+/** The answer to `ladder.edit` and to `ladder.comment`. */
 export interface EditedDrawing {
     readonly version: number;
     readonly edits: readonly { readonly range: Stretch; readonly newText: string }[];
@@ -215,6 +215,7 @@ export interface DrawnFence {
 
 export interface OtherCommands {
     'ladder.fence': { argument: { text: string }; answer: DrawnFence };
+    'ladder.comment': { argument: { uri: string; lines: readonly Lines[] }; answer: EditedDrawing };
     'ladder.edit': { argument: { uri: string; range: Stretch; edit: EditKind }; answer: EditedDrawing };
     'ladder.diagram': {
         argument: { uri: string; lines: Lines; rail: number; known: readonly string[] };

@@ -9,14 +9,6 @@ interface Cases {
     readonly typed: readonly [type: string, text: string, value: Value][];
 }
 
-interface CommentCase {
-    readonly name: string;
-    readonly before: string[];
-    readonly after?: string[];
-    readonly again?: string[];
-    readonly refused?: number;
-}
-
 interface LabelCase {
     readonly name: string;
     readonly lines: string[];
@@ -29,5 +21,4 @@ function read(name: string) {
 }
 
 export const cases: Cases = read('values.json');
-export const commentCases: CommentCase[] = read('comments.json');
 export const labelCases: LabelCase[] = read('labels.json');

@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use ladder_server::typing_messages::{Cursor, EditDrawing, EditedDrawing};
+use ladder_server::typing_messages::{Cursor, EditDrawing, EditedDrawing, ToggleComment};
 use ladder_server::{Diagram, DiagramText, Drawn, DrawnFence, DrawnText, Fence, messages, notation_messages};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -175,6 +175,11 @@ async fn the_page_shows_every_command_whole() {
             }
             "edit" => {
                 is_whole::<EditDrawing>(argument);
+                is_whole::<EditedDrawing>(answer);
+                continue;
+            }
+            "comment" => {
+                is_whole::<ToggleComment>(argument);
                 is_whole::<EditedDrawing>(answer);
                 continue;
             }

@@ -128,6 +128,16 @@
     (save-buffer))
   (same "the saved rung" "+--[ ]( a )------------------( )( b )--+\n" (buffer-string)))
 
+(step "comments are toggled, without what would end them"
+  (open "motor.clad")
+  (let ((before (buffer-string)))
+    (search-forward "[TON]")
+    (ladder-toggle-comment)
+    (same "the line" "# +--[ ]( run )--------[TON]( warmup, 20ms )--( )( lamp )--+ #"
+          (buffer-substring-no-properties (line-beginning-position) (line-end-position)))
+    (ladder-toggle-comment)
+    (same "the text" (string-replace "T#20ms" "20ms" before) (buffer-string))))
+
 (step "completion proposes the tags that fit"
   (open "typed.clad" "+--[ ]( start )--( )( st )--+\n")
   (goto-char (point-min))

@@ -2,21 +2,9 @@
 return function(t)
   local labels = require('ladder.labels')
   local value = require('ladder.value')
-  local comment = require('ladder.comment')
 
   local function read(name)
     return vim.json.decode(table.concat(vim.fn.readfile(vim.env.LADDER_ROOT .. '/editors/shared/' .. name), '\n'))
-  end
-
-  for _, case in ipairs(read('comments.json')) do
-    t.step('comments: ' .. case.name, function()
-      local lines, refused = comment.toggle(case.before)
-      t.equal('the refused line', case.refused, refused)
-      t.equal('the lines', case.after, lines)
-      if lines then
-        t.equal('the lines, toggled again', case.again, (comment.toggle(lines)))
-      end
-    end)
   end
 
   t.step('no program is taken from the folder that is open', function()
