@@ -227,6 +227,7 @@ async fn the_page_shows_every_command_whole() {
             "breakpoints" => is_whole::<messages::Breakpoints>(argument),
             "step" | "back" => is_whole::<messages::StepBy>(argument),
             "run" => is_whole::<messages::Run>(argument),
+            "speed" => is_whole::<messages::Speed>(argument),
             "show" => is_whole::<messages::Show>(argument),
             "set" | "force" => is_whole::<messages::Assign>(argument),
             "pulse" => is_whole::<messages::OfTag>(argument),

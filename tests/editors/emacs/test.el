@@ -155,7 +155,7 @@
   (search-forward "( start")
   (ladder-toggle (ladder--ask-tag "Toggle" #'identity))
   (ladder-step 3)
-  (same "the header" " paused, scan 3, 30 ms" (substring (ladder--header) 0 22))
+  (same "the header" " paused, scan 3, 30ms" (substring (ladder--header) 0 21))
   (same "what has power"
         '("" "+--\\--[ ]( start )--\\--[/]( stop )-------------( )( run )--+"
           "" "   /--[ ]( run )----/" ""

@@ -41,11 +41,8 @@ fn toggle(revision: &Revision, stretches: &[Lines]) -> std::result::Result<Edite
         }
         next_line = last.saturating_add(1);
         let start = usize::from(revision.line_start(first));
-        let end = match last < revision.last_line() {
-            true => usize::from(revision.line_start(next_line)),
-            false => text.len(),
-        };
-        let lines = text[start..end.max(start)].trim_end_matches(['\n', '\r']);
+        let end = usize::from(revision.line_start(next_line));
+        let lines = text[start..end].trim_end_matches(['\n', '\r']);
         let toggled = toggle_comment(&text, start..start + lines.len()).map_err(|refused| {
             let line = revision.line_of(TextSize::try_from(refused).unwrap_or_default()) + 1;
             Failure::Failed(format!(
