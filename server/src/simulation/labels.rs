@@ -97,6 +97,10 @@ mod tests {
         let rail = "|                                  |";
         let lines = ["+--[ ]( a )-------------( )( b )--+", rail, timer];
         assert_eq!(placed(&lines, &[(2, 10, 7)]), [(Above, 10)]);
+        // A column on each side is left.
+        for (other, side) in [(" ".repeat(17) + "x", Between), (" ".repeat(18) + "x", Above)] {
+            assert_eq!(placed(&[&other, timer], &[(1, 10, 7)]), [(side, 10)]);
+        }
         // Two columns of the screen are one letter there.
         assert_eq!(placed(&["# 電電電 #", timer], &[(1, 10, 7)]), [(Between, 10)]);
         assert_eq!(placed(&["# 電電 #", timer], &[(1, 10, 7)]), [(Above, 10)]);
