@@ -31,6 +31,7 @@ mod semantic_tokens;
 mod signature;
 mod symbol;
 mod target;
+mod toggle_comment;
 mod typing;
 mod wanted;
 mod workspace_symbols;
@@ -64,4 +65,5 @@ pub use semantic_tokens::{Modifiers, Token, TokenKind, semantic_tokens, semantic
 pub use signature::{Parameter, Signature, SignatureHelp, signature_help};
 pub use symbol::Usage;
 pub use target::Target;
+pub use toggle_comment::toggle_comment;
 pub use workspace_symbols::{Named, workspace_symbols};

@@ -334,3 +334,25 @@ async fn a_cancelled_request_is_answered_as_such() {
     assert_eq!(state["status"], "paused");
     client.finish().await;
 }
+
+#[tokio::test]
+async fn each_selection_is_toggled_by_itself() {
+    let text = "+--( )( a )--+\n# b #\n\n+--[GT]( x, 16#FF )--( )( c )--+\n";
+    let mut client = Client::new().await;
+    client.open(text).await;
+    let mut toggle = async |lines: Value| {
+        let argument = json!({"uri": URI, "lines": lines});
+        let params = json!({"command": "ladder.comment", "arguments": [argument]});
+        client.request("workspace/executeCommand", params).await
+    };
+    // The second cursor is in the lines of the first selection.
+    let lines = json!([{"first": 0, "last": 0}, {"first": 1, "last": 1}, {"first": 1, "last": 2}]);
+    let answer = toggle(lines).await.unwrap();
+    let first = "# +--( )( a )--+ #\nb\n\n+--[GT]( x, 16#FF )--( )( c )--+\n";
+    assert_eq!(edited(text, &answer["edits"]), first);
+    let (_, why) = toggle(json!([{"first": 0, "last": 99}])).await.unwrap_err();
+    assert_eq!(
+        why,
+        "line 4 holds a \"#\", which would end the comment; write it without"
+    );
+}
