@@ -156,7 +156,7 @@ fn fixes_are_safe_and_leave_the_drawing_aligned() {
     for &rule in ladder_analysis::rules::ALL {
         let text = std::fs::read_to_string(page(rule)).unwrap_or_default();
         for program in programs(&text, "wrong") {
-            // The rest of a page's program need not be where the file's rail is.
+            // A page's program need not be in the canonical layout.
             let canonical = format_text(program, &Options::default());
             let shows_it = found(&canonical).iter().any(|d| d.rule == rule);
             let program = if shows_it { &canonical } else { program };

@@ -59,7 +59,7 @@ fn read_and_written() {
                       ^^^^^ warning[undeclared-tag]: `strat` is not declared
                 help: did you mean `start`?
                 fix: Replace with `start`
-                  +--[ ]( start )------------( )( run )--+
+                  +--[ ]( start )----------------------------------------------------( )( run )--+
                 fix: Declare `strat : BOOL` in VAR_INPUT
                       strat : BOOL;
         "#]],

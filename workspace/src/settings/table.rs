@@ -91,14 +91,11 @@ const ANY: i64 = i64::MAX;
 
 pub(super) const WIDTH: Setting = Setting {
     key: "width",
-    kind: Kind::Whole {
-        least: 40,
-        most: 10_000,
-    },
+    kind: Kind::Whole { least: 40, most: 300 },
     place: SetBy::FileOrEditor,
-    default: Some("100"),
+    default: Some("80"),
     example: "120",
-    about: "A network of up to this many columns shares the file's right rail; a wider one keeps its own.",
+    about: "The column of the right rail. A wider network has its own, at the next multiple of 20.",
 };
 
 pub(super) const SPACING: Setting = Setting {

@@ -92,7 +92,7 @@ fn what_is_wrong_is_named_and_the_rest_holds() {
         ]),
         expect![[r#"
             `ladder.formt`: `formt` is no setting: did you mean `format`?
-            `ladder.format.width`: a whole number from 40 to 10000 is expected here
+            `ladder.format.width`: a whole number from 40 to 300 is expected here
             `ladder.format.with`: `with` is no setting in [format]: did you mean `width`?
             `ladder.lint.open-wires`: `open-wires` is no rule: did you mean `open-wire`?
             `ladder.lint.no-output`: `warning` is no severity: write "error", "warn", "info" or "off"

@@ -148,7 +148,7 @@ fn wrong_values() {
     wrong(
         "[format]\nwidth = \"wide\"\nspacing = 0\n[simulate]\ninterval = 10\nwatchdog = -1\nretain = \"\"\n",
         expect![[r#"
-            ladder.toml:2:9: a whole number from 40 to 10000 is expected here
+            ladder.toml:2:9: a whole number from 40 to 300 is expected here
             ladder.toml:3:11: a whole number from 1 to 40 is expected here
             ladder.toml:5:12: a text in quotes is expected here, for example "20ms"
             ladder.toml:6:12: a whole number of at least 1 is expected here
