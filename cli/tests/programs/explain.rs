@@ -39,7 +39,7 @@ fn the_page_of_an_instruction() {
               speed : INT;
           END_VAR
 
-          +--------[SEL]( speed, fast, 10, 50 )--+
+          +------------------------------------------------[SEL]( speed, fast, 10, 50 )--+
     "#]]
     .assert_eq(&folder.ladder(&["explain", "[SEL]"]).to_string());
 }

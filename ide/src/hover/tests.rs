@@ -22,52 +22,52 @@ fn instruction_card() {
     check(
         "+--[ ]( a )--[T$0ON]( t, 5s )--( )( y )--+\n",
         expect![[r#"
-        [TON]( t, 5s )
+            [TON]( t, 5s )
 
-        ```clad
-        [TON]( t, PT, R := )
-        ```
-        **On-delay timer**
+            ```clad
+            [TON]( t, PT, R := )
+            ```
+            **On-delay timer**
 
-        Q goes high once EN has been high for the time PT.
+            Q goes high once EN has been high for the time PT.
 
-        ```text
-        PT = 3 columns
-        EN   _-------___--___
-        Q    ____----________
-        ET   0012333300001000
-        ```
+            ```text
+            PT = 3 columns
+            EN   _-------___--___
+            Q    ____----________
+            ET   0012333300001000
+            ```
 
-        - The scan in which EN rises starts the time at 0; Q goes high in the first scan that is PT or more later.
-          When EN falls, Q and ET fall at once.
-        - While R is high ET is 0 and Q low. If R ends under a high EN, the time starts anew in that scan.
-        - PT is read at every evaluation, so it may be a tag. Lengthening it does not take back a Q that is already
-          high. With PT of 0 or less Q follows EN.
-        - ET is the time run so far, at most PT. ENO is Q; other rungs read `t.Q` and `t.ET`.
-        - Where the block is jumped over, the time runs on and is brought up to date when the block is next reached.
+            - The scan in which EN rises starts the time at 0; Q goes high in the first scan that is PT or more later.
+              When EN falls, Q and ET fall at once.
+            - While R is high ET is 0 and Q low. If R ends under a high EN, the time starts anew in that scan.
+            - PT is read at every evaluation, so it may be a tag. Lengthening it does not take back a Q that is already
+              high. With PT of 0 or less Q follows EN.
+            - ET is the time run so far, at most PT. ENO is Q; other rungs read `t.Q` and `t.ET`.
+            - Where the block is jumped over, the time runs on and is brought up to date when the block is next reached.
 
-        Each timer tag belongs to one block. IEC 61131-3: TON.
+            Each timer tag belongs to one block. IEC 61131-3: TON.
 
-        - `t`, read and written: The timer's tag, of type TON.
-        - `PT`: The preset time; a plain integer is milliseconds.
-        - `R`, optional: The reset, while it is high.
+            - `t`, read and written: The timer's tag, of type TON.
+            - `PT`: The preset time; a plain integer is milliseconds.
+            - `R`, optional: The reset, while it is high.
 
-        Power out (ENO): Q
+            Power out (ENO): Q
 
-        ```clad
-        VAR_INPUT
-            run : BOOL;
-        END_VAR
-        VAR
-            warmup : TON;
-        END_VAR
-        VAR_OUTPUT
-            ready : BOOL;
-        END_VAR
+            ```clad
+            VAR_INPUT
+                run : BOOL;
+            END_VAR
+            VAR
+                warmup : TON;
+            END_VAR
+            VAR_OUTPUT
+                ready : BOOL;
+            END_VAR
 
-        +--[ ]( run )---------[TON]( warmup, T#5s )--( )( ready )--+
-        ```
-    "#]],
+            +--[ ]( run )-----------------------------[TON]( warmup, T#5s )--( )( ready )--+
+            ```
+        "#]],
     );
 }
 

@@ -83,7 +83,10 @@ fn drawn_again(context: &Context, line: usize, options: &Options) -> Option<Vec<
     if open || context.parse.unclosed_comment().is_some() {
         return None;
     }
-    Some(format_ranges(&context.parse, options, &[network.range]))
+    // A rail line below it is not part of what is typed.
+    let mut edits = format_ranges(&context.parse, options, &[network.range]);
+    edits.retain(|edit| network.range.contains_range(edit.range));
+    Some(edits)
 }
 
 fn network_at(context: &Context, line: usize) -> Option<NetworkAt<'_>> {

@@ -62,7 +62,7 @@ VAR
     parts : DINT;
 END_VAR
 
-+--[P]( part_seen )--------------[ADD]( parts, parts, 1 )--+",
++--[P]( part_seen )----------------------------------[ADD]( parts, parts, 1 )--+",
         ..BASE
     },
     Instruction {
@@ -98,7 +98,7 @@ VAR_OUTPUT
     boxes : DINT;
 END_VAR
 
-+---[MUL]( boxes, layers, per_layer )--+",
++-------------------------------------------[MUL]( boxes, layers, per_layer )--+",
         ..BASE
     },
     Instruction {
@@ -134,7 +134,7 @@ VAR_OUTPUT
     net : DINT;
 END_VAR
 
-+-----------[SUB]( net, gross, tare )--+",
++---------------------------------------------------[SUB]( net, gross, tare )--+",
         ..BASE
     },
     Instruction {
@@ -179,7 +179,7 @@ VAR_OUTPUT
     no_parts : BOOL;
 END_VAR
 
-+--[DIV]( average, total, count )--[NOT]--( )( no_parts )--+",
++--[DIV]( average, total, count )--[NOT]----------------------( )( no_parts )--+",
         ..BASE
     },
     Instruction {
@@ -209,8 +209,8 @@ VAR_OUTPUT
     box_full : BOOL;
 END_VAR
 
-+------------[MOD]( rest, parts, 12 )--+
-+--[EQ]( rest, 0 )----( )( box_full )--+",
++----------------------------------------------------[MOD]( rest, parts, 12 )--+
++--[EQ]( rest, 0 )--------------------------------------------( )( box_full )--+",
         ..BASE
     },
     Instruction {
@@ -247,7 +247,7 @@ VAR
     squared : REAL;
 END_VAR
 
-+----------[EXP]( squared, speed, 2 )--+",
++--------------------------------------------------[EXP]( squared, speed, 2 )--+",
         ..BASE
     },
 ];

@@ -89,7 +89,7 @@ VAR_OUTPUT
     run : BOOL;
 END_VAR
 
-+--[ ]( start )------[RS]( motor, R := stop )--( )( run )--+",
++--[ ]( start )--------------------------[RS]( motor, R := stop )--( )( run )--+",
         ..BASE
     },
 ];

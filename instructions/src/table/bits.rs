@@ -53,7 +53,7 @@ VAR
     inverted : WORD;
 END_VAR
 
-+-----------[NOT]( inverted, inputs )--+",
++---------------------------------------------------[NOT]( inverted, inputs )--+",
         ..BASE
     },
     Instruction {
@@ -82,7 +82,7 @@ VAR
     error_code : WORD;
 END_VAR
 
-+--------------------[AND]( error_code, status, 16#00FF )--+",
++----------------------------------------[AND]( error_code, status, 16#00FF )--+",
         ..BASE
     },
     Instruction {
@@ -108,7 +108,7 @@ IEC 61131-3: OR.",
     control : WORD;
 END_VAR
 
-+---[OR]( control, control, 16#8000 )--+",
++-------------------------------------------[OR]( control, control, 16#8000 )--+",
         ..BASE
     },
     Instruction {
@@ -164,7 +164,7 @@ VAR
     pattern : BYTE := 1;
 END_VAR
 
-+--[P]( forward )------------[SHL]( pattern, pattern, 1 )--+",
++--[P]( forward )--------------------------------[SHL]( pattern, pattern, 1 )--+",
         ..BASE
     },
     Instruction {
@@ -190,7 +190,7 @@ VAR
     high_byte : WORD;
 END_VAR
 
-+---------[SHR]( high_byte, both, 8 )--+",
++-------------------------------------------------[SHR]( high_byte, both, 8 )--+",
         ..BASE
     },
     Instruction {
@@ -217,7 +217,7 @@ VAR
     lamps : BYTE := 16#11;
 END_VAR
 
-+--[P]( forward )----------------[ROL]( lamps, lamps, 1 )--+",
++--[P]( forward )------------------------------------[ROL]( lamps, lamps, 1 )--+",
         ..BASE
     },
     Instruction {
@@ -244,7 +244,7 @@ VAR
     lamps : BYTE := 16#11;
 END_VAR
 
-+--[P]( forward )----------------[ROR]( lamps, lamps, 1 )--+",
++--[P]( forward )------------------------------------[ROR]( lamps, lamps, 1 )--+",
         ..BASE
     },
 ];

@@ -56,8 +56,8 @@ VAR_OUTPUT
     run : BOOL;
 END_VAR
 
-+--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-|  /--[ ]( run )----/                                      |",
++--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+|  /--[ ]( run )----/                                                          |",
         ..BASE
     },
     Instruction {
@@ -85,7 +85,7 @@ VAR_OUTPUT
     alarm : BOOL;
 END_VAR
 
-+--[ ]( pressure_ok )----(/)( alarm )--+",
++--[ ]( pressure_ok )--------------------------------------------(/)( alarm )--+",
         ..BASE
     },
     Instruction {
@@ -120,8 +120,8 @@ VAR_OUTPUT
     run : BOOL;
 END_VAR
 
-+--[ ]( start )------------(S)( run )--+
-+--[ ]( stop )-------------(R)( run )--+",
++--[ ]( start )----------------------------------------------------(S)( run )--+
++--[ ]( stop )-----------------------------------------------------(R)( run )--+",
         ..BASE
     },
     Instruction {
@@ -153,8 +153,8 @@ VAR_OUTPUT
     run : BOOL;
 END_VAR
 
-+--[ ]( start )------------(S)( run )--+
-+--[ ]( stop )-------------(R)( run )--+",
++--[ ]( start )----------------------------------------------------(S)( run )--+
++--[ ]( stop )-----------------------------------------------------(R)( run )--+",
         ..BASE
     },
     Instruction {
@@ -184,7 +184,7 @@ VAR
     start_pulse : BOOL;
 END_VAR
 
-+--[ ]( start )----(P)( start_pulse )--+",
++--[ ]( start )--------------------------------------------(P)( start_pulse )--+",
         ..BASE
     },
     Instruction {
@@ -214,7 +214,7 @@ VAR
     stop_pulse : BOOL;
 END_VAR
 
-+--[ ]( run )-------(N)( stop_pulse )--+",
++--[ ]( run )-----------------------------------------------(N)( stop_pulse )--+",
         ..BASE
     },
     Instruction {
@@ -241,7 +241,7 @@ VAR
     auto_mode : BOOL;
 END_VAR
 
-+--[ ]( auto_switch )--------------------(M)( auto_mode )--+",
++--[ ]( auto_switch )----------------------------------------(M)( auto_mode )--+",
         ..BASE
     },
     Instruction {
@@ -274,8 +274,8 @@ VAR
     jammed : BOOL;
 END_VAR
 
-+--[ ]( jam )----------(SM)( jammed )--+
-+--[ ]( acknowledge )--(RM)( jammed )--+",
++--[ ]( jam )--------------------------------------------------(SM)( jammed )--+
++--[ ]( acknowledge )------------------------------------------(RM)( jammed )--+",
         ..BASE
     },
     Instruction {
@@ -305,8 +305,8 @@ VAR
     jammed : BOOL;
 END_VAR
 
-+--[ ]( jam )----------(SM)( jammed )--+
-+--[ ]( acknowledge )--(RM)( jammed )--+",
++--[ ]( jam )--------------------------------------------------(SM)( jammed )--+
++--[ ]( acknowledge )------------------------------------------(RM)( jammed )--+",
         ..BASE
     },
     Instruction {
@@ -340,8 +340,8 @@ VAR_OUTPUT
     box_full : BOOL;
 END_VAR
 
-+--[ ]( part_seen )---[CTU]( parts, 12 )--( )( box_full )--+
-+--[ ]( new_box )--------------------------(RES)( parts )--+",
++--[ ]( part_seen )-----------------------[CTU]( parts, 12 )--( )( box_full )--+
++--[ ]( new_box )----------------------------------------------(RES)( parts )--+",
         ..BASE
     },
 ];

@@ -60,7 +60,7 @@ VAR_OUTPUT
     filling : BOOL;
 END_VAR
 
-+--[EQ]( step, 3 )-----( )( filling )--+",
++--[EQ]( step, 3 )---------------------------------------------( )( filling )--+",
         ..BASE
     },
     Instruction {
@@ -90,7 +90,7 @@ VAR_OUTPUT
     load : BOOL;
 END_VAR
 
-+--[NE]( recipe, loaded )---------------------( )( load )--+",
++--[NE]( recipe, loaded )-----------------------------------------( )( load )--+",
         ..BASE
     },
     Instruction {
@@ -122,7 +122,7 @@ VAR_OUTPUT
     alarm : BOOL;
 END_VAR
 
-+--[GT]( level, 80 )-----( )( alarm )--+",
++--[GT]( level, 80 )---------------------------------------------( )( alarm )--+",
         ..BASE
     },
     Instruction {
@@ -154,7 +154,7 @@ VAR_OUTPUT
     pressure_ok : BOOL;
 END_VAR
 
-+--[GE]( 6.5, pressure, 5.5 )----------( )( pressure_ok )--+",
++--[GE]( 6.5, pressure, 5.5 )------------------------------( )( pressure_ok )--+",
         ..BASE
     },
     Instruction {
@@ -186,7 +186,7 @@ VAR_OUTPUT
     heater : BOOL;
 END_VAR
 
-+--[LT]( temperature, 21.5 )----------------( )( heater )--+",
++--[LT]( temperature, 21.5 )------------------------------------( )( heater )--+",
         ..BASE
     },
     Instruction {
@@ -218,7 +218,7 @@ VAR_OUTPUT
     level_ok : BOOL;
 END_VAR
 
-+--[LE]( 20, level, 80 )------------------( )( level_ok )--+",
++--[LE]( 20, level, 80 )--------------------------------------( )( level_ok )--+",
         ..BASE
     },
 ];

@@ -56,7 +56,7 @@ VAR_OUTPUT
     run : BOOL;
 END_VAR
 
-+--[ ]( guard_closed )--[ ]( start )-----------( )( run )--+",
++--[ ]( guard_closed )--[ ]( start )-------------------------------( )( run )--+",
         ..BASE
     },
     Instruction {
@@ -90,7 +90,7 @@ VAR_OUTPUT
     run : BOOL;
 END_VAR
 
-+--[ ]( start )--[/]( overload )---------------( )( run )--+",
++--[ ]( start )--[/]( overload )-----------------------------------( )( run )--+",
         ..BASE
     },
     Instruction {
@@ -128,7 +128,7 @@ VAR
     parts : DINT;
 END_VAR
 
-+--[P]( part_seen )--------------[ADD]( parts, parts, 1 )--+",
++--[P]( part_seen )----------------------------------[ADD]( parts, parts, 1 )--+",
         ..BASE
     },
     Instruction {
@@ -166,7 +166,7 @@ VAR
     openings : DINT;
 END_VAR
 
-+--[N]( door_closed )------[ADD]( openings, openings, 1 )--+",
++--[N]( door_closed )--------------------------[ADD]( openings, openings, 1 )--+",
         ..BASE
     },
     Instruction {

@@ -91,7 +91,7 @@ VAR_OUTPUT
     percent : INT;
 END_VAR
 
-+---------[PWL]( percent, raw, 0, 0, 400, 25, 1000, 100 )--+",
++-----------------------------[PWL]( percent, raw, 0, 0, 400, 25, 1000, 100 )--+",
         ..BASE
     },
 ];

@@ -50,7 +50,7 @@ VAR
     distance : INT;
 END_VAR
 
-+--------[ABS]( distance, deviation )--+",
++------------------------------------------------[ABS]( distance, deviation )--+",
         ..BASE
     },
     Instruction {
@@ -73,7 +73,7 @@ VAR_OUTPUT
     reverse : INT;
 END_VAR
 
-+-------------[NEG]( reverse, speed )--+",
++-----------------------------------------------------[NEG]( reverse, speed )--+",
         ..BASE
     },
     Instruction {
@@ -98,7 +98,7 @@ VAR_OUTPUT
     whole_metres : DINT;
 END_VAR
 
-+-----[TRUNC]( whole_metres, length )--+",
++---------------------------------------------[TRUNC]( whole_metres, length )--+",
         ..BASE
     },
     Instruction {
@@ -120,7 +120,7 @@ VAR_OUTPUT
     flow : REAL;
 END_VAR
 
-+-------[SQRT]( flow, pressure_drop )--+",
++-----------------------------------------------[SQRT]( flow, pressure_drop )--+",
         ..BASE
     },
     Instruction {
@@ -142,7 +142,7 @@ VAR
     exponent : REAL;
 END_VAR
 
-+-------------[LN]( exponent, ratio )--+",
++-----------------------------------------------------[LN]( exponent, ratio )--+",
         ..BASE
     },
     Instruction {
@@ -164,7 +164,7 @@ VAR
     bels : REAL;
 END_VAR
 
-+----------[LOG]( bels, power_ratio )--+",
++--------------------------------------------------[LOG]( bels, power_ratio )--+",
         ..BASE
     },
     Instruction {
@@ -187,7 +187,7 @@ VAR
     growth : REAL;
 END_VAR
 
-+-----------------[EXPE]( growth, x )--+",
++---------------------------------------------------------[EXPE]( growth, x )--+",
         ..BASE
     },
     Instruction {
@@ -209,7 +209,7 @@ VAR
     angle, height : REAL;
 END_VAR
 
-+---------[RAD]( angle, degrees )--[SIN]( height, angle )--+",
++-----------------------------[RAD]( angle, degrees )--[SIN]( height, angle )--+",
         ..BASE
     },
     Instruction {
@@ -231,7 +231,7 @@ VAR
     angle, reach : REAL;
 END_VAR
 
-+----------[RAD]( angle, degrees )--[COS]( reach, angle )--+",
++------------------------------[RAD]( angle, degrees )--[COS]( reach, angle )--+",
         ..BASE
     },
     Instruction {
@@ -254,7 +254,7 @@ VAR
     angle, slope : REAL;
 END_VAR
 
-+----------[RAD]( angle, degrees )--[TAN]( slope, angle )--+",
++------------------------------[RAD]( angle, degrees )--[TAN]( slope, angle )--+",
         ..BASE
     },
     Instruction {
@@ -277,7 +277,7 @@ VAR
     angle, degrees : REAL;
 END_VAR
 
-+--------[ASIN]( angle, height )--[DEG]( degrees, angle )--+",
++----------------------------[ASIN]( angle, height )--[DEG]( degrees, angle )--+",
         ..BASE
     },
     Instruction {
@@ -300,7 +300,7 @@ VAR
     angle, degrees : REAL;
 END_VAR
 
-+---------[ACOS]( angle, reach )--[DEG]( degrees, angle )--+",
++-----------------------------[ACOS]( angle, reach )--[DEG]( degrees, angle )--+",
         ..BASE
     },
     Instruction {
@@ -322,7 +322,7 @@ VAR
     angle, degrees : REAL;
 END_VAR
 
-+---------[ATAN]( angle, slope )--[DEG]( degrees, angle )--+",
++-----------------------------[ATAN]( angle, slope )--[DEG]( degrees, angle )--+",
         ..BASE
     },
     Instruction {
@@ -344,7 +344,7 @@ VAR
     angle, height : REAL;
 END_VAR
 
-+---------[RAD]( angle, degrees )--[SIN]( height, angle )--+",
++-----------------------------[RAD]( angle, degrees )--[SIN]( height, angle )--+",
         ..BASE
     },
     Instruction {
@@ -366,7 +366,7 @@ VAR
     angle, degrees : REAL;
 END_VAR
 
-+---------[ATAN]( angle, slope )--[DEG]( degrees, angle )--+",
++-----------------------------[ATAN]( angle, slope )--[DEG]( degrees, angle )--+",
         ..BASE
     },
 ];

@@ -63,7 +63,7 @@ VAR
     speed : INT := 10;
 END_VAR
 
-+--[ ]( fast )-----[MOV]( speed, 50 )--+",
++--[ ]( fast )---------------------------------------------[MOV]( speed, 50 )--+",
         ..BASE
     },
     Instruction {
@@ -105,7 +105,7 @@ VAR_OUTPUT
     invalid : BOOL;
 END_VAR
 
-+--[TYP]( display, temperature )--[NOT]----( )( invalid )--+",
++--[TYP]( display, temperature )--[NOT]------------------------( )( invalid )--+",
         ..BASE
     },
 ];

@@ -51,8 +51,8 @@ VAR_OUTPUT
     high : BOOL;
 END_VAR
 
-+---------------------[ADC]( raw, 0 )--+
-+--[GT]( raw, 800 )-------( )( high )--+",
++-------------------------------------------------------------[ADC]( raw, 0 )--+
++--[GT]( raw, 800 )-----------------------------------------------( )( high )--+",
         ..BASE
     },
     Instruction {
@@ -77,7 +77,7 @@ simulator the output is a port with a name, which tests and editors read.",
     duty : INT := 50;
 END_VAR
 
-+--------[PWM]( duty, 1000, CH := 0 )--+",
++------------------------------------------------[PWM]( duty, 1000, CH := 0 )--+",
         ..BASE
     },
     Instruction {
@@ -106,7 +106,7 @@ VAR
     code : INT := 65;
 END_VAR
 
-+--[P]( send )---------[USND]( code )--+",
++--[P]( send )-------------------------------------------------[USND]( code )--+",
         ..BASE
     },
     Instruction {
@@ -132,7 +132,7 @@ come while EN is low wait. In the simulator the port has a name, and tests and e
     received, last : INT;
 END_VAR
 
-+-------------[URCV]( received )--[MOV]( last, received )--+",
++---------------------------------[URCV]( received )--[MOV]( last, received )--+",
         ..BASE
     },
     Instruction {
@@ -159,7 +159,7 @@ VAR
     parts : DINT;
 END_VAR
 
-+--[P]( report )----------[FMT]( 'parts: %d$R$N', parts )--+",
++--[P]( report )------------------------------[FMT]( 'parts: %d$R$N', parts )--+",
         ..BASE
     },
     Instruction {
@@ -181,7 +181,7 @@ tag in a `RETAIN` section does the same.",
     total : DINT;
 END_VAR
 
-+------------------[PERSIST]( total )--+",
++----------------------------------------------------------[PERSIST]( total )--+",
         ..BASE
     },
     Instruction {
@@ -203,7 +203,7 @@ a TIME.",
     milliseconds : INT;
 END_VAR
 
-+----------[SCANTIME]( milliseconds )--+",
++--------------------------------------------------[SCANTIME]( milliseconds )--+",
         ..BASE
     },
 ];

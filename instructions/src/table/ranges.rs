@@ -54,7 +54,7 @@ VAR
     active  : ARRAY[1..4] OF INT;
 END_VAR
 
-+--[P]( load )---------[BMOV]( active[1..4], recipes[9] )--+",
++--[P]( load )-----------------------------[BMOV]( active[1..4], recipes[9] )--+",
         ..BASE
     },
     Instruction {
@@ -77,7 +77,7 @@ VAR
     counts : ARRAY[1..8] OF INT;
 END_VAR
 
-+--[P]( clear )-----------------[FILL]( counts[1..8], 0 )--+",
++--[P]( clear )-------------------------------------[FILL]( counts[1..8], 0 )--+",
         ..BASE
     },
     Instruction {
@@ -112,7 +112,7 @@ VAR
     setting : BYTE;
 END_VAR
 
-+---[PACK]( setting, switches[0..7] )--+",
++-------------------------------------------[PACK]( setting, switches[0..7] )--+",
         ..BASE
     },
     Instruction {
@@ -142,7 +142,7 @@ VAR_OUTPUT
     lamps : ARRAY[0..7] OF BOOL;
 END_VAR
 
-+-----[UNPACK]( lamps[0..7], status )--+",
++---------------------------------------------[UNPACK]( lamps[0..7], status )--+",
         ..BASE
     },
     Instruction {
@@ -169,8 +169,8 @@ VAR_OUTPUT
     eject : BOOL;
 END_VAR
 
-+--[ ]( step )-----------[SHIFT]( belt[1..8], part_seen )--+
-+--[ ]( belt[8] )----------------------------( )( eject )--+",
++--[ ]( step )-------------------------------[SHIFT]( belt[1..8], part_seen )--+
++--[ ]( belt[8] )------------------------------------------------( )( eject )--+",
         ..BASE
     },
     Instruction {

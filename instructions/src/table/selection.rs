@@ -48,7 +48,7 @@ VAR_OUTPUT
     speed : INT;
 END_VAR
 
-+-----[MIN]( speed, wanted, allowed )--+",
++---------------------------------------------[MIN]( speed, wanted, allowed )--+",
         ..BASE
     },
     Instruction {
@@ -71,7 +71,7 @@ VAR
     peak : INT;
 END_VAR
 
-+----------[MAX]( peak, peak, level )--+",
++--------------------------------------------------[MAX]( peak, peak, level )--+",
         ..BASE
     },
     Instruction {
@@ -96,7 +96,7 @@ VAR_OUTPUT
     speed : INT;
 END_VAR
 
-+----[LIMIT]( speed, 10, wanted, 50 )--+",
++--------------------------------------------[LIMIT]( speed, 10, wanted, 50 )--+",
         ..BASE
     },
     Instruction {
@@ -120,7 +120,7 @@ VAR_OUTPUT
     speed : INT;
 END_VAR
 
-+--------[SEL]( speed, fast, 10, 50 )--+",
++------------------------------------------------[SEL]( speed, fast, 10, 50 )--+",
         ..BASE
     },
     Instruction {
@@ -147,7 +147,7 @@ VAR
     duration : TIME;
 END_VAR
 
-+------------[MUX]( duration, recipe, T#5s, T#8s, T#12s )--+",
++--------------------------------[MUX]( duration, recipe, T#5s, T#8s, T#12s )--+",
         ..BASE
     },
     Instruction {
@@ -195,7 +195,7 @@ VAR
     diagonal : REAL;
 END_VAR
 
-+--------[CALC]( diagonal, SQRT(width ^ 2 + height ^ 2) )--+",
++----------------------------[CALC]( diagonal, SQRT(width ^ 2 + height ^ 2) )--+",
         ..BASE
     },
 ];

@@ -47,7 +47,7 @@ VAR
     length : INT;
 END_VAR
 
-+---------------[LEN]( length, code )--+",
++-------------------------------------------------------[LEN]( length, code )--+",
         ..BASE
     },
     Instruction {
@@ -71,7 +71,7 @@ VAR
     maker : STRING;
 END_VAR
 
-+------------[LEFT]( maker, code, 3 )--+",
++----------------------------------------------------[LEFT]( maker, code, 3 )--+",
         ..BASE
     },
     Instruction {
@@ -95,7 +95,7 @@ VAR
     serial : STRING;
 END_VAR
 
-+----------[RIGHT]( serial, code, 6 )--+",
++--------------------------------------------------[RIGHT]( serial, code, 6 )--+",
         ..BASE
     },
     Instruction {
@@ -120,7 +120,7 @@ VAR
     batch : STRING;
 END_VAR
 
-+----------[MID]( batch, code, 4, 3 )--+",
++--------------------------------------------------[MID]( batch, code, 4, 3 )--+",
         ..BASE
     },
     Instruction {
@@ -143,7 +143,7 @@ VAR
     label : STRING;
 END_VAR
 
-+-------------------[CONCAT]( label, batch, '-', serial )--+",
++---------------------------------------[CONCAT]( label, batch, '-', serial )--+",
         ..BASE
     },
     Instruction {
@@ -172,7 +172,7 @@ VAR
     label : STRING;
 END_VAR
 
-+-----[INSERT]( label, code, '-', 3 )--+",
++---------------------------------------------[INSERT]( label, code, '-', 3 )--+",
         ..BASE
     },
     Instruction {
@@ -198,7 +198,7 @@ VAR
     digits : STRING;
 END_VAR
 
-+------[DELETE]( digits, code, 2, 1 )--+",
++----------------------------------------------[DELETE]( digits, code, 2, 1 )--+",
         ..BASE
     },
     Instruction {
@@ -229,7 +229,7 @@ VAR
     label : STRING;
 END_VAR
 
-+---------------------[REPLACE]( label, code, 'X', 1, 3 )--+",
++-----------------------------------------[REPLACE]( label, code, 'X', 1, 3 )--+",
         ..BASE
     },
     Instruction {
@@ -252,7 +252,7 @@ VAR
     dash : INT;
 END_VAR
 
-+-----------[FIND]( dash, code, '-' )--+",
++---------------------------------------------------[FIND]( dash, code, '-' )--+",
         ..BASE
     },
 ];

@@ -100,7 +100,7 @@ VAR_OUTPUT
     ready : BOOL;
 END_VAR
 
-+--[ ]( run )---------[TON]( warmup, T#5s )--( )( ready )--+",
++--[ ]( run )-----------------------------[TON]( warmup, T#5s )--( )( ready )--+",
         ..BASE
     },
     Instruction {
@@ -160,7 +160,7 @@ VAR_OUTPUT
     light : BOOL;
 END_VAR
 
-+--[ ]( motion )-----[TOF]( stay_on, T#2m )--( )( light )--+",
++--[ ]( motion )-------------------------[TOF]( stay_on, T#2m )--( )( light )--+",
         ..BASE
     },
     Instruction {
