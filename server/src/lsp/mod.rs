@@ -23,6 +23,7 @@ mod capabilities;
 mod convert;
 mod documents;
 mod features;
+mod finding;
 mod markup;
 mod shared;
 pub(crate) mod transport;

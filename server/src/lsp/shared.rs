@@ -12,9 +12,7 @@ use crate::busy::Busy;
 use crate::document::Documents;
 use crate::document::neighbours::Neighbours;
 use crate::lsp::capabilities::Agreed;
-use crate::lsp::documents::{
-    foreign::Previews, pull::Found, settings_file::Sent, typed::Typed, written::Written,
-};
+use crate::lsp::documents::{foreign::Previews, pull::Found, settings_file::Sent, typed::Typed};
 use crate::lsp::features::semantic_tokens::TokensSent;
 use crate::lsp::transport::outbox::Outbox;
 use crate::simulation::Sessions;
@@ -58,8 +56,6 @@ pub(crate) struct Shared {
     pub(crate) outbox: Outbox,
     /// The semantic tokens that the client has.
     pub(crate) tokens_sent: TokensSent,
-    /// The diagnostics of open programs as they were written last.
-    pub(crate) written: Written,
     /// Notified when the process that started the server is gone.
     pub(crate) orphaned: Notify,
 }
@@ -84,7 +80,6 @@ impl Shared {
             previews: Arc::default(),
             neighbours: Arc::default(),
             tokens_sent: TokensSent::default(),
-            written: Written::default(),
             sessions: Sessions::default(),
             typed: Typed::default(),
             orphaned: Notify::new(),
@@ -155,7 +150,6 @@ impl Shared {
     pub(crate) fn document_closed(&self, uri: &str) {
         self.sessions.stop_all_of(uri);
         self.tokens_sent.forget(uri);
-        self.written.forget(uri);
         self.typed.forget(uri);
     }
 }

@@ -8,10 +8,10 @@ use ladder_interchange::notation::{Lines, Mark, ReadError};
 use ladder_syntax::{TextRange, TextSize};
 use tower_lsp::ls_types::Diagnostic;
 
-use super::diagnostic_json::Writer;
 use super::shown;
 use crate::document::Revision;
 use crate::lsp::capabilities::Agreed;
+use crate::lsp::finding::Findings;
 use crate::lsp::{convert, shared::Shared};
 use crate::notation::Opened;
 use crate::notation::messages::Previewed;
@@ -57,7 +57,7 @@ fn of_program(agreed: Agreed, revision: &Revision, opened: &Opened) -> Vec<Diagn
     all.extend(opened.findings().iter().map(Said::Finding));
     all.sort_by_key(Said::start);
     let (chosen, left_out) = shown::chosen(&all, revision.edited(), |said| (said.is_error(), said.start()));
-    let mut writer = Writer::new(agreed, revision);
+    let mut findings = Findings::of(agreed, revision);
     let mut items: Vec<Diagnostic> = Vec::with_capacity(chosen.len() + 1);
     for said in chosen {
         match said {
@@ -70,7 +70,7 @@ fn of_program(agreed: Agreed, revision: &Revision, opened: &Opened) -> Vec<Diagn
                     mark.message.clone(),
                 ));
             }
-            Said::Finding(finding) => items.extend(writer.typed(finding)),
+            Said::Finding(finding) => items.push(findings.diagnostic(finding)),
         }
     }
     items.extend(shown::rest(left_out));

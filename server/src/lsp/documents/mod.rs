@@ -2,7 +2,6 @@
 
 pub(crate) mod companions;
 pub(crate) mod configuration;
-pub(crate) mod diagnostic_json;
 pub(crate) mod diagnostics;
 pub(crate) mod file_operations;
 pub(crate) mod folders;
@@ -13,4 +12,3 @@ pub(crate) mod shown;
 pub(crate) mod sync;
 pub(crate) mod typed;
 pub(crate) mod watch;
-pub(crate) mod written;

@@ -17,7 +17,7 @@ use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{
     capabilities::{Agreed, FIX_ALL},
     convert,
-    documents::diagnostic_json::Writer,
+    finding::Findings,
     shared::Shared,
 };
 use ladder_ide::{Action, ActionKind};
@@ -147,10 +147,8 @@ fn offer(
     CodeActionOrCommand::CodeAction(CodeAction {
         title: action.title.clone(),
         kind: Some(name(action.kind)),
-        diagnostics: finding.map(|finding| {
-            let typed = Writer::new(agreed, revision).typed(&finding.diagnostic());
-            typed.into_iter().collect()
-        }),
+        diagnostics: finding
+            .map(|finding| vec![Findings::of(agreed, revision).diagnostic(&finding.diagnostic())]),
         edit: now.and_then(|text| edit(agreed, revision, analysis, action, text)),
         is_preferred: finding.map(|_| action.preferred),
         disabled: action

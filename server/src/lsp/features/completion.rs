@@ -18,7 +18,7 @@ use super::code_lens::names_command;
 use super::of_scenarios::{about_scenarios, scenarios_at};
 use crate::document::Revision;
 use crate::language::Names;
-use crate::lsp::transport::{blocking::blocking, prepared};
+use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{capabilities::Agreed, convert, markup, shared::Shared};
 
 /// The characters that open a list by themselves. Which of them do so in which place is for `ladder-ide` to say.
@@ -59,7 +59,7 @@ pub(crate) async fn completion(
     let Some(revision) = shared.documents.get(place.text_document.uri.as_str()) else {
         return Ok(None);
     };
-    let list = blocking(move |_| {
+    blocking(move |_| {
         let names = revision.names()?;
         let offset = revision.offset(convert::our_position(place.position));
         let found = names.completions(offset, trigger);
@@ -74,16 +74,12 @@ pub(crate) async fn completion(
                 ..proposed.item(item)
             }
         });
-        serde_json::to_string(&CompletionList {
+        Some(CompletionResponse::List(CompletionList {
             is_incomplete: found.cut,
             items: items.collect(),
-        })
-        .ok()
-    });
-    match list.await? {
-        Some(list) => prepared::answer(list),
-        None => Ok(None),
-    }
+        }))
+    })
+    .await
 }
 
 /// As for a program, but that tags are documented at once: they are those of another file.

@@ -18,7 +18,6 @@ pub(crate) mod inlay_hint;
 pub(crate) mod links;
 pub(crate) mod notations;
 mod of_scenarios;
-pub(crate) mod packed_tokens;
 pub(crate) mod preview;
 pub(crate) mod references;
 pub(crate) mod rename;

@@ -30,7 +30,6 @@ pub(crate) struct Outbox {
 #[derive(Debug)]
 enum Note {
     Diagnostics(Arc<Documents>, Arc<Revision>, Vec<Diagnostic>),
-    Written(Arc<Documents>, Arc<Revision>, String),
     Preview(Arc<Documents>, Arc<Revision>, Arc<Previews>, Previewed),
     DiagnosticsOnDisk(String, Vec<Diagnostic>),
     Log(MessageType, String),
@@ -42,7 +41,7 @@ impl Outbox {
     pub(crate) fn open(client: Client, busy: Busy) -> Self {
         let (notes, inbox) = mpsc::unbounded_channel();
         let prepared = Arc::<Prepared>::default();
-        tokio::spawn(send(client, inbox, prepared.clone()));
+        tokio::spawn(send(client, inbox));
         Outbox {
             notes,
             busy,
@@ -63,16 +62,6 @@ impl Outbox {
         diagnostics: Vec<Diagnostic>,
     ) {
         self.note(Note::Diagnostics(documents.clone(), revision, diagnostics));
-    }
-
-    /// As [`Outbox::diagnostics`], with the parameters of the notification as JSON.
-    pub(crate) fn written_diagnostics(
-        &self,
-        documents: &Arc<Documents>,
-        revision: Arc<Revision>,
-        params: String,
-    ) {
-        self.note(Note::Written(documents.clone(), revision, params));
     }
 
     /// The ladder text that an open program of another system becomes; sent if it is another one than before.
@@ -131,24 +120,10 @@ fn written_out(message: impl Into<String>) -> String {
     shown::text(&message.into()).into_owned()
 }
 
-/// `textDocument/publishDiagnostics`, whose parameters wait elsewhere.
-#[derive(Debug)]
-enum WrittenDiagnostics {}
-
-impl Notification for WrittenDiagnostics {
-    type Params = String;
-    const METHOD: &'static str = "textDocument/publishDiagnostics";
-}
-
-async fn send(client: Client, mut inbox: mpsc::UnboundedReceiver<(Note, Work)>, prepared: Arc<Prepared>) {
+async fn send(client: Client, mut inbox: mpsc::UnboundedReceiver<(Note, Work)>) {
     while let Some((note, work)) = inbox.recv().await {
         match note {
-            Note::Diagnostics(documents, revision, _) | Note::Written(documents, revision, _)
-                if !documents.is_current(&revision) => {}
-            Note::Written(.., params) => {
-                let ticket = prepared.ticket(params);
-                client.send_notification::<WrittenDiagnostics>(ticket).await;
-            }
+            Note::Diagnostics(documents, revision, _) if !documents.is_current(&revision) => {}
             Note::Preview(documents, revision, previews, previewed) => {
                 // What was not sent is news later: in this order.
                 if documents.is_current(&revision) && previews.is_news(&previewed) {
