@@ -11,6 +11,7 @@ use tower_lsp::ls_types::{
     CodeActionResponse,
 };
 
+use super::conversion;
 use crate::document::Revision;
 use crate::language::Analysis;
 use crate::lsp::transport::blocking::blocking;
@@ -67,7 +68,17 @@ pub(crate) async fn code_action(
             .iter()
             .filter(|action| action.disabled.is_none() || agreed.disabled_actions)
             .map(|action| offer(agreed, &revision, analysis, range, action, text.as_deref()));
-        Some(shown.collect())
+        let conversion = conversion::place(analysis)
+            .filter(|place| {
+                wanted(&params.context, &name(ActionKind::QuickFix)) && place.intersect(problems).is_some()
+            })
+            .map(|_| conversion::action(agreed, &revision, analysis))
+            .filter(|action| action.disabled.is_none() || agreed.disabled_actions);
+        Some(
+            shown
+                .chain(conversion.map(CodeActionOrCommand::CodeAction))
+                .collect(),
+        )
     })
     .await
 }

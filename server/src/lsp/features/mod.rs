@@ -5,6 +5,7 @@ pub(crate) mod call_hierarchy;
 pub(crate) mod code_action;
 pub(crate) mod code_lens;
 pub(crate) mod completion;
+mod conversion;
 pub(crate) mod diagram;
 pub(crate) mod diagram_text;
 pub(crate) mod edit;
