@@ -12,7 +12,6 @@ use tower_lsp::Client;
 use tower_lsp::ls_types::notification::Notification;
 use tower_lsp::ls_types::{Diagnostic, MessageType};
 
-use super::prepared::Prepared;
 use crate::busy::{Busy, Work};
 use crate::document::{Documents, Revision};
 use crate::lsp::convert;
@@ -24,7 +23,6 @@ use crate::notation::messages::Previewed;
 pub(crate) struct Outbox {
     notes: mpsc::UnboundedSender<(Note, Work)>,
     busy: Busy,
-    prepared: Arc<Prepared>,
 }
 
 #[derive(Debug)]
@@ -40,18 +38,8 @@ impl Outbox {
     /// Starts the task that sends. Must be called within the runtime.
     pub(crate) fn open(client: Client, busy: Busy) -> Self {
         let (notes, inbox) = mpsc::unbounded_channel();
-        let prepared = Arc::<Prepared>::default();
         tokio::spawn(send(client, inbox));
-        Outbox {
-            notes,
-            busy,
-            prepared,
-        }
-    }
-
-    /// Texts that wait for their place in what is written.
-    pub(super) fn prepared(&self) -> Arc<Prepared> {
-        self.prepared.clone()
+        Outbox { notes, busy }
     }
 
     /// Diagnostics of an open text, all of them.
