@@ -6,8 +6,8 @@ use ladder_analysis::Diagnostic;
 
 use crate::document::edit::Change;
 use crate::document::position::Encoding;
+use crate::document::position::{Position, Range};
 use crate::document::{Documents, Kind, Revision};
-use crate::{Position, Range};
 
 const URI: &str = "untitled:main.clad";
 

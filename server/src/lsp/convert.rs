@@ -8,7 +8,7 @@ use tower_lsp::ls_types::{
 };
 
 use crate::document::{self, Revision};
-use crate::lsp::capabilities::Agreed;
+use crate::lsp::session::agreed::Agreed;
 use ladder_analysis::Severity;
 use ladder_format::Edit;
 use ladder_syntax::TextRange;

@@ -10,8 +10,8 @@ use tower_lsp::ls_types::{Diagnostic, DiagnosticRelatedInformation, DiagnosticTa
 
 use crate::document::positions::Positions;
 use crate::document::{Beside, Revision};
-use crate::lsp::capabilities::Agreed;
 use crate::lsp::convert;
+use crate::lsp::session::agreed::Agreed;
 
 /// The rules that mark text without effect: editors show it faded.
 const UNNECESSARY: [&str; 3] = ["unreachable", "unused-function", "unused-label"];

@@ -15,7 +15,7 @@ use super::{companions, folders, pull, settings_file, shown, typed};
 use crate::busy::Work;
 use crate::document::Revision;
 use crate::lsp::transport::blocking::caught;
-use crate::lsp::{capabilities::Agreed, convert, finding::Findings, shared::Shared};
+use crate::lsp::{convert, finding::Findings, session::agreed::Agreed, session::shared::Shared};
 
 /// Sees to it that the newest text of the document gets its diagnostics.
 pub(crate) fn refresh(shared: &Arc<Shared>, uri: &str) {

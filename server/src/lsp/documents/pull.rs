@@ -7,10 +7,9 @@ use std::collections::{BTreeMap, HashMap};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, PoisonError};
 use std::time::Duration;
 
-use ladder_analysis::Exported;
 use tower_lsp::jsonrpc::{Error, Result};
 use tower_lsp::ls_types::{
     Diagnostic, DiagnosticOptions, DiagnosticServerCapabilities, DocumentDiagnosticParams,
@@ -22,22 +21,19 @@ use tower_lsp::ls_types::{
     WorkspaceFullDocumentDiagnosticReport, WorkspaceUnchangedDocumentDiagnosticReport,
 };
 
+use super::progress::Progress;
 use super::{companions, diagnostics, folders, settings_file, watch};
 use crate::document::Revision;
 use crate::document::address::{path_of, uri_of};
 use crate::document::membership::Membership;
-use crate::document::on_disk::OnDisk;
-use crate::lsp::transport::{blocking::blocking, progress::Progress};
-use crate::lsp::{convert, shared::Shared};
+use crate::lsp::transport::blocking::blocking;
+use crate::lsp::{convert, session::shared::Shared};
 
 /// Changes that come together are reported together.
 const GATHER: Duration = Duration::from_millis(50);
 
 /// A client that does not answer by then never will; nothing depends on it.
 const PATIENCE: Duration = Duration::from_secs(30);
-
-/// What was found in files that are not open, as long as they and what they see stay as they are.
-pub(crate) type Found = Mutex<HashMap<PathBuf, (Arc<OnDisk>, Arc<Exported>, Arc<Vec<Diagnostic>>)>>;
 
 /// What is offered to a client that asks for diagnostics.
 pub(crate) fn options() -> DiagnosticServerCapabilities {

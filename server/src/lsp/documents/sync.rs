@@ -15,7 +15,7 @@ use super::{companions, diagnostics, typed, watch};
 use crate::document::edit::Change;
 use crate::document::membership::Membership;
 use crate::document::{ChangeRefused, Kind, address};
-use crate::lsp::{convert::our_range, shared::Shared};
+use crate::lsp::{convert::our_range, session::shared::Shared};
 
 pub(crate) fn opened(shared: &Arc<Shared>, params: DidOpenTextDocumentParams) {
     let document = params.text_document;

@@ -16,13 +16,15 @@ use crate::document::Revision;
 use crate::language::Analysis;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{
-    capabilities::{Agreed, FIX_ALL},
     convert,
     finding::Findings,
-    shared::Shared,
+    session::{agreed::Agreed, shared::Shared},
 };
 use ladder_ide::{Action, ActionKind};
 use ladder_syntax::{TextRange, TextSize};
+
+/// The kind of the action that applies every sure fix of a file.
+pub(crate) const FIX_ALL: CodeActionKind = CodeActionKind::new("source.fixAll.ladder");
 
 /// The kinds of actions, and how the protocol calls them.
 pub(crate) static KINDS: [(ActionKind, CodeActionKind); 5] = [

@@ -9,7 +9,7 @@ use tower_lsp::ls_types::{CodeAction, CodeActionDisabled, CodeActionKind};
 use crate::document::Revision;
 use crate::language::Analysis;
 use crate::lsp::finding::Findings;
-use crate::lsp::{capabilities::Agreed, convert};
+use crate::lsp::{convert, session::agreed::Agreed};
 
 /// Where the text turns out to be in the draft, if that is what is wrong with it.
 pub(super) fn place(analysis: &Analysis) -> Option<TextRange> {

@@ -10,7 +10,7 @@ use tower_lsp::ls_types::{
 use super::asked::{Asked, about_place};
 use super::of_scenarios::{about_scenarios, scenarios_at};
 use crate::document::{Revision, together};
-use crate::lsp::{convert, shared::Shared};
+use crate::lsp::{convert, session::shared::Shared};
 use ladder_ide::{Highlight, Reference, Usage, highlights};
 
 pub(crate) async fn references(

@@ -12,7 +12,7 @@ use tower_lsp::ls_types::{
 use super::asked::{Asked, Places, about_place};
 use super::of_scenarios::{about_scenarios, scenarios_at};
 use crate::document::Revision;
-use crate::lsp::{convert, shared::Shared};
+use crate::lsp::{convert, session::shared::Shared};
 use ladder_ide::{Renamable, RenameRefused, Renamed};
 
 /// `RequestFailed`: the request made sense, and cannot be done.

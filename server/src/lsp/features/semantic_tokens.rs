@@ -1,7 +1,6 @@
 //! `textDocument/semanticTokens/full`, `/full/delta` and `/range`.
 
-use std::collections::HashMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use ladder_ide::{Modifiers, Token, TokenKind};
 use ladder_syntax::TextRange;
@@ -18,42 +17,7 @@ use crate::document::position::{self, Position};
 use crate::document::sweep::Sweep;
 use crate::document::together;
 use crate::lsp::transport::blocking::blocking;
-use crate::lsp::{convert, shared::Shared};
-
-/// The tokens that were last sent of each document, so that only what changes is sent again.
-#[derive(Debug, Default)]
-pub(crate) struct TokensSent {
-    by_uri: Mutex<HashMap<String, Last>>,
-}
-
-#[derive(Debug)]
-struct Last {
-    id: u64,
-    tokens: Arc<Vec<SemanticToken>>,
-}
-
-impl TokensSent {
-    /// Keeps what is sent now, and gives it a name.
-    fn keep(&self, uri: &str, tokens: Arc<Vec<SemanticToken>>) -> String {
-        let mut sent = self.by_uri.lock().unwrap_or_else(PoisonError::into_inner);
-        let id = sent.get(uri).map_or(1, |last| last.id + 1);
-        sent.insert(uri.to_owned(), Last { id, tokens });
-        id.to_string()
-    }
-
-    /// What was sent by this name, if it was the last.
-    fn last(&self, uri: &str, id: &str) -> Option<Arc<Vec<SemanticToken>>> {
-        let sent = self.by_uri.lock().unwrap_or_else(PoisonError::into_inner);
-        let last = sent.get(uri).filter(|last| last.id.to_string() == id)?;
-        Some(last.tokens.clone())
-    }
-
-    /// The document is closed.
-    pub(crate) fn forget(&self, uri: &str) {
-        let mut sent = self.by_uri.lock().unwrap_or_else(PoisonError::into_inner);
-        sent.remove(uri);
-    }
-}
+use crate::lsp::{convert, session::shared::Shared};
 
 /// What the server offers.
 pub(crate) fn options() -> SemanticTokensServerCapabilities {

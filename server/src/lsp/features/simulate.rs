@@ -11,7 +11,7 @@ use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny, Position};
 
 use crate::cancel::Cancel;
 use crate::lsp::convert;
-use crate::lsp::shared::Shared;
+use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::{answered::answered, blocking::blocking};
 use crate::simulation::messages::{OfSession, Run, Show, Shown, Start, Started, State, Status, Stopped};
 use crate::simulation::{Action, Answer, Failure, REPORT, Request, Session};

@@ -15,7 +15,7 @@ use crate::document::Revision;
 use crate::document::elsewhere::Elsewhere;
 use crate::document::positions::Positions;
 use crate::lsp::transport::blocking::blocking;
-use crate::lsp::{convert, shared::Shared};
+use crate::lsp::{convert, session::shared::Shared};
 use ladder_ide::{OutlineKind, Outlined, ScenarioPart, outline, workspace_symbols};
 
 pub(crate) async fn document_symbols(

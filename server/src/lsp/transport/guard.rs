@@ -23,8 +23,8 @@ use tower_lsp::jsonrpc::{Error, Request, Response};
 use super::answered::{Place, handle};
 use super::blocking::internal_error;
 use super::misread::misread;
-use super::outbox::Outbox;
 use crate::lsp::capabilities::since_3_18;
+use crate::lsp::session::outbox::Outbox;
 
 /// The state of the session.
 #[derive(Debug, Default)]

@@ -1,5 +1,6 @@
 //! What all handlers share.
 
+use std::collections::{BTreeMap, HashMap};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError, RwLock};
@@ -7,16 +8,26 @@ use std::time::Instant;
 
 use tokio::sync::Notify;
 use tower_lsp::Client;
+use tower_lsp::ls_types::Diagnostic;
 
+use super::agreed::Agreed;
+use super::outbox::Outbox;
+use super::previews::Previews;
+use super::tokens_sent::TokensSent;
+use super::typing::Typed;
 use crate::busy::Busy;
 use crate::document::Documents;
 use crate::document::neighbours::Neighbours;
-use crate::lsp::capabilities::Agreed;
-use crate::lsp::documents::{foreign::Previews, pull::Found, settings_file::Sent, typed::Typed};
-use crate::lsp::features::semantic_tokens::TokensSent;
-use crate::lsp::transport::outbox::Outbox;
+use crate::document::on_disk::OnDisk;
 use crate::simulation::Sessions;
+use ladder_analysis::Exported;
 use ladder_workspace::EditorSettings;
+
+/// What was found in files that are not open, as long as they and what they see stay as they are.
+type Found = Mutex<HashMap<PathBuf, (Arc<OnDisk>, Arc<Exported>, Arc<Vec<Diagnostic>>)>>;
+
+/// What was sent of settings files to the client, by file: what was wrong in them last.
+type Sent = Mutex<BTreeMap<PathBuf, Vec<Diagnostic>>>;
 
 /// The state of one session with one client.
 #[derive(Debug)]

@@ -12,10 +12,10 @@ use tower_lsp::Client;
 use tower_lsp::ls_types::notification::Notification;
 use tower_lsp::ls_types::{Diagnostic, MessageType};
 
+use super::previews::Previews;
 use crate::busy::{Busy, Work};
 use crate::document::{Documents, Revision};
 use crate::lsp::convert;
-use crate::lsp::documents::foreign::Previews;
 use crate::notation::messages::Previewed;
 
 /// The sending end. When the last one is dropped the task ends.
