@@ -51,7 +51,6 @@ fn look(shared: &Arc<Shared>, revision: &Arc<Revision>) {
         publish(shared, revision);
     }
     tell_others(shared, revision);
-    revision.forget_superseded();
 }
 
 /// Sends the diagnostics of a program. For a blocking thread.
