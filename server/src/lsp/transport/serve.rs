@@ -97,7 +97,7 @@ where
         while let Some(question) = questions.next().await {
             let _ = out.send(framed(&question)).await;
         }
-        std::future::pending().await
+        std::future::pending::<()>().await;
     };
     // When there is nothing more to answer, nothing is asked either.
     let talk = async {
