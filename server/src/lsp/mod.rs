@@ -6,7 +6,7 @@
 //! 1. A notification that changes state does so in its first statement, with no `await` before it
 //!    ([`sync`](documents::sync)): handlers are polled in the order of their messages up to their first `await`.
 //! 2. No handler awaits the client. What goes out unasked is put into the [`outbox`](session::outbox); requests to
-//!    the client are spawned with a time limit. A few handlers that wait for answers behind a full queue would lock
+//!    the client are spawned with a time limit. A few handlers that wait for answers after a full queue would lock
 //!    the server for ever.
 //! 3. Work over a millisecond runs on a [`blocking`](transport::blocking) thread, with a flag that is set when the
 //!    handler is dropped, so that a cancelled request stops working.
@@ -15,7 +15,7 @@
 //! 5. Published diagnostics name the version they belong to, and those of a text that is no longer shown are not
 //!    sent.
 //!
-//! [`transport`] moves messages, [`documents`] does what follows from a text that is opened, changed or closed,
+//! [`transport`] moves messages, [`session`] has what all of a session knows, [`documents`] does what follows from a text that is opened, changed or closed,
 //! [`features`] answers what an editor asks, a file for each request.
 
 mod backend;
