@@ -14,10 +14,10 @@ pub fn is_cplc_draft(text: &str) -> bool {
         .any(|line| is_line(line.trim_start_matches(['\u{feff}', ' ', '\t'])))
 }
 
-/// Whether a file of ladder text is none but begins in the draft: its first line that is no comment is a header of the
-/// draft, or draws a block of the draft. That line comes back. A slip in a program of our own looks alike only where it is
-/// in the first line.
-pub(crate) fn beginning(parse: &Parse) -> Option<TextRange> {
+/// The line in which a file of ladder text turns out to begin in the draft: its first line that is not a comment, if that is
+/// a header of the draft, or draws a block of the draft. A slip in a program of our own looks alike only where it is in the
+/// first line. So a file is in the draft if it has errors and such a line: one finding says so then.
+pub fn beginning(parse: &Parse) -> Option<TextRange> {
     let mut in_comment = false;
     for (index, parsed) in parse.lines().iter().enumerate().take(LINES) {
         let text = parsed.text();

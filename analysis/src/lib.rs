@@ -48,7 +48,7 @@ pub use analyze::{
 };
 pub use boolean::formula::{Formulas, formulas};
 pub use checking::keep_nearest;
-pub use cplc_draft::is_cplc_draft;
+pub use cplc_draft::{beginning as cplc_draft_beginning, is_cplc_draft};
 pub use findings::Finding;
 pub use findings::article::with_article;
 pub use findings::diagnostic::{Applicability, Diagnostic, Fix, Related};
@@ -61,5 +61,4 @@ pub use other_files::import::Import;
 pub use other_files::link::{NotWhole, link};
 pub use other_files::others::{Exported, Others};
 pub use resolve::in_class;
-pub use rules::cplc_draft::is_reported as says_cplc_draft;
 pub use still_wanted::BETWEEN;

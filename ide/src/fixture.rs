@@ -1,6 +1,6 @@
 //! Texts of tests: several files, a cursor, and how places are shown.
 
-use crate::{ScenarioFile, Which, Workspace};
+use crate::neighbour::{ScenarioFile, Which, Workspace};
 use ladder_analysis::context::Context;
 use ladder_analysis::{Analysis, Exported, analyze_in, exports};
 use ladder_syntax::{TextRange, TextSize, parse};

@@ -2,7 +2,7 @@
 
 use crate::neighbour::Workspace;
 use crate::rename::hides_in;
-use crate::scenario;
+use crate::scenario::row::places;
 use crate::symbol::{Found, Symbol, Usage, everywhere, find};
 use ladder_analysis::context::Context;
 use ladder_syntax::{TextRange, TextSize};
@@ -39,7 +39,7 @@ pub(crate) fn of_symbol(context: &Context, symbol: &Symbol, workspace: &dyn Work
     }
     let hides = |program: &str| hides_in(context, symbol, program, workspace);
     for file in workspace.scenarios() {
-        let found = scenario::places(symbol, &file, &hides).into_iter();
+        let found = places(symbol, &file, &hides).into_iter();
         references.extend(found.map(|(range, usage)| Reference {
             file: Arc::clone(&file.name),
             range,

@@ -22,6 +22,7 @@
 //!   messages of that.
 //! - `debug` is the debug adapter, `ladder dap`, over the same engine.
 //! - `settling` gives memory back when the server has come to rest.
+//! - `frames` splits what comes in into messages, for `lsp` and for `debug`.
 //! - `standard_input` reads what the client sends, on a thread of its own.
 //! - `recording` and `replay` keep what a client sent, and play it again.
 //! - `lsp` speaks the protocol. It is the only folder that names `tower-lsp`, and its page has the rules that
@@ -39,6 +40,7 @@ mod diagram_text;
 mod document;
 #[doc(hidden)]
 mod fence;
+mod frames;
 mod language;
 mod lsp;
 mod notation;

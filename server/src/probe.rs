@@ -1,15 +1,13 @@
 //! The inside of the server, as the tests of other packages see it. No part of the interface.
 
-use std::io::Cursor;
 use std::sync::Arc;
 
 use ladder_analysis::Diagnostic;
 
 use crate::document::edit::Change;
 use crate::document::position::Encoding;
+use crate::document::position::{Position, Range};
 use crate::document::{Documents, Kind, Revision};
-use crate::lsp::transport::inlet;
-use crate::{Position, Range};
 
 const URI: &str = "untitled:main.clad";
 
@@ -80,11 +78,4 @@ impl Document {
     pub fn offset(&self, position: Position) -> usize {
         self.revision.offset(position).into()
     }
-}
-
-/// What the protocol's framework is given to read when the client sends these bytes.
-pub async fn admitted(bytes: &[u8]) -> Vec<u8> {
-    let mut out = Vec::new();
-    inlet::feed(Cursor::new(bytes), &mut out, Arc::default()).await;
-    out
 }

@@ -1,6 +1,8 @@
 //! Files that lie beside a program and belong to it, as other systems have them.
 
-use crate::{FileError, MAX_FILE_BYTES, Problem, named, regular, text};
+use crate::error::{FileError, Problem};
+use crate::{named, regular, text};
+use ladder_syntax::MAX_FILE_BYTES;
 use std::fs::{self, File};
 use std::path::Path;
 

@@ -1,7 +1,8 @@
 //! What can be wrong with a file, in words that say what to do.
 
-use crate::{MAX_FILE_BYTES, shown};
+use crate::shown;
 use ladder_syntax::LineColumn;
+use ladder_syntax::MAX_FILE_BYTES;
 use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};

@@ -1,6 +1,6 @@
 //! Whether a file that somebody named is one that a search would pass over.
 
-use crate::SETTINGS_FILE;
+use crate::root::SETTINGS_FILE;
 use crate::search::ignore_files;
 use crate::settings::Settings;
 use ignore::Match;

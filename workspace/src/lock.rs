@@ -4,7 +4,8 @@
 //! a lock would go with it. The operating system releases it however the process ends; what then stays is an empty
 //! file, which the next run takes over and removes.
 
-use crate::{FileError, Problem, regular};
+use crate::error::{FileError, Problem};
+use crate::regular;
 use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};

@@ -1,7 +1,11 @@
 //! The programs of a workspace, read and analysed together.
 
+use crate::error::FileError;
+use crate::named::read_own;
+use crate::root::Root;
+use crate::settings::Settings;
 use crate::settings::SettingsError;
-use crate::{FileError, Root, Settings, read_own};
+use crate::shown::from_here;
 use ladder_analysis::program::Program;
 use ladder_analysis::{Analysis, Exported, Exports, NotWhole, Others, analyze_with, exports, link};
 use ladder_syntax::Parse;
@@ -168,10 +172,4 @@ impl Source {
         self.exports
             .get_or_init(|| Arc::new(exports(self.parse(), &self.name)))
     }
-}
-
-/// A path as a person in the current folder names it.
-pub(crate) fn from_here(path: &Path) -> &Path {
-    let here = std::env::current_dir().ok();
-    here.and_then(|here| path.strip_prefix(here).ok()).unwrap_or(path)
 }

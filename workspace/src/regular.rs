@@ -1,6 +1,7 @@
 //! Opening a file that is one: no pipe that never ends, no device that does something when it is opened.
 
-use crate::{FileError, MAX_FILE_BYTES, Problem, Special};
+use crate::error::{FileError, Problem, Special};
+use ladder_syntax::MAX_FILE_BYTES;
 use std::fs::{self, File, FileType, Metadata, OpenOptions};
 use std::path::Path;
 

@@ -12,9 +12,13 @@
 //!
 //! The parts of a line are separated by tabs. The number behind `end` is the CRC-32 of all that is before it.
 
+use crate::error::{FileError, Problem};
 use crate::lock::Lock;
-use crate::{FileError, MAX_FILE_BYTES, Named, Problem, regular, shown, write};
+use crate::named::Named;
+use crate::write::write;
+use crate::{regular, shown};
 use ladder_simulator::Kept;
+use ladder_syntax::MAX_FILE_BYTES;
 use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};

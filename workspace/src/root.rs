@@ -1,7 +1,5 @@
 //! The workspace of a program (LANGUAGE §4).
 
-use crate::search::{is_own_file, is_program, programs_below};
-use crate::settings::{Files, Settings, SettingsError};
 use std::io;
 use std::path::{Component, Path, PathBuf};
 
@@ -46,39 +44,6 @@ impl Root {
         match self {
             Root::Settings(folder) => Some(folder.join(SETTINGS_FILE)),
             Root::Folder(_) => None,
-        }
-    }
-
-    /// The settings of the workspace; without a file those that hold anyway.
-    ///
-    /// # Errors
-    /// There is a settings file that cannot be read, or something in it is wrong.
-    pub fn settings(&self) -> Result<Settings, SettingsError> {
-        match self.settings_file() {
-            Some(file) => Settings::read_own(&file),
-            None => Ok(Settings::default()),
-        }
-    }
-
-    /// The programs of the workspace, sorted; `files` are those that its settings ask for. What cannot be read is
-    /// left out: a program must be usable beside a folder that is not.
-    pub fn programs(&self, files: &Files) -> Vec<PathBuf> {
-        match self {
-            Root::Settings(folder) => {
-                let mut programs = programs_below(folder);
-                programs.retain(|program| files.contain(program));
-                programs
-            }
-            Root::Folder(folder) => {
-                let mut programs: Vec<PathBuf> = std::fs::read_dir(folder)
-                    .into_iter()
-                    .flatten()
-                    .filter_map(|entry| Some(entry.ok()?.path()))
-                    .filter(|path| is_program(path) && is_own_file(folder, path))
-                    .collect();
-                programs.sort();
-                programs
-            }
         }
     }
 }

@@ -67,6 +67,12 @@ fn escaped(text: &str, wanted: impl Fn(char, Option<char>) -> bool) -> Cow<'_, s
     Cow::Owned(shown)
 }
 
+/// A path as a person in the current folder names it.
+pub(crate) fn from_here(path: &Path) -> &Path {
+    let here = std::env::current_dir().ok();
+    here.and_then(|here| path.strip_prefix(here).ok()).unwrap_or(path)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

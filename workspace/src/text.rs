@@ -1,6 +1,8 @@
 //! The gate for text: UTF-8, and not larger than the offsets of the tree can count.
 
-use crate::{FileError, MAX_FILE_BYTES, Problem, regular};
+use crate::error::{FileError, Problem};
+use crate::regular;
+use ladder_syntax::MAX_FILE_BYTES;
 use ladder_syntax::{LineIndex, TextSize};
 use std::fs::{File, Metadata};
 use std::io::Read;

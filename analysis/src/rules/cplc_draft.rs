@@ -1,6 +1,7 @@
 //! `unexpected-character`, for a file in the first draft of the language: reported once, for the file as a whole.
 //!
-//! The conversion is the fix, but what reads the draft is above the analysis and adds it: see [`is_reported`].
+//! What reads the draft is above the analysis: the finding says what to do, and `ladder check` and the language server offer
+//! the conversion.
 
 use crate::cplc_draft::beginning;
 use crate::findings::diagnostic::Diagnostic;
@@ -24,9 +25,4 @@ pub(crate) fn hide_all_else(parse: &Parse, diagnostics: &mut Vec<Diagnostic>) {
 /// Whether a text begins as one in the draft does.
 pub(crate) fn is_it(parse: &Parse) -> bool {
     beginning(parse).is_some()
-}
-
-/// Whether a finding is the one that says that a file is in the draft.
-pub fn is_reported(found: &Diagnostic) -> bool {
-    found.rule == super::unexpected_character::RULE && found.message == MESSAGE
 }

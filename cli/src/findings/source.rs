@@ -9,7 +9,7 @@ use crate::form::{self, Form};
 use crate::outcome::Failure;
 use ladder_analysis::program::{Location, Program};
 use ladder_analysis::{Analysis, Diagnostic, NotWhole};
-use ladder_interchange::notation::{self, Foreign, Mark, ReadError, offer_conversion};
+use ladder_interchange::notation::{self, Foreign, Mark, ReadError, conversion_of_cplc_draft};
 use ladder_syntax::{LineColumn, LineIndex, TextRange, TextSize};
 use ladder_workspace::{Workspace, shown};
 use std::borrow::Cow;
@@ -148,10 +148,24 @@ impl Source {
 
     fn in_file(&self, mut findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
         let Some(foreign) = &self.foreign else {
-            offer_conversion(&mut findings, &self.text, &self.format_options());
+            self.offer_conversion(&mut findings);
             return findings;
         };
         foreign.in_file(findings)
+    }
+
+    /// Adds the conversion to the finding that a file is in the first draft of the language, which is the only one then.
+    fn offer_conversion(&self, findings: &mut [Diagnostic]) {
+        let analysis = self.analyze();
+        let [found] = findings else { return };
+        if !analysis.has_errors() || ladder_analysis::cplc_draft_beginning(&analysis.context.parse).is_none()
+        {
+            return;
+        }
+        match conversion_of_cplc_draft(&self.text, &self.format_options()) {
+            Ok(fix) => found.fixes.push(fix),
+            Err(error) => found.help = Some(format!("it cannot be converted yet: {error}").into()),
+        }
     }
 
     /// Where a part of the ladder text is in the file.

@@ -2,7 +2,7 @@
 
 use super::Renamed;
 use crate::neighbour::{ScenarioFile, Workspace};
-use crate::scenario::name_in;
+use crate::scenario::row::name_in;
 use crate::symbol::Symbol;
 use ladder_format::{Edit, display_width};
 use ladder_simulator::scenario::Row;

@@ -1,6 +1,6 @@
 //! Completion in a scenario file: headings, tags, and values by their types.
 
-use super::Scenarios;
+use super::file::Scenarios;
 use super::hover::keyword;
 use super::named_by_rows::tags_of;
 use super::place::line;

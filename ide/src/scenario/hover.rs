@@ -1,6 +1,6 @@
 //! Hover in a scenario file: the tag of a row, what a value means, when a step is.
 
-use super::Scenarios;
+use super::file::Scenarios;
 use super::place::{AtCursor, line, place};
 use super::row::{Named, named, value_type};
 use crate::comments;

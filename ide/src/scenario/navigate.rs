@@ -1,16 +1,16 @@
 //! From a row to the program and back: definition, references, highlights and rename.
 
-use super::Scenarios;
+use super::file::Scenarios;
 use super::place::{AtCursor, place};
-use super::row::named;
+use super::row::{named, usage};
 use crate::definition::defined;
 use crate::highlight::Highlight;
 use crate::references::{Reference, of_symbol};
 use crate::rename::{Renamable, RenameRefused, Renamed, is_address, no_name, rename_symbol};
-use crate::symbol::{Symbol, Usage};
+use crate::symbol::Symbol;
 use crate::target::Target;
 use ladder_format::Options;
-use ladder_simulator::scenario::{Direction, Row};
+use ladder_simulator::scenario::Row;
 use ladder_syntax::{TextRange, TextSize};
 use std::sync::Arc;
 
@@ -72,14 +72,6 @@ pub fn highlights(scenarios: &Scenarios<'_>, offset: TextSize) -> Vec<Highlight>
         })
     };
     rows.filter_map(here).collect()
-}
-
-/// What a row does with its tag.
-pub(crate) const fn usage(row: &Row) -> Usage {
-    match row.direction {
-        Direction::Given => Usage::Write,
-        Direction::Expected => Usage::Read,
-    }
 }
 
 /// What is at an offset and can be renamed.

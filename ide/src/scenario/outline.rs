@@ -1,6 +1,6 @@
 //! The parts of a scenario file.
 
-use super::Scenarios;
+use super::file::Scenarios;
 use super::place::line;
 use ladder_simulator::scenario::Direction;
 use ladder_syntax::TextRange;

@@ -1,6 +1,6 @@
 //! What is at an offset of a scenario file.
 
-use super::Scenarios;
+use super::file::Scenarios;
 use ladder_simulator::scenario::{Row, Scenario};
 use ladder_syntax::{TextRange, TextSize, line_around};
 

@@ -1,8 +1,7 @@
 //! The tag of a row: `run`, `warmup.ET`, `list[3]`; a tag of a file that the program only uses with the file's name before
 //! it, `library.count`.
 
-use super::Scenarios;
-use super::navigate::usage;
+use super::file::Scenarios;
 use crate::neighbour::{ScenarioFile, Which, first_that};
 use crate::symbol::{Symbol, Usage, tag_of};
 use ladder_analysis::context::Context;
@@ -10,7 +9,7 @@ use ladder_analysis::names::scope::TagFacts;
 use ladder_analysis::program::SystemTag;
 use ladder_analysis::state_member;
 use ladder_analysis::values::types::{Scalar, Type};
-use ladder_simulator::scenario::Row;
+use ladder_simulator::scenario::{Direction, Row};
 use ladder_syntax::{Name, TextRange, TextSize};
 use std::ops::{Deref, Range};
 use std::sync::Arc;
@@ -178,4 +177,12 @@ pub(crate) fn places(
     let rows = file.suite.scenarios.iter().flat_map(|scenario| &scenario.rows);
     rows.filter_map(|row| Some((name_in(row, symbol, program)?, usage(row))))
         .collect()
+}
+
+/// What a row does with its tag.
+pub(crate) const fn usage(row: &Row) -> Usage {
+    match row.direction {
+        Direction::Given => Usage::Write,
+        Direction::Expected => Usage::Read,
+    }
 }

@@ -27,7 +27,7 @@ mod source;
 mod stand_in;
 mod textbook;
 
-pub use cplc_draft::offer_conversion;
+pub use cplc_draft::conversion as conversion_of_cplc_draft;
 pub use finding::Finding;
 pub use foreign::{Foreign, Mark};
 pub use form::Form;

@@ -9,7 +9,7 @@ use serde_json::{Value as Json, json};
 use tokio::io::AsyncRead;
 
 use super::messages::Request;
-use crate::lsp::transport::frames::{Frame, Frames};
+use crate::frames::{Frame, Frames};
 
 /// What comes in.
 #[derive(Debug)]

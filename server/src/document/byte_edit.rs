@@ -42,14 +42,11 @@ pub(super) enum Since {
 pub(super) struct EditLog {
     /// The number of each later state, and what led to it; none if the whole text was replaced.
     entries: Vec<(u64, Option<ByteEdit>)>,
-    /// The number of the last state.
-    last: u64,
 }
 
 impl EditLog {
     /// A state is reached by these changes from the one before it. None: the whole text is another.
     pub(super) fn push(&mut self, state: u64, edits: Option<Vec<ByteEdit>>) {
-        self.last = state;
         match edits {
             Some(edits) => self
                 .entries
@@ -69,15 +66,6 @@ impl EditLog {
             });
         }
         all
-    }
-
-    /// Whether there are later states than this one, and none of them replaced the whole text.
-    pub(super) fn goes_on_from(&self, state: u64) -> bool {
-        self.last > state
-            && self
-                .entries
-                .iter()
-                .all(|(at, edit)| *at <= state || edit.is_some())
     }
 
     /// Something was made of this state.
@@ -126,9 +114,7 @@ mod tests {
         assert_eq!(log.until(2), Since::Same);
         assert_eq!(log.until(4), Since::Edited(edit));
         assert_eq!(log.until(5), Since::Unknown);
-        assert!(log.goes_on_from(5) && !log.goes_on_from(4) && !log.goes_on_from(7));
         log.begin_at(5);
         assert_eq!(log.until(7), Since::Same);
-        assert!(log.goes_on_from(5) && !log.goes_on_from(7));
     }
 }

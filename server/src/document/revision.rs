@@ -38,8 +38,6 @@ pub(super) struct Edited {
     pub(super) edits: Option<Vec<ByteEdit>>,
     /// Where the last of them begins, in bytes.
     pub(super) at: usize,
-    /// Each of them has left as many lines as there were.
-    pub(super) keeps_line_breaks: bool,
 }
 
 /// A document as it was between two changes. It never changes, so whoever holds one can work on it in peace
@@ -60,8 +58,6 @@ pub(crate) struct Revision {
     rope: Rope,
     /// Where the text was changed last, in bytes; its beginning if it never was.
     edited: usize,
-    /// See [`Revision::line_breaks`].
-    line_breaks: u64,
     /// Where the file lies, if it is one.
     place: Option<Membership>,
     names: OnceLock<Names>,
@@ -76,8 +72,6 @@ pub(crate) struct Revision {
     opened: OnceLock<Result<Opened, ReadError>>,
     /// What was made last of any revision of the document: the next one begins with its names.
     latest: Arc<Mutex<Made>>,
-    /// What this revision began with. To throw it away takes a while: that can wait.
-    superseded: Mutex<Made>,
 }
 
 impl Revision {
@@ -101,7 +95,6 @@ impl Revision {
             encoding,
             rope,
             edited: 0,
-            line_breaks: serial,
             place,
             names: OnceLock::new(),
             joining: Mutex::default(),
@@ -110,7 +103,6 @@ impl Revision {
             looking: Mutex::default(),
             opened: OnceLock::new(),
             latest: Arc::default(),
-            superseded: Mutex::default(),
         }
     }
 
@@ -126,20 +118,12 @@ impl Revision {
             rope,
             place,
         );
-        let kept = edited.keeps_line_breaks.then_some(self.line_breaks);
         self.latest().since.push(next.serial, edited.edits);
         Revision {
             edited: edited.at,
-            line_breaks: kept.unwrap_or(next.line_breaks),
             latest: Arc::clone(&self.latest),
             ..next
         }
-    }
-
-    /// Two revisions of a document have the same number here if no edit between them has made or removed a line break:
-    /// what the edits did not touch lies in the same lines.
-    pub(crate) fn line_breaks(&self) -> u64 {
-        self.line_breaks
     }
 
     /// The text of a file that no editor shows, at version 0 of nothing.
@@ -192,15 +176,12 @@ impl Revision {
         };
         let known = before.as_ref().map(|(_, names)| names);
         let parse = self.parse(known, since);
-        // Where no names are known, the text behind an edit begins with these: to begin anew there would take as long again.
-        let is_first = known.is_none();
-        let wanted = || wanted() || (is_first && self.latest().since.goes_on_from(self.serial));
         let names = match &self.place {
             Some(place) => {
                 let (name, others) = place.view();
-                Names::of(&parse, known, &name, &others, &wanted)?
+                Names::of(&parse, known, &name, &others, wanted)?
             }
-            None => Names::of(&parse, known, self.name(), &Others::default(), &wanted)?,
+            None => Names::of(&parse, known, self.name(), &Others::default(), wanted)?,
         };
         let mut latest = self.latest();
         if latest
@@ -211,8 +192,6 @@ impl Revision {
             latest.names = Some((self.serial, names.clone()));
             latest.since.begin_at(self.serial);
         }
-        drop(latest);
-        self.superseded().names = before;
         Some(names)
     }
 
@@ -257,7 +236,6 @@ impl Revision {
         let before = self.latest().analysis.clone();
         let analysis = Analysis::of(names, before.as_ref(), &rules, wanted)?;
         self.latest().analysis = Some(analysis.clone());
-        self.superseded().analysis = before;
         Some(self.analysis.get_or_init(|| analysis))
     }
 
@@ -295,15 +273,6 @@ impl Revision {
     /// Whether the text is small enough to be read.
     pub(crate) fn fits(&self) -> bool {
         self.len() <= MAX_OPEN_BYTES && self.rope.len_lines() <= MAX_OPEN_LINES
-    }
-
-    /// Throws away what was known of the text before: when the findings of its successor are sent, and nobody waits.
-    pub(crate) fn forget_superseded(&self) {
-        drop(std::mem::take(&mut *self.superseded()));
-    }
-
-    fn superseded(&self) -> MutexGuard<'_, Made> {
-        self.superseded.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     fn latest(&self) -> MutexGuard<'_, Made> {
@@ -552,20 +521,6 @@ mod tests {
             assert_eq!(said(edited.names().unwrap()), said(from_scratch.names().unwrap()));
             assert!(edited.analysis().is_some());
         }
-    }
-
-    #[test]
-    fn the_first_names_are_given_up_when_the_next_text_does_not_begin_with_them() {
-        let documents = Documents::default();
-        let [first, edited] = opened_and_edited(&documents);
-        assert!(first.names_while(&|| false).is_some());
-        assert!(edited.names().is_some());
-
-        let documents = Documents::default();
-        let [first, _] = opened_and_edited(&documents);
-        let whole = crate::document::edit::Change::Whole(String::new());
-        assert!(documents.change("file:///a.clad", 3, &[whole]).is_ok());
-        assert!(first.names_while(&|| false).is_none());
     }
 
     #[test]

@@ -125,14 +125,11 @@ impl Documents {
         let mut rope = old.rope().clone();
         let mut edited = Edited {
             at: old.edited().into(),
-            keeps_line_breaks: true,
             edits: Some(Vec::new()),
         };
         for change in changes {
-            let lines = rope.len_lines();
             let edit = apply(&mut rope, old.encoding(), change);
             edited.at = edit.as_ref().map_or(0, |edit| edit.old.start);
-            edited.keeps_line_breaks &= edit.is_some() && rope.len_lines() == lines;
             edited.edits = edited.edits.zip(edit).map(|(mut edits, edit)| {
                 edits.push(edit);
                 edits
@@ -151,7 +148,6 @@ impl Documents {
         let old = &document.revision;
         let edited = Edited {
             at: old.edited().into(),
-            keeps_line_breaks: true,
             edits: Some(Vec::new()),
         };
         document.revision = Arc::new(old.followed_by(old.version, old.rope().clone(), edited));

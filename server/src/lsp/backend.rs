@@ -51,8 +51,8 @@ use crate::lsp::features::{
 };
 use crate::lsp::transport::parent;
 use crate::lsp::{
-    capabilities::{self, Agreed},
-    shared::Shared,
+    capabilities,
+    session::{agreed::Agreed, shared::Shared},
 };
 use crate::simulation::messages::OfSession;
 

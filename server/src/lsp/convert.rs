@@ -8,7 +8,7 @@ use tower_lsp::ls_types::{
 };
 
 use crate::document::{self, Revision};
-use crate::lsp::capabilities::Agreed;
+use crate::lsp::session::agreed::Agreed;
 use ladder_analysis::Severity;
 use ladder_format::Edit;
 use ladder_syntax::TextRange;
@@ -99,8 +99,8 @@ pub(crate) fn severity(severity: Severity) -> DiagnosticSeverity {
     }
 }
 
-/// A finding with nothing beside its message: about a text that is no ladder text, or a whole file. What the rules find is
-/// put together in [`diagnostic_json`](super::documents::diagnostic_json).
+/// A diagnostic with nothing but its message: about a text that is not ladder text, or a whole file. What the rules find is
+/// put together in [`finding`](super::finding).
 pub(crate) fn diagnostic(range: Range, severity: Severity, code: &str, message: String) -> Diagnostic {
     Diagnostic {
         range,

@@ -5,17 +5,17 @@
 //!
 //! 1. A notification that changes state does so in its first statement, with no `await` before it
 //!    ([`sync`](documents::sync)): handlers are polled in the order of their messages up to their first `await`.
-//! 2. No handler awaits the client. What goes out unasked is put into the [`outbox`](transport::outbox); requests to
-//!    the client are spawned with a time limit. A few handlers that wait for answers behind a full queue would lock
+//! 2. No handler awaits the client. What goes out unasked is put into the [`outbox`](session::outbox); requests to
+//!    the client are spawned with a time limit. A few handlers that wait for answers after a full queue would lock
 //!    the server for ever.
 //! 3. Work over a millisecond runs on a [`blocking`](transport::blocking) thread, with a flag that is set when the
 //!    handler is dropped, so that a cancelled request stops working.
 //! 4. Every request gets exactly one answer, also after a panic ([`guard`](transport::guard)), also when its message
-//!    cannot be decoded ([`inlet`](transport::inlet)). Positions are clamped, unknown documents answer `null`.
+//!    cannot be decoded ([`received`](transport::received)). Positions are clamped, unknown documents answer `null`.
 //! 5. Published diagnostics name the version they belong to, and those of a text that is no longer shown are not
 //!    sent.
 //!
-//! [`transport`] moves messages, [`documents`] does what follows from a text that is opened, changed or closed,
+//! [`transport`] moves messages, [`session`] has what all of a session knows, [`documents`] does what follows from a text that is opened, changed or closed,
 //! [`features`] answers what an editor asks, a file for each request.
 
 mod backend;
@@ -23,8 +23,9 @@ mod capabilities;
 mod convert;
 mod documents;
 mod features;
+mod finding;
 mod markup;
-mod shared;
+mod session;
 pub(crate) mod transport;
 
 pub(crate) use transport::serve::serve_counting;

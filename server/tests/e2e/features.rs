@@ -169,6 +169,24 @@ async fn a_draft_becomes_ladder_text() {
     client.finish().await;
 }
 
+#[tokio::test]
+async fn a_draft_that_cannot_be_converted_yet_says_why() {
+    for can in [false, true] {
+        let mut client = Client::with(json!({
+            "textDocument": {"codeAction": {"disabledSupport": can}}
+        }))
+        .await;
+        client
+            .open("IN = {DI start}\n+--[ ]<start>--?--()<run>--+\n")
+            .await;
+        let offered = actions(&mut client, [0, 0, 0, 0], Some("quickfix")).await;
+        let reasons: Vec<&Value> = offered.iter().map(|it| &it["disabled"]["reason"]).collect();
+        let reason = json!("it cannot be converted yet: 2:16: `?` is nothing that a rung is drawn with");
+        assert_eq!(reasons, vec![&reason; usize::from(can)]);
+        client.finish().await;
+    }
+}
+
 /// Two places where a wire is missing, and a label that is only nearly there.
 const TOUCHING: &str = "\
 +--[ ]( a )( )( y )--+

@@ -4,7 +4,7 @@
 //! own.
 
 use crate::input::parts;
-use ladder_server::{probe, serve};
+use ladder_server::serve;
 use serde::de::IgnoredAny;
 use serde_json::{Value, json};
 use std::collections::HashMap;
@@ -32,7 +32,6 @@ pub(crate) fn check(data: &[u8]) {
     let runtime = Builder::new_current_thread().enable_all().build();
     let runtime = runtime.expect("a runtime");
     runtime.block_on(async {
-        admitted(data).await;
         // A header in a body may take the place of the one that follows, and swallow what is behind it.
         let has_headers = data
             .to_ascii_lowercase()
@@ -46,27 +45,6 @@ pub(crate) fn check(data: &[u8]) {
         }
     });
     runtime.shutdown_timeout(PATIENCE);
-}
-
-/// What the framework is given to read is a row of messages, each with its length and as it can read them.
-async fn admitted(data: &[u8]) {
-    let out = probe::admitted(data).await;
-    let mut rest = &out[..];
-    while !rest.is_empty() {
-        let (body, behind) = body(rest).expect("a message with its header");
-        let message = serde_json::from_slice::<Value>(body);
-        let message = message.unwrap_or_else(|error| panic!("{error}: {}", String::from_utf8_lossy(body)));
-        assert_eq!(message["jsonrpc"], "2.0", "{message}");
-        rest = behind;
-    }
-}
-
-/// The first message, and what follows.
-fn body(bytes: &[u8]) -> Option<(&[u8], &[u8])> {
-    let bytes = bytes.strip_prefix(b"Content-Length: ")?;
-    let end = bytes.windows(4).position(|it| it == b"\r\n\r\n")?;
-    let length: usize = std::str::from_utf8(&bytes[..end]).ok()?.parse().ok()?;
-    bytes[end + 4..].split_at_checked(length)
 }
 
 fn frame(body: &[u8]) -> Vec<u8> {

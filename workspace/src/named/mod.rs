@@ -8,7 +8,9 @@
 mod name;
 mod resolve;
 
-use crate::{FileError, Problem, Root, regular, text};
+use crate::error::{FileError, Problem};
+use crate::root::Root;
+use crate::{regular, text};
 use std::fs::{File, Metadata};
 use std::path::{Path, PathBuf};
 

@@ -1,6 +1,6 @@
 //! What a name may say.
 
-use crate::Problem;
+use crate::error::Problem;
 use std::ffi::OsString;
 
 /// A part of a path.

@@ -1,7 +1,7 @@
 //! Following a name, link by link, without touching what lies outside.
 
 use super::name::PathComponent;
-use crate::Problem;
+use crate::error::Problem;
 use std::collections::VecDeque;
 use std::ffi::OsString;
 use std::io;

@@ -134,7 +134,7 @@ mod unix {
         let _socket =
             std::os::unix::net::UnixListener::bind(folder.path().join("plant/tests/socket.clad")).unwrap();
         let big = fs::File::create(folder.path().join("plant/tests/big.clad")).unwrap();
-        big.set_len(crate::MAX_FILE_BYTES as u64 + 1).unwrap();
+        big.set_len(ladder_syntax::MAX_FILE_BYTES as u64 + 1).unwrap();
         // Nobody writes into the pipe: to wait for that would be to wait for ever.
         assert_eq!(
             read(&folder, "pipe.clad"),

@@ -4,8 +4,10 @@ mod walk;
 
 pub(crate) use walk::{ignore_files, is_own_file};
 
+use crate::error::{FileError, Problem};
+use crate::named;
+use crate::root::{Root, SETTINGS_FILE};
 use crate::settings::{Files, Settings};
-use crate::{FileError, Problem, SETTINGS_FILE, named};
 use std::collections::{HashMap, HashSet};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -67,6 +69,30 @@ fn find(paths: &[PathBuf], wanted: Wanted<'_>) -> (Vec<PathBuf>, Vec<FileError>)
         }
     }
     (search.found, search.errors)
+}
+
+impl Root {
+    /// The programs of the workspace, sorted; `files` are those that its settings ask for. What cannot be read is
+    /// left out: a program must be usable beside a folder that is not.
+    pub fn programs(&self, files: &Files) -> Vec<PathBuf> {
+        match self {
+            Root::Settings(folder) => {
+                let mut programs = programs_below(folder);
+                programs.retain(|program| files.contain(program));
+                programs
+            }
+            Root::Folder(folder) => {
+                let mut programs: Vec<PathBuf> = std::fs::read_dir(folder)
+                    .into_iter()
+                    .flatten()
+                    .filter_map(|entry| Some(entry.ok()?.path()))
+                    .filter(|path| is_program(path) && is_own_file(folder, path))
+                    .collect();
+                programs.sort();
+                programs
+            }
+        }
+    }
 }
 
 /// The programs of one workspace: those below its folder, but not those below another settings file.

@@ -1,7 +1,9 @@
 //! Going through folders, by the rules of `.gitignore`, and what is passed over on the way.
 
-use crate::{FileError, MAX_FILE_BYTES, Problem, named, regular};
+use crate::error::{FileError, Problem};
+use crate::{named, regular};
 use ignore::{DirEntry, WalkBuilder};
+use ladder_syntax::MAX_FILE_BYTES;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 

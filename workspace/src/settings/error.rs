@@ -1,7 +1,7 @@
 //! What can be wrong with a settings file.
 
-use crate::programs::from_here;
-use crate::{FileError, shown};
+use crate::error::FileError;
+use crate::shown::{self, from_here};
 use ladder_syntax::{LineColumn, TextRange};
 use std::fmt;
 use std::path::PathBuf;

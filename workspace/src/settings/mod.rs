@@ -19,7 +19,9 @@ pub use given::Tree;
 pub use lint::{Levels, Lint};
 pub use simulate::Simulate;
 
-use crate::{FileError, Named, Root};
+use crate::error::FileError;
+use crate::named::Named;
+use crate::root::Root;
 use ladder_analysis::RuleSettings;
 use ladder_syntax::{LineIndex, TextRange, TextSize};
 use reader::{Reader, Source, Table};
@@ -39,6 +41,19 @@ pub struct Settings {
     pub simulate: Simulate,
     /// `[workspace]`: which files belong to it.
     pub files: Files,
+}
+
+impl Root {
+    /// The settings of the workspace; without a file those that hold anyway.
+    ///
+    /// # Errors
+    /// There is a settings file that cannot be read, or something in it is wrong.
+    pub fn settings(&self) -> Result<Settings, SettingsError> {
+        match self.settings_file() {
+            Some(file) => Settings::read_own(&file),
+            None => Ok(Settings::default()),
+        }
+    }
 }
 
 impl Settings {
@@ -70,7 +85,7 @@ impl Settings {
     /// # Errors
     /// It cannot be read, or something in it is wrong.
     pub fn read(file: &Path) -> Result<Settings, SettingsError> {
-        let text = crate::read(file).map_err(SettingsError::File)?;
+        let text = crate::text::read(file).map_err(SettingsError::File)?;
         Settings::parse(file, &text)
     }
 

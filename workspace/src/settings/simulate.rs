@@ -2,7 +2,7 @@
 
 use super::reader::{Reader, Table};
 use super::table::{HISTORY, INTERVAL, RETAIN, WATCHDOG};
-use crate::Named;
+use crate::named::Named;
 use ladder_analysis::program::Program;
 use ladder_simulator::Options;
 use std::path::Path;

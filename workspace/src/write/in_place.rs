@@ -6,7 +6,7 @@
 //! backup behind, which is what it is for.
 
 use super::folder_of;
-use crate::Problem;
+use crate::error::Problem;
 use std::fs::File;
 use std::io::{self, Seek, SeekFrom};
 use std::path::{Path, PathBuf};

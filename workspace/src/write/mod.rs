@@ -12,7 +12,7 @@ mod beside;
 mod in_place;
 mod temporary;
 
-use crate::{FileError, Problem};
+use crate::error::{FileError, Problem};
 use beside::Beside;
 use in_place::InPlace;
 use std::fs::{self, File, Metadata};

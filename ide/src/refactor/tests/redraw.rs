@@ -1,6 +1,6 @@
 //! What a key draws, with `$0` where the cursor is; `^` shows where it goes.
 
-use crate::{Redraw, redraw};
+use crate::refactor::{Redraw, redraw};
 use expect_test::{Expect, expect};
 use ladder_analysis::analyze;
 use ladder_format::{Options, apply};

@@ -162,7 +162,9 @@ VAR nothing : INT; END_VAR
             &[],
             trigger,
         );
-        let item = |it: &crate::Completion| format!("{}|{}|{}\n", it.label, it.detail, it.text.snippet());
+        let item = |it: &crate::completion::Completion| {
+            format!("{}|{}|{}\n", it.label, it.detail, it.text.snippet())
+        };
         found.items.iter().map(item).collect::<Vec<_>>().concat()
     };
     expect![[r#"

@@ -59,7 +59,9 @@ impl Asked {
     fn completions(&self, trigger: Option<char>) -> String {
         let programs = ["a.clad".to_owned(), "main.clad".to_owned()];
         let found = self.ask(|it| scenario_completions(it, self.offset, &programs, trigger));
-        let item = |it: &crate::Completion| format!("{}|{}|{}\n", it.label, it.detail, it.text.snippet());
+        let item = |it: &crate::completion::Completion| {
+            format!("{}|{}|{}\n", it.label, it.detail, it.text.snippet())
+        };
         found.items.iter().map(item).collect::<Vec<_>>().concat()
     }
 }

@@ -79,7 +79,7 @@ fn a_row_leads_to_its_declaration_and_to_all_uses() {
 fn a_tag_of_the_program_has_places_in_scenarios() {
     let fixture = Fixture::new(&PLANT.replace("VAR_OUTPUT run", "VAR_OUTPUT ru$0n"));
     let (context, offset, others) = fixture.ask();
-    let shown: Vec<String> = crate::references(context, offset, &others)
+    let shown: Vec<String> = crate::references::references(context, offset, &others)
         .iter()
         .map(|it| format!("{} {:?}\n", fixture.show(&it.file, it.range), it.usage))
         .collect();

@@ -16,13 +16,13 @@
 //! is one tag here: where the program reads `name` it reads `name.Q`, where it reads `time` it reads `name.ET`
 //! (`count`: `name.CV`). The draft does not say what a preset counts: milliseconds here. A comparison's or calculation's `name` becomes a coil behind it where the program reads it.
 
+mod conversion;
 mod header;
 mod line;
-mod offer;
 mod read;
 mod write;
 
-pub use offer::offer_conversion;
+pub use conversion::conversion;
 
 use super::{Notation, ReadError, Reading, Source, WriteError, Writing};
 use ladder_analysis::Analysis;

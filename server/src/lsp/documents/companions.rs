@@ -14,7 +14,7 @@ use super::{diagnostics, foreign, pull, settings_file};
 use crate::busy::Work;
 use crate::document::{Kind, Revision, address};
 use crate::lsp::transport::blocking::blocking;
-use crate::lsp::{convert, shared::Shared};
+use crate::lsp::{convert, session::shared::Shared};
 
 /// What is where the name of a rule would.
 pub(crate) const BAD_SETTING: &str = "bad-setting";

@@ -12,7 +12,7 @@ use serde_json::Value;
 use tower_lsp::ls_types::{ConfigurationItem, DidChangeConfigurationParams, Registration};
 
 use super::diagnostics;
-use crate::lsp::shared::Shared;
+use crate::lsp::session::shared::Shared;
 
 /// The section that is the server's.
 const SECTION: &str = "ladder";

@@ -6,16 +6,16 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use ladder_analysis::Severity;
+use ladder_analysis::{Finding, Severity};
 use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES};
 use ladder_workspace::SETTINGS_FILE;
 use tower_lsp::ls_types::{Diagnostic, Range};
 
-use super::{companions, folders, pull, settings_file, shown, typed, written};
+use super::{companions, folders, pull, settings_file, shown, typed};
 use crate::busy::Work;
 use crate::document::Revision;
 use crate::lsp::transport::blocking::caught;
-use crate::lsp::{capabilities::Agreed, convert, shared::Shared};
+use crate::lsp::{convert, finding::Findings, session::agreed::Agreed, session::shared::Shared};
 
 /// Sees to it that the newest text of the document gets its diagnostics.
 pub(crate) fn refresh(shared: &Arc<Shared>, uri: &str) {
@@ -48,32 +48,22 @@ fn look(shared: &Arc<Shared>, revision: &Arc<Revision>) {
         return;
     }
     if !agreed.pulls_diagnostics {
-        publish(shared, agreed, revision);
+        publish(shared, revision);
     }
     tell_others(shared, revision);
-    revision.forget_superseded();
 }
 
 /// Sends the diagnostics of a program. For a blocking thread.
-fn publish(shared: &Arc<Shared>, agreed: Agreed, revision: &Arc<Revision>) {
-    let (documents, revision) = (&shared.documents, revision.clone());
-    match revision.analysis() {
-        Some(analysis) => {
-            let mut chosen = shown::shown(analysis, &revision);
-            typed::without_waiting(shared, &revision, &mut chosen.0);
-            let params = shared.written.params(agreed, &revision, analysis, chosen);
-            shared.outbox.written_diagnostics(documents, revision, params);
-        }
-        None => {
-            let found = vec![too_large(&revision)];
-            shared.outbox.diagnostics(documents, revision, found);
-        }
-    }
+fn publish(shared: &Shared, revision: &Arc<Revision>) {
+    let found = of_open(shared, revision);
+    shared
+        .outbox
+        .diagnostics(&shared.documents, revision.clone(), found);
 }
 
-/// The diagnostics of a program, as the JSON of a list. The other open files of its workspace are looked at again if they
+/// The diagnostics of a program. The other open files of its workspace are looked at again if they
 /// see something else in it than before. For a blocking thread.
-pub(crate) fn look_at(shared: &Arc<Shared>, revision: &Revision) -> String {
+pub(crate) fn look_at(shared: &Arc<Shared>, revision: &Revision) -> Vec<Diagnostic> {
     let diagnostics = of_open(shared, revision);
     tell_others(shared, revision);
     diagnostics
@@ -179,26 +169,29 @@ pub(crate) fn look_at_everything_again(shared: &Arc<Shared>) {
 }
 
 /// What is found in a text that a person has open, without what is being typed. For a blocking thread.
-fn of_open(shared: &Shared, revision: &Revision) -> String {
+fn of_open(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
     let Some(analysis) = revision.analysis() else {
-        return list(&[too_large(revision)]);
+        return vec![too_large(revision)];
     };
-    let mut chosen = shown::shown(analysis, revision);
-    typed::without_waiting(shared, revision, &mut chosen.0);
-    shared.written.list(shared.agreed(), revision, analysis, chosen)
+    let (mut shown, left_out) = shown::shown(analysis, revision);
+    typed::without_waiting(shared, revision, &mut shown);
+    list(shared.agreed(), revision, &shown, left_out)
 }
 
-/// What is found in a text that nobody has open, as the JSON of a list. For a blocking thread.
-pub(crate) fn of_closed(agreed: Agreed, revision: &Revision) -> String {
-    match revision.analysis() {
-        Some(analysis) => written::list_once(agreed, revision, analysis, shown::shown(analysis, revision)),
-        None => list(&[too_large(revision)]),
-    }
+/// What is found in a text that nobody has open. For a blocking thread.
+pub(crate) fn of_closed(agreed: Agreed, revision: &Revision) -> Vec<Diagnostic> {
+    let Some(analysis) = revision.analysis() else {
+        return vec![too_large(revision)];
+    };
+    let (shown, left_out) = shown::shown(analysis, revision);
+    list(agreed, revision, &shown, left_out)
 }
 
-/// Diagnostics as the JSON of a list.
-pub(crate) fn list(items: &[Diagnostic]) -> String {
-    serde_json::to_string(items).unwrap_or_else(|_| "[]".into())
+/// The findings that are shown, in their order, and one that says how many are left out.
+fn list(agreed: Agreed, revision: &Revision, shown: &[Finding], left_out: usize) -> Vec<Diagnostic> {
+    let mut findings = Findings::of(agreed, revision);
+    let shown = shown.iter().map(|found| findings.diagnostic(&found.diagnostic()));
+    shown.chain(shown::rest(left_out)).collect()
 }
 
 pub(crate) fn too_large(revision: &Revision) -> Diagnostic {

@@ -13,15 +13,16 @@ use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{
     CreateFilesParams, DeleteFilesParams, DocumentChangeOperation, DocumentChanges, FileOperationFilter,
     FileOperationPattern, FileOperationPatternKind, FileOperationRegistrationOptions, RenameFilesParams,
-    WorkspaceEdit, WorkspaceFileOperationsClientCapabilities, WorkspaceFileOperationsServerCapabilities,
+    WorkspaceEdit, WorkspaceFileOperationsServerCapabilities,
 };
 
 use super::{diagnostics, folders};
 use crate::document::Revision;
 use crate::document::address::{path_of, uri_of};
 use crate::document::membership::Membership;
+use crate::lsp::session::agreed::Reported;
 use crate::lsp::transport::blocking::blocking;
-use crate::lsp::{convert, shared::Shared};
+use crate::lsp::{convert, session::shared::Shared};
 
 pub(crate) fn created(shared: &Arc<Shared>, params: &CreateFilesParams) {
     let paths = params.files.iter().filter_map(|file| path_of(&file.uri));
@@ -195,31 +196,6 @@ fn edit_of(shared: &Shared, changes: &[(Arc<Revision>, Edit)]) -> Option<Workspa
         }
     }
     Some(whole)
-}
-
-/// Which operations the client reports.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(crate) struct Reported {
-    /// Files that were made.
-    pub(crate) created: bool,
-    /// Files that are about to be renamed.
-    pub(crate) will_rename: bool,
-    /// Files that were renamed.
-    pub(crate) renamed: bool,
-    /// Files that were deleted.
-    pub(crate) deleted: bool,
-}
-
-impl Reported {
-    /// By what the client says it can.
-    pub(crate) fn by(client: Option<&WorkspaceFileOperationsClientCapabilities>) -> Reported {
-        client.map_or_else(Reported::default, |it| Reported {
-            created: it.did_create.unwrap_or(false),
-            will_rename: it.will_rename.unwrap_or(false),
-            renamed: it.did_rename.unwrap_or(false),
-            deleted: it.did_delete.unwrap_or(false),
-        })
-    }
 }
 
 /// What the client is asked to report files that come and go, if it does.

@@ -12,8 +12,8 @@ use tower_lsp::ls_types::{DidChangeWorkspaceFoldersParams, InitializeParams, Wor
 
 use super::{pull, settings_file};
 use crate::document::address::path_of;
-use crate::lsp::shared::Shared;
-use crate::lsp::transport::progress::Progress;
+use crate::lsp::documents::progress::Progress;
+use crate::lsp::session::shared::Shared;
 
 /// No more files and folders than these are looked at below one folder.
 const MOST: usize = 200_000;

@@ -1,18 +1,17 @@
 //! Open programs of other systems: their diagnostics, and the ladder text that they become for those who follow it.
 
-use std::collections::HashMap;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::Arc;
 
 use ladder_analysis::{Diagnostic as Finding, Severity};
 use ladder_interchange::notation::{Lines, Mark, ReadError};
 use ladder_syntax::{TextRange, TextSize};
 use tower_lsp::ls_types::Diagnostic;
 
-use super::diagnostic_json::Writer;
 use super::shown;
 use crate::document::Revision;
-use crate::lsp::capabilities::Agreed;
-use crate::lsp::{convert, shared::Shared};
+use crate::lsp::finding::Findings;
+use crate::lsp::session::agreed::Agreed;
+use crate::lsp::{convert, session::shared::Shared};
 use crate::notation::Opened;
 use crate::notation::messages::Previewed;
 
@@ -57,7 +56,7 @@ fn of_program(agreed: Agreed, revision: &Revision, opened: &Opened) -> Vec<Diagn
     all.extend(opened.findings().iter().map(Said::Finding));
     all.sort_by_key(Said::start);
     let (chosen, left_out) = shown::chosen(&all, revision.edited(), |said| (said.is_error(), said.start()));
-    let mut writer = Writer::new(agreed, revision);
+    let mut findings = Findings::of(agreed, revision);
     let mut items: Vec<Diagnostic> = Vec::with_capacity(chosen.len() + 1);
     for said in chosen {
         match said {
@@ -70,7 +69,7 @@ fn of_program(agreed: Agreed, revision: &Revision, opened: &Opened) -> Vec<Diagn
                     mark.message.clone(),
                 ));
             }
-            Said::Finding(finding) => items.extend(writer.typed(finding)),
+            Said::Finding(finding) => items.push(findings.diagnostic(finding)),
         }
     }
     items.extend(shown::rest(left_out));
@@ -90,45 +89,6 @@ fn of_broken(revision: &Revision, error: &ReadError) -> Vec<Diagnostic> {
         convert::diagnostic(range, Severity::Error, BAD_PROGRAM, (*message).to_owned())
     });
     items.chain(shown::rest(left_out)).collect()
-}
-
-/// Whose ladder text is followed: by address, with what was sent last.
-#[derive(Debug, Default)]
-pub(crate) struct Previews {
-    sent: Mutex<HashMap<String, String>>,
-}
-
-impl Previews {
-    /// Whether somebody follows the ladder text of a program.
-    pub(crate) fn follow(&self, uri: &str) -> bool {
-        self.lock().contains_key(uri)
-    }
-
-    /// From now on somebody does, who has this text.
-    pub(crate) fn begin(&self, uri: &str, text: &str) {
-        self.lock().insert(uri.to_owned(), text.to_owned());
-    }
-
-    /// The program is gone from the editor.
-    pub(crate) fn end(&self, uri: &str) {
-        self.lock().remove(uri);
-    }
-
-    /// Whether this is news to the one who follows. True once: it is sent then.
-    pub(crate) fn is_news(&self, previewed: &Previewed) -> bool {
-        let mut sent = self.lock();
-        let last = sent.get_mut(&previewed.uri);
-        let Some(last) = last.filter(|last| **last != previewed.text) else {
-            return false;
-        };
-        last.clone_from(&previewed.text);
-        true
-    }
-
-    /// A panic elsewhere leaves at worst a text that is sent twice.
-    fn lock(&self) -> MutexGuard<'_, HashMap<String, String>> {
-        self.sent.lock().unwrap_or_else(PoisonError::into_inner)
-    }
 }
 
 /// Tells the one who follows it the ladder text of a program, if it is another one now. One that cannot be read has none:

@@ -2,15 +2,14 @@
 
 pub(crate) mod companions;
 pub(crate) mod configuration;
-pub(crate) mod diagnostic_json;
 pub(crate) mod diagnostics;
 pub(crate) mod file_operations;
 pub(crate) mod folders;
 pub(crate) mod foreign;
+pub(crate) mod progress;
 pub(crate) mod pull;
 pub(crate) mod settings_file;
 pub(crate) mod shown;
 pub(crate) mod sync;
 pub(crate) mod typed;
 pub(crate) mod watch;
-pub(crate) mod written;

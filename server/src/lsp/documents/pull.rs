@@ -7,34 +7,33 @@ use std::collections::{BTreeMap, HashMap};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, PoisonError};
 use std::time::Duration;
 
-use ladder_analysis::Exported;
-use serde_json::Value;
 use tower_lsp::jsonrpc::{Error, Result};
 use tower_lsp::ls_types::{
-    DiagnosticOptions, DiagnosticServerCapabilities, DocumentDiagnosticParams, DocumentDiagnosticReport,
-    DocumentDiagnosticReportResult, RelatedFullDocumentDiagnosticReport, WorkDoneProgressOptions,
-    WorkspaceDiagnosticParams, WorkspaceDiagnosticReport, WorkspaceDiagnosticReportResult,
+    Diagnostic, DiagnosticOptions, DiagnosticServerCapabilities, DocumentDiagnosticParams,
+    DocumentDiagnosticReport, DocumentDiagnosticReportKind as Report, DocumentDiagnosticReportResult,
+    FullDocumentDiagnosticReport, RelatedFullDocumentDiagnosticReport,
+    RelatedUnchangedDocumentDiagnosticReport, UnchangedDocumentDiagnosticReport, Uri,
+    WorkDoneProgressOptions, WorkspaceDiagnosticParams, WorkspaceDiagnosticReport,
+    WorkspaceDiagnosticReportResult, WorkspaceDocumentDiagnosticReport,
+    WorkspaceFullDocumentDiagnosticReport, WorkspaceUnchangedDocumentDiagnosticReport,
 };
 
+use super::progress::Progress;
 use super::{companions, diagnostics, folders, settings_file, watch};
 use crate::document::Revision;
 use crate::document::address::{path_of, uri_of};
 use crate::document::membership::Membership;
-use crate::document::on_disk::OnDisk;
-use crate::lsp::shared::Shared;
-use crate::lsp::transport::{blocking::blocking, prepared, progress::Progress};
+use crate::lsp::transport::blocking::blocking;
+use crate::lsp::{convert, session::shared::Shared};
 
 /// Changes that come together are reported together.
 const GATHER: Duration = Duration::from_millis(50);
 
 /// A client that does not answer by then never will; nothing depends on it.
 const PATIENCE: Duration = Duration::from_secs(30);
-
-/// What was found in files that are not open, as long as they and what they see stay as they are.
-pub(crate) type Found = Mutex<HashMap<PathBuf, (Arc<OnDisk>, Arc<Exported>, Arc<str>)>>;
 
 /// What is offered to a client that asks for diagnostics.
 pub(crate) fn options() -> DiagnosticServerCapabilities {
@@ -76,29 +75,31 @@ pub(crate) async fn document(
     watch::look_around(shared);
     let beside = shared.clone();
     let previous = params.previous_result_id;
-    let report = blocking(move |_| {
+    blocking(move |_| {
         let shared = beside;
+        let previous = previous.as_deref();
         if let Some(revision) = shared.companions.get(uri.as_str()) {
-            let found = companions::diagnostics_of(&shared, &revision);
-            return report(&diagnostics::list(&found), previous.as_deref(), "");
+            return related(
+                report(&companions::diagnostics_of(&shared, &revision), previous),
+                None,
+            );
         }
         let Some(revision) = shared.documents.get(uri.as_str()) else {
             // Not open: as it is on disk, if it is known.
             let found = path_of(uri.as_str()).and_then(|path| on_disk(&shared, &path));
-            return report(found.as_deref().unwrap_or("[]"), previous.as_deref(), "");
+            return related(
+                report(found.as_deref().map_or(&[], Vec::as_slice), previous),
+                None,
+            );
         };
         let items = diagnostics::look_at(&shared, &revision);
         let place = revision.place().filter(|_| shared.agreed().related_documents);
         let settings = place.and_then(|place| settings_file::of_program(&shared, &place.path));
-        let related = settings.map(|(path, found)| {
-            let settings = report(&diagnostics::list(&found), None, "");
-            format!(",\"relatedDocuments\":{{\"{}\":{settings}}}", uri_of(&path))
-        });
-        report(&items, previous.as_deref(), &related.unwrap_or_default())
+        let settings = settings
+            .and_then(|(path, found)| Some([(convert::uri(&uri_of(&path))?, report(&found, None))].into()));
+        related(report(&items, previous), settings)
     })
-    .await?;
-    let unsent = DocumentDiagnosticReport::Full(RelatedFullDocumentDiagnosticReport::default());
-    prepared::answer_instead(unsent.into(), report)
+    .await
 }
 
 /// `workspace/diagnostic`: of the open documents, of the programs in the client's folders, of those beside open ones,
@@ -119,9 +120,9 @@ pub(crate) async fn workspace(
             .map(|it| (it.uri.as_str(), it.value.as_str()))
             .collect();
         // By address, so that the order is the same each time.
-        let mut found: BTreeMap<String, (Option<i32>, Arc<str>)> = BTreeMap::new();
+        let mut found: BTreeMap<String, (Option<i32>, Arc<Vec<Diagnostic>>)> = BTreeMap::new();
         for revision in shared.companions.all() {
-            let items = diagnostics::list(&companions::diagnostics_of(&shared, &revision));
+            let items = companions::diagnostics_of(&shared, &revision);
             found.insert(revision.uri.to_string(), (Some(revision.version), items.into()));
         }
         for revision in shared.documents.all() {
@@ -135,7 +136,7 @@ pub(crate) async fn workspace(
         for file in shared.neighbours.settings_files() {
             if !open.contains(&file.path) {
                 let items = settings_file::diagnostics(&file, shared.agreed().encoding);
-                found.insert(uri_of(&file.path), (None, diagnostics::list(&items).into()));
+                found.insert(uri_of(&file.path), (None, items.into()));
             }
         }
         let closed = shared.neighbours.closed_programs();
@@ -150,39 +151,75 @@ pub(crate) async fn workspace(
                 found.insert(uri_of(path), (None, items));
             }
         }
-        let reports = found.into_iter().map(|(uri, (version, items))| {
-            let version = version.map_or("null".to_owned(), |version| version.to_string());
-            let of_file = format!(",\"uri\":{},\"version\":{version}", Value::from(&*uri));
-            report(&items, known.get(&*uri).copied(), &of_file)
+        let reports = found.into_iter().filter_map(|(uri, (version, items))| {
+            let report = report(&items, known.get(&*uri).copied());
+            Some(of_file(convert::uri(&uri)?, version.map(i64::from), report))
         });
-        Some(format!(
-            "{{\"items\":[{}]}}",
-            reports.collect::<Vec<_>>().join(",")
-        ))
+        Some(WorkspaceDiagnosticReport {
+            items: reports.collect(),
+        })
     })
     .await?;
-    let unsent = WorkspaceDiagnosticReport { items: Vec::new() };
-    prepared::answer_instead(unsent.into(), reports.ok_or_else(Error::request_cancelled)?)
+    Ok(reports.ok_or_else(Error::request_cancelled)?.into())
 }
 
-/// The report of a list of diagnostics, with more members behind. The client may have this list already.
-fn report(items: &str, previous: Option<&str>, more: &str) -> String {
+/// The report of a list of diagnostics. The client may have this list already.
+fn report(items: &[Diagnostic], previous: Option<&str>) -> Report {
     let mut hasher = DefaultHasher::new();
-    items.hash(&mut hasher);
+    serde_json::to_string(items).unwrap_or_default().hash(&mut hasher);
     // The same for the same list, and for no other.
-    let identity = format!("{:016x}", hasher.finish());
-    if previous == Some(&*identity) {
-        return format!("{{\"kind\":\"unchanged\",\"resultId\":\"{identity}\"{more}}}");
+    let result_id = format!("{:016x}", hasher.finish());
+    if previous == Some(&*result_id) {
+        return UnchangedDocumentDiagnosticReport { result_id }.into();
     }
-    format!("{{\"kind\":\"full\",\"resultId\":\"{identity}\",\"items\":{items}{more}}}")
+    let report = FullDocumentDiagnosticReport {
+        result_id: Some(result_id),
+        items: items.to_vec(),
+    };
+    report.into()
 }
 
-/// What is found in a program that is not open, or in a settings file, as the JSON of a list. None if the file is not known.
-fn on_disk(shared: &Shared, path: &Path) -> Option<Arc<str>> {
+/// The answer about one file, with the reports of others.
+fn related(report: Report, others: Option<HashMap<Uri, Report>>) -> DocumentDiagnosticReportResult {
+    let report: DocumentDiagnosticReport = match report {
+        Report::Full(report) => RelatedFullDocumentDiagnosticReport {
+            related_documents: others,
+            full_document_diagnostic_report: report,
+        }
+        .into(),
+        Report::Unchanged(report) => RelatedUnchangedDocumentDiagnosticReport {
+            related_documents: others,
+            unchanged_document_diagnostic_report: report,
+        }
+        .into(),
+    };
+    report.into()
+}
+
+/// The part of an answer about a whole workspace that is about one file.
+fn of_file(uri: Uri, version: Option<i64>, report: Report) -> WorkspaceDocumentDiagnosticReport {
+    match report {
+        Report::Full(report) => WorkspaceFullDocumentDiagnosticReport {
+            uri,
+            version,
+            full_document_diagnostic_report: report,
+        }
+        .into(),
+        Report::Unchanged(report) => WorkspaceUnchangedDocumentDiagnosticReport {
+            uri,
+            version,
+            unchanged_document_diagnostic_report: report,
+        }
+        .into(),
+    }
+}
+
+/// What is found in a program that is not open, or in a settings file. None if the file is not known.
+fn on_disk(shared: &Shared, path: &Path) -> Option<Arc<Vec<Diagnostic>>> {
     let agreed = shared.agreed();
     let files = shared.neighbours.settings_files();
     if let Some(file) = files.iter().find(|file| file.path == path) {
-        return Some(diagnostics::list(&settings_file::diagnostics(file, agreed.encoding)).into());
+        return Some(settings_file::diagnostics(file, agreed.encoding).into());
     }
     let (file, exported) = shared.neighbours.closed_program(path)?;
     let lock = || shared.found.lock().unwrap_or_else(PoisonError::into_inner);
@@ -194,7 +231,7 @@ fn on_disk(shared: &Shared, path: &Path) -> Option<Arc<str>> {
     }
     let place = Membership::new(path.to_owned(), &shared.neighbours);
     let revision = Revision::on_disk(&uri_of(path), agreed.encoding, file.text(), place);
-    let found: Arc<str> = diagnostics::of_closed(agreed, &revision).into();
+    let found = Arc::new(diagnostics::of_closed(agreed, &revision));
     lock().insert(path.to_owned(), (file, exported, found.clone()));
     Some(found)
 }

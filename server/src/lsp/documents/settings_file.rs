@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, PoisonError};
 
 use ladder_analysis::Severity;
 use ladder_workspace::shown;
@@ -13,10 +13,7 @@ use super::companions::BAD_SETTING;
 use crate::document::SettingsFile;
 use crate::document::address::{path_of, uri_of};
 use crate::document::position::{self, Encoding};
-use crate::lsp::{convert, shared::Shared};
-
-/// What was sent to the client, by file: the mistakes that were there last.
-pub(crate) type Sent = Mutex<BTreeMap<PathBuf, Vec<Diagnostic>>>;
+use crate::lsp::{convert, session::shared::Shared};
 
 /// A settings file was closed: what was reported of it was withdrawn, and is reported again.
 pub(crate) fn tell_anew(shared: &Arc<Shared>, uri: &str) {

@@ -5,20 +5,17 @@
 
 use std::sync::Arc;
 
-use serde::Deserialize;
-use tower_lsp::jsonrpc::Request;
 use tower_lsp::ls_types::{
-    CancelParams, CreateFilesParams, DeleteFilesParams, DidChangeConfigurationParams,
-    DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidChangeWorkspaceFoldersParams,
-    DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams, RenameFilesParams,
-    TextDocumentContentChangeEvent, WillSaveTextDocumentParams,
+    DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidCloseTextDocumentParams,
+    DidOpenTextDocumentParams, DidSaveTextDocumentParams, TextDocumentContentChangeEvent,
+    WillSaveTextDocumentParams,
 };
 
 use super::{companions, diagnostics, typed, watch};
 use crate::document::edit::Change;
 use crate::document::membership::Membership;
 use crate::document::{ChangeRefused, Kind, address};
-use crate::lsp::{convert::our_range, shared::Shared};
+use crate::lsp::{convert::our_range, session::shared::Shared};
 
 pub(crate) fn opened(shared: &Arc<Shared>, params: DidOpenTextDocumentParams) {
     let document = params.text_document;
@@ -132,29 +129,4 @@ fn change(event: TextDocumentContentChangeEvent) -> Change {
         },
         None => Change::Whole(event.text),
     }
-}
-
-/// What is wrong with the parameters of a notification, if anything. The framework drops such a notification
-/// without a word, and an editor would never learn why its changes have no effect.
-pub(crate) fn misread(notification: &Request) -> Option<String> {
-    let params = notification.params()?;
-    let error = match notification.method() {
-        "textDocument/didOpen" => DidOpenTextDocumentParams::deserialize(params).err(),
-        "textDocument/didChange" => DidChangeTextDocumentParams::deserialize(params).err(),
-        "workspace/didChangeConfiguration" => DidChangeConfigurationParams::deserialize(params).err(),
-        "workspace/didCreateFiles" => CreateFilesParams::deserialize(params).err(),
-        "workspace/didRenameFiles" => RenameFilesParams::deserialize(params).err(),
-        "workspace/didDeleteFiles" => DeleteFilesParams::deserialize(params).err(),
-        "workspace/didChangeWatchedFiles" => DidChangeWatchedFilesParams::deserialize(params).err(),
-        "textDocument/willSave" => WillSaveTextDocumentParams::deserialize(params).err(),
-        "textDocument/didSave" => DidSaveTextDocumentParams::deserialize(params).err(),
-        "workspace/didChangeWorkspaceFolders" => DidChangeWorkspaceFoldersParams::deserialize(params).err(),
-        "textDocument/didClose" => DidCloseTextDocumentParams::deserialize(params).err(),
-        "$/cancelRequest" => CancelParams::deserialize(params).err(),
-        _ => None,
-    }?;
-    Some(format!(
-        "{} was ignored, its parameters make no sense: {error}",
-        notification.method()
-    ))
 }

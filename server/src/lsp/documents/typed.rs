@@ -6,21 +6,19 @@
 //!
 //! An editor that saves by itself after a while does so in the middle of a rung: that ends nothing.
 
-use std::collections::HashMap;
-use std::mem;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use ladder_analysis::Finding;
 use ladder_analysis::context::Context;
 use ladder_syntax::{Parse, TextRange, TextSize};
 use tower_lsp::jsonrpc::Result;
-use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny, TextDocumentSaveReason};
+use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
 use super::{diagnostics, pull};
 use crate::document::Revision;
 use crate::document::position::Position;
 use crate::lsp::features::simulate::error;
-use crate::lsp::shared::Shared;
+use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
 use crate::simulation::argument_of;
 use crate::typing_messages::Cursor;
@@ -30,77 +28,6 @@ pub(crate) const CURSOR: &str = "ladder.cursor";
 
 /// A comment that is open for this many lines was forgotten.
 const LONGEST_COMMENT: u32 = 20;
-
-/// What is known of a document in which a person types.
-#[derive(Debug, Default)]
-struct Typing {
-    /// The line of the change that waits to be looked at.
-    line: Option<u32>,
-    /// The editor is about to save the document by itself.
-    saves_itself: bool,
-}
-
-/// The documents whose client says where its cursor is.
-#[derive(Debug, Default)]
-pub(crate) struct Typed(Mutex<HashMap<String, Typing>>);
-
-impl Typed {
-    fn with<T>(&self, job: impl FnOnce(&mut HashMap<String, Typing>) -> T) -> T {
-        job(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
-    }
-
-    /// A document was changed.
-    pub(crate) fn changed(&self, revision: &Revision) {
-        let line = revision.line_of(revision.edited());
-        self.with(|typed| {
-            if let Some(typing) = typed.get_mut(&*revision.uri) {
-                typing.line = Some(line);
-            }
-        });
-    }
-
-    /// A client says where its cursor is in a document. Gives the line of the change that waits there.
-    fn follow(&self, uri: &str) -> Option<u32> {
-        self.with(|typed| typed.entry(uri.to_owned()).or_default().line)
-    }
-
-    /// The line of the change that waits.
-    fn waiting(&self, uri: &str) -> Option<u32> {
-        self.with(|typed| typed.get(uri)?.line)
-    }
-
-    /// Nothing waits any longer; whether something did.
-    fn release(&self, uri: &str) -> bool {
-        self.with(|typed| {
-            typed
-                .get_mut(uri)
-                .is_some_and(|typing| typing.line.take().is_some())
-        })
-    }
-
-    /// A document is about to be saved.
-    pub(crate) fn will_save(&self, uri: &str, reason: TextDocumentSaveReason) {
-        self.with(|typed| {
-            if let Some(typing) = typed.get_mut(uri) {
-                typing.saves_itself = reason == TextDocumentSaveReason::AFTER_DELAY;
-            }
-        });
-    }
-
-    /// A document was saved: whether its editor did that by itself.
-    fn saved_itself(&self, uri: &str) -> bool {
-        self.with(|typed| {
-            typed
-                .get_mut(uri)
-                .is_some_and(|typing| mem::take(&mut typing.saves_itself))
-        })
-    }
-
-    /// A document was closed.
-    pub(crate) fn forget(&self, uri: &str) {
-        self.with(|typed| typed.remove(uri));
-    }
-}
 
 /// Where the comment or the section begins that goes on in a line.
 fn begun_above(revision: &Revision, parse: &Parse, line: u32) -> Option<TextSize> {

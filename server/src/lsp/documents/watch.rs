@@ -8,7 +8,7 @@ use serde_json::json;
 use tower_lsp::ls_types::Registration;
 
 use super::diagnostics;
-use crate::lsp::shared::Shared;
+use crate::lsp::session::shared::Shared;
 
 /// A client that does not answer by then never will; nothing depends on it.
 const PATIENCE: Duration = Duration::from_secs(30);

@@ -10,7 +10,7 @@ use tower_lsp::ls_types::{Location, Position, Range, TextDocumentPositionParams,
 use crate::document::Revision;
 use crate::document::elsewhere::{Elsewhere, FileText};
 use crate::lsp::transport::blocking::blocking;
-use crate::lsp::{convert, shared::Shared};
+use crate::lsp::{convert, session::shared::Shared};
 use ladder_analysis::context::Context;
 use ladder_syntax::{TextRange, TextSize};
 

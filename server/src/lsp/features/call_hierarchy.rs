@@ -11,7 +11,7 @@ use tower_lsp::ls_types::{
 };
 
 use super::asked::{Asked, Places, about, about_place};
-use crate::lsp::shared::Shared;
+use crate::lsp::session::shared::Shared;
 use ladder_ide::{Caller, CallerKind, Calls, Target, callers_at, incoming_calls, outgoing_calls};
 use ladder_syntax::TextRange;
 

@@ -11,17 +11,20 @@ use tower_lsp::ls_types::{
     CodeActionResponse,
 };
 
+use super::conversion;
 use crate::document::Revision;
 use crate::language::Analysis;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{
-    capabilities::{Agreed, FIX_ALL},
     convert,
-    documents::diagnostic_json::Writer,
-    shared::Shared,
+    finding::Findings,
+    session::{agreed::Agreed, shared::Shared},
 };
 use ladder_ide::{Action, ActionKind};
 use ladder_syntax::{TextRange, TextSize};
+
+/// The kind of the action that applies every sure fix of a file.
+pub(crate) const FIX_ALL: CodeActionKind = CodeActionKind::new("source.fixAll.ladder");
 
 /// The kinds of actions, and how the protocol calls them.
 pub(crate) static KINDS: [(ActionKind, CodeActionKind); 5] = [
@@ -67,7 +70,17 @@ pub(crate) async fn code_action(
             .iter()
             .filter(|action| action.disabled.is_none() || agreed.disabled_actions)
             .map(|action| offer(agreed, &revision, analysis, range, action, text.as_deref()));
-        Some(shown.collect())
+        let conversion = conversion::place(analysis)
+            .filter(|place| {
+                wanted(&params.context, &name(ActionKind::QuickFix)) && place.intersect(problems).is_some()
+            })
+            .map(|_| conversion::action(agreed, &revision, analysis))
+            .filter(|action| action.disabled.is_none() || agreed.disabled_actions);
+        Some(
+            shown
+                .chain(conversion.map(CodeActionOrCommand::CodeAction))
+                .collect(),
+        )
     })
     .await
 }
@@ -147,10 +160,8 @@ fn offer(
     CodeActionOrCommand::CodeAction(CodeAction {
         title: action.title.clone(),
         kind: Some(name(action.kind)),
-        diagnostics: finding.map(|finding| {
-            let typed = Writer::new(agreed, revision).typed(&finding.diagnostic());
-            typed.into_iter().collect()
-        }),
+        diagnostics: finding
+            .map(|finding| vec![Findings::of(agreed, revision).diagnostic(&finding.diagnostic())]),
         edit: now.and_then(|text| edit(agreed, revision, analysis, action, text)),
         is_preferred: finding.map(|_| action.preferred),
         disabled: action

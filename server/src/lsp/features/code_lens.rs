@@ -7,60 +7,14 @@ use ladder_syntax::{TextRange, TextSize};
 use serde_json::{Value, json};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{
-    ClientCapabilities, CodeLens, CodeLensOptions, CodeLensParams, Command, Location, TextDocumentIdentifier,
-    TextDocumentPositionParams,
+    CodeLens, CodeLensParams, Command, Location, TextDocumentIdentifier, TextDocumentPositionParams,
 };
 
 use super::asked::{Places, about_place};
 use crate::document::{Revision, address};
+use crate::lsp::session::commands::{SHOW, START, TEST};
 use crate::lsp::transport::blocking::blocking;
-use crate::lsp::{convert, shared::Shared};
-
-/// Starts a simulation of the program with this address.
-const START: &str = "ladder.simulation.start";
-/// Runs the scenarios in the file with this address.
-const TEST: &str = "ladder.test";
-/// Shows places: an address, a position, and the places.
-const SHOW: &str = "ladder.showReferences";
-
-/// Which commands of lenses the client can run.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(crate) struct Commands {
-    start: bool,
-    test: bool,
-    show: bool,
-}
-
-/// Whether the client names a command in `experimental.commands`.
-pub(crate) fn names_command(client: &ClientCapabilities, name: &str) -> bool {
-    let named = client
-        .experimental
-        .as_ref()
-        .and_then(|it| it["commands"].as_array());
-    named.is_some_and(|named| named.iter().any(|it| it == name))
-}
-
-impl Commands {
-    /// What the client names in `experimental.commands`.
-    pub(crate) fn of(client: &ClientCapabilities) -> Commands {
-        Commands {
-            start: names_command(client, START),
-            test: names_command(client, TEST),
-            show: names_command(client, SHOW),
-        }
-    }
-
-    fn any(self) -> bool {
-        self.start || self.test || self.show
-    }
-
-    /// What the server offers to such a client.
-    pub(crate) fn options(self) -> Option<CodeLensOptions> {
-        self.any().then_some(CodeLensOptions {
-            resolve_provider: Some(true),
-        })
-    }
-}
+use crate::lsp::{convert, session::shared::Shared};
 
 pub(crate) async fn code_lens(shared: &Arc<Shared>, params: CodeLensParams) -> Result<Option<Vec<CodeLens>>> {
     let commands = shared.agreed().lens_commands;

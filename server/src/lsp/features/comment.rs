@@ -9,7 +9,7 @@ use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
 use super::simulate::{error, json};
 use crate::document::Revision;
-use crate::lsp::shared::Shared;
+use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
 use crate::simulation::messages::Lines;
 use crate::simulation::{Failure, argument_of};

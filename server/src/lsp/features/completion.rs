@@ -9,31 +9,23 @@ use ladder_workspace::is_program;
 use serde_json::{Value, json};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{
-    ClientCapabilities, Command, CompletionItem, CompletionItemKind, CompletionList, CompletionOptions,
-    CompletionParams, CompletionResponse, CompletionTextEdit, Documentation, InsertTextFormat,
-    InsertTextMode, Position, Range, TextEdit,
+    Command, CompletionItem, CompletionItemKind, CompletionList, CompletionOptions, CompletionParams,
+    CompletionResponse, CompletionTextEdit, Documentation, InsertTextFormat, InsertTextMode, Position, Range,
+    TextEdit,
 };
 
-use super::code_lens::names_command;
 use super::of_scenarios::{about_scenarios, scenarios_at};
 use crate::document::Revision;
 use crate::language::Names;
-use crate::lsp::transport::{blocking::blocking, prepared};
-use crate::lsp::{capabilities::Agreed, convert, markup, shared::Shared};
+use crate::lsp::session::commands::CUT;
+use crate::lsp::transport::blocking::blocking;
+use crate::lsp::{convert, markup, session::agreed::Agreed, session::shared::Shared};
 
 /// The characters that open a list by themselves. Which of them do so in which place is for `ladder-ide` to say.
 const TRIGGERS: [&str; 8] = ["[", "(", "<", ".", "$", "%", ",", ":"];
 
 /// This many files of a folder are looked at.
 const MOST_FILES: usize = 10_000;
-
-/// Cuts what was behind the cursor and belongs to what was accepted: the text, and what is behind it on its line.
-const CUT: &str = "ladder.completion.cut";
-
-/// Whether the client names the command that cuts, because it replaces nothing behind the cursor by itself.
-pub(crate) fn cuts_behind(client: &ClientCapabilities) -> bool {
-    names_command(client, CUT)
-}
 
 /// What the server offers. A client that cannot ask for documentation later is not asked to: some wait for the answer
 /// before they insert what was accepted.
@@ -59,7 +51,7 @@ pub(crate) async fn completion(
     let Some(revision) = shared.documents.get(place.text_document.uri.as_str()) else {
         return Ok(None);
     };
-    let list = blocking(move |_| {
+    blocking(move |_| {
         let names = revision.names()?;
         let offset = revision.offset(convert::our_position(place.position));
         let found = names.completions(offset, trigger);
@@ -74,16 +66,12 @@ pub(crate) async fn completion(
                 ..proposed.item(item)
             }
         });
-        serde_json::to_string(&CompletionList {
+        Some(CompletionResponse::List(CompletionList {
             is_incomplete: found.cut,
             items: items.collect(),
-        })
-        .ok()
-    });
-    match list.await? {
-        Some(list) => prepared::answer(list),
-        None => Ok(None),
-    }
+        }))
+    })
+    .await
 }
 
 /// As for a program, but that tags are documented at once: they are those of another file.

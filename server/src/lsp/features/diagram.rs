@@ -7,7 +7,7 @@ use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
 use super::simulate::{error, json};
 use crate::diagram::{Diagram, draw};
-use crate::lsp::shared::Shared;
+use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
 use crate::simulation::{Failure, argument_of};
 

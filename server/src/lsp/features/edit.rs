@@ -10,7 +10,7 @@ use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
 use super::simulate::{error, json};
 use crate::document::position;
-use crate::lsp::shared::Shared;
+use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
 use crate::simulation::{Failure, argument_of};
 use crate::typing_messages::{EditDrawing, EditKind, EditedDrawing, Replacement};

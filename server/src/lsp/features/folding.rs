@@ -8,7 +8,7 @@ use tower_lsp::ls_types::{
 };
 
 use super::asked::about;
-use crate::lsp::{convert, shared::Shared};
+use crate::lsp::{convert, session::shared::Shared};
 use ladder_ide::{folds, selections};
 
 pub(crate) async fn folding_ranges(

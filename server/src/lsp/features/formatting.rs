@@ -13,7 +13,7 @@ use tower_lsp::ls_types::{
 use super::of_scenarios::scenarios_at;
 use crate::document::{Kind, Revision};
 use crate::lsp::transport::blocking::blocking;
-use crate::lsp::{convert, shared::Shared};
+use crate::lsp::{convert, session::shared::Shared};
 use ladder_format::{Edit, format_ranges};
 use ladder_ide::{on_type, scenario_layout, scenario_on_type};
 use ladder_syntax::TextRange;

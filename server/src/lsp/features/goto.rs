@@ -7,7 +7,7 @@ use tower_lsp::ls_types::{GotoDefinitionParams, GotoDefinitionResponse, Location
 
 use super::asked::{Asked, Places, about_place};
 use super::of_scenarios::{about_scenarios, scenarios_at};
-use crate::lsp::{capabilities::Links, shared::Shared};
+use crate::lsp::session::{agreed::Links, shared::Shared};
 use ladder_analysis::context::Context;
 use ladder_ide::{Target, Workspace};
 use ladder_syntax::TextSize;

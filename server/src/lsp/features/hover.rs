@@ -7,7 +7,7 @@ use tower_lsp::ls_types::{Hover, HoverContents, HoverParams};
 
 use super::asked::about_place;
 use super::{foreign_hover, of_scenarios, simulate};
-use crate::lsp::{convert, markup, shared::Shared};
+use crate::lsp::{convert, markup, session::shared::Shared};
 
 pub(crate) async fn hover(shared: &Arc<Shared>, params: HoverParams) -> Result<Option<Hover>> {
     let markdown = shared.agreed().markdown;

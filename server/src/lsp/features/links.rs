@@ -7,7 +7,7 @@ use tower_lsp::ls_types::{DocumentLink, DocumentLinkParams};
 
 use super::asked::about;
 use crate::document::address;
-use crate::lsp::{convert, shared::Shared};
+use crate::lsp::{convert, session::shared::Shared};
 use ladder_ide::{LinkTarget, links};
 use ladder_workspace::Named;
 

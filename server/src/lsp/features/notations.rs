@@ -11,7 +11,7 @@ use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 use super::simulate::{error, json};
 use crate::document::Kind;
 use crate::document::address::path_of;
-use crate::lsp::shared::Shared;
+use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
 use crate::notation::messages::{Convert, Nothing};
 use crate::notation::{Task, known, translate};

@@ -13,7 +13,7 @@ use crate::document::elsewhere::Elsewhere;
 use crate::document::membership::Membership;
 use crate::document::{Kind, Revision, address};
 use crate::lsp::transport::blocking::blocking;
-use crate::lsp::{convert, shared::Shared};
+use crate::lsp::{convert, session::shared::Shared};
 use ladder_ide::{Alone, Scenarios};
 use ladder_simulator::scenario::{self, Suite};
 use ladder_syntax::TextSize;

@@ -7,7 +7,7 @@ use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
 use super::simulate::{error, json};
 use crate::lsp::documents::foreign;
-use crate::lsp::shared::Shared;
+use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
 use crate::notation::messages::Preview;
 use crate::simulation::{Failure, argument_of};

@@ -12,8 +12,7 @@ use tower_lsp::ls_types::{
 use super::asked::{Asked, Places, about_place};
 use super::of_scenarios::{about_scenarios, scenarios_at};
 use crate::document::Revision;
-use crate::lsp::transport::prepared;
-use crate::lsp::{convert, shared::Shared};
+use crate::lsp::{convert, session::shared::Shared};
 use ladder_ide::{Renamable, RenameRefused, Renamed};
 
 /// `RequestFailed`: the request made sense, and cannot be done.
@@ -67,7 +66,7 @@ pub(crate) async fn rename(shared: &Arc<Shared>, params: RenameParams) -> Result
                 let options = asked.revision.format_options();
                 let offset = scenarios.offset(place.position);
                 let files = ladder_ide::rename_in_scenario(&scenarios.read(), offset, &new, &options);
-                Some(files.map(|files| written(asked, files, versioned)))
+                Some(files.map(|files| edit(asked, files, versioned)))
             })
             .await?
         }
@@ -75,14 +74,14 @@ pub(crate) async fn rename(shared: &Arc<Shared>, params: RenameParams) -> Result
             about_place(shared, place, move |asked, offset| {
                 let options = asked.revision.format_options();
                 let files = ladder_ide::rename(&asked.context, offset, &new, &asked.elsewhere, &options);
-                Some(files.map(|files| written(asked, files, versioned)))
+                Some(files.map(|files| edit(asked, files, versioned)))
             })
             .await?
         }
     };
-    let (text, open) = match renamed {
+    let (edit, open) = match renamed {
         Some(Err(why)) => return Err(refused(why)),
-        Some(Ok((text, open))) => (text.map_err(|_| Error::internal_error())?, open),
+        Some(Ok(renamed)) => renamed,
         None => return Ok(None),
     };
     // Edits of a text that has moved on would tear it.
@@ -90,18 +89,14 @@ pub(crate) async fn rename(shared: &Arc<Shared>, params: RenameParams) -> Result
     if open.any(|it| !shared.documents.shows(it) && !shared.companions.shows(it)) {
         return Err(Error::content_modified());
     }
-    prepared::answer(text)
+    Ok(Some(edit))
 }
 
-/// The edit as it is sent, and the open documents that it changes.
-fn written(
-    asked: &Asked,
-    files: Vec<Renamed>,
-    versioned: bool,
-) -> (serde_json::Result<String>, Vec<Arc<Revision>>) {
+/// The edit, and the open documents that it changes.
+fn edit(asked: &Asked, files: Vec<Renamed>, versioned: bool) -> (WorkspaceEdit, Vec<Arc<Revision>>) {
     let changes = changes(asked, files);
     let open = changes.iter().filter_map(|(_, open, _)| open.clone()).collect();
-    (serde_json::to_string(&workspace_edit(versioned, changes)), open)
+    (workspace_edit(versioned, changes), open)
 }
 
 fn refused(why: RenameRefused) -> Error {

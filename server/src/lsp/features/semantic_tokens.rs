@@ -1,63 +1,23 @@
 //! `textDocument/semanticTokens/full`, `/full/delta` and `/range`.
 
-use std::collections::HashMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use ladder_ide::{Modifiers, Token, TokenKind};
 use ladder_syntax::TextRange;
-use serde::de::DeserializeOwned;
-use serde::{Serialize, Serializer};
-use tower_lsp::jsonrpc::{Error, Result};
+use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{
-    SemanticToken, SemanticTokenModifier, SemanticTokenType, SemanticTokensDelta, SemanticTokensDeltaParams,
-    SemanticTokensEdit, SemanticTokensFullDeltaResult, SemanticTokensFullOptions, SemanticTokensLegend,
-    SemanticTokensOptions, SemanticTokensParams, SemanticTokensRangeParams, SemanticTokensRangeResult,
-    SemanticTokensResult, SemanticTokensServerCapabilities,
+    SemanticToken, SemanticTokenModifier, SemanticTokenType, SemanticTokens, SemanticTokensDelta,
+    SemanticTokensDeltaParams, SemanticTokensEdit, SemanticTokensFullDeltaResult, SemanticTokensFullOptions,
+    SemanticTokensLegend, SemanticTokensOptions, SemanticTokensParams, SemanticTokensRangeParams,
+    SemanticTokensRangeResult, SemanticTokensResult, SemanticTokensServerCapabilities,
 };
 
-use crate::Position;
 use crate::document::Revision;
+use crate::document::position::{self, Position};
 use crate::document::sweep::Sweep;
 use crate::document::together;
-use crate::lsp::features::packed_tokens::Packed;
 use crate::lsp::transport::blocking::blocking;
-use crate::lsp::transport::prepared;
-use crate::lsp::{convert, shared::Shared};
-
-/// The tokens that were last sent of each document, so that only what changes is sent again.
-#[derive(Debug, Default)]
-pub(crate) struct TokensSent {
-    by_uri: Mutex<HashMap<String, Last>>,
-}
-
-#[derive(Debug)]
-struct Last {
-    id: u64,
-    tokens: Arc<Packed>,
-}
-
-impl TokensSent {
-    /// Keeps what is sent now, and gives it a name.
-    fn keep(&self, uri: &str, tokens: Arc<Packed>) -> String {
-        let mut sent = self.by_uri.lock().unwrap_or_else(PoisonError::into_inner);
-        let id = sent.get(uri).map_or(1, |last| last.id + 1);
-        sent.insert(uri.to_owned(), Last { id, tokens });
-        id.to_string()
-    }
-
-    /// What was sent by this name, if it was the last.
-    fn last(&self, uri: &str, id: &str) -> Option<Arc<Packed>> {
-        let sent = self.by_uri.lock().unwrap_or_else(PoisonError::into_inner);
-        let last = sent.get(uri).filter(|last| last.id.to_string() == id)?;
-        Some(last.tokens.clone())
-    }
-
-    /// The document is closed.
-    pub(crate) fn forget(&self, uri: &str) {
-        let mut sent = self.by_uri.lock().unwrap_or_else(PoisonError::into_inner);
-        sent.remove(uri);
-    }
-}
+use crate::lsp::{convert, session::shared::Shared};
 
 /// What the server offers.
 pub(crate) fn options() -> SemanticTokensServerCapabilities {
@@ -85,39 +45,15 @@ pub(crate) async fn full(
         return Ok(None);
     };
     let result_id = Some(shared.tokens_sent.keep(uri, tokens.clone()));
-    all(result_id, &tokens)
+    Ok(Some(SemanticTokensResult::Tokens(all(result_id, &tokens))))
 }
 
-/// As [`SemanticTokens`](tower_lsp::ls_types::SemanticTokens).
-#[derive(Serialize)]
-#[serde(rename_all = "camelCase")]
-struct All<'t> {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    result_id: Option<String>,
-    data: Numbers<'t>,
-}
-
-/// Five numbers for each token.
-struct Numbers<'t>(&'t Packed);
-
-impl Serialize for Numbers<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
-        serializer.collect_seq(self.0.numbers())
-    }
-}
-
-/// A token usually takes this many bytes of JSON, or a few less.
-const BYTES_EACH: usize = 14;
-
-/// Answers with all of these tokens.
-fn all<T: DeserializeOwned>(result_id: Option<String>, tokens: &Packed) -> Result<Option<T>> {
-    let all = All {
+/// All of these tokens, as they are sent.
+fn all(result_id: Option<String>, tokens: &[SemanticToken]) -> SemanticTokens {
+    SemanticTokens {
         result_id,
-        data: Numbers(tokens),
-    };
-    let mut json = Vec::with_capacity(tokens.len() * BYTES_EACH);
-    serde_json::to_writer(&mut json, &all).map_err(|_| Error::internal_error())?;
-    prepared::answer(String::from_utf8(json).map_err(|_| Error::internal_error())?)
+        data: tokens.to_vec(),
+    }
 }
 
 pub(crate) async fn delta(
@@ -131,7 +67,7 @@ pub(crate) async fn delta(
     let old = shared.tokens_sent.last(uri, &params.previous_result_id);
     let result_id = Some(shared.tokens_sent.keep(uri, new.clone()));
     let Some(old) = old else {
-        return all(result_id, &new);
+        return Ok(Some(SemanticTokensFullDeltaResult::Tokens(all(result_id, &new))));
     };
     Ok(Some(SemanticTokensFullDeltaResult::TokensDelta(
         SemanticTokensDelta {
@@ -147,13 +83,14 @@ pub(crate) async fn range(
 ) -> Result<Option<SemanticTokensRangeResult>> {
     let range = convert::our_range(params.range);
     let tokens = tokens(shared, params.text_document.uri.as_str(), Some(range)).await?;
-    match tokens {
-        Some(tokens) => all(None, &tokens),
-        None => Ok(None),
-    }
+    Ok(tokens.map(|tokens| SemanticTokensRangeResult::Tokens(all(None, &tokens))))
 }
 
-async fn tokens(shared: &Arc<Shared>, uri: &str, range: Option<crate::Range>) -> Result<Option<Arc<Packed>>> {
+async fn tokens(
+    shared: &Arc<Shared>,
+    uri: &str,
+    range: Option<position::Range>,
+) -> Result<Option<Arc<Vec<SemanticToken>>>> {
     let Some(revision) = shared.documents.get(uri) else {
         return Ok(None);
     };
@@ -182,22 +119,20 @@ async fn tokens(shared: &Arc<Shared>, uri: &str, range: Option<crate::Range>) ->
 const STRETCH: usize = 256;
 
 /// The tokens of stretches, each behind the one before it.
-fn joined(stretches: Vec<Encoded>) -> Arc<Packed> {
-    let mut all = Packed::default();
+fn joined(stretches: Vec<Encoded>) -> Arc<Vec<SemanticToken>> {
+    let mut all = Vec::new();
     let mut last = Position::default();
     for stretch in stretches {
         let Some(first) = stretch.tokens.first() else {
             continue;
         };
         let same_line = first.delta_line == last.line;
-        all.push(&SemanticToken {
+        all.push(SemanticToken {
             delta_line: first.delta_line - last.line,
             delta_start: first.delta_start - if same_line { last.character } else { 0 },
             ..*first
         });
-        for token in &stretch.tokens[1..] {
-            all.push(token);
-        }
+        all.extend_from_slice(&stretch.tokens[1..]);
         last = stretch.last;
     }
     Arc::new(all)
@@ -232,7 +167,7 @@ fn encoded(revision: &Revision, tokens: &[Token], several_lines: bool) -> Encode
             let length = if end.line == start.line {
                 end.character - start.character
             } else {
-                crate::document::position::length(&text[from..to], revision.encoding())
+                position::length(&text[from..to], revision.encoding())
             };
             let same_line = start.line == before.line;
             out.push(SemanticToken {
@@ -265,10 +200,9 @@ fn encoded(revision: &Revision, tokens: &[Token], several_lines: bool) -> Encode
 }
 
 /// The one stretch that differs, in numbers: five for each token.
-fn difference(old: &Packed, new: &Packed) -> Option<SemanticTokensEdit> {
-    let before = old.iter().zip(new.iter()).take_while(|(a, b)| a == b).count();
-    let rest = |tokens: &Packed| -> Vec<SemanticToken> { tokens.iter().skip(before).collect() };
-    let (old, new) = (rest(old), rest(new));
+fn difference(old: &[SemanticToken], new: &[SemanticToken]) -> Option<SemanticTokensEdit> {
+    let before = old.iter().zip(new).take_while(|(a, b)| a == b).count();
+    let (old, new) = (&old[before..], &new[before..]);
     let behind = old
         .iter()
         .rev()
@@ -296,15 +230,8 @@ mod tests {
             };
             numbers.iter().map(token).collect()
         };
-        let packed = |numbers: &[u32]| {
-            let mut all = Packed::default();
-            for token in &tokens(numbers) {
-                all.push(token);
-            }
-            all
-        };
         let check = |old: &[u32], new: &[u32], expected: Option<(u32, u32, &[u32])>| {
-            let found = difference(&packed(old), &packed(new));
+            let found = difference(&tokens(old), &tokens(new));
             let expected = expected.map(|(start, delete_count, data)| SemanticTokensEdit {
                 start,
                 delete_count,

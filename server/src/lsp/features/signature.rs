@@ -10,7 +10,7 @@ use tower_lsp::ls_types::{
 };
 
 use crate::lsp::transport::blocking::blocking;
-use crate::lsp::{capabilities::Agreed, convert, markup, shared::Shared};
+use crate::lsp::{convert, markup, session::agreed::Agreed, session::shared::Shared};
 
 /// What the server offers.
 pub(crate) fn options() -> SignatureHelpOptions {

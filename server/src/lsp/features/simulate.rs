@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 use serde_json::Value;
-use tokio::sync::{oneshot, watch};
+use tokio::sync::watch;
 use tower_lsp::Client;
 use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
 use tower_lsp::ls_types::notification::Notification;
@@ -12,8 +12,8 @@ use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny, Position};
 
 use crate::cancel::Cancel;
 use crate::lsp::convert;
-use crate::lsp::shared::Shared;
-use crate::lsp::transport::{blocking::blocking, prepared};
+use crate::lsp::session::shared::Shared;
+use crate::lsp::transport::{answered::answered, blocking::blocking};
 use crate::simulation::messages::{OfSession, Show, Shown, Start, Started, State, Status, Stopped};
 use crate::simulation::{Action, Answer, Failure, Given, Pace, REPORT, Request, Session, status_text};
 
@@ -156,14 +156,13 @@ async fn start(shared: &Arc<Shared>, Start { uri, options }: Start) -> Result<Op
     let mut state = states.borrow().clone();
     // All of what is shown.
     state.delta = false;
-    let (on_its_way, answered) = oneshot::channel();
-    tokio::spawn(report(
-        shared.client.clone(),
-        state.clone(),
-        states,
-        deltas,
-        answered,
-    ));
+    let reports = report(shared.client.clone(), state.clone(), states, deltas);
+    // A client that does not know the session yet would not take a state, and would wait for the next one for ever.
+    let answered = answered();
+    tokio::spawn(async {
+        answered.await;
+        reports.await;
+    });
     // A change may have come while the program was compiled, when nobody could tell the session.
     if let Some(newest) = shared.documents.get(&uri)
         && !newest.is(&revision)
@@ -175,8 +174,7 @@ async fn start(shared: &Arc<Shared>, Start { uri, options }: Start) -> Result<Op
         state,
         notes,
     };
-    let text = serde_json::to_string(&started).map_err(|_| Error::internal_error())?;
-    prepared::answer_ahead(text, on_its_way)
+    json(&started).map(Some)
 }
 
 /// Why there is nothing to simulate.
@@ -222,19 +220,9 @@ async fn answer(session: &Session, action: Action) -> Result<Answer> {
 }
 
 /// Sends states to the client: the newest, at most one in each interval, and the last one always. With `deltas` only
-/// what has changed since the one before; the first behind an answer is whole, for it may be older than that.
-///
-/// None goes out before the answer to the start, with the state `before`: a client that does not know the session yet
-/// would not take it, and would wait for the next one for ever.
-async fn report(
-    client: Client,
-    mut before: State,
-    mut states: watch::Receiver<State>,
-    deltas: bool,
-    answered: oneshot::Receiver<()>,
-) {
-    // Nothing is sent from the other end; it is dropped.
-    let _ = answered.await;
+/// what has changed since the one before, which at first is `before`; the first after an answer is whole, for it may be
+/// older than that.
+async fn report(client: Client, mut before: State, mut states: watch::Receiver<State>, deltas: bool) {
     while states.changed().await.is_ok() {
         let state = states.borrow_and_update().clone();
         if state.commands.is_some() {
@@ -286,14 +274,12 @@ mod tests {
 
     use futures::StreamExt;
     use serde_json::json;
-    use tokio::io::AsyncWriteExt;
-    use tower::{Service, ServiceExt};
+    use tower::Service;
     use tower_lsp::LspService;
-    use tower_lsp::jsonrpc::Response;
 
     use super::*;
     use crate::lsp::backend::Backend;
-    use crate::lsp::transport::{guard::Guard, prepared::Outlet};
+    use crate::lsp::transport::guard::{Answer, Guard};
 
     /// A client that is slow to take an answer sees this: the state of a change must not overtake the answer to the
     /// start. Which of the two the framework writes first cannot be told from outside.
@@ -302,16 +288,16 @@ mod tests {
         let (service, socket) = LspService::new(Backend::new);
         let outbox = service.inner().shared().outbox.clone();
         let mut guard = Guard::new(service, outbox);
-        let prepared = guard.prepared();
-        let mut call = async |message: Value| -> Option<Response> {
+        let mut call = async |message: Value| -> Answer {
             let request = serde_json::from_value(message).unwrap();
-            guard.ready().await.unwrap().call(request).await.unwrap()
+            guard.ready().await.unwrap();
+            guard.call(request).await
         };
         let uri = "file:///a.clad";
         let text = "+--[ ]( a )--( )( y )--+\n";
         let show = json!({"lines": [{"first": 0, "last": 0}], "tags": []});
         let start = json!({"uri": uri, "options": {"show": show}});
-        let mut answer = None;
+        let mut started = (None, None);
         for message in [
             json!({"id": 1, "method": "initialize", "params": {"capabilities": {}}}),
             json!({"method": "textDocument/didOpen", "params": {"textDocument":
@@ -323,7 +309,10 @@ mod tests {
         ] {
             let mut message = message;
             message["jsonrpc"] = "2.0".into();
-            answer = call(message).await.or(answer);
+            let answer = call(message).await;
+            if answer.1.is_some() {
+                started = answer;
+            }
         }
 
         let (sent, _answers) = socket.split();
@@ -331,14 +320,13 @@ mod tests {
         let early = tokio::time::timeout(Duration::from_millis(200), states.next()).await;
         assert!(early.is_err(), "{early:?}");
 
-        let body = serde_json::to_string(&answer).unwrap();
-        let mut written = Vec::new();
-        let mut outlet = Outlet::new(&mut written, prepared);
-        let framed = format!("Content-Length: {}\r\n\r\n{body}", body.len());
-        outlet.write_all(framed.as_bytes()).await.unwrap();
-        outlet.flush().await.unwrap();
-        drop(outlet);
-        assert!(String::from_utf8(written).unwrap().contains(r#""session":"s1""#));
+        let (answer, place) = started;
+        assert!(
+            serde_json::to_string(&answer)
+                .unwrap()
+                .contains(r#""session":"s1""#)
+        );
+        drop(place);
         let state = tokio::time::timeout(Duration::from_secs(10), states.next()).await;
         assert_eq!(state.unwrap().unwrap().params().unwrap()["version"], 2);
     }
@@ -378,9 +366,8 @@ mod tests {
             labels: None,
         };
         let (states, seen) = watch::channel(state.clone());
-        let (_, answered) = oneshot::channel();
         let client = service.inner().shared().client.clone();
-        tokio::spawn(report(client, state.clone(), seen, false, answered));
+        tokio::spawn(report(client, state.clone(), seen, false));
         states.send_replace(State {
             status: Status::Running,
             scan: 7,

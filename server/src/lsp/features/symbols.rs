@@ -3,11 +3,10 @@
 use std::collections::HashSet;
 use std::sync::Arc;
 
-use serde::{Serialize, Serializer};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{
     DocumentSymbol, DocumentSymbolParams, DocumentSymbolResponse, Location, SymbolInformation, SymbolKind,
-    WorkspaceSymbolParams, WorkspaceSymbolResponse,
+    Uri, WorkspaceSymbolParams, WorkspaceSymbolResponse,
 };
 
 use super::asked::{Asked, Places, about};
@@ -16,8 +15,7 @@ use crate::document::Revision;
 use crate::document::elsewhere::Elsewhere;
 use crate::document::positions::Positions;
 use crate::lsp::transport::blocking::blocking;
-use crate::lsp::transport::prepared;
-use crate::lsp::{convert, shared::Shared};
+use crate::lsp::{convert, session::shared::Shared};
 use ladder_ide::{OutlineKind, Outlined, ScenarioPart, outline, workspace_symbols};
 
 pub(crate) async fn document_symbols(
@@ -32,35 +30,23 @@ pub(crate) async fn document_symbols(
         })
         .await;
     }
-    let text = about(shared, &params.text_document.uri, move |asked| {
+    about(shared, &params.text_document.uri, move |asked| {
         let found = outline(&asked.context);
         let positions = asked.revision.positions();
         if nested {
-            // Two or three times as long as the program: not to be moved again and again while it grows.
-            let mut json = Vec::with_capacity(asked.revision.len() * 3);
-            serde_json::to_writer(&mut json, &Symbols(&found, &positions)).ok()?;
-            return String::from_utf8(json).ok();
+            return Some(DocumentSymbolResponse::Nested(tree(found, &positions)));
         }
         let mut flat = Vec::new();
-        flatten(&found, None, &mut flat);
-        let uri = &asked.revision.uri;
-        let flat = flat.into_iter().map(|(item, container_name)| FlatSymbol {
-            name: &item.name,
-            kind: kind(item.kind),
-            location: FlatLocation {
-                uri,
-                range: positions.range(item.range),
-            },
-            container_name,
-        });
-        let mut json = Vec::with_capacity(asked.revision.len() * 3);
-        serde_json::Serializer::new(&mut json).collect_seq(flat).ok()?;
-        String::from_utf8(json).ok()
-    });
-    match text.await? {
-        Some(text) => prepared::answer(text),
-        None => Ok(None),
-    }
+        flatten(
+            found,
+            None,
+            &convert::uri(&asked.revision.uri)?,
+            &positions,
+            &mut flat,
+        );
+        Some(DocumentSymbolResponse::Flat(flat))
+    })
+    .await
 }
 
 /// The scenarios of a file with their rows, or flat.
@@ -111,51 +97,22 @@ fn scenario_symbol(revision: &Revision, part: ScenarioPart, kind: SymbolKind) ->
     }
 }
 
-/// As [`DocumentSymbol`]s.
-struct Symbols<'s>(&'s [Outlined], &'s Positions);
-
-impl Serialize for Symbols<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
-        let Symbols(items, positions) = *self;
-        serializer.collect_seq(items.iter().map(|item| Symbol {
-            name: &item.name,
-            detail: item.detail.as_deref(),
+fn tree(items: Vec<Outlined>, positions: &Positions) -> Vec<DocumentSymbol> {
+    let symbol = |item: Outlined| {
+        let children = tree(item.children, positions);
+        #[allow(deprecated)]
+        DocumentSymbol {
+            name: item.name.into(),
+            detail: item.detail.map(Into::into),
             kind: kind(item.kind),
-            range: positions.range(item.range),
-            selection_range: positions.range(item.focus),
-            children: (!item.children.is_empty()).then_some(Symbols(&item.children, positions)),
-        }))
-    }
-}
-
-#[derive(Serialize)]
-#[serde(rename_all = "camelCase")]
-struct Symbol<'s> {
-    name: &'s str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    detail: Option<&'s str>,
-    kind: SymbolKind,
-    range: crate::Range,
-    selection_range: crate::Range,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    children: Option<Symbols<'s>>,
-}
-
-/// As [`SymbolInformation`], for clients that know no tree.
-#[derive(Serialize)]
-#[serde(rename_all = "camelCase")]
-struct FlatSymbol<'s> {
-    name: &'s str,
-    kind: SymbolKind,
-    location: FlatLocation<'s>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    container_name: Option<&'s str>,
-}
-
-#[derive(Serialize)]
-struct FlatLocation<'s> {
-    uri: &'s str,
-    range: crate::Range,
+            tags: None,
+            deprecated: None,
+            range: convert::range(positions.range(item.range)),
+            selection_range: convert::range(positions.range(item.focus)),
+            children: (!children.is_empty()).then_some(children),
+        }
+    };
+    items.into_iter().map(symbol).collect()
 }
 
 /// The names of all workspaces that have an open document.
@@ -197,15 +154,26 @@ pub(crate) async fn symbols(
     .await
 }
 
-/// Each item with the name of the one that holds it.
-fn flatten<'o>(
-    items: &'o [Outlined],
-    container: Option<&'o str>,
-    out: &mut Vec<(&'o Outlined, Option<&'o str>)>,
+/// For clients that know no tree: each item with the name of the one that holds it.
+fn flatten(
+    items: Vec<Outlined>,
+    container: Option<&str>,
+    uri: &Uri,
+    positions: &Positions,
+    out: &mut Vec<SymbolInformation>,
 ) {
     for item in items {
-        out.push((item, container));
-        flatten(&item.children, Some(&item.name), out);
+        let location = Location {
+            uri: uri.clone(),
+            range: convert::range(positions.range(item.range)),
+        };
+        out.push(information(
+            item.name.to_string(),
+            item.kind,
+            location,
+            container.map(str::to_owned),
+        ));
+        flatten(item.children, Some(&item.name), uri, positions, out);
     }
 }
 

@@ -1,10 +1,10 @@
 //! Work that takes longer than a moment, off the thread that reads and writes messages.
 
+use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use tower_lsp::jsonrpc::{Error, Result};
+use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
 
-use super::guard::internal_error;
 use crate::cancel::Cancel;
 
 /// Runs a job on a blocking thread. When the handler that awaits it is dropped (the client cancelled the
@@ -30,6 +30,21 @@ where
 /// Runs a job on this thread, which goes on if it panics.
 pub(crate) fn caught<T>(job: impl FnOnce() -> T) -> Result<T> {
     catch_unwind(AssertUnwindSafe(job)).map_err(|panic| internal_error(panic.as_ref()))
+}
+
+/// The answer for a handler or a job that panicked.
+pub(crate) fn internal_error(panic: &(dyn Any + Send)) -> Error {
+    let what = panic
+        .downcast_ref::<&str>()
+        .map(ToString::to_string)
+        .or_else(|| panic.downcast_ref::<String>().cloned())
+        .unwrap_or_else(|| "no message".into());
+    let message = format!("an error in the language server itself: {what}");
+    Error {
+        code: ErrorCode::InternalError,
+        message: message.into(),
+        data: None,
+    }
 }
 
 #[cfg(test)]

@@ -1,33 +1,30 @@
-//! A service around the framework's, which mends what the framework leaves open.
+//! The framework's service, with what it leaves open.
 //!
 //! - A panic in a handler answers its request with -32603, and the server lives on.
-//! - `initialize` and `shutdown` are answered before the next message is looked at, so that a client that
-//!   does not wait (a script, a replayed session) loses nothing.
-//! - `shutdown` and `exit` are recorded: [`Life`] knows how the process is to end, also while the client keeps
-//!   the input open.
+//! - `initialize` and `shutdown` are answered before the next message is taken up, so that a client that does not wait (a
+//!   script, a replayed session) loses nothing.
+//! - `shutdown` and `exit` are recorded: [`Life`] knows how the process is to end, also while the client keeps the input
+//!   open.
 //! - A request for a method of the protocol itself (`$/..`) is answered with -32601.
-//! - Long texts are put back that did not go through the framework ([`long_texts`](crate::lsp::transport::long_texts)).
-//! - A message that could not be decoded is answered (see [`inlet`](crate::lsp::transport::inlet)), and so is a notification
-//!   with parameters that make no sense: the client gets a message instead of silence.
+//! - A notification with parameters that make no sense is logged (see [`misread`](super::misread)).
 
-use std::any::Any;
+use std::future::{Future, poll_fn};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::task::{Context, Poll, Waker};
+use std::task::{Poll, Waker};
 
 use futures::FutureExt;
 use futures::future::BoxFuture;
-use serde::Deserialize;
 use tokio::sync::Notify;
 use tower::Service;
 use tower_lsp::ExitedError;
-use tower_lsp::jsonrpc::{Error, ErrorCode, Id, Request, Response};
+use tower_lsp::jsonrpc::{Error, Request, Response};
 
-use super::long_texts::LongTexts;
-use super::prepared::{self, Prepared};
-use super::{inlet::MALFORMED, outbox::Outbox};
+use super::answered::{Place, handle};
+use super::blocking::internal_error;
+use super::misread::misread;
 use crate::lsp::capabilities::since_3_18;
-use crate::lsp::documents::sync::misread;
+use crate::lsp::session::outbox::Outbox;
 
 /// The state of the session.
 #[derive(Debug, Default)]
@@ -38,7 +35,7 @@ pub(crate) struct Life {
 
 #[derive(Debug, Default)]
 struct State {
-    /// A message is being answered that everything behind it has to wait for.
+    /// A message is being answered that everything after it has to wait for.
     barrier: bool,
     waiting: Option<Waker>,
     shutdown: bool,
@@ -65,18 +62,21 @@ pub(crate) struct Guard<S> {
     inner: S,
     life: Arc<Life>,
     outbox: Outbox,
-    prepared: Arc<Prepared>,
-    long_texts: Arc<LongTexts>,
 }
 
-impl<S> Guard<S> {
+/// An answer, if there is one, and what waits for it to have its place.
+pub(crate) type Answer = (Option<Response>, Option<Place>);
+
+impl<S> Guard<S>
+where
+    S: Service<Request, Response = Option<Response>, Error = ExitedError>,
+    S::Future: Send + 'static,
+{
     pub(crate) fn new(inner: S, outbox: Outbox) -> Self {
         Guard {
             inner,
             life: Arc::default(),
-            prepared: outbox.prepared(),
             outbox,
-            long_texts: Arc::default(),
         }
     }
 
@@ -84,55 +84,36 @@ impl<S> Guard<S> {
         self.life.clone()
     }
 
-    /// The texts that the inlet takes out of messages.
-    pub(crate) fn long_texts(&self) -> Arc<LongTexts> {
-        self.long_texts.clone()
-    }
-
-    /// The answers that are text already.
-    pub(crate) fn prepared(&self) -> Arc<Prepared> {
-        self.prepared.clone()
-    }
-}
-
-impl<S> Service<Request> for Guard<S>
-where
-    S: Service<Request, Response = Option<Response>, Error = ExitedError>,
-    S::Future: Send + 'static,
-{
-    type Response = Option<Response>;
-    type Error = ExitedError;
-    type Future = BoxFuture<'static, Result<Option<Response>, ExitedError>>;
-
-    fn poll_ready(&mut self, cx: &mut Context<'_>) -> Poll<Result<(), ExitedError>> {
-        {
+    /// Waits until the next message can be taken up; an error after `exit`.
+    pub(crate) fn ready(&mut self) -> impl Future<Output = Result<(), ExitedError>> {
+        poll_fn(|cx| {
             let mut state = self.life.state();
             if state.barrier {
                 state.waiting = Some(cx.waker().clone());
                 return Poll::Pending;
             }
-        }
-        self.inner.poll_ready(cx)
+            drop(state);
+            self.inner.poll_ready(cx)
+        })
     }
 
-    fn call(&mut self, request: Request) -> Self::Future {
-        let request = self.long_texts.put_back(request);
+    /// Takes up a message. Handlers run in the order of their messages up to their first `await`.
+    pub(crate) fn call(&mut self, request: Request) -> BoxFuture<'static, Answer> {
         let id = request.id().cloned();
         if id.is_none()
             && let Some(problem) = misread(&request)
         {
             self.outbox.log(problem);
-            return futures::future::ready(Ok(None)).boxed();
+            return futures::future::ready((None, None)).boxed();
         }
         // The framework leaves such a request without an answer; LSP wants this one.
         if let Some(id) = &id
             && request.method().starts_with("$/")
         {
             let answer = Response::from_error(id.clone(), Error::method_not_found());
-            return futures::future::ready(Ok(Some(answer))).boxed();
+            return futures::future::ready((Some(answer), None)).boxed();
         }
         let step = match request.method() {
-            MALFORMED => return futures::future::ready(Ok(Some(malformed(request)))).boxed(),
             "exit" => {
                 self.life.exit.notify_one();
                 LifeStage::Other
@@ -148,34 +129,26 @@ where
         };
         let lift = (step != LifeStage::Other).then(|| Barrier::raise(&self.life));
         let life = self.life.clone();
-        let prepared = self.prepared.clone();
         let call = catch_unwind(AssertUnwindSafe(|| self.inner.call(request)));
         async move {
             let _lift = lift;
-            let (outcome, text) = match call {
-                Ok(future) => prepared::handle(AssertUnwindSafe(future).catch_unwind()).await,
+            let (outcome, place) = match call {
+                Ok(future) => handle(AssertUnwindSafe(future).catch_unwind()).await,
                 Err(panic) => (Err(panic), None),
             };
             let answer = match outcome {
-                Ok(answer) => match (answer?, text) {
-                    (Some(answer), Some(text)) if answer.is_ok() => {
-                        let (id, _) = answer.into_parts();
-                        Some(Response::from_ok(id, prepared.keep(text)))
-                    }
-                    (answer, _) => answer,
-                },
-                Err(panic) => {
-                    let error = internal_error(panic.as_ref());
-                    id.map(|id| Response::from_error(id, error))
-                }
+                // After `exit` nothing is answered.
+                Ok(answer) => answer.unwrap_or_default(),
+                Err(panic) => id.map(|id| Response::from_error(id, internal_error(panic.as_ref()))),
             };
             if step == LifeStage::Shutdown && answer.as_ref().is_some_and(Response::is_ok) {
                 life.state().shutdown = true;
             }
-            if step == LifeStage::Initialize {
-                return Ok(answer.map(with_newer_capabilities));
-            }
-            Ok(answer)
+            let answer = match step {
+                LifeStage::Initialize => answer.map(with_newer_capabilities),
+                _ => answer,
+            };
+            (answer, place)
         }
         .boxed()
     }
@@ -226,53 +199,17 @@ fn without_params(request: Request) -> Request {
     }
 }
 
-/// The answer that a message has earned which could not be decoded.
-fn malformed(request: Request) -> Response {
-    #[derive(Deserialize)]
-    struct Params {
-        code: i64,
-        message: String,
-    }
-    let (_, id, params) = request.into_parts();
-    let params = params.and_then(|params| serde_json::from_value::<Params>(params).ok());
-    let error = match params {
-        Some(Params { code, message }) => Error {
-            code: ErrorCode::from(code),
-            message: message.into(),
-            data: None,
-        },
-        None => Error::invalid_request(),
-    };
-    Response::from_error(id.unwrap_or(Id::Null), error)
-}
-
-/// The answer for a handler or a job that panicked.
-pub(crate) fn internal_error(panic: &(dyn Any + Send)) -> Error {
-    let what = panic
-        .downcast_ref::<&str>()
-        .map(ToString::to_string)
-        .or_else(|| panic.downcast_ref::<String>().cloned())
-        .unwrap_or_else(|| "no message".into());
-    let message = format!("a mistake in the language server itself: {what}");
-    Error {
-        code: ErrorCode::InternalError,
-        message: message.into(),
-        data: None,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use std::time::Duration;
 
     use serde_json::{Value, json};
-    use tower::ServiceExt;
     use tower_lsp::ls_types::{Hover, HoverParams, InitializeParams, InitializeResult};
     use tower_lsp::{LanguageServer, LspService, jsonrpc};
 
     use super::*;
 
-    /// A server with a mistake in each kind of handler.
+    /// A server that panics in its handlers.
     struct Faulty;
 
     impl LanguageServer for Faulty {
@@ -309,7 +246,8 @@ mod tests {
 
     async fn call(guard: &mut Guard<LspService<Faulty>>, message: Value) -> Option<Value> {
         let request = serde_json::from_value(message).unwrap();
-        let answer = guard.ready().await.unwrap().call(request).await.unwrap();
+        guard.ready().await.unwrap();
+        let (answer, _) = guard.call(request).await;
         answer.map(|answer| serde_json::to_value(answer).unwrap())
     }
 
@@ -343,16 +281,17 @@ mod tests {
     }
 
     #[tokio::test]
-    async fn what_comes_behind_initialize_waits_for_it() {
+    async fn what_comes_after_initialize_waits_for_it() {
         let mut guard = guarded();
         let request = serde_json::from_value(initialize()).unwrap();
-        let first = guard.ready().await.unwrap().call(request);
+        guard.ready().await.unwrap();
+        let first = guard.call(request);
         let first = tokio::spawn(first);
         // Without the barrier this is answered with "not initialized".
         let answer = call(&mut guard, hover(1, 1)).await.unwrap();
         assert_eq!(answer["result"], Value::Null, "{answer}");
         assert_eq!(answer.get("error"), None);
-        first.await.unwrap().unwrap();
+        first.await.unwrap();
     }
 
     #[tokio::test]
@@ -367,14 +306,5 @@ mod tests {
         assert!(guard.life().is_shut_down());
         call(&mut guard, json!({"jsonrpc": "2.0", "method": "exit"})).await;
         guard.life().exited().await;
-    }
-
-    #[tokio::test]
-    async fn a_malformed_message_is_answered_before_initialize_too() {
-        let mut guard = guarded();
-        let params = json!({"code": -32700, "message": "not JSON"});
-        let message = json!({"jsonrpc": "2.0", "id": 4, "method": MALFORMED, "params": params});
-        let answer = call(&mut guard, message).await.unwrap();
-        assert_eq!(answer, json!({"jsonrpc": "2.0", "id": 4, "error": params}));
     }
 }

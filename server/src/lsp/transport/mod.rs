@@ -1,18 +1,21 @@
-//! How messages come in and go out, and who does the work: nothing here knows ladder programs.
+//! How messages come in and go out, and which thread does the work. Nothing here knows ladder programs. Each file keeps a
+//! promise that the framework does not:
 //!
-//! ```text
-//! bytes -> frames -> decodable -> inlet -> the framework -> guard -> backend
-//! bytes <- the framework <- answers, and outbox
-//! ```
+//! - [`received`], with [`frames`](crate::frames): whatever bytes come, the session goes on; what is not a message is answered with what is
+//!   wrong with it, and the next message is found. No message is longer than a limit.
+//! - [`surrogates`]: texts with half a character in them, which editors can hold, are read.
+//! - [`misread`]: a notification that makes no sense is logged.
+//! - [`guard`]: each request gets exactly one answer, also after a panic; what comes after `initialize` waits for it.
+//! - [`answered`]: what is to come after an answer does come after it.
+//! - [`serve`]: messages are taken up in their order, and written one after the other; how the process ends.
+//! - [`parent`]: the server ends with the process that has started it.
+//! - [`blocking`]: long work keeps no message waiting, ends when it is cancelled, and answers when it panics.
 
+pub(crate) mod answered;
 pub(crate) mod blocking;
-pub(crate) mod decodable;
-pub(crate) mod frames;
 pub(crate) mod guard;
-pub(crate) mod inlet;
-pub(crate) mod long_texts;
-pub(crate) mod outbox;
+mod misread;
 pub(crate) mod parent;
-pub(crate) mod prepared;
-pub(crate) mod progress;
+mod received;
 pub(crate) mod serve;
+mod surrogates;

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use sysinfo::{Pid, ProcessRefreshKind, ProcessStatus, ProcessesToUpdate, System};
 
-use crate::lsp::shared::Shared;
+use crate::lsp::session::shared::Shared;
 
 /// How often the parent is looked at.
 const INTERVAL: Duration = Duration::from_secs(2);

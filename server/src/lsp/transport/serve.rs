@@ -1,19 +1,24 @@
 //! One session, from the first byte to the end.
 
+use std::fmt::Write as _;
 use std::time::Duration;
 
-use tokio::io::{AsyncRead, AsyncWrite};
-use tower_lsp::{LspService, Server};
+use futures::{SinkExt, StreamExt};
+use serde::Serialize;
+use tokio::io::{AsyncRead, AsyncWrite, AsyncWriteExt};
+use tokio::sync::mpsc;
+use tower_lsp::LspService;
 
-use super::{guard::Guard, inlet, prepared::Outlet};
+use super::guard::Guard;
+use super::received::{Received, receive};
 use crate::busy::Busy;
 use crate::lsp::backend::Backend;
 
 /// Handlers that run at once. Four of them, the framework's own limit, are soon all waiting for something.
 const CONCURRENCY: usize = 64;
 
-/// Bytes between the [`inlet`] and the framework.
-const PIPE: usize = 64 << 10;
+/// Requests that may wait for a handler.
+const WAITING: usize = 100;
 
 /// How long answers that are under way may take after `exit`.
 const GRACE: Duration = Duration::from_millis(500);
@@ -48,21 +53,74 @@ where
         .custom_method("ladder/simulationShown", Backend::simulation_shown)
         .finish();
     let shared = service.inner().shared();
-    let guard = Guard::new(service, shared.outbox.clone());
+    let mut guard = Guard::new(service, shared.outbox.clone());
     let life = guard.life();
-    let outlet = Outlet::new(output, guard.prepared());
+    let (mut questions, mut answers_of_client) = socket.split();
 
-    let (to_framework, from_client) = tokio::io::duplex(PIPE);
-    let reader = tokio::spawn(inlet::feed(input, to_framework, guard.long_texts()));
-    let server = Server::new(from_client, outlet, socket)
-        .concurrency_level(CONCURRENCY)
-        .serve(guard);
+    let (messages, mut received) = mpsc::channel(1);
+    let reader = tokio::spawn(receive(input, messages));
+    // All that is written goes through one channel: what was put into it first comes first.
+    let (out, mut written) = mpsc::channel::<String>(1);
+    let (mut handlers, waiting) = futures::channel::mpsc::channel(WAITING);
+    let dispatch = async move {
+        while let Some(message) = received.recv().await {
+            let handler = match message {
+                Received::Request(request) => {
+                    if guard.ready().await.is_err() {
+                        return;
+                    }
+                    guard.call(request)
+                }
+                Received::Broken(answer) => Box::pin(std::future::ready((Some(answer), None))),
+                Received::Answer(answer) => {
+                    let _ = answers_of_client.send(answer).await;
+                    continue;
+                }
+            };
+            let _ = handlers.send(handler).await;
+        }
+    };
+    let answers = out.clone();
+    let answer = waiting
+        .buffer_unordered(CONCURRENCY)
+        .for_each(move |(answer, place)| {
+            let out = answers.clone();
+            async move {
+                if let Some(answer) = answer {
+                    // The writer is gone only when the client is.
+                    let _ = out.send(framed(&answer)).await;
+                }
+                drop(place);
+            }
+        });
+    let ask = async move {
+        while let Some(question) = questions.next().await {
+            let _ = out.send(framed(&question)).await;
+        }
+        std::future::pending::<()>().await;
+    };
+    // When there is nothing more to answer, nothing is asked either.
+    let talk = async {
+        tokio::select! {
+            _ = futures::future::join(dispatch, answer) => {}
+            () = ask => {}
+        }
+    };
+    let write = async {
+        tokio::pin!(output);
+        while let Some(frame) = written.recv().await {
+            if output.write_all(frame.as_bytes()).await.is_err() || output.flush().await.is_err() {
+                return;
+            }
+        }
+    };
+    let server = futures::future::join(talk, write);
     let exit = async {
         life.exited().await;
         tokio::time::sleep(GRACE).await;
     };
     tokio::select! {
-        () = server => {}
+        _ = server => {}
         () = exit => {}
         () = shared.orphaned.notified() => {}
     }
@@ -73,4 +131,13 @@ where
     } else {
         Ending::Abrupt
     }
+}
+
+/// A message as it is written.
+fn framed(message: &impl Serialize) -> String {
+    // What the framework gives has texts as its keys, and no numbers that JSON does not have.
+    let json = serde_json::to_string(message).unwrap_or_default();
+    let mut frame = String::with_capacity(json.len() + 40);
+    let _ = write!(frame, "Content-Length: {}\r\n\r\n{json}", json.len());
+    frame
 }

@@ -1,5 +1,6 @@
 //! What all handlers share.
 
+use std::collections::{BTreeMap, HashMap};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError, RwLock};
@@ -7,18 +8,26 @@ use std::time::Instant;
 
 use tokio::sync::Notify;
 use tower_lsp::Client;
+use tower_lsp::ls_types::Diagnostic;
 
+use super::agreed::Agreed;
+use super::outbox::Outbox;
+use super::previews::Previews;
+use super::tokens_sent::TokensSent;
+use super::typing::Typed;
 use crate::busy::Busy;
 use crate::document::Documents;
 use crate::document::neighbours::Neighbours;
-use crate::lsp::capabilities::Agreed;
-use crate::lsp::documents::{
-    foreign::Previews, pull::Found, settings_file::Sent, typed::Typed, written::Written,
-};
-use crate::lsp::features::semantic_tokens::TokensSent;
-use crate::lsp::transport::outbox::Outbox;
+use crate::document::on_disk::OnDisk;
 use crate::simulation::Sessions;
+use ladder_analysis::Exported;
 use ladder_workspace::EditorSettings;
+
+/// What was found in files that are not open, as long as they and what they see stay as they are.
+type Found = Mutex<HashMap<PathBuf, (Arc<OnDisk>, Arc<Exported>, Arc<Vec<Diagnostic>>)>>;
+
+/// What was sent of settings files to the client, by file: what was wrong in them last.
+type Sent = Mutex<BTreeMap<PathBuf, Vec<Diagnostic>>>;
 
 /// The state of one session with one client.
 #[derive(Debug)]
@@ -58,8 +67,6 @@ pub(crate) struct Shared {
     pub(crate) outbox: Outbox,
     /// The semantic tokens that the client has.
     pub(crate) tokens_sent: TokensSent,
-    /// The diagnostics of open programs as they were written last.
-    pub(crate) written: Written,
     /// Notified when the process that started the server is gone.
     pub(crate) orphaned: Notify,
 }
@@ -84,7 +91,6 @@ impl Shared {
             previews: Arc::default(),
             neighbours: Arc::default(),
             tokens_sent: TokensSent::default(),
-            written: Written::default(),
             sessions: Sessions::default(),
             typed: Typed::default(),
             orphaned: Notify::new(),
@@ -155,7 +161,6 @@ impl Shared {
     pub(crate) fn document_closed(&self, uri: &str) {
         self.sessions.stop_all_of(uri);
         self.tokens_sent.forget(uri);
-        self.written.forget(uri);
         self.typed.forget(uri);
     }
 }

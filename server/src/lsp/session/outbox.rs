@@ -12,11 +12,10 @@ use tower_lsp::Client;
 use tower_lsp::ls_types::notification::Notification;
 use tower_lsp::ls_types::{Diagnostic, MessageType};
 
-use super::prepared::Prepared;
+use super::previews::Previews;
 use crate::busy::{Busy, Work};
 use crate::document::{Documents, Revision};
 use crate::lsp::convert;
-use crate::lsp::documents::foreign::Previews;
 use crate::notation::messages::Previewed;
 
 /// The sending end. When the last one is dropped the task ends.
@@ -24,13 +23,11 @@ use crate::notation::messages::Previewed;
 pub(crate) struct Outbox {
     notes: mpsc::UnboundedSender<(Note, Work)>,
     busy: Busy,
-    prepared: Arc<Prepared>,
 }
 
 #[derive(Debug)]
 enum Note {
     Diagnostics(Arc<Documents>, Arc<Revision>, Vec<Diagnostic>),
-    Written(Arc<Documents>, Arc<Revision>, String),
     Preview(Arc<Documents>, Arc<Revision>, Arc<Previews>, Previewed),
     DiagnosticsOnDisk(String, Vec<Diagnostic>),
     Log(MessageType, String),
@@ -41,18 +38,8 @@ impl Outbox {
     /// Starts the task that sends. Must be called within the runtime.
     pub(crate) fn open(client: Client, busy: Busy) -> Self {
         let (notes, inbox) = mpsc::unbounded_channel();
-        let prepared = Arc::<Prepared>::default();
-        tokio::spawn(send(client, inbox, prepared.clone()));
-        Outbox {
-            notes,
-            busy,
-            prepared,
-        }
-    }
-
-    /// Texts that wait for their place in what is written.
-    pub(super) fn prepared(&self) -> Arc<Prepared> {
-        self.prepared.clone()
+        tokio::spawn(send(client, inbox));
+        Outbox { notes, busy }
     }
 
     /// Diagnostics of an open text, all of them.
@@ -63,16 +50,6 @@ impl Outbox {
         diagnostics: Vec<Diagnostic>,
     ) {
         self.note(Note::Diagnostics(documents.clone(), revision, diagnostics));
-    }
-
-    /// As [`Outbox::diagnostics`], with the parameters of the notification as JSON.
-    pub(crate) fn written_diagnostics(
-        &self,
-        documents: &Arc<Documents>,
-        revision: Arc<Revision>,
-        params: String,
-    ) {
-        self.note(Note::Written(documents.clone(), revision, params));
     }
 
     /// The ladder text that an open program of another system becomes; sent if it is another one than before.
@@ -131,24 +108,10 @@ fn written_out(message: impl Into<String>) -> String {
     shown::text(&message.into()).into_owned()
 }
 
-/// `textDocument/publishDiagnostics`, whose parameters wait elsewhere.
-#[derive(Debug)]
-enum WrittenDiagnostics {}
-
-impl Notification for WrittenDiagnostics {
-    type Params = String;
-    const METHOD: &'static str = "textDocument/publishDiagnostics";
-}
-
-async fn send(client: Client, mut inbox: mpsc::UnboundedReceiver<(Note, Work)>, prepared: Arc<Prepared>) {
+async fn send(client: Client, mut inbox: mpsc::UnboundedReceiver<(Note, Work)>) {
     while let Some((note, work)) = inbox.recv().await {
         match note {
-            Note::Diagnostics(documents, revision, _) | Note::Written(documents, revision, _)
-                if !documents.is_current(&revision) => {}
-            Note::Written(.., params) => {
-                let ticket = prepared.ticket(params);
-                client.send_notification::<WrittenDiagnostics>(ticket).await;
-            }
+            Note::Diagnostics(documents, revision, _) if !documents.is_current(&revision) => {}
             Note::Preview(documents, revision, previews, previewed) => {
                 // What was not sent is news later: in this order.
                 if documents.is_current(&revision) && previews.is_news(&previewed) {

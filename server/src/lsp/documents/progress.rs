@@ -16,7 +16,7 @@ use tower_lsp::ls_types::{
     WorkDoneProgressBegin, WorkDoneProgressEnd, WorkDoneProgressReport,
 };
 
-use crate::lsp::shared::Shared;
+use crate::lsp::session::shared::Shared;
 
 /// Work that takes no longer than this is not worth a line on the screen.
 const MOMENT: Duration = Duration::from_millis(200);

@@ -1,63 +1,6 @@
-//! What the framework's reader of JSON can take in.
-
-use std::fmt;
+//! Halves of surrogate pairs in JSON.
 
 use memchr::{memchr, memmem};
-use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
-
-/// Any JSON whose numbers, texts and nesting the reader takes in. Nothing of it is kept.
-#[derive(Debug)]
-pub(crate) struct Decodable;
-
-impl<'de> Deserialize<'de> for Decodable {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(Taker)
-    }
-}
-
-struct Taker;
-
-impl<'de> Visitor<'de> for Taker {
-    type Value = Decodable;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("any JSON")
-    }
-
-    fn visit_unit<E>(self) -> Result<Decodable, E> {
-        Ok(Decodable)
-    }
-
-    fn visit_bool<E>(self, _: bool) -> Result<Decodable, E> {
-        Ok(Decodable)
-    }
-
-    fn visit_i64<E>(self, _: i64) -> Result<Decodable, E> {
-        Ok(Decodable)
-    }
-
-    fn visit_u64<E>(self, _: u64) -> Result<Decodable, E> {
-        Ok(Decodable)
-    }
-
-    fn visit_f64<E>(self, _: f64) -> Result<Decodable, E> {
-        Ok(Decodable)
-    }
-
-    fn visit_str<E>(self, _: &str) -> Result<Decodable, E> {
-        Ok(Decodable)
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Decodable, A::Error> {
-        while items.next_element::<Decodable>()?.is_some() {}
-        Ok(Decodable)
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Decodable, A::Error> {
-        while entries.next_entry::<Decodable, Decodable>()?.is_some() {}
-        Ok(Decodable)
-    }
-}
 
 /// Makes every escaped half of a surrogate pair that has no other half a U+FFFD. Texts of some editors hold such
 /// halves, and positions in them count the same: both are one unit of UTF-16.
@@ -86,7 +29,7 @@ pub(crate) fn replace_lone_surrogates(json: &mut [u8]) {
     }
 }
 
-/// The unit of UTF-16 that `\u1234` stands for, if the bytes begin with one.
+/// The unit of UTF-16 that `\u1234` is, if the bytes begin with one.
 fn escaped_unit(json: &[u8]) -> Option<u16> {
     let digits = json.strip_prefix(br"\u")?.get(..4)?;
     let digits = std::str::from_utf8(digits).ok()?;
@@ -99,7 +42,7 @@ mod tests {
 
     #[test]
     fn only_halves_without_their_other_half_are_replaced() {
-        for (json, mended) in [
+        for (json, expected) in [
             (r#""\ud800""#, r#""\ufffd""#),
             (r#""\uDFFF a""#, r#""\ufffd a""#),
             (r#""\udc00\ud800""#, r#""\ufffd\ufffd""#),
@@ -111,7 +54,7 @@ mod tests {
         ] {
             let mut bytes = json.as_bytes().to_vec();
             replace_lone_surrogates(&mut bytes);
-            assert_eq!(std::str::from_utf8(&bytes).unwrap(), mended, "{json}");
+            assert_eq!(std::str::from_utf8(&bytes).unwrap(), expected, "{json}");
         }
     }
 }
