@@ -3,11 +3,11 @@
 use super::canvas::{Arm, Canvas, Weight};
 use super::symbol::{self, Lines, Standing, SymbolAt};
 use super::{Area, Ink, Live};
-use crate::picture::columns::Layout;
-use crate::picture::figure::{Drawn, Figure};
-use crate::picture::grid::{Kind, Slot};
-use crate::picture::measure::columns;
-use crate::picture::nodes::point_of;
+use crate::columns::Layout;
+use crate::figure::{Drawn, Figure};
+use crate::grid::{Kind, Slot};
+use crate::measure::columns;
+use crate::nodes::point_of;
 use ladder_analysis::networks::NetworkAt;
 use ladder_syntax::{Parse, TextRange, TextSize};
 

@@ -1,17 +1,17 @@
-//! Pages of programs. `UPDATE_EXPECT=1 cargo test -p ladder-interchange` writes them anew; look at them, as
+//! Pages of programs. `UPDATE_EXPECT=1 cargo test -p ladder-picture` writes them anew; look at them, as
 //! `ladder render -o x.pdf` draws them, before you keep them.
 
 use expect_test::{expect, expect_file};
 use ladder_analysis::analyze;
-use ladder_interchange::picture::scene::{Extent, Form};
-use ladder_interchange::picture::sheet::{Options, Orientation, Piece, Sheet, Size, sheets};
-use ladder_interchange::picture::{self, scene};
+use ladder_picture::scene;
+use ladder_picture::scene::{Extent, Form};
+use ladder_picture::sheet::{Options, Orientation, Piece, Sheet, Size, sheets};
 use ladder_syntax::parse;
 use std::sync::Arc;
 
 fn pages(text: &str, options: &Options<'_>) -> Vec<Sheet> {
     let analysis = analyze(&Arc::new(parse(text)), "program");
-    let scene = scene(&analysis.context, &picture::Options::default());
+    let scene = scene(&analysis.context, &ladder_picture::Options::default());
     sheets(&analysis.context, &scene, options)
 }
 

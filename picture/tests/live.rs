@@ -1,9 +1,9 @@
-//! Networks drawn one by one for a page that shows a running program. `UPDATE_EXPECT=1 cargo test -p ladder-interchange`
+//! Networks drawn one by one for a page that shows a running program. `UPDATE_EXPECT=1 cargo test -p ladder-picture`
 //! draws them anew; look at them before you keep them.
 
 use expect_test::expect_file;
 use ladder_analysis::analyze;
-use ladder_interchange::picture::live::{Kind, Piece, pieces};
+use ladder_picture::live::{Kind, Piece, pieces};
 use ladder_syntax::{LineIndex, TextRange, TextSize, parse};
 use std::sync::Arc;
 

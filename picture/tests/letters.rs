@@ -1,9 +1,9 @@
-//! Diagrams drawn with characters. `UPDATE_EXPECT=1 cargo test -p ladder-interchange` draws them anew; look at them before
+//! Diagrams drawn with characters. `UPDATE_EXPECT=1 cargo test -p ladder-picture` draws them anew; look at them before
 //! you keep them.
 
 use expect_test::{expect, expect_file};
 use ladder_analysis::{Analysis, analyze};
-use ladder_interchange::picture::letters::{Gate, Ink, Live, Piece, Shown, pieces};
+use ladder_picture::letters::{Gate, Ink, Live, Piece, Shown, pieces};
 use ladder_syntax::{TextRange, TextSize, parse};
 use std::fmt::Write;
 use std::sync::Arc;

@@ -1,9 +1,9 @@
-//! Pictures of programs, compared to the byte. `UPDATE_EXPECT=1 cargo test -p ladder-interchange` draws them anew;
+//! Pictures of programs, compared to the byte. `UPDATE_EXPECT=1 cargo test -p ladder-picture` draws them anew;
 //! look at them before you keep them.
 
 use expect_test::expect_file;
 use ladder_analysis::analyze;
-use ladder_interchange::picture::{Options, Theme, scene, svg};
+use ladder_picture::{Options, Theme, scene, svg};
 use ladder_syntax::{Parse, TextRange, TextSize, parse};
 use std::collections::HashMap;
 use std::sync::Arc;

@@ -3,8 +3,8 @@
 use super::canvas::{Arm, Canvas, Weight};
 use super::network::Flow;
 use super::{Gate, Ink, Shown};
-use crate::picture::measure::columns;
-use crate::picture::symbol::{Label, Mark, Symbol};
+use crate::measure::columns;
+use crate::symbol::{Label, Mark, Symbol};
 
 /// The lines that something takes over and under its wire.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
