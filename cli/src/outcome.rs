@@ -3,7 +3,7 @@
 use crate::findings::render_settings;
 use crate::terminal;
 use annotate_snippets::Renderer;
-use ladder_interchange::notation::ReadError;
+use ladder_notations::ReadError;
 use ladder_workspace::{FileError, SettingsError, shown};
 use std::fmt;
 use std::path::Path;

@@ -1,3 +1,0 @@
-//! Ladder programs in the notations of other systems.
-
-pub mod notation;
