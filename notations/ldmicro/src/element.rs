@@ -1,8 +1,9 @@
 //! The elements of LDmicro 2.2, each beside the instruction that says the same. Import, export and checks read this
 //! table. What its fork has beside them is in [`fork`].
 
-use super::fork::{self, Dialect};
-use super::model::Version;
+use super::field::{Coil, Slot, fields, is_literal, literal, wrapped};
+use super::fork;
+use super::model::{Dialect, Version};
 use ladder_instructions::Op;
 
 /// An element: the word that its line begins with, and what it is.
@@ -45,17 +46,6 @@ pub(super) enum Form {
     Comment,
     /// An empty rung.
     Placeholder,
-}
-
-/// What a field of [`Form::Values`] is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Slot {
-    /// A variable that is written.
-    Place,
-    /// A variable or a literal that is read.
-    Value,
-    /// A number.
-    Number,
 }
 
 const fn row(word: &'static str, form: Form) -> Row {
@@ -123,11 +113,6 @@ pub(super) fn row_of(text: &str) -> Option<&'static Row> {
     ROWS.iter().find(|row| row.word == word)
 }
 
-/// The fields behind the word.
-pub(super) fn fields(text: &str) -> Vec<&str> {
-    text.split(' ').skip(1).collect()
-}
-
 /// A line with one blank between its fields. The text of a comment stays.
 pub(super) fn normal_blanks(line: &str) -> String {
     let is_text = |word: &str| word == "COMMENT" || word == "STRING";
@@ -171,38 +156,6 @@ pub(super) fn check(text: &str) -> Result<(), String> {
         return Err(format!("`{word}` has {least} fields or more: {names}"));
     }
     Ok(())
-}
-
-/// Whether an operand is a literal.
-pub(super) fn is_literal(operand: &str) -> bool {
-    operand.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '\''))
-}
-
-/// The value of a literal: `-5`, `'A'`, `0x1F`.
-pub(super) fn literal(text: &str) -> Option<i64> {
-    if let Some(inside) = text.strip_prefix('\'') {
-        let mut chars = inside.strip_suffix('\'')?.chars();
-        let c = match (chars.next()?, chars.next()) {
-            ('\\', Some('n')) => '\n',
-            ('\\', Some('r')) => '\r',
-            ('\\', Some('t')) => '\t',
-            (c, None) => c,
-            _ => return None,
-        };
-        return Some(i64::from(u32::from(c)));
-    }
-    let (sign, digits) = match text.strip_prefix('-') {
-        Some(digits) => (-1, digits),
-        None => (1, text.strip_prefix('+').unwrap_or(text)),
-    };
-    let (base, digits) = match digits.get(..2) {
-        Some("0x" | "0X") => (16, &digits[2..]),
-        Some("0o") => (8, &digits[2..]),
-        Some("0b") => (2, &digits[2..]),
-        _ => (10, digits),
-    };
-    let number = u32::from_str_radix(digits, base).ok()?;
-    Some(sign * i64::from(number))
 }
 
 /// The line that says the same in the plainest way: what export writes. None if it has no counterpart.
@@ -291,11 +244,6 @@ pub(super) fn timer(word: &str, name: &str, preset: u64, dialect: Dialect) -> St
     }
 }
 
-/// A number as LDmicro's 16 bits hold it.
-pub(super) fn wrapped(number: i64) -> i64 {
-    i64::from(number as i16)
-}
-
 fn flag(field: &str) -> u8 {
     u8::from(field != "0")
 }
@@ -319,28 +267,6 @@ pub(super) fn curve(to: &str, input: &str, points: &[i64]) -> String {
         line.push_str(&format!(" {value}"));
     }
     line
-}
-
-/// What a coil does.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Coil {
-    Plain,
-    Negated,
-    Set,
-    Reset,
-}
-
-impl Coil {
-    /// From `name negated set reset`: the first that is on counts.
-    pub(super) fn of(fields: &[&str]) -> Coil {
-        let on = |index: usize| fields.get(index).is_some_and(|field| *field != "0");
-        match () {
-            () if on(1) => Coil::Negated,
-            () if on(2) => Coil::Set,
-            () if on(3) => Coil::Reset,
-            () => Coil::Plain,
-        }
-    }
 }
 
 pub(super) fn coil(name: &str, coil: Coil) -> String {

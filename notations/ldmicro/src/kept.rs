@@ -1,8 +1,11 @@
 //! What the comments of a ladder text keep of an LDmicro file: header, names, pins, rungs that are comments.
 
-use super::export::UNSETTLED;
 use super::model::{File, Leaf, Node, Rung, Version};
 use std::collections::HashMap;
+
+/// How a line begins that is not yet one of LDmicro's: which rung it leads to, or that something leads to its rung, is
+/// known once all rungs are there.
+pub(super) const UNSETTLED: char = '\0';
 
 /// The line in `# ldmicro: GOSUB init #`, as it was before it became a comment.
 pub(super) fn kept(comment: &str) -> Option<String> {

@@ -15,6 +15,7 @@
 mod drawn;
 mod element;
 mod export;
+mod field;
 mod fork;
 mod kept;
 mod model;

@@ -1,7 +1,5 @@
 //! An LDmicro program as its file has it.
 
-use super::fork::Dialect;
-
 /// The version of the file format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) enum Version {
@@ -51,6 +49,14 @@ pub(super) struct File {
     /// `Xin at 21`
     pub(super) io: Vec<(u32, String)>,
     pub(super) rungs: Vec<Rung>,
+}
+
+/// What the lines of a file depend on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Dialect {
+    pub(super) version: Version,
+    /// The length of a cycle in microseconds.
+    pub(super) cycle: u64,
 }
 
 impl File {

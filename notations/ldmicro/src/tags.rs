@@ -1,7 +1,9 @@
 //! What the names of an LDmicro program become: bits, variables, timers, counters, places of shift registers.
 
-use super::element::{self, Form, Slot};
-use super::fork::{self, Dialect, Given, What};
+use super::element::{self, Form};
+use super::field::{self, Slot};
+use super::fork::{self, Given, What};
+use super::model::Dialect;
 use super::model::{File, Leaf, leaves};
 use ladder_instructions::{Op, by_op};
 use ladder_notation::names::Names;
@@ -83,7 +85,7 @@ impl Tags {
         let Some(row) = element::row_of(&leaf.text) else {
             return;
         };
-        let fields = element::fields(&leaf.text);
+        let fields = field::fields(&leaf.text);
         match row.form {
             Form::Contact if fields.get(2).is_some_and(|high| *high != "0") => {
                 self.high.insert(fields[0].to_owned());
@@ -171,7 +173,7 @@ impl Tags {
         let Some(row) = element::row_of(&leaf.text) else {
             return;
         };
-        let fields = element::fields(&leaf.text);
+        let fields = field::fields(&leaf.text);
         match row.form {
             Form::Contact | Form::Coil => self.meet_bit(fields[0]),
             Form::Reset if self.is_pulses(fields[0]) => {}
@@ -204,7 +206,7 @@ impl Tags {
     }
 
     fn meet_variable(&mut self, name: &str) {
-        if element::is_literal(name) || self.variable.contains_key(name) || self.stage(name).is_some() {
+        if field::is_literal(name) || self.variable.contains_key(name) || self.stage(name).is_some() {
             return;
         }
         let tag = if self.bit.contains_key(name) {

@@ -22,7 +22,7 @@ fn header() -> Vec<String> {
 }
 
 /// Whether a file begins with the header of a grid.
-pub(super) fn is_grid(bytes: &[u8]) -> bool {
+pub(in super::super) fn is_grid(bytes: &[u8]) -> bool {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let first = bytes.split(|byte| matches!(byte, b'\r' | b'\n')).next();
     first.is_some_and(|line| line.trim_ascii_end() == header().join(",").as_bytes())

@@ -35,59 +35,17 @@ mod token;
 mod write;
 
 use super::model::Operand;
-use super::{nicknames, order, read_back};
 use addresses::Addresses;
-use ladder_analysis::Analysis;
-use ladder_notation::{Notation, ReadError, Reading, Source, WriteError, Writing};
 
 pub(super) use cell::COLUMNS;
+pub(super) use file::is_grid;
+pub(super) use read::{is_subroutine_of, read};
 pub(super) use rungs::CONTINUES;
+pub(super) use write::write;
 
 /// A value as the grid writes it. None: an address has only a nickname.
 pub(super) fn operand(operand: &Operand) -> Option<String> {
     operand::operand_text(operand, &Addresses::default())
-}
-
-/// See the module.
-#[derive(Debug)]
-pub struct ClickGrid;
-
-impl Notation for ClickGrid {
-    fn name(&self) -> &'static str {
-        "click-csv"
-    }
-
-    fn title(&self) -> &'static str {
-        "grid of a Click program"
-    }
-
-    fn extensions(&self) -> &'static [&'static str] {
-        &["csv"]
-    }
-
-    fn recognises(&self, bytes: &[u8]) -> bool {
-        file::is_grid(bytes)
-    }
-
-    fn has_companion(&self, program: &str, file: &str) -> bool {
-        nicknames::is_file_of(program, file) || read::is_subroutine_of(program, file)
-    }
-
-    fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
-        read::read(source)
-    }
-
-    fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
-        let (program, mut report) = read_back::program(analysis)?;
-        order::remarks(&program, order::Look::Before, &mut report);
-        let (text, companions) = write::write(&program, &mut report);
-        report.entries.sort_by_key(|entry| entry.place);
-        Ok(Writing {
-            bytes: text.into_bytes(),
-            companions,
-            report,
-        })
-    }
 }
 
 #[cfg(test)]

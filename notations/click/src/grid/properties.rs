@@ -6,7 +6,8 @@ use super::addresses::Addresses;
 use super::cell::{Body, COLUMNS, Grid, GridRung, Row};
 use super::netlist::{Netlist, RAIL};
 use super::rungs::Reader;
-use super::{ClickGrid, file, output, write};
+use super::{file, output, write};
+use crate::ClickGrid;
 use ladder_notation::{Notation, Report, Source, convert};
 
 /// A generator of numbers, so that failures come back.

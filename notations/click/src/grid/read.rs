@@ -1,6 +1,5 @@
 //! From the files of a program to the model, and from there to ladder text.
 
-use super::super::checks::Words;
 use super::super::model::{Instruction, Program, Routine};
 use super::super::nicknames;
 use super::cell::{Body, Grid};
@@ -16,7 +15,7 @@ const SUBROUTINE: &str = "sub_";
 const MAIN: &str = "main";
 
 /// Whether a file beside a program holds one of its subroutines.
-pub(super) fn is_subroutine_of(program: &str, file: &str) -> bool {
+pub(in super::super) fn is_subroutine_of(program: &str, file: &str) -> bool {
     program == MAIN && stem(file).is_some_and(|stem| stem.starts_with(SUBROUTINE))
 }
 
@@ -41,8 +40,12 @@ pub(super) fn file_stem(subroutine: &str) -> String {
     )
 }
 
-/// A program, with its subroutines and nicknames where they lie beside it.
-pub(super) fn read(source: &Source<'_>) -> Result<Reading, ReadError> {
+/// A program, with its subroutines and nicknames where they are next to it; `to_ladder` makes ladder text of what is in
+/// its files.
+pub(in super::super) fn read(
+    source: &Source<'_>,
+    to_ladder: impl FnOnce(&Program) -> Reading,
+) -> Result<Reading, ReadError> {
     let mut texts = Texts::default();
     let mut reader = Reader::default();
     let grid = file::read(source.bytes, 0)?;
@@ -84,7 +87,7 @@ pub(super) fn read(source: &Source<'_>) -> Result<Reading, ReadError> {
     let mut nicknames = nicknames::beside(source)?;
     program.nicknames = std::mem::take(&mut nicknames.all);
     nicknames.unused(&program);
-    let mut reading = super::super::reading(&program, Words::Grid);
+    let mut reading = to_ladder(&program);
     reading.report = texts.joined(reading.report, reader.report);
     reading.findings.extend(reader.findings);
     if program.main.rungs.is_empty() && !program.subroutines.is_empty() {

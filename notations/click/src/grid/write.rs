@@ -15,7 +15,7 @@ use std::collections::HashSet;
 
 /// The grids of a program: that of its main program, and beside it its subroutines and its nicknames. A program that is
 /// only a subroutine is its grid.
-pub(super) fn write(program: &Program, report: &mut Report) -> (String, Vec<Companion>) {
+pub(in super::super) fn write(program: &Program, report: &mut Report) -> (String, Vec<Companion>) {
     let addresses = Addresses::of(program, report);
     let mut grids = |routine: &Routine| file::write(&grid(routine, &addresses, report));
     let only = match &program.subroutines[..] {

@@ -3,6 +3,7 @@
 use super::super::element::{self, Form};
 use super::super::model::{File, number};
 use super::chips::{Chip, by_name};
+use crate::field;
 use ladder_instructions::Op;
 use std::collections::HashMap;
 
@@ -128,7 +129,7 @@ fn kinds<'e>(used: &[&'e str]) -> HashMap<std::borrow::Cow<'e, str>, Kind> {
         let Some(row) = element::row_of(element) else {
             continue;
         };
-        let fields = element::fields(element);
+        let fields = field::fields(element);
         let first = fields.first().copied().unwrap_or_default();
         let by_letter = |other: Kind| match first.chars().next() {
             Some('R') => Kind::Relay,

@@ -1,6 +1,7 @@
 //! How LDmicro draws an element: two lines, and how many cells they take.
 
-use super::super::element::{self, Coil, Form};
+use super::super::element::{self, Form};
+use super::super::field::{self, Coil};
 use super::super::fork;
 use super::super::model::File;
 use super::{CELL, TOO_LONG};
@@ -40,7 +41,7 @@ pub(super) fn symbol(text: &str) -> Symbol {
     let Some(row) = element::row_of(text) else {
         return fitting(Symbol::new("", format!("{{{text}}}")));
     };
-    let fields = element::fields(text);
+    let fields = field::fields(text);
     let field = |index: usize| fields.get(index).copied().unwrap_or_default();
     let name = field(0);
     let symbol = match row.form {
@@ -201,7 +202,7 @@ pub(super) fn loss(text: &str) -> Option<String> {
     let Some(row) = row else {
         return Some("LDmicro 2.2 has no such element".to_owned());
     };
-    let fields = element::fields(text);
+    let fields = field::fields(text);
     if row.form != Form::Comment && symbol(text).body == TOO_LONG {
         return Some("it is too long for the drawing".to_owned());
     }

@@ -1,18 +1,14 @@
 //! What only LDmicro's fork has, on its way back.
 
 use super::Exporter;
-use crate::element;
+use crate::field;
 use crate::fork::made::Made;
 use crate::fork::{RESOLUTION, table};
-use crate::kept::behind;
+use crate::kept::{UNSETTLED, behind};
 use crate::model::Version;
 use ladder_analysis::program::{Argument, Block, BlockKind, Expr, ExprKind, Place as Operand};
 use ladder_analysis::values::value::Value;
 use ladder_instructions::Op;
-
-/// How a line begins that is not yet one of LDmicro's: which rung it leads to, or that something leads to its rung, is
-/// known once all rungs are there.
-pub(in super::super) const UNSETTLED: char = '\0';
 
 /// In the place of a label: the end of the subprogram that the jump is in. None is the end of the program.
 pub(super) const OWN_END: &str = "\0";
@@ -159,7 +155,7 @@ impl Exporter<'_> {
             Op::Pwm if count == 3 => {
                 let (duty, frequency) = (self.given(block, 0)?, self.given(block, 1)?);
                 let number = self.given(block, 2)?;
-                if !element::is_literal(&frequency) || !element::is_literal(&number) {
+                if !field::is_literal(&frequency) || !field::is_literal(&number) {
                     return Err("LDmicro's pulse outputs and their frequencies are fixed".to_owned());
                 }
                 let name = self.pulses.get(&number).cloned();

@@ -3,14 +3,12 @@
 mod fork;
 mod rungs;
 
-pub(super) use fork::UNSETTLED;
-
-use crate::element::{self, Coil, Form, ROWS};
-use crate::fork::Dialect;
+use crate::element::{self, Form, ROWS};
+use crate::field::Coil;
 use crate::fork::jumps;
 use crate::fork::made::Made;
 use crate::kept::{Head, behind, comment, kept};
-use crate::model::{File, Leaf, Node, Rung, Version};
+use crate::model::{Dialect, File, Leaf, Node, Rung, Version};
 use crate::{parse, text};
 use ladder_analysis::Analysis;
 use ladder_analysis::program::{

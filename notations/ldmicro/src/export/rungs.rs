@@ -2,9 +2,9 @@
 //! behind the others.
 
 use super::Exporter;
-use super::fork::{OWN_END, UNSETTLED};
+use super::fork::OWN_END;
 use crate::fork::jumps;
-use crate::kept::comments;
+use crate::kept::{UNSETTLED, comments};
 use crate::model::{Leaf, Node, Rung, leaves};
 use ladder_analysis::program::{BlockKind, Network};
 use ladder_instructions::Op;

@@ -4,9 +4,9 @@
 //! between `SUBPROG` and `ENDSUB` move to the end, and a comment keeps their place. `GOTO 5` leads to a rung by its
 //! number: that rung gets a label.
 
-use super::super::element;
 use super::super::model::{File, Leaf, Node, Rung, leaves};
 use super::table::{Jump, row_of};
+use crate::field;
 use ladder_notation::names::Names;
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
@@ -76,7 +76,7 @@ impl Jumps {
         for (index, leaf, jump) in &all {
             let name = operand(leaf);
             let block = match jump {
-                Jump::Goto => match element::literal(name).filter(|_| element::is_literal(name)) {
+                Jump::Goto => match field::literal(name).filter(|_| field::is_literal(name)) {
                     Some(number) => jumps.numbered(file, *index, number, &mut names),
                     None => jumps.labelled(*index, labels.get(name), name),
                 },

@@ -9,19 +9,11 @@ pub(super) mod jumps;
 pub(super) mod made;
 pub(super) mod table;
 
-use super::element::{self, Coil, Slot};
-use super::model::Version;
+use super::field::{self, Coil, Slot};
+use super::model::{Dialect, Version};
 use ladder_instructions::Op;
 use made::{Count, Kind, Made, MadeCounter, MadeTimer};
 use table::Form;
-
-/// What the lines of a file depend on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Dialect {
-    pub(super) version: Version,
-    /// The length of a cycle in microseconds.
-    pub(super) cycle: u64,
-}
 
 /// An element of the fork.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -87,7 +79,7 @@ impl<'l> Read<'l> {
 
 /// An element as the fork has it; none for what LDmicro 2.2 has too. The mistake says why there is nothing like it here.
 pub(super) fn read(text: &str, dialect: Dialect) -> Option<Result<Read<'_>, String>> {
-    let fields = element::fields(text);
+    let fields = field::fields(text);
     if let Some(row) = table::row_of(text) {
         return Some(own(row.form, &fields, dialect));
     }
@@ -125,7 +117,7 @@ fn serial(text: &str, fields: &[&str]) -> Option<String> {
 
 /// `SET_PWM duty frequency P1 resolution`
 fn pulses<'l>(fields: &[&'l str]) -> Result<Read<'l>, String> {
-    element::literal(fields[1]).ok_or("its frequency is a variable")?;
+    field::literal(fields[1]).ok_or("its frequency is a variable")?;
     let given = vec![
         Given::Value(fields[0]),
         Given::Value(fields[1]),
@@ -152,10 +144,10 @@ fn own<'l>(form: Form, fields: &[&'l str], dialect: Dialect) -> Result<Read<'l>,
             Ok(read)
         }
         Form::OneBit(op) => {
-            if element::is_literal(fields[0]) {
+            if field::is_literal(fields[0]) {
                 return Err(format!("{} is a number and has no bits to change", fields[0]));
             }
-            let bit = element::literal(fields[1]).ok_or("which bit it is, is a variable")?;
+            let bit = field::literal(fields[1]).ok_or("which bit it is, is a variable")?;
             let bit = u8::try_from(bit).ok().filter(|bit| *bit < 16);
             let bit = bit.ok_or_else(|| format!("bit {} is outside of 16 bits", fields[1]))?;
             Ok(Read::new(What::Instruction(op), vec![Given::Bit(fields[0], bit)]))
@@ -183,9 +175,7 @@ fn own<'l>(form: Form, fields: &[&'l str], dialect: Dialect) -> Result<Read<'l>,
 
 fn given<'l>(fields: &[&'l str], slots: &[Slot]) -> Result<Vec<Given<'l>>, String> {
     let given = fields.iter().zip(slots).map(|(field, slot)| match slot {
-        Slot::Place if element::is_literal(field) => {
-            Err(format!("{field} is a number and cannot be written"))
-        }
+        Slot::Place if field::is_literal(field) => Err(format!("{field} is a number and cannot be written")),
         Slot::Place => Ok(Given::Place(field)),
         Slot::Value | Slot::Number => Ok(Given::Value(field)),
     });
@@ -194,12 +184,12 @@ fn given<'l>(fields: &[&'l str], slots: &[Slot]) -> Result<Vec<Given<'l>>, Strin
 
 /// By how many bits something is shifted.
 fn shifted(count: &str) -> Result<Option<&'static str>, String> {
-    match element::literal(count) {
+    match field::literal(count) {
         Some(0..=16) => Ok(None),
         Some(count) => Err(format!(
             "{count} is no number of bits to shift 16 bits by: 0 to 16"
         )),
-        None if element::is_literal(count) => Err("its literal is no number".to_owned()),
+        None if field::is_literal(count) => Err("its literal is no number".to_owned()),
         None => Ok(Some("where the number of bits is below 0, there is a fault here")),
     }
 }
@@ -216,7 +206,7 @@ fn timer<'l>(timer: MadeTimer, fields: &[&'l str], dialect: Dialect) -> Result<R
             return Err(format!("its delay is {scans} cycles: 1 to 32767 are possible"));
         }
         Given::Scans(scans)
-    } else if element::is_literal(fields[1]) || timer == MadeTimer::RetentiveLow {
+    } else if field::is_literal(fields[1]) || timer == MadeTimer::RetentiveLow {
         return Err("its delay is no number".to_owned());
     } else {
         Given::Value(fields[1])
@@ -230,16 +220,16 @@ fn counter<'l>(count: Count, fields: &[&'l str]) -> Result<Read<'l>, String> {
     let kind = fields.get(3).copied().unwrap_or("/");
     let kind = Kind::of(kind).ok_or("its last field is none of `/`, `\\`, `-` and `o`")?;
     let init = fields.get(2).copied().unwrap_or("0");
-    let from_variable = !element::is_literal(init);
+    let from_variable = !field::is_literal(init);
     let number = |field: &str| {
-        let number = element::literal(field).ok_or("its limit or first value is no number")?;
-        if element::wrapped(number) != number {
+        let number = field::literal(field).ok_or("its limit or first value is no number")?;
+        if field::wrapped(number) != number {
             return Err(format!("{number} does not fit 16 bits"));
         }
         Ok(number)
     };
     let initial = (!from_variable).then(|| number(init)).transpose()?;
-    if element::is_literal(fields[1]) {
+    if field::is_literal(fields[1]) {
         number(fields[1])?;
     }
     let mut given = vec![Given::Place(fields[0]), Given::Value(fields[1])];
@@ -261,8 +251,8 @@ pub(super) fn plain(text: &str, read: &Read<'_>, dialect: Dialect) -> Option<Str
     let mut words = Vec::with_capacity(read.given.len());
     for given in &read.given {
         words.push(match given {
-            Given::Value(field) if element::is_literal(field) => {
-                element::wrapped(element::literal(field)?).to_string()
+            Given::Value(field) if field::is_literal(field) => {
+                field::wrapped(field::literal(field)?).to_string()
             }
             Given::Place(name) | Given::Value(name) | Given::Relay(name) => (*name).to_owned(),
             Given::Scans(scans) => scans.to_string(),

@@ -1,6 +1,6 @@
 //! The elements that only LDmicro's fork has, each beside what it becomes here.
 
-use super::super::element::Slot;
+use super::super::field::Slot;
 use super::made::{Made, MadeTimer};
 use ladder_instructions::Op;
 

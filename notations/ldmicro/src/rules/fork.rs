@@ -1,8 +1,8 @@
 //! What the fork checks beyond LDmicro 2.2: names that belong to one element, jumps and their labels, indices.
 
-use super::super::element;
 use super::super::model::{File, Leaf, leaves};
 use super::error;
+use crate::field;
 use ladder_analysis::Severity;
 use ladder_notation::Finding;
 use std::collections::{HashMap, HashSet};
@@ -60,7 +60,7 @@ pub(super) fn findings(file: &File, out: &mut Vec<Finding>) {
 /// The variables that an element names, and for what. Bits are names of their own.
 fn names(text: &str) -> Vec<(&str, Use)> {
     let word = text.split(' ').next().unwrap_or_default();
-    let fields = element::fields(text);
+    let fields = field::fields(text);
     let first = match word {
         "CONTACTS" | "COIL" | "COMMENT" | "GOTO" | "GOSUB" | "LABEL" | "SUBPROG" | "ENDSUB" => {
             return Vec::new();
@@ -97,11 +97,11 @@ fn names(text: &str) -> Vec<(&str, Use)> {
 
 /// Literals that the element cannot do anything with.
 fn numbers(leaf: &Leaf, out: &mut Vec<Finding>) {
-    let fields = element::fields(&leaf.text);
+    let fields = field::fields(&leaf.text);
     let field = |index: usize| fields.get(index).copied().unwrap_or_default();
     let message = match leaf.text.split(' ').next().unwrap_or_default() {
         "LOOK_UP_TABLE" => {
-            let (index, count) = (element::literal(field(1)), element::literal(field(2)));
+            let (index, count) = (field::literal(field(1)), field::literal(field(2)));
             match (index, count) {
                 (Some(index), Some(count)) if !(0..count).contains(&index) => {
                     format!("index {index} is outside the table, which has {count} values, from 0 on")
@@ -109,7 +109,7 @@ fn numbers(leaf: &Leaf, out: &mut Vec<Finding>) {
                 _ => return,
             }
         }
-        "BCD2BIN" => match element::literal(field(1)) {
+        "BCD2BIN" => match field::literal(field(1)) {
             Some(number)
                 if format!("{:x}", number.unsigned_abs()).contains(|c: char| !c.is_ascii_digit()) =>
             {

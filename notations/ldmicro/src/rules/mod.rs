@@ -3,7 +3,8 @@
 mod fork;
 mod texts;
 
-use super::element::{self, Form, Slot};
+use super::element::{self, Form};
+use super::field::{self, Slot};
 use super::fork::table::row_of as forks_row;
 use super::model::{File, Leaf, Node, Version, leaves};
 use super::tags::MOST_STAGES;
@@ -45,7 +46,7 @@ pub(super) fn findings(file: &File) -> Vec<Finding> {
 fn unassigned(file: &File, uses: &HashMap<&str, Vec<(&Leaf, Form)>>, out: &mut Vec<Finding>) {
     let mut stages: HashSet<String> = HashSet::new();
     for leaf in file.rungs.iter().flat_map(|rung| leaves(&rung.parts)) {
-        let fields = element::fields(&leaf.text);
+        let fields = field::fields(&leaf.text);
         if let Some(Form::Shift) = element::row_of(&leaf.text).map(|row| row.form) {
             let count: u32 = fields[1].parse().unwrap_or(0);
             stages.extend((0..count.min(MOST_STAGES)).map(|stage| format!("{}{stage}", fields[0])));
@@ -54,12 +55,12 @@ fn unassigned(file: &File, uses: &HashMap<&str, Vec<(&Leaf, Form)>>, out: &mut V
     let mut changed: HashSet<&str> = HashSet::new();
     for leaf in file.rungs.iter().flat_map(|rung| leaves(&rung.parts)) {
         if forks_row(&leaf.text).is_some() {
-            changed.extend(element::fields(&leaf.text).first());
+            changed.extend(field::fields(&leaf.text).first());
         }
     }
     for (name, uses) in uses {
         let assigns = |(leaf, form): &(&Leaf, Form)| {
-            let is_first = element::fields(&leaf.text).first() == Some(name);
+            let is_first = field::fields(&leaf.text).first() == Some(name);
             match form {
                 Form::Values(Op::Persist, _) => true,
                 Form::Values(_, slots) => is_first && slots.first() == Some(&Slot::Place),
@@ -93,7 +94,7 @@ fn error(line: u32, check: &'static str, message: impl Into<String>) -> Finding 
 
 /// The variables that an element names.
 fn variables(text: &str, form: Form) -> Vec<&str> {
-    let fields = element::fields(text);
+    let fields = field::fields(text);
     let count = match form {
         Form::Values(_, slots) => slots.len(),
         Form::Table | Form::Curve => 2,
@@ -101,12 +102,12 @@ fn variables(text: &str, form: Form) -> Vec<&str> {
         _ => 0,
     };
     let named = fields.into_iter().take(count);
-    named.filter(|field| !element::is_literal(field)).collect()
+    named.filter(|field| !field::is_literal(field)).collect()
 }
 
 /// What is wrong with an element by itself.
 fn one(file: &File, leaf: &Leaf, form: Form, in_rung: usize, out: &mut Vec<Finding>) {
-    let fields = element::fields(&leaf.text);
+    let fields = field::fields(&leaf.text);
     let line = leaf.line;
     match form {
         Form::Timer(_) => {
@@ -124,7 +125,7 @@ fn one(file: &File, leaf: &Leaf, form: Form, in_rung: usize, out: &mut Vec<Findi
         Form::Values(_, slots) => {
             for (field, slot) in fields.iter().zip(slots) {
                 match slot {
-                    Slot::Place if element::is_literal(field) => {
+                    Slot::Place if field::is_literal(field) => {
                         let message = format!("'{field}' not a valid destination.");
                         out.push(error(line, "ldmicro-destination", message));
                     }
@@ -164,10 +165,10 @@ fn one(file: &File, leaf: &Leaf, form: Form, in_rung: usize, out: &mut Vec<Findi
 }
 
 fn constant(line: u32, field: &str, out: &mut Vec<Finding>) {
-    if !element::is_literal(field) {
+    if !field::is_literal(field) {
         return;
     }
-    if let Some(value) = element::literal(field).filter(|value| element::wrapped(*value) != *value) {
+    if let Some(value) = field::literal(field).filter(|value| field::wrapped(*value) != *value) {
         let message = format!("Constant {value} out of range: -32768 to 32767 inclusive.");
         let mut found = error(line, "ldmicro-constant", message);
         found.severity = Severity::Warning;

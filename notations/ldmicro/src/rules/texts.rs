@@ -1,13 +1,13 @@
 //! What is wrong with the text of a `FORMATTED_STRING`.
 
-use super::super::element;
 use super::super::model::{Leaf, Version};
 use super::error;
+use crate::field;
 use ladder_notation::Finding;
 
 /// Its escapes, and whether they suit its variable.
 pub(super) fn findings(version: Version, leaf: &Leaf, out: &mut Vec<Finding>) {
-    let fields = element::fields(&leaf.text);
+    let fields = field::fields(&leaf.text);
     let text = text_of(&fields);
     let mut complain = |message: String| out.push(error(leaf.line, "ldmicro-text", message));
     let mut numbers = 0;

@@ -2,7 +2,8 @@
 
 use super::Importer;
 use super::head::plain_duration;
-use crate::element::{self, Coil, Form, Slot};
+use crate::element::{self, Form};
+use crate::field::{self, Coil, Slot};
 use crate::fork::{self, Given, Read, What};
 use crate::model::{Leaf, Version};
 use crate::tags::MOST_STAGES;
@@ -31,7 +32,7 @@ impl<'f> Importer<'f> {
         if self.jumps.block(leaf).is_some() {
             let label = leaf.text.split(' ').nth(1);
             return label
-                .is_none_or(|label| !element::is_literal(label) && block.split(' ').nth(1) == Some(label));
+                .is_none_or(|label| !field::is_literal(label) && block.split(' ').nth(1) == Some(label));
         }
         // RES of a variable is a MOV here.
         let variable = leaf.text.strip_prefix("RES ");
@@ -44,7 +45,7 @@ impl<'f> Importer<'f> {
         if let Some(block) = self.jumps.block(leaf) {
             return block.clone().map(Translation::from);
         }
-        let fields = element::fields(&leaf.text);
+        let fields = field::fields(&leaf.text);
         let dialect = self.file.dialect();
         if let Some(read) = fork::read(&leaf.text, dialect) {
             let mut translation = self.forks(&read?)?;
@@ -84,7 +85,7 @@ impl<'f> Importer<'f> {
             }
             Form::Counter(op) => {
                 let tag = self.state(op, name)?;
-                let most = element::literal(fields[1]).unwrap_or(0);
+                let most = field::literal(fields[1]).unwrap_or(0);
                 format!("{}( {tag}, {most} )", by_op(op).block()).into()
             }
             Form::Reset => match self.tags.any_state(name) {
@@ -135,11 +136,11 @@ impl<'f> Importer<'f> {
     }
 
     fn operand(&self, text: &str, remark: &mut Option<String>) -> Result<String, String> {
-        if !element::is_literal(text) {
+        if !field::is_literal(text) {
             return Ok(self.tags.variable(text));
         }
-        let value = element::literal(text).ok_or("its literal is no number")?;
-        let wrapped = element::wrapped(value);
+        let value = field::literal(text).ok_or("its literal is no number")?;
+        let wrapped = field::wrapped(value);
         if wrapped != value {
             *remark = Some(format!("{text} is {wrapped} in 16 bits"));
         }
@@ -155,12 +156,12 @@ impl<'f> Importer<'f> {
         let mut operands = Vec::new();
         for (field, slot) in fields.iter().zip(slots) {
             operands.push(match slot {
-                Slot::Place if element::is_literal(field) => {
+                Slot::Place if field::is_literal(field) => {
                     return Err(format!("{field} is a number and cannot be written"));
                 }
                 Slot::Place => self.tags.variable(field),
                 Slot::Value => self.operand(field, &mut remark)?,
-                Slot::Number => element::literal(field).unwrap_or(0).to_string(),
+                Slot::Number => field::literal(field).unwrap_or(0).to_string(),
             });
         }
         let text = format!("{head}( {} )", operands.join(", "));
@@ -222,7 +223,7 @@ impl<'f> Importer<'f> {
         }
         let values: Vec<String> = values
             .iter()
-            .map(|value| element::wrapped(*value).to_string())
+            .map(|value| field::wrapped(*value).to_string())
             .collect();
         let text = format!("{head}( {to}, {index}, {} )", values.join(", "));
         Ok(Translation { text, remark })

@@ -3,7 +3,7 @@
 
 mod definition;
 
-use super::Dialect;
+use crate::model::Dialect;
 use ladder_format::Circuit;
 use ladder_format::program::{Declaration, Drawing, Element, Item, Network, Section, SectionKind};
 
