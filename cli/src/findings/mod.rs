@@ -11,7 +11,6 @@ pub(crate) mod sarif;
 mod source;
 mod workspaces;
 
-pub(crate) use mistake::render_settings;
 pub(crate) use problem::{FileRange, Problem, annotation};
 pub(crate) use source::{NotRead, Source, with_line_feeds};
 pub(crate) use workspaces::Workspaces;
