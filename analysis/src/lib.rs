@@ -33,7 +33,6 @@ mod checking;
 pub mod context;
 mod cplc_draft;
 pub mod findings;
-mod mistakes;
 pub mod names;
 pub mod networks;
 pub mod other_files;

@@ -68,6 +68,24 @@ install it (cargo install --path cli), or set `ladder-server-program'"))
       (eglot-format (region-beginning) (region-end))
     (eglot-format-buffer)))
 
+(defun ladder-toggle-comment ()
+  "Turn the line, or the lines of the region, into comments, or back.
+A comment cannot hold a `#': what is to be written the server knows."
+  (interactive)
+  (let* ((start (if (use-region-p) (region-beginning) (point)))
+         (end (if (use-region-p) (region-end) (point)))
+         (first (1- (line-number-at-pos start t)))
+         ;; A region that ends before a line's first character does not count that line.
+         (last (- (line-number-at-pos end t) (if (and (> end start) (save-excursion (goto-char end) (bolp))) 2 1))))
+    ;; What was typed just now is not sent yet.
+    (eglot--signal-textDocument/didChange)
+    (let ((answer (jsonrpc-request
+                   (eglot--current-server-or-lose) :workspace/executeCommand
+                   (list :command "ladder.comment"
+                         :arguments (vector (list :uri (plist-get (eglot--TextDocumentIdentifier) :uri)
+                                                  :lines (vector (list :first first :last last))))))))
+      (eglot--apply-text-edits (plist-get answer :edits)))))
+
 (defun ladder--format-before-save ()
   "Align the program if that is wanted and there is a server."
   (when (and ladder-format-on-save (eglot-current-server))
@@ -159,6 +177,7 @@ A comment ends at the very next one."
   (let ((map (make-sparse-keymap)))
     (define-key map (kbd "C-c C-f") #'ladder-format)
     (define-key map (kbd "C-c C-c") #'ladder-start)
+    (define-key map [remap comment-line] #'ladder-toggle-comment)
     map)
   "Keys of `ladder-mode'.")
 

@@ -126,12 +126,12 @@ The state that comes is drawn."
 (defun ladder-set (tag value)
   "Give TAG a VALUE, written as the language writes it."
   (interactive (ladder--ask-value "Set"))
-  (ladder--command "set" :tag tag :value value))
+  (ladder--command "set" :tag tag :text value))
 
 (defun ladder-force (tag value)
   "Hold TAG at VALUE until `ladder-release'."
   (interactive (ladder--ask-value "Force"))
-  (ladder--command "force" :tag tag :value value))
+  (ladder--command "force" :tag tag :text value))
 
 (defun ladder-release (tag)
   "Release the force of TAG."
@@ -167,13 +167,8 @@ Without one a tag is asked for, with VERB."
     (list tag (read-string (format "%s %s to: " verb tag)))))
 
 (defun ladder--show-value (tag)
-  "The value of TAG as text."
-  (let ((value (plist-get tag :value)))
-    (concat (pcase (plist-get tag :type)
-              ("BOOL" (if (ladder--true-p tag :value) "1" "0"))
-              ("TIME" (format "%s ms" value))
-              (_ (format "%s" value)))
-            (if (ladder--true-p tag :forced) "!" ""))))
+  "The value of TAG as text, with a mark if it is forced."
+  (concat (plist-get tag :text) (if (ladder--true-p tag :forced) "!" "")))
 
 (defvar ladder-tags-mode-map
   (let ((map (make-sparse-keymap)))
@@ -249,14 +244,7 @@ Without one a tag is asked for, with VERB."
 
 (defun ladder--header ()
   "How the simulation is, for the header line."
-  (let ((forced (or (plist-get ladder--state :forced) 0))
-        (faults (length (plist-get ladder--state :faults))))
-    (concat (format " %s, scan %s, %s ms" (plist-get ladder--state :status) (plist-get ladder--state :scan)
-                    (plist-get ladder--state :timeMs))
-            (if (> forced 0) (format ", %d forced" forced) "")
-            (if (> faults 0) (format ", %d faults" faults) "")
-            (if (ladder--true-p ladder--state :stale) ", as before the errors in the text" "")
-            "   F5 run  F6 pause  F10 step  F8 back  F4 toggle")))
+  (format " %s   F5 run  F6 pause  F10 step  F8 back  F4 toggle" (plist-get ladder--state :text)))
 
 (defun ladder--forget ()
   "There is no simulation of this buffer any more."

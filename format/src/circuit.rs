@@ -73,11 +73,10 @@ impl<T> Circuit<T> {
     }
 
     /// The text of a network that leads from the left rail to the right one through the circuit, each rung with
-    /// `line_end` behind it. `rail` is as for [`Sketch::lay_out`]; `element` says what an element is, and its text.
+    /// `line_end` after it. `element` says what an element is, and its text.
     pub fn draw<'c>(
         &'c self,
         options: &Options,
-        rail: Option<u32>,
         line_end: &str,
         element: impl Fn(&'c T) -> (ElementKind, &'c str),
     ) -> String {
@@ -105,9 +104,7 @@ impl<T> Circuit<T> {
             }
         }
         let mut out = String::new();
-        sketch
-            .lay_out(options, rail)
-            .draw(|n| texts[n], line_end, &mut out);
+        sketch.lay_out(options).draw(|n| texts[n], line_end, &mut out);
         out
     }
 }

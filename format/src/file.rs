@@ -1,9 +1,9 @@
 //! Writing a file: what is between its networks, sections and comments (LANGUAGE §8 rule 7).
 //!
 //! ```text
-//! text --LineReader--> a part --Networks::read--> columns, the rail so far --File::item--> what changes
-//!            ^                                                                               |
-//!            +----------------------- the next part, or all anew with a wider rail <---------+
+//! text --LineReader--> a part --Networks::read--> columns --File::item--> what changes
+//!            ^                                                  |
+//!            +------------------- the next part <---------------+
 //! ```
 
 use crate::Options;
@@ -13,11 +13,12 @@ use crate::flat::{Flat, Source};
 use crate::network::Drawing;
 use crate::networks::{Networks, Placed, rail_column};
 use crate::pen::Pen;
-use crate::ranges::keep_all_but;
+use crate::ranges::{Asked, keep_all_but};
 use crate::section;
 use crate::stays::{Stays, item_lines};
-use ladder_syntax::SyntaxKind::COMMENT;
-use ladder_syntax::{Item, LineKind, LineReader, TextRange};
+use crate::width::display_width;
+use ladder_syntax::SyntaxKind::{COMMENT, RAIL_CONNECTOR};
+use ladder_syntax::{Item, LineKind, LineReader, TextRange, TextSize};
 use std::ops::Range;
 
 /// So much of a text is read, placed and written before what follows, in bytes: what is known of it fits into the
@@ -26,49 +27,38 @@ const PART: usize = 48 << 10;
 
 /// Formats a text: all of it, or what one of the ranges of `only` reaches into.
 pub(crate) fn format<S: Sink>(text: &str, options: &Options, only: Option<&[TextRange]>, sink: S) -> S {
+    let only = only.map(|ranges| Asked::new(ranges, TextSize::of(text)));
+    let only = only.as_ref();
     let mut file = File {
         text,
         options,
         pen: Pen::new(text, sink),
-        rail: None,
-        rail_is_drawn: false,
+        above: None,
         between: Vec::new(),
         begun: false,
     };
-    // The rails as they are drawn are in all of the file.
-    let mut least = if only.is_some() { usize::MAX } else { PART };
     let mut networks = Networks::default();
-    while let Err(again) = file.parts(&mut networks, only, least) {
+    if file.parts(&mut networks, only, PART).is_err() {
         file.pen.begin_again();
         file.between.clear();
         file.begun = false;
-        file.rail_is_drawn = false;
-        if again == Again::InOnePart {
-            file.rail = None;
-            least = usize::MAX;
-        }
+        file.above = None;
+        // In one part there is no earlier one.
+        let _ = file.parts(&mut networks, only, usize::MAX);
     }
     file.pen.finish()
 }
 
-/// Why a file must be written anew. That is rare: nearly always the first part says how wide the rails are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Again {
-    /// A network moves the file's right rail, and another was drawn by the old one.
-    WithAWiderRail,
-    /// A comment is never closed. What is not to be relied on may begin in an earlier part.
-    InOnePart,
-}
+/// A comment is never closed: what is not to be relied on may begin in a part that is written already.
+struct NeverClosed;
 
 /// What is written of a file.
 struct File<'f, S> {
     text: &'f str,
     options: &'f Options,
     pen: Pen<'f, S>,
-    /// The column, from 0, of the right rail, as far as the networks that were read have asked for one.
-    rail: Option<u32>,
-    /// Something would be drawn in another way with another rail.
-    rail_is_drawn: bool,
+    /// The rails of the network above.
+    above: Option<Rails>,
     /// Blank and rail lines behind the last thing of the part.
     between: Vec<usize>,
     /// Something was written.
@@ -87,9 +77,9 @@ impl<S: Sink> File<'_, S> {
     fn parts(
         &mut self,
         networks: &mut Networks,
-        only: Option<&[TextRange]>,
+        only: Option<&Asked>,
         least: usize,
-    ) -> Result<(), Again> {
+    ) -> Result<(), NeverClosed> {
         let mut reader = LineReader::new(self.text);
         let mut flat = Flat::default();
         let mut off = false;
@@ -99,24 +89,12 @@ impl<S: Sink> File<'_, S> {
             flat.read(&mut reader, least);
             let source = Source::new(self.text, &flat);
             if source.lines.unclosed_comment().is_some() && !is_first {
-                return Err(Again::InOnePart);
+                return Err(NeverClosed);
             }
             let mut stays = Stays::find(source, &mut off);
             networks.read(source, self.options, &mut stays);
-            let rail = networks.rail(self.options).max(self.rail);
-            if rail != self.rail {
-                self.rail = rail;
-                if self.rail_is_drawn {
-                    return Err(Again::WithAWiderRail);
-                }
-            }
-            if let Some(ranges) = only {
-                keep_all_but(source, ranges, &mut stays);
-                self.rail = self.rail.map(|rail| {
-                    networks
-                        .rail_as_drawn(source, self.options, &stays)
-                        .unwrap_or(rail)
-                });
+            if let Some(asked) = only {
+                keep_all_but(source, asked, &mut stays);
             }
             if is_first && self.text.starts_with('\u{feff}') {
                 self.pen.keep(0, '\u{feff}'.len_utf8());
@@ -143,6 +121,11 @@ impl<S: Sink> File<'_, S> {
         }
         if part.stays.line(line) {
             self.begin(part);
+            self.above = match item {
+                Item::Network(_) => Some(rails_as_drawn(part.source, lines.clone())),
+                Item::Decoration(_) => self.above,
+                _ => None,
+            };
             self.keep(part, lines);
             return;
         }
@@ -159,10 +142,12 @@ impl<S: Sink> File<'_, S> {
             }
             Item::Section(_) => {
                 self.begin(part);
+                self.above = None;
                 section::write(part.source, lines, &mut self.pen);
             }
             Item::BlockHeader(_) | Item::BlockEnd(_) => {
                 self.begin(part);
+                self.above = None;
                 if !part.source.has_mistake(line) && !has_leading_comment(part.source, line) {
                     section::words(part.source, line, &mut self.pen);
                     self.keep_line_end(part, line);
@@ -181,13 +166,14 @@ impl<S: Sink> File<'_, S> {
         let Some(Placed { rungs, outline }) = part.networks.placed[number].clone() else {
             return;
         };
-        let right = outline.railed_right.then_some(match self.rail {
-            Some(rail) if outline.rail < self.options.width => {
-                self.rail_is_drawn = true;
-                rail
-            }
-            _ => rail_column(outline.rail),
-        });
+        let right = outline
+            .railed_right
+            .then(|| rail_column(outline.rail, self.options));
+        let rails = Rails {
+            left: outline.railed_left,
+            right,
+        };
+        self.above = Some(rails);
         if let Some(rail) = right {
             part.networks.placer.place_right(
                 &part.networks.reader.sketch,
@@ -203,17 +189,14 @@ impl<S: Sink> File<'_, S> {
             reader: &part.networks.reader,
             columns: &part.networks.columns,
             first_rung: rungs.start,
-            rails: Rails {
-                left: outline.railed_left,
-                right,
-            },
+            rails,
             spacing: self.options.spacing,
         }
         .write(&mut self.pen);
     }
 
-    /// Writes what belongs between the last thing and the one that comes: a blank line if one was blank, a
-    /// rail line if only those were there, else nothing. Before the first thing is nothing.
+    /// Writes what belongs between the last thing and the one that comes: a blank line if one was blank, the rails of
+    /// the network above if only rail lines were there, else nothing. Before the first thing is nothing.
     fn begin(&mut self, part: &PendingPart<'_>) {
         let begun = std::mem::replace(&mut self.begun, true);
         let Some(&first) = self.between.first().filter(|_| begun) else {
@@ -222,11 +205,12 @@ impl<S: Sink> File<'_, S> {
         };
         let is_blank = |line: &usize| part.source.kind(*line) == LineKind::Blank;
         let blank = self.between.iter().copied().find(is_blank);
-        if blank.is_none() {
-            self.rail_is_drawn = true;
-            self.pen.bar();
-            if let Some(column) = self.rail {
-                self.pen.blanks(column - 1);
+        if let Some(Rails { left, right }) = self.above.filter(|_| blank.is_none()) {
+            if left {
+                self.pen.bar();
+            }
+            if let Some(column) = right {
+                self.pen.blanks(column - u32::from(left));
                 self.pen.bar();
             }
         }
@@ -247,6 +231,26 @@ impl<S: Sink> File<'_, S> {
             self.pen.keep(line_end, part.source.range(line).end);
         }
     }
+}
+
+/// The rails of a network that stays as it is.
+fn rails_as_drawn(source: Source<'_>, lines: Range<usize>) -> Rails {
+    let mut rails = Rails {
+        left: false,
+        right: None,
+    };
+    for line in lines.filter(|line| source.kind(*line) == LineKind::Rung) {
+        let connectors = source.line(line).children();
+        for connector in connectors.filter(|child| child.kind() == RAIL_CONNECTOR) {
+            let before = &source.text[source.range(line).start..connector.start()];
+            let before = before.rsplit(['\n', '\r']).next().unwrap_or(before);
+            match display_width(before) {
+                0 => rails.left = true,
+                column => rails.right = rails.right.max(Some(column)),
+            }
+        }
+    }
+    rails
 }
 
 /// Whether a comment is first on a line.

@@ -15,19 +15,15 @@ pub struct Layout {
 }
 
 impl Sketch {
-    /// Works out the columns of a network. `rail` is the column, from 0, of the right rail of the file that it
-    /// goes into; without one, or where the network is wider, it gets the rail of a file of its own.
-    pub fn lay_out(mut self, options: &Options, rail: Option<u32>) -> Layout {
+    /// Works out the columns of a network.
+    pub fn lay_out(mut self, options: &Options) -> Layout {
         let options = options.checked();
         let rungs = 0..self.rungs.len();
         self.pair(rungs.clone());
         let mut columns = vec![0; self.elements.len()];
         let mut placer = Placer::default();
         let outline = placer.place_left(&self, rungs.clone(), options.spacing, &mut columns);
-        let rail = match rail {
-            Some(rail) if rail >= outline.rail => rail,
-            _ => rail_column(outline.rail),
-        };
+        let rail = rail_column(outline.rail, &options);
         let right = outline.railed_right.then_some(rail);
         if right.is_some() {
             placer.place_right(&self, rungs, options.spacing, rail, &mut columns);

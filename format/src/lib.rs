@@ -1,7 +1,7 @@
 //! The canonical layout of ladder text.
 //!
 //! A drawing has one right form: wires as short as they can be, connectors of a pair in one column, coils at
-//! the right rail, one rail for the file, one blank between operands. This crate brings a text into that form
+//! the right rail, one blank between operands. This crate brings a text into that form
 //! and says what changes as small edits.
 //!
 //! ```text
@@ -54,8 +54,8 @@ use ladder_syntax::{Parse, TextRange};
 /// How a text is laid out.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Options {
-    /// A network up to this many columns wide takes the file's right rail; a wider one has its own. Both are in a
-    /// multiple of 20.
+    /// The column, from 1, of the right rail. A wider network has its own, in a multiple of 20: so its drawing depends on
+    /// nothing else of the file.
     pub width: u32,
     /// The least number of columns between neighbours on a rung; at least 1.
     pub spacing: u32,
@@ -64,7 +64,7 @@ pub struct Options {
 impl Default for Options {
     fn default() -> Self {
         Options {
-            width: 100,
+            width: 80,
             spacing: 2,
         }
     }
@@ -73,7 +73,7 @@ impl Default for Options {
 impl Options {
     fn checked(&self) -> Options {
         Options {
-            width: self.width,
+            width: self.width.min(10_000),
             spacing: self.spacing.clamp(1, 40),
         }
     }
@@ -85,9 +85,7 @@ pub fn format(parse: &Parse, options: &Options) -> Vec<Edit> {
     edits(parse, options, None)
 }
 
-/// As [`format()`], but only for the networks, sections and lines that one of the ranges reaches into. They take
-/// the right rail that all other networks are drawn with; where those differ, or where it would not do, the one
-/// that formatting the whole file would give.
+/// As [`format()`], but only for the networks, sections and lines that one of the ranges reaches into.
 pub fn format_ranges(parse: &Parse, options: &Options, ranges: &[TextRange]) -> Vec<Edit> {
     edits(parse, options, Some(ranges))
 }

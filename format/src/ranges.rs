@@ -2,14 +2,13 @@
 
 use crate::flat::Source;
 use crate::stays::{Stays, item_lines};
-use ladder_syntax::{Item, TextRange, TextSize};
+use ladder_syntax::{Item, LineKind, TextRange, TextSize};
 use std::ops::Range;
 
 /// Makes stay what none of the ranges reaches into.
-pub(crate) fn keep_all_but(source: Source<'_>, ranges: &[TextRange], stays: &mut Stays) {
+pub(crate) fn keep_all_but(source: Source<'_>, asked: &Asked, stays: &mut Stays) {
     let lines = source.lines;
     let items = &lines.structure().items;
-    let asked = Asked::new(ranges, lines.text_len());
     let is_touched = |item: &Range<usize>| {
         asked.reaches_into(TextRange::new(
             lines.line_start(item.start),
@@ -17,6 +16,8 @@ pub(crate) fn keep_all_but(source: Source<'_>, ranges: &[TextRange], stays: &mut
         ))
     };
     let mut index = 0;
+    // Rail lines have the rails of the network above: they change with it.
+    let mut is_network_above_touched = false;
     while index < items.len() {
         // Blank and rail lines in a row become one line or none, so they stay together.
         let run = items[index..]
@@ -25,7 +26,14 @@ pub(crate) fn keep_all_but(source: Source<'_>, ranges: &[TextRange], stays: &mut
             .count()
             .max(1);
         let run = &items[index..index + run];
-        if run.iter().any(|item| !is_touched(&item_lines(lines, *item))) {
+        let is_rail =
+            |item: &Item| matches!(item, Item::Decoration(line) if source.kind(*line) == LineKind::Rail);
+        let follows = is_network_above_touched && run.iter().all(is_rail);
+        let is_kept = run.iter().any(|item| !is_touched(&item_lines(lines, *item)));
+        if let Item::Network(_) = run[0] {
+            is_network_above_touched = !is_kept;
+        }
+        if is_kept && !follows {
             for item in run {
                 stays.keep(item_lines(lines, *item));
             }
@@ -35,7 +43,7 @@ pub(crate) fn keep_all_but(source: Source<'_>, ranges: &[TextRange], stays: &mut
 }
 
 /// Ranges that are asked for, in an order in which many are found quickly.
-struct Asked {
+pub(crate) struct Asked {
     /// Where ranges begin, in order, each with the furthest end of those up to it.
     ranges: Vec<(TextSize, TextSize)>,
     /// Where cursors are, in order.
@@ -44,7 +52,8 @@ struct Asked {
 }
 
 impl Asked {
-    fn new(asked: &[TextRange], text_len: TextSize) -> Asked {
+    /// Ranges of a text that is this long.
+    pub(crate) fn new(asked: &[TextRange], text_len: TextSize) -> Asked {
         let mut cursors: Vec<TextSize> = Vec::new();
         let mut ranges: Vec<(TextSize, TextSize)> = Vec::new();
         for range in asked {

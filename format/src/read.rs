@@ -7,7 +7,7 @@ use crate::stays::directive;
 use crate::width::display_width;
 use ladder_syntax::SyntaxKind::COIL_BLOCK;
 use ladder_syntax::wiring::{self, PartKind, RungPart};
-use ladder_syntax::{Line, Network};
+use ladder_syntax::{Network, ReadLine};
 
 /// A rung cannot be drawn anew without changing what it says (LANGUAGE §8 rule 10, and the few texts whose
 /// canonical form would read differently), so its network stays as it is.
@@ -80,12 +80,10 @@ impl Reader {
         let text = source.text;
         let line = &source.lines.lines()[index];
         let node = source.line(index);
-        let children = node.children().map(|child| {
-            (
-                child.kind(),
-                ((child.end() - child.start()) as u32).into(),
-                child.index(),
-            )
+        let children = node.children().map(|child| wiring::Child {
+            kind: child.kind(),
+            len: ((child.end() - child.start()) as u32).into(),
+            number: child.index(),
         });
         wiring::read_rung(children, &mut self.drawing);
         let drawing = &self.drawing;
@@ -217,7 +215,7 @@ fn is_between(drawing: &wiring::Rung, index: usize, first: usize, last: usize) -
 }
 
 /// Whether a block has a mistake that formatting does not stop at; it is moved, but not touched.
-fn has_mistake<N>(line: &Line<N>, block: &RungPart) -> bool {
+fn has_mistake<N>(line: &ReadLine<N>, block: &RungPart) -> bool {
     let place = block.range;
     line.errors
         .iter()

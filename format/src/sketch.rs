@@ -48,7 +48,7 @@ pub struct Element {
 /// No element.
 pub(crate) const NONE: u32 = u32::MAX;
 
-/// The rungs of a network. (The formatter keeps the networks of a whole file in one, one behind the other.)
+/// The rungs of a network. (The formatter keeps the networks of a part of a file in one, one after the other.)
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Sketch {
     pub(crate) elements: Vec<Element>,

@@ -31,6 +31,7 @@ mod semantic_tokens;
 mod signature;
 mod symbol;
 mod target;
+mod toggle_comment;
 mod typing;
 mod wanted;
 mod workspace_symbols;
@@ -55,13 +56,14 @@ pub use refactor::{Redraw, Redrawn, redraw};
 pub use references::{Reference, references};
 pub use rename::{Renamable, RenameRefused, Renamed, prepare_rename, rename};
 pub use scenario::{
-    SCENARIO_TRIGGERS, ScenarioPart, Scenarios, prepare_scenario_rename, rename_in_scenario,
-    scenario_completions, scenario_definition, scenario_highlights, scenario_hover, scenario_layout,
-    scenario_on_type, scenario_outline, scenario_references,
+    ScenarioPart, Scenarios, prepare_scenario_rename, rename_in_scenario, scenario_completions,
+    scenario_definition, scenario_highlights, scenario_hover, scenario_layout, scenario_on_type,
+    scenario_outline, scenario_references,
 };
 pub use selection::selections;
 pub use semantic_tokens::{Modifiers, Token, TokenKind, semantic_tokens, semantic_tokens_of};
 pub use signature::{Parameter, Signature, SignatureHelp, signature_help};
 pub use symbol::Usage;
 pub use target::Target;
+pub use toggle_comment::toggle_comment;
 pub use workspace_symbols::{Named, workspace_symbols};

@@ -3,7 +3,7 @@
 //! Whoever must tell profiles apart asks for the one difference that it is about, never for the profile: a new profile
 //! is a new [`Law`], and nothing else where its differences are among these.
 
-use crate::Profile;
+use crate::profile::Profile;
 
 /// The differences of a profile. [`Law::IEC`] is what the language says where nothing else is said.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

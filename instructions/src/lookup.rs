@@ -1,7 +1,10 @@
 //! Finding rows by mnemonic, by identity, and by likeness.
 
+use crate::instruction::{Instruction, Shape};
+use crate::likeness;
+use crate::op::Op;
 use crate::spelling::{INDEX, Spelling};
-use crate::{Instruction, Op, Shape, TABLE, likeness};
+use crate::table::TABLE;
 
 /// The rows with this spelling in these brackets, compared without case; blanks around it do not count, and an
 /// empty spelling is a blank one. Two rows for `NOT`, at most one otherwise.

@@ -1,6 +1,6 @@
 //! What an operand of an instruction is: its name, direction, and what may be in its place.
 
-use crate::Profiles;
+use crate::profile::Profiles;
 
 /// One operand of an instruction.
 #[derive(Debug, Clone, Copy)]

@@ -1,6 +1,6 @@
 //! Where each instruction comes from.
 
-use crate::Op;
+use crate::op::Op;
 use std::fmt;
 
 /// A source of an instruction: what it is called there, and where that is documented.

@@ -52,19 +52,19 @@ impl Profiles {
     pub const OWN: Profiles = Profiles::only(Profile::Iec).and(Profile::Click);
 
     /// All but `iot`.
-    pub const WITHOUT_IOT: Profiles = Profiles::OWN.and(Profile::Ldmicro);
+    pub(crate) const WITHOUT_IOT: Profiles = Profiles::OWN.and(Profile::Ldmicro);
 
     /// All but `ldmicro`.
-    pub const WITHOUT_LDMICRO: Profiles = Profiles::OWN.and(Profile::Iot);
+    pub(crate) const WITHOUT_LDMICRO: Profiles = Profiles::OWN.and(Profile::Iot);
 
     /// One alone.
-    pub const fn only(profile: Profile) -> Profiles {
+    pub(crate) const fn only(profile: Profile) -> Profiles {
         Profiles(1 << profile as u8)
     }
 
     /// These and one more.
     #[must_use]
-    pub const fn and(self, profile: Profile) -> Profiles {
+    pub(crate) const fn and(self, profile: Profile) -> Profiles {
         Profiles(self.0 | 1 << profile as u8)
     }
 

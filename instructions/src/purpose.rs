@@ -1,6 +1,7 @@
 //! What an instruction is for, by the words of its title and of its documentation.
 
-use crate::{Instruction, likeness};
+use crate::instruction::Instruction;
+use crate::likeness;
 
 /// Fewer letters are no word yet. A list that some editors open once, and then only narrow, must not be empty on the way
 /// from `[T` to `[timer`.
@@ -60,7 +61,7 @@ fn begins(text: &str, start: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::purpose;
-    use crate::TABLE;
+    use crate::table::TABLE;
 
     fn found(word: &str) -> String {
         let mut rows: Vec<_> = TABLE

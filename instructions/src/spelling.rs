@@ -1,6 +1,7 @@
 //! Mnemonics as numbers, so that finding one compares no strings and allocates nothing.
 
-use crate::{Instruction, TABLE};
+use crate::instruction::Instruction;
+use crate::table::TABLE;
 
 /// A mnemonic in capitals, as the digits of a number: its bytes, first letter highest. The longest mnemonics
 /// (`SCANTIME`) have eight letters, which is what a `u64` holds.

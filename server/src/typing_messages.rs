@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::document::position::{Position, Range};
+use crate::simulation::messages::Lines;
 
 /// The argument of `ladder.cursor`: where a client's cursor is.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -54,7 +55,17 @@ pub enum EditKind {
     Delete,
 }
 
-/// The answer to `ladder.edit`.
+/// The argument of `ladder.comment`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct ToggleComment {
+    /// The document.
+    pub uri: String,
+    /// Its lines, from 0; each stretch of them is toggled by itself.
+    pub lines: Vec<Lines>,
+}
+
+/// The answer to `ladder.edit` and to `ladder.comment`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub struct EditedDrawing {

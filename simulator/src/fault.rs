@@ -1,6 +1,6 @@
 //! What can go wrong while a program runs (LANGUAGE §5.2, §5.5), in words for the person at the machine.
 
-use crate::work::ELEMENTS;
+use crate::work::{CALL_DEPTH, ELEMENTS};
 use ladder_analysis::program::Location;
 
 /// A fault that was recorded.
@@ -147,9 +147,8 @@ impl Trouble {
                  program do less in each"
             ),
             Trouble::CallDepth => format!(
-                "calls are nested deeper than {}, so the simulation was stopped; look for a function that calls \
-                 itself without end",
-                crate::machine::CALL_DEPTH
+                "calls are nested deeper than {CALL_DEPTH}, so the simulation was stopped; look for a function that calls \
+                 itself without end"
             ),
         }
     }

@@ -1,6 +1,6 @@
 //! Where each tag lives in memory, and what memory holds at a cold start.
 
-use crate::compile::CompileError;
+use crate::compile_error::CompileError;
 use crate::memory::{Bit, Memory, Text, TextSlot, Word};
 use crate::operation::Width;
 use ladder_analysis::program::{Member, Tag};

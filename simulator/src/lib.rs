@@ -44,6 +44,7 @@ mod carry;
 pub mod chart;
 mod code;
 mod compile;
+mod compile_error;
 mod controller;
 mod counters;
 pub mod coverage;
@@ -70,7 +71,7 @@ pub mod value_text;
 mod work;
 
 pub use carry::{Changeover, Lost};
-pub use compile::CompileError;
+pub use compile_error::CompileError;
 pub use diagram::{diagram, diagram_of};
 pub use fault::Fault;
 pub use inputs::{Inputs, InputsError};

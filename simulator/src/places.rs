@@ -1,7 +1,6 @@
 //! What a program remembers that no tag of it holds: edges and the like belong to a block's place in the text, and tags
 //! of a user-defined block exist once for each place where it is.
 
-use crate::compile::EdgeOf;
 use crate::layout::Home;
 use crate::memory::{Bit, Word};
 use ladder_analysis::program::TagId;
@@ -18,6 +17,13 @@ pub(crate) struct BlockAt {
 /// A cell that a block keeps from scan to scan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Cell {
+    Bit(Bit),
+    Word(Word),
+}
+
+/// What an edge belongs to that is shared by all edges of a tag.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) enum EdgeOf {
     Bit(Bit),
     Word(Word),
 }

@@ -17,6 +17,7 @@ mod ticks;
 mod units;
 
 pub(crate) use formula::Operation;
+pub(crate) use units::MOST_UNITS;
 
 use crate::fault::Trouble;
 use crate::memory::{Bit, Memory, TextSlot, Word};

@@ -9,6 +9,9 @@ pub(crate) const ELEMENTS: usize = 100;
 /// A scan that has done the work of this many blocks asks its [`Brake`]; a shorter one always comes to its end.
 pub(crate) const UNBRAKED: u64 = 100_000;
 
+/// How deep calls may nest (LANGUAGE §5.5).
+pub(crate) const CALL_DEPTH: usize = 64;
+
 /// For how many further blocks these elements count.
 pub(crate) fn blocks(elements: usize) -> u32 {
     u32::try_from(elements / ELEMENTS).unwrap_or(u32::MAX)

@@ -1,6 +1,6 @@
 //! What the grammar reports about a text, and to whom.
 
-use crate::SyntaxKind;
+use crate::kind::SyntaxKind;
 use std::ops::Range;
 
 /// Takes the nodes and tokens of logical lines, in the order of the text. The grammar is written once; whether a

@@ -1,6 +1,8 @@
 //! The tree as indented text, for people who work on the language.
 
-use crate::{NodeOrToken, Parse, SyntaxToken};
+use crate::kind::SyntaxToken;
+use crate::parse::Parse;
+use rowan::NodeOrToken;
 use rowan::WalkEvent;
 use std::fmt::Write as _;
 

@@ -5,11 +5,10 @@
 //! the same state: from there on everything is as it was.
 
 use crate::grammar::Entry;
-use crate::line::{Line, LineKind, Mode};
-use crate::line_tree::{BEFORE, with_text};
+use crate::line::{LineKind, Mode, ReadLine};
+use crate::line_tree::{BEFORE, Line, with_text};
 use crate::lines::{entry_behind, line_at};
-use crate::parse;
-use crate::parse::Parse;
+use crate::parse::{Parse, parse};
 use crate::summary::Summary;
 use crate::unclosed_comment::unclosed_comment;
 use rowan::{TextRange, TextSize};
@@ -32,7 +31,7 @@ struct Window {
 
 /// The lines that are new, and which line of the text before the edit follows them.
 struct ReadAgain {
-    lines: Vec<Line<()>>,
+    lines: Vec<ReadLine<()>>,
     resume: usize,
 }
 

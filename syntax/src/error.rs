@@ -1,6 +1,6 @@
 //! Mistakes that the parser finds. Ranges count from the start of the logical line that holds them.
 
-use crate::SyntaxKind;
+use crate::kind::SyntaxKind;
 use rowan::{TextRange, TextSize};
 
 /// A mistake in the text, with the place where it is.
@@ -20,7 +20,7 @@ impl SyntaxError {
 
     /// The same mistake, counted from another origin.
     #[must_use]
-    pub fn shifted(&self, by: TextSize) -> SyntaxError {
+    pub(crate) fn shifted(&self, by: TextSize) -> SyntaxError {
         SyntaxError {
             kind: self.kind,
             range: self.range + by,

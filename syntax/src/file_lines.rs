@@ -1,7 +1,6 @@
 //! The logical lines of a file, in parts that texts before and behind an edit share.
 
-use crate::line::Line;
-use crate::line_tree::LineTree;
+use crate::line_tree::{Line, LineTree};
 use crate::lines::LineList;
 use crate::part::{self, Part};
 use rowan::TextSize;

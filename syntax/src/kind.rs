@@ -177,22 +177,12 @@ pub enum SyntaxKind {
     INITIAL_VALUE,
 }
 
-use SyntaxKind::{BOM, COMMENT, ERROR_NODE, INITIAL_VALUE, NEWLINE, SOURCE_FILE, WHITESPACE};
+use SyntaxKind::{BOM, COMMENT, INITIAL_VALUE, NEWLINE, SOURCE_FILE, WHITESPACE};
 
 impl SyntaxKind {
     /// White space, line ends, comments and the byte order mark.
     pub const fn is_trivia(self) -> bool {
         matches!(self, WHITESPACE | NEWLINE | COMMENT | BOM)
-    }
-
-    /// Whether this is the kind of an expression node.
-    pub const fn is_expression(self) -> bool {
-        (self as u16) >= (SyntaxKind::NAME_EXPR as u16) && (self as u16) <= (ERROR_NODE as u16)
-    }
-
-    /// Whether this is the kind of a logical line.
-    pub const fn is_line(self) -> bool {
-        (self as u16) >= (SyntaxKind::RUNG as u16) && (self as u16) <= (SyntaxKind::STRAY_LINE as u16)
     }
 
     /// Whether this is the kind of a block on a rung.
@@ -317,8 +307,6 @@ impl rowan::Language for LadderLanguage {
 pub type SyntaxNode = rowan::SyntaxNode<LadderLanguage>;
 /// A token of the tree.
 pub type SyntaxToken = rowan::SyntaxToken<LadderLanguage>;
-/// A node or a token.
-pub type SyntaxElement = rowan::SyntaxElement<LadderLanguage>;
 
 #[cfg(test)]
 mod tests {

@@ -1,9 +1,7 @@
 //! The logical line: what is parsed on its own, and the small summary from which networks are grouped.
 
-use crate::ast::NodeView;
-use crate::line_tree::LineTree;
-use crate::{SyntaxError, SyntaxKind, SyntaxNode};
-use rowan::GreenNode;
+use crate::error::SyntaxError;
+use crate::kind::SyntaxKind;
 
 /// What a logical line is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -65,9 +63,9 @@ pub enum Mode {
 
 /// A parsed logical line. It may begin in the middle of a physical line (behind a `;` of a declaration) and may
 /// span several (a comment or a declaration that does). `N` is what its [`Builder`](crate::Builder) made of its
-/// tokens; in a [`Parse`](crate::Parse) what makes its tree when that is asked for.
+/// tokens; in a [`Line`](crate::Line) what makes its tree when that is asked for.
 #[derive(Debug, Clone)]
-pub struct Line<N = LineTree> {
+pub struct ReadLine<N> {
     /// What it is.
     pub kind: LineKind,
     /// The mode of the line behind it.
@@ -90,7 +88,7 @@ pub struct Line<N = LineTree> {
     pub(crate) node: N,
 }
 
-impl<N> Line<N> {
+impl<N> ReadLine<N> {
     /// What the builder made of it.
     pub fn node(&self) -> &N {
         &self.node
@@ -102,8 +100,8 @@ impl<N> Line<N> {
     }
 
     /// The line with something else made of it.
-    pub(crate) fn with_node<M>(self, node: M) -> Line<M> {
-        Line {
+    pub(crate) fn with_node<M>(self, node: M) -> ReadLine<M> {
+        ReadLine {
             kind: self.kind,
             mode_after: self.mode_after,
             downs: self.downs,
@@ -115,40 +113,5 @@ impl<N> Line<N> {
             commented: self.commented,
             node,
         }
-    }
-}
-
-impl Line {
-    /// Its text, line end included.
-    pub fn text(&self) -> &str {
-        self.node.text(self.len)
-    }
-
-    /// Whether it is a line of another text that an edit has left as it was: it has the same text and means the same by
-    /// itself.
-    pub fn is(&self, other: &Line) -> bool {
-        self.node.is(&other.node)
-    }
-
-    /// The line's node as the root of a tree of its own: offsets count from the start of the line.
-    pub fn syntax(&self) -> SyntaxNode {
-        SyntaxNode::new_root(self.tree())
-    }
-
-    /// The line's node for reading downwards: offsets count from the start of the line. The line keeps it, as with
-    /// [`Line::green`].
-    pub fn view(&self) -> NodeView<'_> {
-        NodeView::root(self.green())
-    }
-
-    /// The line's green node, which the line does not keep.
-    pub fn tree(&self) -> GreenNode {
-        self.node.tree()
-    }
-
-    /// The line's green node, which the line keeps from now on: for places near the cursor. Who goes over many lines takes
-    /// [`Trees`](crate::Trees).
-    pub fn green(&self) -> &GreenNode {
-        self.node.kept()
     }
 }

@@ -4,8 +4,10 @@
 //! was read off it once. So a line holds the text, and its tree only while somebody near the cursor reads it. Whoever
 //! goes over all lines makes trees with [`Trees`], one after the other, and keeps none.
 
+use crate::ast::NodeView;
 use crate::grammar::Entry;
-use crate::line::Line;
+use crate::kind::SyntaxNode;
+use crate::line::ReadLine;
 use crate::lines::line_at;
 use crate::tree_builder::{Names, TreeBuilder};
 use rowan::GreenNode;
@@ -23,6 +25,44 @@ pub struct LineTree {
     made: OnceLock<GreenNode>,
 }
 
+/// A line of a [`Parse`](crate::Parse).
+pub type Line = ReadLine<LineTree>;
+
+impl Line {
+    /// Its text, line end included.
+    pub fn text(&self) -> &str {
+        self.node.text(self.len)
+    }
+
+    /// Whether it is a line of another text that an edit has left as it was: it has the same text and means the same by
+    /// itself.
+    pub fn is(&self, other: &Line) -> bool {
+        self.node.is(&other.node)
+    }
+
+    /// The line's node as the root of a tree of its own: offsets count from the start of the line.
+    pub fn syntax(&self) -> SyntaxNode {
+        SyntaxNode::new_root(self.tree())
+    }
+
+    /// The line's node for reading downwards: offsets count from the start of the line. The line keeps it, as with
+    /// [`Line::green`].
+    pub fn view(&self) -> NodeView<'_> {
+        NodeView::root(self.green())
+    }
+
+    /// The line's green node, which the line does not keep.
+    pub fn tree(&self) -> GreenNode {
+        self.node.tree()
+    }
+
+    /// The line's green node, which the line keeps from now on: for places near the cursor. For many lines there is
+    /// [`Trees`].
+    pub fn green(&self) -> &GreenNode {
+        self.node.kept()
+    }
+}
+
 /// About the longest text that lines share. A text lives as long as one of its lines, and takes less than 10 KiB as the lines
 /// of a part do.
 const SHARED: usize = 8 << 10;
@@ -35,7 +75,7 @@ pub(crate) fn with_text(
     text: &str,
     at: usize,
     entry: Entry,
-    lines: impl Iterator<Item = Line<()>>,
+    lines: impl Iterator<Item = ReadLine<()>>,
 ) -> impl Iterator<Item = Line> {
     let mut lines = lines.fuse();
     let (mut at, mut entry) = (at, entry);
@@ -59,7 +99,7 @@ fn sharing(
     text: &str,
     stretch: Range<usize>,
     begin: Entry,
-    lines: Vec<Line<()>>,
+    lines: Vec<ReadLine<()>>,
 ) -> impl Iterator<Item = Line> + use<'_> {
     let before = if stretch.start == 0 { "" } else { BEFORE };
     let source: Arc<str> = [before, &text[stretch.clone()]].concat().into();

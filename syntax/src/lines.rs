@@ -2,7 +2,7 @@
 
 use crate::builder::Builder;
 use crate::grammar::{self, Entry};
-use crate::line::{Line, LineKind};
+use crate::line::{LineKind, ReadLine};
 use crate::structure::{self, Structure};
 use crate::unclosed_comment::unclosed_comment;
 use rowan::{TextRange, TextSize};
@@ -16,7 +16,7 @@ pub trait LineList {
     fn count(&self) -> usize;
 
     /// A line. Panics if there is none of this number.
-    fn line(&self, line: usize) -> &Line<Self::Node>;
+    fn line(&self, line: usize) -> &ReadLine<Self::Node>;
 
     /// Where it starts, in bytes from the start of the text.
     fn start(&self, line: usize) -> u32;
@@ -36,7 +36,7 @@ impl<N> LineList for Lines<N> {
         self.all.len()
     }
 
-    fn line(&self, line: usize) -> &Line<N> {
+    fn line(&self, line: usize) -> &ReadLine<N> {
         &self.all[line]
     }
 
@@ -49,7 +49,7 @@ impl<N> LineList for Lines<N> {
 /// they form.
 #[derive(Debug, Clone)]
 pub struct Lines<N> {
-    pub(crate) all: Vec<Line<N>>,
+    pub(crate) all: Vec<ReadLine<N>>,
     /// Where each line starts, and at the end the length of the text.
     pub(crate) starts: Vec<u32>,
     structure: Structure,
@@ -68,7 +68,7 @@ pub fn read_lines<B: Builder>(text: &str, builder: &mut B) -> Lines<B::Line> {
 pub(crate) fn read_each<'t, B: Builder>(
     text: &'t str,
     builder: &'t mut B,
-) -> impl Iterator<Item = Line<B::Line>> + use<'t, B> {
+) -> impl Iterator<Item = ReadLine<B::Line>> + use<'t, B> {
     let (mut at, mut entry) = (0, Entry::START);
     std::iter::from_fn(move || {
         if at == text.len() {
@@ -141,14 +141,14 @@ impl<'t> LineReader<'t> {
 }
 
 /// Reads the line that begins at `at`.
-pub(crate) fn line_at<B: Builder>(text: &str, at: usize, entry: Entry, builder: &mut B) -> Line<B::Line> {
+pub(crate) fn line_at<B: Builder>(text: &str, at: usize, entry: Entry, builder: &mut B) -> ReadLine<B::Line> {
     let line = grammar::line(text, at, entry, builder);
     debug_assert!(line.len > 0, "a line takes at least one character");
     line
 }
 
 /// The state behind a line.
-pub(crate) fn entry_behind<N>(line: &Line<N>) -> Entry {
+pub(crate) fn entry_behind<N>(line: &ReadLine<N>) -> Entry {
     Entry {
         mode: line.mode_after,
         mid_line: !line.has_line_end,
@@ -182,7 +182,7 @@ impl<N> Lines<N> {
     }
 
     /// The logical lines.
-    pub fn lines(&self) -> &[Line<N>] {
+    pub fn lines(&self) -> &[ReadLine<N>] {
         &self.all
     }
 

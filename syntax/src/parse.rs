@@ -1,7 +1,9 @@
 //! From a text to its lines, its tree and its structure.
 
+use crate::error::{SyntaxError, SyntaxErrorKind};
 use crate::file_lines::FileLines;
 use crate::grammar::Entry;
+use crate::kind::{SyntaxKind, SyntaxNode};
 use crate::line_tree::with_text;
 use crate::lines::read_each;
 use crate::part::Part;
@@ -9,7 +11,6 @@ use crate::structure::{Frame, Structure, frame_of_parts, structure_of_parts};
 use crate::summary::Summary;
 use crate::tree_builder::{Names, TreeBuilder};
 use crate::unclosed_comment::unclosed_comment;
-use crate::{SyntaxError, SyntaxErrorKind, SyntaxKind, SyntaxNode};
 use rowan::{GreenNode, NodeOrToken, TextRange, TextSize};
 use std::borrow::Cow;
 use std::sync::OnceLock;

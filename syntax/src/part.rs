@@ -1,7 +1,8 @@
 //! A part of a file: the unit that an edit makes anew. All that it knows counts from its own start, so that what is
 //! above and below it may change.
 
-use crate::line::{Line, LineKind};
+use crate::line::LineKind;
+use crate::line_tree::Line;
 use crate::structure::{PartItem, group};
 use std::ops::Range;
 use std::sync::Arc;
@@ -99,13 +100,8 @@ impl Part {
     }
 
     /// Its length in bytes.
-    pub fn len(&self) -> u32 {
+    pub(crate) fn len(&self) -> u32 {
         self.starts[self.lines.len()]
-    }
-
-    /// Whether it holds nothing. Only the part of an empty text would.
-    pub fn is_empty(&self) -> bool {
-        self.lines.is_empty()
     }
 
     /// The lines of its networks, counted from its first line, from top to bottom.
@@ -117,12 +113,12 @@ impl Part {
     }
 
     /// The first line of its first network, counted from its first line.
-    pub fn first_network(&self) -> Option<usize> {
+    pub(crate) fn first_network(&self) -> Option<usize> {
         self.first_network.map(|line| line as usize)
     }
 
     /// How many physical lines end in it.
-    pub fn line_ends(&self) -> u32 {
+    pub(crate) fn line_ends(&self) -> u32 {
         self.line_ends
     }
 

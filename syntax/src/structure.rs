@@ -3,10 +3,10 @@
 //! All of it is read off the lines' summaries: first the networks of each part, of which an edit makes few anew, and
 //! from these what the file holds.
 
+use crate::error::{DeclarationProblem, SyntaxErrorKind};
 use crate::file_lines::FileLines;
-use crate::line::{Line, LineKind, Mode};
+use crate::line::{LineKind, Mode, ReadLine};
 use crate::lines::{LineList, Lines};
-use crate::{DeclarationProblem, SyntaxErrorKind};
 use std::ops::Range;
 
 /// The networks, sections and block definitions of a file, and the order in which they are.
@@ -110,7 +110,7 @@ pub(crate) enum PartItem {
 }
 
 /// The networks of some lines, and the lines between them.
-pub(crate) fn group<N>(lines: &[Line<N>]) -> Vec<PartItem> {
+pub(crate) fn group<N>(lines: &[ReadLine<N>]) -> Vec<PartItem> {
     let mut items = Vec::with_capacity(lines.len());
     // The open network, and whether its last rung has a `\`.
     let mut network: Option<(u32, u32)> = None;

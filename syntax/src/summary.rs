@@ -1,7 +1,7 @@
 //! Reads lines for what they are, and makes nothing of their tokens.
 
-use crate::SyntaxKind;
 use crate::builder::Builder;
+use crate::kind::SyntaxKind;
 use std::ops::Range;
 
 /// Takes nothing: what a line is, its connectors and its mistakes are in what the grammar returns.

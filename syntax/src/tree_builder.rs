@@ -5,8 +5,8 @@
 //! and small nodes become one, are tables of fixed size in which a newcomer takes the place of what was there:
 //! they stay in the processor's cache however large the file is, where rowan's grow with it.
 
-use crate::SyntaxKind;
 use crate::builder::Builder;
+use crate::kind::SyntaxKind;
 use rowan::{GreenNode, GreenToken, GreenTokenData, NodeOrToken};
 use std::ops::Range;
 

@@ -4,9 +4,10 @@
 //! the wrong one. The first comment that has swallowed what looks like a rung is the better guess.
 
 use crate::builder::Builder;
+use crate::error::SyntaxErrorKind;
 use crate::grammar::{self, Entry};
+use crate::kind::SyntaxKind;
 use crate::lines::{LineList, entry_behind};
-use crate::{SyntaxErrorKind, SyntaxKind};
 use rowan::{TextRange, TextSize};
 use std::ops::Range;
 

@@ -3,10 +3,11 @@
 //! Reads the green nodes of the lines directly, without a tree cursor: this runs for every network at every
 //! check, format and simulation.
 
+use crate::kind::SyntaxKind;
 use crate::line::LineKind;
 use crate::line_tree::Trees;
+use crate::parse::Parse;
 use crate::structure::Network;
-use crate::{Parse, SyntaxKind};
 use rowan::{GreenNode, GreenNodeData, NodeOrToken, TextRange, TextSize};
 use std::ops::Range;
 
@@ -187,17 +188,32 @@ pub fn rung(line: &GreenNodeData) -> Rung {
         segments: Vec::with_capacity(1),
     };
     let children = children.map(|child| match child {
-        NodeOrToken::Node(node) => (SyntaxKind::from_raw(node.kind()), node.text_len()),
-        NodeOrToken::Token(token) => (SyntaxKind::from_raw(token.kind()), token.text_len()),
+        NodeOrToken::Node(node) => (node.kind(), node.text_len()),
+        NodeOrToken::Token(token) => (token.kind(), token.text_len()),
     });
-    let numbered = children.zip(0..).map(|((kind, len), child)| (kind, len, child));
+    let numbered = children.zip(0..).map(|((kind, len), number)| Child {
+        kind: SyntaxKind::from_raw(kind),
+        len,
+        number,
+    });
     read_rung(numbered, &mut rung);
     rung
 }
 
-/// Reads the parts and segments of a rung from its line's children: their kinds, lengths, and numbers for
-/// [`RungPart::child`]. What the rung held before goes, its memory stays: a walk over a file needs no other.
-pub fn read_rung(children: impl Iterator<Item = (SyntaxKind, TextSize, u32)>, rung: &mut Rung) {
+/// A node or token directly on a line.
+#[derive(Debug, Clone, Copy)]
+pub struct Child {
+    /// What it is.
+    pub kind: SyntaxKind,
+    /// How long its text is.
+    pub len: TextSize,
+    /// Its number, for [`RungPart::child`].
+    pub number: u32,
+}
+
+/// Reads the parts and segments of a rung from its line's children. What the rung held before goes, its memory stays: a
+/// walk over a file needs no other.
+pub fn read_rung(children: impl Iterator<Item = Child>, rung: &mut Rung) {
     rung.parts.clear();
     rung.segments.clear();
     parts(children, &mut rung.parts);
@@ -206,13 +222,13 @@ pub fn read_rung(children: impl Iterator<Item = (SyntaxKind, TextSize, u32)>, ru
     segments(&mut rung.parts, &mut rung.segments);
 }
 
-fn parts(children: impl Iterator<Item = (SyntaxKind, TextSize, u32)>, parts: &mut Vec<RungPart>) {
+fn parts(children: impl Iterator<Item = Child>, parts: &mut Vec<RungPart>) {
     let mut at = TextSize::new(0);
     let mut touches = false;
-    for (kind, len, child) in children {
-        let range = TextRange::at(at, len);
-        at += len;
-        let kind = match kind {
+    for child in children {
+        let range = TextRange::at(at, child.len);
+        at += child.len;
+        let kind = match child.kind {
             SyntaxKind::WHITESPACE | SyntaxKind::NEWLINE | SyntaxKind::BOM => {
                 touches = false;
                 continue;
@@ -237,7 +253,7 @@ fn parts(children: impl Iterator<Item = (SyntaxKind, TextSize, u32)>, parts: &mu
         parts.push(RungPart {
             kind,
             range,
-            child,
+            child: child.number,
             touches,
             segment: None,
         });

@@ -30,7 +30,11 @@ pub fn text() -> String {
             out,
             "\n## {title}\n\n| rule | severity | |\n| --- | --- | --- |\n"
         );
-        for rule in Rule::ALL.iter().copied().filter(|rule| rule.group() == group) {
+        for rule in ladder_analysis::rules::ALL
+            .iter()
+            .copied()
+            .filter(|rule| rule.group() == group)
+        {
             let severity = if rule.on_by_default() {
                 rule.default_severity().name()
             } else {

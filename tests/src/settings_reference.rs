@@ -2,7 +2,7 @@
 //! settings of the extension for Visual Studio Code.
 
 use crate::rule_index::summary;
-use ladder_analysis::{Rule, Severity};
+use ladder_analysis::Severity;
 use ladder_workspace::table::{Kind, LEVELS, LINT, SECTIONS, Section, SetBy, Setting};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -193,7 +193,7 @@ fn about(about: &str, place: SetBy) -> String {
 }
 
 fn rules(takes: &Value) -> Map<String, Value> {
-    let rules = Rule::ALL.iter().map(|rule| {
+    let rules = ladder_analysis::rules::ALL.iter().map(|rule| {
         let mut entry = takes.clone();
         let level = match (rule.on_by_default(), rule.default_severity()) {
             (false, _) => "off",

@@ -52,8 +52,7 @@ pub use programs::{Source, Workspace};
 pub use retentive::{Found, RetentiveFile};
 pub use root::{Root, SETTINGS_FILE};
 pub use search::{
-    EXTENSION, SCENARIO_EXTENSION, Survey, find_files, find_programs, find_scenarios, is_program,
-    is_scenario, survey,
+    SCENARIO_EXTENSION, Survey, find_files, find_programs, find_scenarios, is_program, is_scenario, survey,
 };
 pub use settings::table;
 pub use settings::{EditorSettings, Files, Levels, Lint, Mistake, Settings, SettingsError, Simulate, Tree};

@@ -66,11 +66,6 @@ impl Workspace {
         &self.settings
     }
 
-    /// Its programs, sorted by path.
-    pub fn programs(&self) -> &[Source] {
-        &self.programs
-    }
-
     /// Those that show something to each other: none where one is alone, which need not be read twice then.
     pub fn programs_seen_by_others(&self) -> &[Source] {
         match &*self.programs {

@@ -7,6 +7,7 @@
 //!         --shown-----> those that are shown, with their severities, in the order of their places
 //! ```
 
+mod comments;
 mod memo;
 mod networks;
 mod shown;
@@ -18,14 +19,13 @@ pub use shown::keep_nearest;
 use crate::context::Context;
 use crate::findings::Finding;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::{Rule, Severity};
+use crate::findings::rule::Known;
+use crate::findings::rule::Severity;
 use crate::findings::rule_settings::RuleSettings;
-use crate::mistakes;
 use crate::networks::NetworkAt;
 use crate::networks::control_flow::ControlFlow;
 use crate::rules;
 use crate::rules::survey::Survey;
-use crate::rules::tag_summary::{Known, When};
 use crate::still_wanted::StillWanted;
 use networks::InNetworks;
 
@@ -55,9 +55,9 @@ pub(crate) fn find(
     let mut in_networks = InNetworks::check(memo, context, settings, wanted)?;
     let mut names = Vec::new();
     rules::of_names(context, &mut names);
-    let of_tags = tags::check(context, any, wanted)?;
+    let of_tags = tags::check(context, any, settings, wanted)?;
     let mut file = Vec::new();
-    rules::of_file(context, &mut file);
+    rules::of_file(context, settings, &mut file);
 
     let has_error = |found: &Diagnostic| found.severity == Severity::Error;
     let elsewhere = names
@@ -79,7 +79,9 @@ pub(crate) fn find(
             && !in_networks.faulty.contains(&true)
             && !context.networks.iter().any(is_unclear)
             && !has_syntax_errors(context),
-        names: !of_tags.iter().any(|found| found.rule == Rule::UndeclaredTag),
+        names: !of_tags
+            .iter()
+            .any(|found| found.rule == crate::rules::undeclared_tag::RULE),
     };
     let survey = Survey {
         whole: known.whole,
@@ -89,25 +91,25 @@ pub(crate) fn find(
     };
     in_networks.check_power(context, &survey, wanted)?;
     let mut program = Vec::new();
-    rules::of_program(&survey, &mut program);
+    rules::of_program(&survey, settings, &mut program);
 
     // Of two findings of one rule at one place the first counts: what is found while types are inferred comes before what
     // follows from it.
     let findings = |found: Vec<Diagnostic>| found.into_iter().map(Finding::from);
     let (types, tags): (Vec<_>, Vec<_>) = of_tags
         .into_iter()
-        .partition(|found| found.rule == Rule::TypeMismatch);
+        .partition(|found| found.rule == crate::rules::type_mismatch::RULE);
     let mut all: Vec<Finding> = findings(names).chain(findings(types)).collect();
     all.append(&mut in_networks.found);
     all.extend(findings(file).chain(findings(tags)).chain(findings(program)));
-    all.retain(|found| When::of(found.rule).holds(known));
+    all.retain(|found| found.rule.when().holds(known));
     let (mut shown, hidden_errors) = shown::shown(context, all, known, settings);
     let has_errors = shown.iter().any(|found| found.severity == Severity::Error);
     if let Some(block) = in_networks.unresolved
         && hidden_errors.is_empty()
         && !has_errors
     {
-        shown.push(Finding::from(mistakes::bad_operand::meaningless(block)));
+        shown.push(Finding::from(rules::bad_operand::meaningless(block)));
     }
     Some(Found {
         shown,

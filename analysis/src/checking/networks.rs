@@ -4,13 +4,13 @@ use super::memo::{FoundInNetwork, Group, Memo};
 use crate::context::Context;
 use crate::findings::Finding;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::{Rule, Severity};
+use crate::findings::rule::Severity;
 use crate::findings::rule_settings::RuleSettings;
 use crate::findings::stamp;
 use crate::networks::NetworkAt;
 use crate::resolve;
 use crate::rules::survey::Survey;
-use crate::rules::{self, MOST_FINDINGS};
+use crate::rules::{self, MOST_FINDINGS, OfNetworks};
 use crate::still_wanted::StillWanted;
 use ladder_syntax::TextRange;
 use rustc_hash::FxHasher;
@@ -20,6 +20,7 @@ use std::sync::Arc;
 /// What is found in the networks of a file.
 pub(super) struct InNetworks<'m> {
     before: &'m Memo,
+    rules: OfNetworks,
     pub(super) memo: Memo,
     pub(super) found: Vec<Finding>,
     /// For each network whether an error is found in it.
@@ -40,8 +41,10 @@ impl<'m> InNetworks<'m> {
         wanted: &StillWanted<'_>,
     ) -> Option<InNetworks<'m>> {
         let count = context.networks.len();
+        let of_settings = of_settings(context, settings);
         let mut all = InNetworks {
             before,
+            rules: OfNetworks::new(settings),
             memo: Memo::with_capacity(count),
             found: Vec::new(),
             faulty: vec![false; count],
@@ -50,13 +53,13 @@ impl<'m> InNetworks<'m> {
         };
         for network in &context.networks {
             wanted.one_more()?;
-            let key = key(context, network, settings);
+            let key = key(context, network, of_settings);
             all.keys.push(key);
             let mut unresolved = None;
             let known = all.found.len();
-            all.ask(context, network, Group::Form, key, |out| {
+            all.ask(context, network, Group::Form, key, |rules, out| {
                 unresolved = resolve::check(context, network.index, out);
-                rules::of_network(context, network, settings, out);
+                rules.form(context, network, settings, out);
                 unresolved.is_none()
             });
             let mut found = all.found[known..].iter();
@@ -85,8 +88,8 @@ impl<'m> InNetworks<'m> {
             }
             let key =
                 self.keys[index].map(|key| key.wrapping_mul(2) | u64::from(survey.rail_varies(network)));
-            self.ask(context, network, Group::Power, key, |out| {
-                rules::of_power(survey, network, out);
+            self.ask(context, network, Group::Power, key, |rules, out| {
+                rules.power(survey, network, out);
                 true
             });
         }
@@ -100,7 +103,7 @@ impl<'m> InNetworks<'m> {
         network: NetworkAt<'_>,
         group: Group,
         key: Option<u64>,
-        look: impl FnOnce(&mut Vec<Diagnostic>) -> bool,
+        look: impl FnOnce(&OfNetworks, &mut Vec<Diagnostic>) -> bool,
     ) {
         let facts = context.networks.facts(network.index);
         let start = network.range.start();
@@ -113,7 +116,7 @@ impl<'m> InNetworks<'m> {
             return;
         }
         let mut out = Vec::new();
-        let may_keep = look(&mut out);
+        let may_keep = look(&self.rules, &mut out);
         // What names places elsewhere is true for this text only.
         let Some(key) = key.filter(|_| may_keep && out.iter().all(|found| found.lies_in(network.range)))
         else {
@@ -140,13 +143,22 @@ impl<'m> InNetworks<'m> {
 }
 
 /// Stands for all that the rules see of a network besides its own lines. None if other networks or files have a say.
-fn key(context: &Context, network: NetworkAt<'_>, settings: &RuleSettings) -> Option<u64> {
+fn key(context: &Context, network: NetworkAt<'_>, of_settings: u64) -> Option<u64> {
     if network.broken || !network.names_tags_only {
         return None;
     }
     let mut hasher = FxHasher::default();
-    let of_rules = [Rule::AlternativeMnemonic, Rule::ComplexNetwork].map(|rule| settings.is_on(rule));
-    (stamp::of_network(context, network), of_rules).hash(&mut hasher);
-    (settings.scan_interval, context.cycle).hash(&mut hasher);
+    (stamp::of_network(context, network), of_settings).hash(&mut hasher);
     Some(hasher.finish())
+}
+
+/// Stands for the settings that decide about what is found in networks.
+fn of_settings(context: &Context, settings: &RuleSettings) -> u64 {
+    let mut hasher = FxHasher::default();
+    let switched_on = rules::ALL
+        .iter()
+        .filter(|rule| !rule.on_by_default() && settings.is_on(**rule));
+    switched_on.for_each(|rule| rule.name().hash(&mut hasher));
+    (settings.scan_interval, context.cycle).hash(&mut hasher);
+    hasher.finish()
 }

@@ -1,15 +1,15 @@
 //! Which of all findings are shown, and as what: without those that follow from others, with the severities that the
 //! settings ask for, without what comments switch off, in the order of their places.
 
+use super::comments::Allows;
 use crate::context::Context;
 use crate::findings::Finding;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::lint::{self, Allows};
-use crate::findings::rule::Severity;
+use crate::findings::rule::Known;
+use crate::findings::rule::{Rule, Severity};
 use crate::findings::rule_settings::RuleSettings;
 use crate::rules;
 use crate::rules::follow_ups::FollowUps;
-use crate::rules::tag_summary::{Known, When};
 
 /// The findings as they are shown, and the errors that are hidden or count as less.
 pub(super) fn shown(
@@ -34,7 +34,9 @@ pub(super) fn shown(
 
 /// Puts findings into the order of their places, each once.
 fn put_in_order(all: &mut Vec<Finding>) {
-    all.sort_by_key(|found| (found.range.start(), found.range.end(), found.rule));
+    let place = |found: &Finding| (found.range.start(), found.range.end());
+    let rule = |found: &Finding| rules::position(found.rule);
+    all.sort_by(|a, b| place(a).cmp(&place(b)).then_with(|| rule(a).cmp(&rule(b))));
     all.dedup_by(|later, first| later.rule == first.rule && later.range == first.range);
 }
 
@@ -64,7 +66,7 @@ fn as_asked(
     all.extend(wrong.into_iter().map(Finding::from));
     let mut hidden = Vec::new();
     all.retain_mut(|finding| {
-        let level = lint::level(settings, finding.rule, finding.severity);
+        let level = settings.severity_of(finding.rule, finding.severity);
         let level = level.filter(|_| !allows.hide(finding.rule, finding.range.start()));
         if finding.severity == Severity::Error && level != Some(Severity::Error) {
             hidden.push(finding.diagnostic());
@@ -72,10 +74,16 @@ fn as_asked(
         finding.severity = level.unwrap_or(finding.severity);
         level.is_some()
     });
-    let is_silent = |rule| settings.is_on(rule) && When::is_silent(rule, known);
+    let is_silent = |rule: Rule| settings.is_on(rule) && !rule.when().holds(known);
     all.extend(allows.unused(is_silent, settings).into_iter().map(Finding::from));
     put_in_order(&mut all);
-    hidden.sort_by_key(|found| (found.range.start(), found.range.end(), found.rule));
+    hidden.sort_by_key(|found| {
+        (
+            found.range.start(),
+            found.range.end(),
+            rules::position(found.rule),
+        )
+    });
     (all, hidden)
 }
 

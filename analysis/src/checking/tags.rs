@@ -2,22 +2,27 @@
 
 use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
+use crate::findings::rule_settings::RuleSettings;
 use crate::networks::control_flow::ControlFlow;
-use crate::rules::{self, AroundTags};
+use crate::rules;
+use crate::rules::tag_view::{AroundTags, TagView};
 use crate::still_wanted::StillWanted;
 
-/// Asks the rules about tags. None if that is not wanted any longer.
+/// Asks the rules about tags. `any` is what the networks have together of program flow. None if that is not wanted any longer.
 pub(super) fn check(
     context: &Context,
     any: ControlFlow,
+    settings: &RuleSettings,
     wanted: &StillWanted<'_>,
 ) -> Option<Vec<Diagnostic>> {
+    let rules = rules::of_tags(settings);
     let around = AroundTags::of(context, any);
     let mut found = Vec::new();
     for (scope, facts) in context.scopes.iter().enumerate() {
         for tag in facts.tags.iter().filter(|tag| !tag.leads_elsewhere()) {
             wanted.one_more()?;
-            rules::of_tag((scope, tag), &around, &mut found);
+            let view = TagView::new(scope, tag, &around);
+            rules.iter().for_each(|check| check(&view, &mut found));
         }
     }
     Some(found)

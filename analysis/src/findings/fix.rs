@@ -2,12 +2,11 @@
 //!
 //! A fix changes widths, and what is in columns below it would no longer be there. So its raw edits are
 //! made, the networks and sections that they touch are laid out again, and the difference to the text is what
-//! an editor applies. A file that was laid out stays so as a whole: where a rung grows past the right rail, the rail moves
-//! for all. This parses the whole text: it is done for the one fix that is wanted, not for each that
+//! an editor applies. This parses the whole text: it is done for the one fix that is wanted, not for each that
 //! is offered.
 
 use crate::findings::diagnostic::{Applicability, Diagnostic, Fix};
-use ladder_format::{Edit, Options, apply, format_ranges, format_text, reformat};
+use ladder_format::{Edit, Options, apply, format_ranges};
 use ladder_syntax::{TextRange, TextSize, parse};
 use std::collections::BTreeMap;
 
@@ -51,12 +50,7 @@ pub fn combined<'f>(fixes: impl Iterator<Item = &'f Fix>) -> Fix {
 /// nothing changes.
 pub fn aligned(text: &str, fix: &Fix, options: &Options) -> Vec<Edit> {
     let raw = apply(text, &fix.edits);
-    let was_laid_out = reformat(text, options).is_none();
-    let tidied = if was_laid_out {
-        format_text(&raw, options)
-    } else {
-        apply(&raw, &format_ranges(&parse(&raw), options, &moved(&fix.edits)))
-    };
+    let tidied = apply(&raw, &format_ranges(&parse(&raw), options, &moved(&fix.edits)));
     difference(text, &tidied)
 }
 
@@ -157,27 +151,11 @@ mod tests {
         assert_eq!(
             fixed,
             "\
-+--\\--[ ]( a )------------\\--( )( y )--+
-|  /--[ ]( longer_name )--/            |
++--\\--[ ]( a )------------\\------------------------------------------( )( y )--+
+|  /--[ ]( longer_name )--/                                                    |
 
 +--[ ]( c )-( )( z )--+
 "
-        );
-    }
-
-    #[test]
-    fn a_file_that_is_laid_out_stays_so() {
-        let text = "\
-+--[ ]( a )----------------------( )( y )--+
-
-+--[ ]( c )----------------------( )( z )--+
-";
-        let text = format_text(text, &Options::default());
-        let fixed = applied(&text, "( a )", "( a_name_that_moves_the_rail_of_the_file )");
-        assert_eq!(fixed, format_text(&fixed, &Options::default()));
-        assert!(
-            fixed.lines().all(|line| line.is_empty() || line.len() > 60),
-            "{fixed}"
         );
     }
 
@@ -190,7 +168,7 @@ mod tests {
             } else {
                 Applicability::Safe
             };
-            Diagnostic::new(crate::Rule::MissingWire, range, "").fix(applicability, "", range, text)
+            Diagnostic::new(crate::rules::missing_wire::RULE, range, "").fix(applicability, "", range, text)
         };
         let findings: Vec<_> = fixes.iter().map(finding).collect();
         let fixes = together(&findings, most);

@@ -6,7 +6,6 @@ pub mod diagnostic;
 pub(crate) mod excerpt;
 pub mod fix;
 pub(crate) mod foreign_comment;
-pub(crate) mod lint;
 pub mod rule;
 pub mod rule_settings;
 pub(crate) mod stamp;

@@ -1,5 +1,7 @@
-//! The names of the rules, their groups and default severities (LANGUAGE §7).
+//! What a rule is: its name, group and default severity (LANGUAGE §7), and when what it finds is true. Each is in the file of the
+//! rule, and the list of all is [`rules::ALL`](crate::rules::ALL).
 
+use super::diagnostic::Applicability;
 use std::fmt;
 
 /// How much a finding matters.
@@ -60,121 +62,138 @@ impl RuleGroup {
     }
 }
 
-macro_rules! rules {
-    ($($rule:ident $name:literal $group:ident $severity:ident $($off:ident)?;)+) => {
-        /// A rule. Its name is stable: people write it in settings and in comments that switch it off.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-        #[allow(missing_docs)]
-        pub enum Rule { $($rule),+ }
+/// A rule. Its name is stable: people write it in settings and in comments that switch it off.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Rule(pub(crate) &'static RuleFacts);
 
-        impl Rule {
-            /// Every rule, in the order of the reference.
-            pub const ALL: &'static [Rule] = &[$(Rule::$rule),+];
-
-            /// The name in kebab case.
-            pub const fn name(self) -> &'static str {
-                match self { $(Rule::$rule => $name),+ }
-            }
-
-            /// What it is about.
-            pub const fn group(self) -> RuleGroup {
-                match self { $(Rule::$rule => RuleGroup::$group),+ }
-            }
-
-            /// How much its findings matter unless set otherwise.
-            pub const fn default_severity(self) -> Severity {
-                match self { $(Rule::$rule => Severity::$severity),+ }
-            }
-
-            /// Whether it looks for findings unless set otherwise. What is a matter of taste is off.
-            pub const fn on_by_default(self) -> bool {
-                match self { $(Rule::$rule => rules!(@on $($off)?)),+ }
-            }
-        }
-    };
-    (@on) => { true };
-    (@on off) => { false };
+/// All that a rule's file says of it, besides what it finds.
+#[derive(PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) struct RuleFacts {
+    group: RuleGroup,
+    name: &'static str,
+    severity: Severity,
+    fixed: Option<Applicability>,
+    on: bool,
+    when: When,
+    about_types: bool,
 }
 
-rules! {
-    UnclosedBlock "unclosed-block" Text Error;
-    UnclosedComment "unclosed-comment" Text Error;
-    UnexpectedCharacter "unexpected-character" Text Error;
-    MissingWire "missing-wire" Text Warning;
-    MisplacedRail "misplaced-rail" Text Error;
-    BadLiteral "bad-literal" Text Error;
-    BadDeclaration "bad-declaration" Text Error;
-    BadDirective "bad-directive" Text Warning;
-    SuppressionUnused "suppression-unused" Text Info;
-    UnpairedConnector "unpaired-connector" Connectors Error;
-    MisleadingAlignment "misleading-alignment" Connectors Info;
-    UnknownInstruction "unknown-instruction" Blocks Error;
-    WrongShape "wrong-shape" Blocks Error;
-    BadArity "bad-arity" Blocks Error;
-    BadOperand "bad-operand" Blocks Error;
-    TypeMismatch "type-mismatch" Blocks Error;
-    LiteralOutOfRange "literal-out-of-range" Blocks Error;
-    ConstantWrite "constant-write" Blocks Error;
-    AlternativeMnemonic "alternative-mnemonic" Blocks Info off;
-    ResultArrow "result-arrow" Blocks Info;
-    RealEquality "real-equality" Blocks Warning;
-    DivisionByZero "division-by-zero" Blocks Warning;
-    ShortPreset "short-preset" Blocks Warning;
-    AmbiguousSign "ambiguous-sign" Blocks Info;
-    UndeclaredTag "undeclared-tag" Names Warning;
-    DuplicateDeclaration "duplicate-declaration" Names Error;
-    UnknownMember "unknown-member" Names Error;
-    DuplicateTimer "duplicate-timer" Names Error;
-    DuplicateCounter "duplicate-counter" Names Error;
-    UnknownLabel "unknown-label" Names Error;
-    DuplicateLabel "duplicate-label" Names Info;
-    UnknownFunction "unknown-function" Names Error;
-    DuplicateFunction "duplicate-function" Names Error;
-    UnknownBlock "unknown-block" Names Error;
-    DuplicateBlock "duplicate-block" Names Error;
-    WrongPlace "wrong-place" Names Error;
-    RecursiveBlock "recursive-block" Names Error;
-    RecursiveCall "recursive-call" Names Warning;
-    OverlappingAddress "overlapping-address" Names Warning;
-    InputWritten "input-written" Names Warning;
-    OpenWire "open-wire" Wiring Error;
-    RungNotPowered "rung-not-powered" Wiring Warning;
-    DeadEnd "dead-end" Wiring Warning;
-    NoOutput "no-output" Wiring Warning;
-    ShortedBranch "shorted-branch" Wiring Warning;
-    DuplicateBranch "duplicate-branch" Wiring Warning;
-    ConstantPower "constant-power" Wiring Warning;
-    RedundantElement "redundant-element" Wiring Warning;
-    ContactAfterCoil "contact-after-coil" Wiring Warning;
-    LatchedPower "latched-power" Wiring Info;
-    ComplexNetwork "complex-network" Wiring Info off;
-    DoubleCoil "double-coil" Program Warning;
-    SetAndReset "set-and-reset" Program Warning;
-    SetWithoutReset "set-without-reset" Program Info;
-    ResetWithoutSet "reset-without-set" Program Info;
-    NeverWritten "never-written" Program Info;
-    NeverRead "never-read" Program Info;
-    ReadBeforeWrite "read-before-write" Program Info;
-    OrderSensitive "order-sensitive" Program Info;
-    Unreachable "unreachable" Program Warning;
-    EndlessJump "endless-jump" Program Warning;
-    UnconditionalEnd "unconditional-end" Program Warning;
-    ReturnOutsideFunction "return-outside-function" Program Info;
-    UnbalancedLoop "unbalanced-loop" Program Error;
-    UnusedFunction "unused-function" Program Info;
-    UnusedLabel "unused-label" Program Info;
-    CommentedOutRung "commented-out-rung" Program Info;
+impl RuleFacts {
+    /// A rule that looks unless it is set otherwise, and is always right.
+    pub(crate) const fn new(group: RuleGroup, name: &'static str, severity: Severity) -> RuleFacts {
+        RuleFacts {
+            group,
+            name,
+            severity,
+            fixed: None,
+            on: true,
+            when: When::Always,
+            about_types: false,
+        }
+    }
+
+    /// Its findings come with fixes, of which the best may be made so.
+    pub(crate) const fn fixed(self, best: Applicability) -> RuleFacts {
+        RuleFacts {
+            fixed: Some(best),
+            ..self
+        }
+    }
+
+    /// It is a matter of taste: it looks only where it is switched on.
+    pub(crate) const fn off(self) -> RuleFacts {
+        RuleFacts { on: false, ..self }
+    }
+
+    /// What it finds is true only then.
+    pub(crate) const fn when(self, when: When) -> RuleFacts {
+        RuleFacts { when, ..self }
+    }
+
+    /// What it finds at a block depends on how the tags are declared that the block names.
+    pub(crate) const fn about_types(self) -> RuleFacts {
+        RuleFacts {
+            about_types: true,
+            ..self
+        }
+    }
 }
 
 impl Rule {
-    /// The rule of a name, compared to the letter.
-    pub fn from_name(name: &str) -> Option<Rule> {
-        Rule::ALL.iter().copied().find(|rule| rule.name() == name)
+    /// The name in kebab case.
+    pub const fn name(self) -> &'static str {
+        self.0.name
+    }
+
+    /// What it is about.
+    pub const fn group(self) -> RuleGroup {
+        self.0.group
+    }
+
+    /// How much its findings matter unless set otherwise.
+    pub const fn default_severity(self) -> Severity {
+        self.0.severity
+    }
+
+    /// How the best fix of its findings may be made, if they come with one.
+    pub const fn fixed(self) -> Option<Applicability> {
+        self.0.fixed
+    }
+
+    /// Whether it looks for findings unless set otherwise. What is a matter of taste is off.
+    pub const fn on_by_default(self) -> bool {
+        self.0.on
+    }
+
+    /// When what it finds is true.
+    pub(crate) const fn when(self) -> When {
+        self.0.when
+    }
+
+    /// Whether what it finds at a block depends on how the tags are declared that the block names.
+    pub(crate) const fn is_about_types(self) -> bool {
+        self.0.about_types
+    }
+}
+
+impl fmt::Debug for Rule {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
     }
 }
 
 impl fmt::Display for Rule {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
+    }
+}
+
+/// What is known of the file as a whole.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) struct Known {
+    /// Everything could be read, every block is known and nothing is an error: what the text does not hold is not there.
+    pub(crate) whole: bool,
+    /// No tag is undeclared that should not be: a slip in a name is one finding.
+    pub(crate) names: bool,
+}
+
+/// When what a rule finds is true.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) enum When {
+    Always,
+    /// Where the file as a whole is known.
+    Whole,
+    /// Where its names are known too.
+    WholeAndNames,
+}
+
+impl When {
+    /// Whether it is true where so much is known.
+    pub(crate) const fn holds(self, known: Known) -> bool {
+        match self {
+            When::Always => true,
+            When::Whole => known.whole,
+            When::WholeAndNames => known.whole && known.names,
+        }
     }
 }

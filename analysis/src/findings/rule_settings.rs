@@ -25,15 +25,6 @@ pub struct RuleSettings {
 }
 
 impl RuleSettings {
-    /// Every rule looks, also those that are off unless set.
-    pub fn everything() -> RuleSettings {
-        let mut settings = RuleSettings::default();
-        for rule in Rule::ALL.iter().copied().filter(|rule| !rule.on_by_default()) {
-            settings.set(rule, Level::Shown(rule.default_severity()));
-        }
-        settings
-    }
-
     /// Sets what a rule's findings count as.
     pub fn set(&mut self, rule: Rule, level: Level) {
         self.levels.insert(rule, level);
@@ -43,6 +34,16 @@ impl RuleSettings {
     pub fn level(&self, rule: Rule) -> Option<Level> {
         let own = (!rule.on_by_default()).then_some(Level::Off);
         self.levels.get(&rule).copied().or(own)
+    }
+
+    /// The severity that a finding of a rule has; none if it is not shown.
+    pub(crate) fn severity_of(&self, rule: Rule, severity: Severity) -> Option<Severity> {
+        match self.level(rule) {
+            None => Some(severity),
+            Some(Level::Shown(severity)) => Some(severity),
+            // A rule that is off unless set may still have errors to report.
+            Some(Level::Off) => None,
+        }
     }
 
     /// Whether a rule looks for findings.

@@ -3,12 +3,12 @@
 use super::Resolver;
 use super::compared::{Compared, compared_in_bool};
 use crate::context::Callee;
-use crate::mistakes::{bad_operand, type_mismatch};
 use crate::networks::BlockAt;
 use crate::networks::access::Access;
 use crate::networks::facts::{Node, NodeKind};
 use crate::networks::network::Formal;
 use crate::program::{Argument, BinaryOperator, Bound, Expr, ExprKind, Place};
+use crate::rules::{bad_operand, type_mismatch};
 use crate::values::constant::{natural_type, signed_literal};
 use crate::values::types::{Scalar, Type, converts};
 use crate::values::value::Value;

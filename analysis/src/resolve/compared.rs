@@ -1,11 +1,11 @@
 //! The type that an instruction works in where its operands decide it.
 
 use super::Resolver;
-use crate::mistakes::type_mismatch;
 use crate::networks::BlockAt;
 use crate::networks::facts::Node;
 use crate::networks::network::Formal;
 use crate::program::{Expr, ExprKind};
+use crate::rules::type_mismatch;
 use crate::values::constant::{natural_type, signed_literal};
 use crate::values::types::{Scalar, common};
 use crate::values::value::Value;

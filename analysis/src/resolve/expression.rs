@@ -1,9 +1,9 @@
 //! Values and expressions, brought to the type that their place asks for (LANGUAGE §5.2).
 
 use super::Resolver;
-use crate::mistakes::{bad_operand, type_mismatch};
 use crate::networks::facts::{Node, NodeKind, Operator, Word};
 use crate::program::{BinaryOperator, Expr, ExprKind, UnaryOperator};
+use crate::rules::{bad_operand, type_mismatch};
 use crate::values::callable::is_callable;
 use crate::values::constant::{self, literal_problem, natural_type, signed_literal};
 use crate::values::types::{Scalar, common, passes};
@@ -21,7 +21,7 @@ impl Resolver<'_, '_> {
         match value {
             Ok(value) => Some(self.constant_expr(value, ty, node.range)),
             Err(problem) => {
-                let diagnostic = crate::mistakes::literals::diagnostic(&problem.moved_by(self.base));
+                let diagnostic = crate::rules::literals::diagnostic(&problem.moved_by(self.base));
                 self.report(diagnostic);
                 None
             }

@@ -1,12 +1,12 @@
 //! Places: tags, elements, members, bits, system tags, ranges.
 
 use super::Resolver;
-use crate::mistakes::{bad_operand, constant_write, type_mismatch, unknown_member};
 use crate::names::infer;
 use crate::names::scope::{Origin, type_by_form};
 use crate::networks::access::Access;
 use crate::networks::facts::{Node, NodeKind, Word};
 use crate::program::{Expr, ExprKind, Member, Place, RangeRef, SystemTag};
+use crate::rules::{bad_operand, constant_write, type_mismatch, unknown_member};
 use crate::values::literal::Literal;
 use crate::values::types::{Scalar, Type};
 use crate::values::value::Value;

@@ -1,10 +1,10 @@
 //! `[SEARCH]` with NEXT: -1 in y must mean that nothing was found, so no element may have that index.
 
 use super::Resolver;
-use crate::mistakes::bad_operand;
 use crate::networks::BlockAt;
 use crate::networks::facts::NodeKind;
 use crate::networks::network::Formal;
+use crate::rules::bad_operand;
 use crate::values::types::Type;
 
 impl Resolver<'_, '_> {

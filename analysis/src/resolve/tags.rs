@@ -2,9 +2,9 @@
 //! a direct address are one tag, whichever file names them, and so are all that are declared at one address.
 
 use super::numbers::{Numbers, Unit};
-use crate::mistakes::one_address::{self, Said};
 use crate::names::scope::{Origin, SectionKind, TagFacts, type_by_form};
 use crate::program::{Disagreement, Location, OtherName, Program, Role, Tag, TagId};
+use crate::rules::one_address::{self, Said};
 use crate::values::types::{Scalar, Type};
 use ladder_syntax::Name;
 use rustc_hash::{FxHashMap, FxHashSet};

@@ -2,10 +2,10 @@
 //! and DIV of a TIME by a number; DT - DT and TOD - TOD are TIME, DT + TIME is DT. Nothing else.
 
 use super::Resolver;
-use crate::mistakes::type_mismatch;
 use crate::networks::BlockAt;
 use crate::networks::facts::Node;
 use crate::networks::network::Formal;
+use crate::rules::type_mismatch;
 use crate::values::constant::{natural_type, signed_literal};
 use crate::values::types::Scalar;
 use ladder_instructions::{Accepts, Op};

@@ -1,12 +1,12 @@
 //! Arguments of user-defined blocks.
 
 use super::Resolver;
-use crate::mistakes::type_mismatch;
 use crate::networks::BlockAt;
 use crate::networks::access::Access;
 use crate::networks::facts::Node;
 use crate::networks::network::Formal;
 use crate::program::{Argument, Bound, ParameterKind};
+use crate::rules::type_mismatch;
 use crate::values::types::{Scalar, Type, passes};
 use crate::values::value::Value;
 

@@ -2,14 +2,24 @@
 
 use super::survey::SurveyedBlock;
 use crate::findings::diagnostic::{Applicability, Diagnostic, Fix};
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::names::operand_value::each_node;
 use crate::networks::facts::{Node, NodeKind, Operator};
 use crate::values::literal::Literal;
 use ladder_format::Edit;
+use ladder_instructions::Op;
 use ladder_syntax::TextRange;
 
+pub(crate) const RULE: Rule = Rule(&RuleFacts::new(
+    RuleGroup::Blocks,
+    "ambiguous-sign",
+    Severity::Info,
+));
+
 pub(super) fn check(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
+    if place.op() != Some(Op::Calc) {
+        return;
+    }
     for operand in &place.bound.facts.operands {
         each_node(&operand.value, &mut |node| {
             let NodeKind::Binary(Operator::Power, base, _) = &node.kind else {
@@ -20,7 +30,7 @@ pub(super) fn check(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
             }
             let base = place.bound.absolute(base.range);
             let mut found = Diagnostic::new(
-                Rule::AmbiguousSign,
+                RULE,
                 place.bound.absolute(node.range),
                 "the sign is taken before the power: -2 ^ 2 is 4 here, and -4 in mathematics",
             )

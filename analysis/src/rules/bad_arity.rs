@@ -3,7 +3,7 @@
 use super::form::Form;
 use super::{missing_wire, wrong_shape};
 use crate::findings::diagnostic::{Applicability, Diagnostic, Fix};
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::BlockAt;
 use crate::networks::network::{Formal, Meaning};
 use crate::networks::user_block::UserBlockFacts;
@@ -11,6 +11,9 @@ use crate::program::ParameterKind;
 use ladder_format::Edit;
 use ladder_instructions::{Accepts, Instruction, Operand};
 use ladder_syntax::{Parse, TextRange};
+
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Blocks, "bad-arity", Severity::Error).fixed(Applicability::Unsafe));
 
 pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
     let network = form.network;
@@ -64,7 +67,7 @@ fn instruction(parse: &Parse, bound: BlockAt<'_>, row: &'static Instruction) -> 
         ),
         _ => bound.range(),
     };
-    let found = Diagnostic::new(Rule::BadArity, range, message(bound, row, given))
+    let found = Diagnostic::new(RULE, range, message(bound, row, given))
         .help(format!("it is written {}", row.signature()));
     Some(if excess.is_empty() {
         add_missing(bound, row, given, found)
@@ -198,7 +201,7 @@ fn user_block(facts: &UserBlockFacts, bound: BlockAt<'_>, out: &mut Vec<Diagnost
             operands(facts.parameters.len()),
             bound.positional_count()
         );
-        let found = Diagnostic::new(Rule::BadArity, bound.absolute(range), message)
+        let found = Diagnostic::new(RULE, bound.absolute(range), message)
             .help(signature())
             .related_at(facts.file(), facts.at, "the block is defined here");
         out.push(remove_excess(bound, &excess, found));
@@ -230,7 +233,7 @@ fn user_block(facts: &UserBlockFacts, bound: BlockAt<'_>, out: &mut Vec<Diagnost
         ),
     };
     out.push(
-        Diagnostic::new(Rule::BadArity, bound.range(), message)
+        Diagnostic::new(RULE, bound.range(), message)
             .help(signature())
             .related_at(facts.file(), facts.at, "the block is defined here"),
     );
@@ -261,7 +264,7 @@ fn given_twice(bound: BlockAt<'_>, out: &mut Vec<Diagnostic>) {
         if let Some(first) = bound.formals[..index].iter().position(same) {
             out.push(
                 Diagnostic::new(
-                    Rule::BadArity,
+                    RULE,
                     bound.absolute(operand.range),
                     format!(
                         "the operand `{}` of {} is given twice",

@@ -2,11 +2,17 @@
 
 use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::facts;
 use ladder_instructions::lookup;
 use ladder_syntax::wiring::{PartKind, rung};
 use ladder_syntax::{Line, LineKind, NodeOrToken, Part, TextRange, TextSize, parse};
+
+pub(crate) const RULE: Rule = Rule(&RuleFacts::new(
+    RuleGroup::Program,
+    "commented-out-rung",
+    Severity::Info,
+));
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let parse = &*context.parse;
@@ -43,7 +49,7 @@ fn may_be_rung(text: &str) -> bool {
 /// The finding about a comment that is a rung.
 fn found(range: TextRange) -> Diagnostic {
     Diagnostic::new(
-        Rule::CommentedOutRung,
+        RULE,
         range,
         "this comment is a rung: nobody can tell whether it still belongs to the program",
     )

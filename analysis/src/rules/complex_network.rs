@@ -1,18 +1,21 @@
 //! `complex-network`: a network that holds more than a person can follow at once. Off unless set.
 
-use crate::context::Context;
+use super::form::Form;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
-use crate::networks::NetworkAt;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::network::BoundBlock;
 use ladder_instructions::Role;
+
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Wiring, "complex-network", Severity::Info).off());
 
 /// How many conditions a network may have.
 const MOST_CONDITIONS: usize = 16;
 /// How many lines.
 const MOST_LINES: usize = 10;
 
-pub(super) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
+    let network = form.network;
     let rungs = network.wiring.rungs.len();
     if network.broken || (network.blocks.len() <= MOST_CONDITIONS && rungs <= MOST_LINES) {
         return;
@@ -27,10 +30,10 @@ pub(super) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Dia
     } else {
         return;
     };
-    let Some(range) = super::no_output::first_rung(&context.parse, network) else {
+    let Some(range) = super::no_output::first_rung(form.parse, network) else {
         return;
     };
-    out.push(Diagnostic::new(Rule::ComplexNetwork, range, message).help(
+    out.push(Diagnostic::new(RULE, range, message).help(
         "give parts of it tags of their own, each on a rung above, with names that say what they mean",
     ));
 }

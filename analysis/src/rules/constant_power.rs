@@ -5,9 +5,12 @@ use crate::boolean::power::{Question, Replacement};
 use crate::boolean::space::Set;
 use crate::boolean::written::written_block;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::program::Step;
 use ladder_syntax::TextRange;
+
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Wiring, "constant-power", Severity::Warning).about_types());
 
 pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
     for (index, step) in table.network.order.steps.iter().enumerate() {
@@ -28,7 +31,7 @@ fn block_is_constant(table: &Table<'_>, block: usize, en: usize) -> Option<Diagn
         Some(true) => {
             return Some(
                 Diagnostic::new(
-                    Rule::ConstantPower,
+                    RULE,
                     bound.range(),
                     format!(
                         "{} always conducts",
@@ -41,7 +44,7 @@ fn block_is_constant(table: &Table<'_>, block: usize, en: usize) -> Option<Diagn
         Some(false) => {
             return Some(
                 Diagnostic::new(
-                    Rule::ConstantPower,
+                    RULE,
                     bound.range(),
                     format!(
                         "{} never conducts",
@@ -57,7 +60,7 @@ fn block_is_constant(table: &Table<'_>, block: usize, en: usize) -> Option<Diagn
         return None;
     }
     let mut found = Diagnostic::new(
-        Rule::ConstantPower,
+        RULE,
         bound.range(),
         "no power ever comes through here: when this conducts, what is before it does not",
     )
@@ -112,7 +115,7 @@ fn branches_always_conduct(table: &Table<'_>, join: usize, upper: usize, lower: 
     let (above, below) = (last(upper)?, last(lower)?);
     Some(
         Diagnostic::new(
-            Rule::ConstantPower,
+            RULE,
             above.range(),
             "one of these branches always conducts: together they are a bare wire",
         )

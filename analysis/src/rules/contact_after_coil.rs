@@ -4,13 +4,22 @@ use super::power_rules::is_condition;
 use super::wiring_walk::Walk;
 use crate::boolean::written::written_block;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::BlockAt;
+use crate::networks::control_flow::ControlFlow;
 use crate::program::Step;
 use ladder_instructions::{Op, Shape};
 
+pub(crate) const RULE: Rule = Rule(&RuleFacts::new(
+    RuleGroup::Wiring,
+    "contact-after-coil",
+    Severity::Warning,
+));
+
 pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
-    if !stands_behind(walk) {
+    let coils = ControlFlow::COIL.with(ControlFlow::SET).with(ControlFlow::RESET);
+    let has_coils = walk.network.control_flow.has(coils) && walk.network.blocks.len() > 1;
+    if !has_coils || !stands_behind(walk) {
         return;
     }
     // For each step the coil that its power has passed.
@@ -56,7 +65,7 @@ fn stands_behind(walk: &Walk<'_>) -> bool {
 fn found(walk: &Walk<'_>, coil: usize, contact: usize) -> Diagnostic {
     let (coil, contact) = (walk.block(coil), walk.block(contact));
     Diagnostic::new(
-        Rule::ContactAfterCoil,
+        RULE,
         contact.range(),
         format!(
             "{} is behind a coil: whoever looks for it looks left of the coils",

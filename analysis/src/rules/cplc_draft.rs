@@ -4,7 +4,7 @@
 
 use crate::cplc_draft::beginning;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::{Rule, Severity};
+use crate::findings::rule::Severity;
 use ladder_syntax::Parse;
 
 const MESSAGE: &str = "this is a program in the first draft of CPLC-LD, which ladder text has moved on from";
@@ -15,7 +15,7 @@ pub(crate) fn hide_all_else(parse: &Parse, diagnostics: &mut Vec<Diagnostic>) {
         return;
     }
     if let Some(range) = beginning(parse) {
-        let found = Diagnostic::new(Rule::UnexpectedCharacter, range, MESSAGE)
+        let found = Diagnostic::new(super::unexpected_character::RULE, range, MESSAGE)
             .help("`ladder convert --from cplc-draft` writes it as ladder text, and says what becomes of each element");
         *diagnostics = vec![found];
     }
@@ -28,5 +28,5 @@ pub(crate) fn is_it(parse: &Parse) -> bool {
 
 /// Whether a finding is the one that says that a file is in the draft.
 pub fn is_reported(found: &Diagnostic) -> bool {
-    found.rule == Rule::UnexpectedCharacter && found.message == MESSAGE
+    found.rule == super::unexpected_character::RULE && found.message == MESSAGE
 }

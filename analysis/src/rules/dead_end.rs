@@ -4,9 +4,11 @@ use super::no_output::may_act;
 use super::wiring_walk::Walk;
 use crate::boolean::written::written_block;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::program::Step;
 use ladder_syntax::wiring::PartKind;
+
+pub(crate) const RULE: Rule = Rule(&RuleFacts::new(RuleGroup::Wiring, "dead-end", Severity::Warning));
 
 pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
     let steps = walk.steps();
@@ -19,7 +21,7 @@ pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
             let bound = walk.block(block);
             out.push(
                 Diagnostic::new(
-                    Rule::DeadEnd,
+                    RULE,
                     bound.range(),
                     format!("the power of {} goes nowhere: nothing that acts is behind it", written_block(walk.context, walk.network.scope, bound)),
                 )
@@ -59,7 +61,7 @@ fn loose_wires(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
         }
         out.push(
             Diagnostic::new(
-                Rule::DeadEnd,
+                RULE,
                 network.part_range(&walk.context.parse, rung, part),
                 "this wire ends at nothing",
             )

@@ -2,12 +2,21 @@
 
 use super::survey::SurveyedBlock;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::names::operand_value::{Number, each_node, number};
 use crate::networks::facts::{Node, NodeKind, Operator};
 use ladder_instructions::Division;
+use ladder_instructions::Op;
+
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Blocks, "division-by-zero", Severity::Warning).about_types());
 
 pub(super) fn check(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
+    match place.op() {
+        Some(Op::Div | Op::Mod) => {}
+        Some(Op::Calc) => return in_expression(place, out),
+        _ => return,
+    }
     // The result, then the dividend.
     for operand in place.bound.facts.operands.iter().skip(2) {
         if is_zero(place, &operand.value) {
@@ -17,7 +26,7 @@ pub(super) fn check(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
 }
 
 /// `/` and `MOD` in a `[CALC]`.
-pub(super) fn in_expression(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
+fn in_expression(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
     for operand in &place.bound.facts.operands {
         each_node(&operand.value, &mut |node| {
             if let NodeKind::Binary(Operator::Div | Operator::Mod, _, right) = &node.kind
@@ -40,7 +49,7 @@ fn found(place: &SurveyedBlock<'_>, divisor: &Node) -> Diagnostic {
         Division::Zero => "the result is 0, and the controller tells of an error",
     };
     Diagnostic::new(
-        Rule::DivisionByZero,
+        RULE,
         place.bound.absolute(divisor.range),
         format!("this divides by zero: every time it runs {what}"),
     )

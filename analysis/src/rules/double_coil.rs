@@ -1,9 +1,9 @@
 //! `double-coil`: a tag is written by more than one plain coil, so that the last one alone decides.
 
+use super::tag_view::TagView;
 use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
-use crate::names::scope::TagFacts;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::control_flow::ControlFlow;
 use crate::networks::facts::{Node, NodeKind};
 use crate::networks::use_place::Use;
@@ -11,8 +11,11 @@ use crate::values::literal::Literal;
 use ladder_instructions::Coil;
 use std::collections::HashMap;
 
-/// Looks at the coils of one tag. `leaving` is asked for where there are two of them.
-pub(super) fn check(context: &Context, tag: &TagFacts, leaving: &Leaving, out: &mut Vec<Diagnostic>) {
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Program, "double-coil", Severity::Warning).about_types());
+
+pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
+    let (context, tag, leaving) = (view.context, view.tag, &view.around.leaving);
     let mut others = context.others_at_address(tag).peekable();
     let shared_address = tag.rare.address.as_deref().filter(|_| others.peek().is_some());
     if tag.uses.writers().nth(1).is_none() && shared_address.is_none() {
@@ -53,7 +56,7 @@ fn double(context: &Context, name: &str, coils: &[Use]) -> Option<Diagnostic> {
         bound.absolute(bound.facts.operands[coil.operand].value.range)
     };
     let mut found = Diagnostic::new(
-        Rule::DoubleCoil,
+        RULE,
         place(second),
         format!(
             "`{name}` is written by {} coils: the last one alone decides",

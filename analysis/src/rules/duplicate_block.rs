@@ -3,10 +3,16 @@
 
 use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::NetworkAt;
 use ladder_syntax::Name;
 use std::collections::{HashMap, HashSet};
+
+pub(crate) const RULE: Rule = Rule(&RuleFacts::new(
+    RuleGroup::Names,
+    "duplicate-block",
+    Severity::Error,
+));
 
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let own = &context.user_blocks[..context.own_blocks];
@@ -18,7 +24,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             }
             Some(before) => out.push(
                 Diagnostic::new(
-                    Rule::DuplicateBlock,
+                    RULE,
                     block.at,
                     format!("the block `{}` is defined twice", block.name),
                 )
@@ -42,7 +48,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             continue;
         }
         let mut found = Diagnostic::new(
-            Rule::DuplicateBlock,
+            RULE,
             bound.head_range(),
             format!(
                 "several files define the block `{name}`: which one {} means is open",

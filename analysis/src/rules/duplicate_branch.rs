@@ -2,8 +2,11 @@
 
 use super::power_rules::Table;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::program::Step;
+
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Wiring, "duplicate-branch", Severity::Warning).about_types());
 
 pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
     let steps = &table.network.order.steps;
@@ -28,7 +31,7 @@ pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
         }
         out.push(
             Diagnostic::new(
-                Rule::DuplicateBranch,
+                RULE,
                 table.block(below).range(),
                 "this branch conducts in the same cases as the one above it: one of them is enough",
             )

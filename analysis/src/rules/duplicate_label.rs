@@ -2,10 +2,16 @@
 
 use crate::context::{Body, Context};
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use ladder_instructions::Op;
 use ladder_syntax::{Name, TextRange};
 use rustc_hash::FxHashMap;
+
+pub(crate) const RULE: Rule = Rule(&RuleFacts::new(
+    RuleGroup::Names,
+    "duplicate-label",
+    Severity::Info,
+));
 
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let mut first: FxHashMap<(Body, &Name), usize> = FxHashMap::default();
@@ -28,7 +34,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for (index, first) in again {
         let label = &context.labels[index];
         let mut found = Diagnostic::new(
-            Rule::DuplicateLabel,
+            RULE,
             label.at,
             format!("the label `{}` appears more than once", label.name),
         )

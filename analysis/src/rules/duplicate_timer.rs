@@ -1,9 +1,10 @@
 //! `duplicate-timer` and `duplicate-counter`: a second block on the tag of a timer or counter.
 
+use super::tag_view::TagView;
 use crate::context::Context;
 use crate::findings::article::with_article;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::names::scope::{Origin, SectionKind, TagFacts};
 use crate::networks::network::Formal;
 use crate::networks::use_kind::Deed;
@@ -13,8 +14,12 @@ use crate::values::types::Type;
 use ladder_instructions::{Accepts, StateType, States};
 use ladder_syntax::Name;
 
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Names, "duplicate-timer", Severity::Error).about_types());
+
 /// Looks at the blocks of one tag.
-pub(super) fn check(context: &Context, tag: &TagFacts, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
+    let (context, tag) = (view.context, view.tag);
     let Some(Type::State(state)) = tag.ty else {
         return;
     };
@@ -22,9 +27,9 @@ pub(super) fn check(context: &Context, tag: &TagFacts, out: &mut Vec<Diagnostic>
         return;
     }
     let rule = if state.is_timer() {
-        Rule::DuplicateTimer
+        RULE
     } else if state.is_counter() {
-        Rule::DuplicateCounter
+        super::duplicate_counter::RULE
     } else {
         return;
     };
@@ -72,9 +77,9 @@ fn in_another_file(
     )
 }
 
-const fn kind(rule: Rule) -> &'static str {
+fn kind(rule: Rule) -> &'static str {
     match rule {
-        Rule::DuplicateTimer => "timer",
+        RULE => "timer",
         _ => "counter",
     }
 }

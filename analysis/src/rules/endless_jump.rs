@@ -3,7 +3,7 @@
 use super::flow::{Exit, Flow};
 use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity, When};
 use crate::names::operand_value::tag;
 use crate::networks::control_flow::ControlFlow;
 use crate::networks::facts::{Node, NodeKind};
@@ -12,7 +12,11 @@ use crate::program::Step;
 use ladder_instructions::Op;
 use std::cell::LazyCell;
 
-pub(super) fn check(flow: &Flow<'_>, reached: &[bool], out: &mut Vec<Diagnostic>) {
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Program, "endless-jump", Severity::Warning).when(When::Whole));
+
+pub(super) fn check(flow: &Flow<'_>, out: &mut Vec<Diagnostic>) {
+    let reached = flow.reached();
     let can_end = LazyCell::new(|| flow.can_end());
     for exit in &flow.exits {
         let Some(to) = exit.to.filter(|&to| to <= exit.from && reached[exit.from]) else {
@@ -36,7 +40,7 @@ pub(super) fn check(flow: &Flow<'_>, reached: &[bool], out: &mut Vec<Diagnostic>
 
 fn endless(flow: &Flow<'_>, exit: &Exit, to: usize, message: String) -> Diagnostic {
     let target = flow.context.networks.at(flow.networks[to]);
-    let mut found = Diagnostic::new(Rule::EndlessJump, flow.block(exit).range(), message).help(
+    let mut found = Diagnostic::new(RULE, flow.block(exit).range(), message).help(
         "do not wait within a scan: the program runs again and again by itself, and inputs are read between two scans",
     );
     let label = target.blocks().find(|bound| bound.op() == Some(Op::Lbl));

@@ -2,7 +2,6 @@
 //! left, or always ended.
 
 use super::survey::Survey;
-use super::{endless_jump, unconditional_end, unreachable};
 use crate::boolean::power::{NetworkPower, Question};
 use crate::context::{Body, Context};
 use crate::findings::diagnostic::Diagnostic;
@@ -13,6 +12,9 @@ use ladder_instructions::Op;
 use ladder_syntax::Name;
 use smallvec::SmallVec;
 use std::collections::BTreeMap;
+
+/// A rule about the ways through a body.
+pub(super) type FlowCheck = fn(&Flow<'_>, &mut Vec<Diagnostic>);
 
 /// A block that leaves its network.
 #[derive(Debug, Clone, Copy)]
@@ -47,7 +49,8 @@ pub(super) struct Flow<'c> {
 }
 
 /// Asks the rules about the bodies that hold jumps, returns or ends.
-pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(survey: &Survey<'_>, checks: &[FlowCheck], out: &mut Vec<Diagnostic>) {
+    let context = survey.context;
     let leaves = ControlFlow::LEAVES;
     if !survey.whole || !survey.any.has(leaves) {
         return;
@@ -70,10 +73,9 @@ pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagno
     for (body, networks) in networks_of {
         let labelled = labels.remove(&body).unwrap_or_default();
         let flow = Flow::new(context, survey, networks, &labelled);
-        unconditional_end::check(&flow, out);
-        let reached = flow.reached();
-        unreachable::check(&flow, &reached, out);
-        endless_jump::check(&flow, &reached, out);
+        for check in checks {
+            check(&flow, out);
+        }
     }
 }
 
@@ -217,7 +219,7 @@ impl<'c> Flow<'c> {
     }
 
     /// For each network whether a scan can come there.
-    fn reached(&self) -> Vec<bool> {
+    pub(super) fn reached(&self) -> Vec<bool> {
         let mut reached = vec![false; self.next.len()];
         let mut open = vec![0];
         while let Some(at) = open.pop() {

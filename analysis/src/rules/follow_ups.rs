@@ -8,7 +8,6 @@ use super::frame_keyword;
 use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::excerpt::Excerpts;
-use crate::findings::rule::Rule;
 use crate::names::scope::TagFacts;
 use crate::networks::control_flow::ControlFlow;
 use crate::networks::facts::{Node, NodeKind};
@@ -157,24 +156,26 @@ impl Doubt {
         if elsewhere.any(|related| comments.explain(parse, related.range.start())) {
             return true;
         }
-        if about_types(found.rule) && contains(&self.mistyped, at) {
+        if found.rule.is_about_types() && contains(&self.mistyped, at) {
             return true;
         }
         let is_in =
             |words: &FxHashSet<Name>, text: &str| !words.is_empty() && words.contains(&Name::new(text));
         match found.rule {
-            Rule::UnknownLabel => self.nameless_label || is_in(&self.words, excerpts.text(at).0),
-            Rule::UnknownFunction => self.nameless_function || is_in(&self.words, excerpts.text(at).0),
-            Rule::UnknownBlock => {
+            super::unknown_label::RULE => self.nameless_label || is_in(&self.words, excerpts.text(at).0),
+            super::unknown_function::RULE => {
+                self.nameless_function || is_in(&self.words, excerpts.text(at).0)
+            }
+            super::unknown_block::RULE => {
                 let (head, _) = excerpts.text(at);
                 let name = head.trim_matches(|c: char| !c.is_alphanumeric() && c != '_');
                 self.block_header || is_in(&self.words, name)
             }
-            Rule::UndeclaredTag => self.lost_header || self.declarations || self.in_open_block(at),
-            Rule::UnknownMember => {
+            super::undeclared_tag::RULE => self.lost_header || self.declarations || self.in_open_block(at),
+            super::unknown_member::RULE => {
                 !self.words.is_empty() && is_in(&self.words, word_before(parse, at, excerpts))
             }
-            Rule::RecursiveBlock | Rule::WrongPlace => self.in_open_block(at),
+            super::recursive_block::RULE | super::wrong_place::RULE => self.in_open_block(at),
             _ => false,
         }
     }
@@ -200,30 +201,6 @@ fn blocks_that_name<'c>(context: &Context, tags: impl Iterator<Item = &'c TagFac
     blocks.sort_unstable_by_key(|range| range.start());
     blocks.dedup();
     blocks
-}
-
-/// Whether what a rule finds at a block depends on how the tags are declared that it names.
-const fn about_types(rule: Rule) -> bool {
-    matches!(
-        rule,
-        Rule::TypeMismatch
-            | Rule::BadOperand
-            | Rule::LiteralOutOfRange
-            | Rule::ConstantWrite
-            | Rule::InputWritten
-            | Rule::UnknownMember
-            | Rule::DuplicateTimer
-            | Rule::DuplicateCounter
-            | Rule::RealEquality
-            | Rule::DivisionByZero
-            | Rule::ShortPreset
-            | Rule::DoubleCoil
-            | Rule::SetAndReset
-            | Rule::ConstantPower
-            | Rule::RedundantElement
-            | Rule::DuplicateBranch
-            | Rule::OrderSensitive
-    )
 }
 
 /// Whether an END_FUNCTION_BLOCK ends no definition.

@@ -3,7 +3,6 @@
 use crate::context::Context;
 use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::foreign_comment::ForeignComment;
-use crate::findings::rule::Rule;
 
 /// One finding for each.
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -15,7 +14,7 @@ fn found(comment: &ForeignComment) -> Diagnostic {
         "`{}` begins no comment: a comment is written # .. #",
         comment.opening
     );
-    Diagnostic::new(Rule::UnexpectedCharacter, comment.range, message)
+    Diagnostic::new(super::unexpected_character::RULE, comment.range, message)
         .help("write the text between two `#`; it cannot hold a `#` itself")
         .fix(
             applicability(&comment.text),

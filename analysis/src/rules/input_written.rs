@@ -1,25 +1,28 @@
 //! `input-written`: a block writes a tag that is fed from outside.
 
-use super::tag_summary::Summary;
+use super::tag_view::TagView;
 use crate::findings::article::with_article;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::program::Role;
 
-pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
-    let tag = summary.tag;
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Names, "input-written", Severity::Warning).about_types());
+
+pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
+    let tag = view.tag;
     // In a body a name says nothing: `I1` there is undeclared.
-    let in_body = summary.scope > 0 && !tag.is_declared();
-    if tag.role != Role::Input || summary.places.writes == 0 || tag.constant || in_body {
+    let in_body = view.scope > 0 && !tag.is_declared();
+    if tag.mistyped || tag.role != Role::Input || view.places.writes == 0 || tag.constant || in_body {
         return;
     }
-    let mut writers = summary.context.writers(tag).filter(|place| {
-        let bound = summary.context.networks.at(place.network).block(place.block);
+    let mut writers = view.context.writers(tag).filter(|place| {
+        let bound = view.context.networks.at(place.network).block(place.block);
         // Of an unknown block nobody knows what it writes.
         !bound.faulty && bound.instruction().is_some()
     });
     let Some(first) = writers.next() else { return };
-    let (what, why) = if summary.scope == 0 {
+    let (what, why) = if view.scope == 0 {
         ("input", "the next reading of the inputs overwrites it")
     } else {
         (
@@ -28,7 +31,7 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
         )
     };
     let mut found = Diagnostic::new(
-        Rule::InputWritten,
+        RULE,
         first.range,
         format!(
             "`{}` is {}, and is written here: {why}",

@@ -3,12 +3,20 @@
 use super::wiring_walk::Walk;
 use crate::boolean::written::{written, written_block};
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
+use crate::networks::control_flow::ControlFlow;
 use crate::program::Step;
 use ladder_instructions::{Coil, SetPower};
 
+pub(crate) const RULE: Rule = Rule(&RuleFacts::new(
+    RuleGroup::Wiring,
+    "latched-power",
+    Severity::Info,
+));
+
 pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
-    if walk.context.profile.law().set_power == SetPower::En {
+    let sets = walk.network.control_flow.has(ControlFlow::SET) && walk.network.blocks.len() > 1;
+    if !sets || walk.context.profile.law().set_power == SetPower::En {
         return;
     }
     // For each step the set coil whose power it carries.
@@ -38,7 +46,7 @@ fn found(walk: &Walk<'_>, coil: usize, behind: usize) -> Diagnostic {
         written(walk.context, walk.network.scope, &o.value)
     });
     Diagnostic::new(
-        Rule::LatchedPower,
+        RULE,
         behind.range(),
         format!(
             "{} is behind {}: its power is `{name}`, and stays on when the rung before goes off",

@@ -3,11 +3,15 @@
 use super::form::Form;
 use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::excerpt::columns;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::NetworkAt;
 use ladder_syntax::TextRange;
 use ladder_syntax::numeral::nth;
 use ladder_syntax::wiring::{PartKind, Point};
+
+pub(crate) const RULE: Rule = Rule(
+    &RuleFacts::new(RuleGroup::Connectors, "misleading-alignment", Severity::Info).fixed(Applicability::Safe),
+);
 
 pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
     let network = form.network;
@@ -50,7 +54,7 @@ fn misleading(form: &Form<'_>, points: &[Point]) -> Option<Diagnostic> {
     debug_assert_eq!(wiring.rungs[upper].parts[points[pair].down].kind, PartKind::Down);
     Some(
         Diagnostic::new(
-            Rule::MisleadingAlignment,
+            RULE,
             down,
             format!(
                 "the {} `\\` is above the {} `/`, but pairs with the {}",

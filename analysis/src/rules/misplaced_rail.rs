@@ -4,10 +4,13 @@ use super::form::Form;
 use super::unpaired_connector::completion;
 use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::excerpt::columns;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::network::breaks_drawing;
 use ladder_syntax::TextRange;
 use ladder_syntax::wiring::{PartKind, RungPart};
+
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Text, "misplaced-rail", Severity::Error).fixed(Applicability::Unsafe));
 
 pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
     let network = form.network;
@@ -45,22 +48,18 @@ pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
             {
                 let next = network.part_range(form.parse, rung, index + 1);
                 out.push(
-                    Diagnostic::new(
-                        Rule::MisplacedRail,
-                        range.cover(next),
-                        "a second rung begins on this line",
-                    )
-                    .help("each rung belongs on a line of its own")
-                    .fix(
-                        Applicability::Unsafe,
-                        "Break the line",
-                        TextRange::new(range.end(), next.start()),
-                        "\n",
-                    ),
+                    Diagnostic::new(RULE, range.cover(next), "a second rung begins on this line")
+                        .help("each rung belongs on a line of its own")
+                        .fix(
+                            Applicability::Unsafe,
+                            "Break the line",
+                            TextRange::new(range.end(), next.start()),
+                            "\n",
+                        ),
                 );
                 continue;
             }
-            let mut found = Diagnostic::new(Rule::MisplacedRail, range, message).help(help);
+            let mut found = Diagnostic::new(RULE, range, message).help(help);
             // A connector may be meant.
             if let Some(meant) = completion::nearest(&missing, columns[index]) {
                 let title = format!("Replace with `{meant}`");

@@ -2,13 +2,16 @@
 
 use super::form::Form;
 use crate::findings::diagnostic::{Applicability, Diagnostic};
-use crate::findings::rule::{Rule, Severity};
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::NetworkAt;
 use crate::networks::facts::Head;
 use crate::networks::network::breaks_drawing;
 use ladder_instructions::{Shape, lookup};
 use ladder_syntax::wiring::PartKind;
 use ladder_syntax::{TextRange, TextSize};
+
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Text, "missing-wire", Severity::Warning).fixed(Applicability::Safe));
 
 pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
     let network = form.network;
@@ -48,7 +51,7 @@ pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
                 continue;
             }
             out.push(
-                Diagnostic::new(Rule::MissingWire, around(seam), message(before.kind, part.kind))
+                Diagnostic::new(RULE, around(seam), message(before.kind, part.kind))
                     .help("draw a `-` between them")
                     // Things that touch are connected already.
                     .fix(Applicability::Safe, "Insert wire", seam, "--"),
@@ -105,7 +108,7 @@ fn took_head(network: NetworkAt<'_>, index: usize) -> Diagnostic {
     let list = block.facts.list_range.unwrap_or(block.facts.range);
     let between = TextRange::new(block.facts.head_range.end(), list.start());
     let mut found = Diagnostic::new(
-        Rule::MissingWire,
+        RULE,
         block.absolute(list.cover(next.facts.range)),
         format!("{head} takes the next parentheses as its operands: the wire between them is missing"),
     );

@@ -4,13 +4,13 @@
 //! letter is taken out of each. So all names with one letter taken out are in a table.
 
 use ladder_syntax::Name;
+use rustc_hash::FxHasher;
+use std::hash::{Hash, Hasher};
 
 /// Shorter names are alike too easily: `a` and `b` differ by one letter.
 const SHORTEST: usize = 3;
 /// Nobody has seen a longer name for a tag.
 const LONGEST: usize = 100;
-/// Any large odd number spreads the letters over the hash.
-const BASE: u64 = 0x9E37_79B9_7F4A_7C15;
 
 /// Names that can be asked for.
 #[derive(Debug, Default)]
@@ -53,7 +53,7 @@ impl NearNames {
         numbers.dedup();
         let names = numbers.into_iter().map(|number| &self.names[number as usize]);
         names
-            .filter(|near| differ_by_a_letter(&wanted, &letters(near)))
+            .filter(|near| differ_by_a_letter(name.as_str(), near.as_str()))
             .collect()
     }
 }
@@ -66,57 +66,28 @@ fn letters(name: &Name) -> Vec<char> {
     name.as_str().chars().collect()
 }
 
-/// Hashes of the name itself, and of the name without each of its letters. A name's hash is a polynomial in its
-/// letters, so that each of the shorter names costs one step.
+/// Hashes of the name itself, and of the name without each of its letters.
 fn each_shortened(letters: &[char], mut give: impl FnMut(u32)) {
-    let mut give = |hash: u64| give((hash >> 32) as u32 ^ hash as u32);
-    let step = |hash: u64, letter: char| hash.wrapping_mul(BASE).wrapping_add(u64::from(letter) + 1);
-    let whole = letters.iter().fold(0, |hash, &letter| step(hash, letter));
-    give(whole);
-    // From the last letter to the first: the letters behind the one taken out, and BASE to the power of their
-    // number.
-    let mut before = whole;
-    let (mut behind, mut power) = (0u64, 1u64);
-    let inverse = inverse(BASE);
-    for &letter in letters.iter().rev() {
-        before = before.wrapping_sub(u64::from(letter) + 1).wrapping_mul(inverse);
+    give(hash(letters.iter()));
+    for (at, letter) in letters.iter().enumerate() {
         if !letter.is_numeric() {
-            give(before.wrapping_mul(power).wrapping_add(behind));
+            give(hash(letters[..at].iter().chain(&letters[at + 1..])));
         }
-        behind = behind.wrapping_add(power.wrapping_mul(u64::from(letter) + 1));
-        power = power.wrapping_mul(BASE);
     }
 }
 
-/// The number that undoes a multiplication by an odd number, modulo 2^64 (Newton's iteration).
-const fn inverse(odd: u64) -> u64 {
-    let mut x = odd;
-    let mut round = 0;
-    while round < 5 {
-        x = x.wrapping_mul(2u64.wrapping_sub(odd.wrapping_mul(x)));
-        round += 1;
-    }
-    x
+fn hash<'l>(letters: impl Iterator<Item = &'l char>) -> u32 {
+    let mut hasher = FxHasher::default();
+    letters.for_each(|letter| letter.hash(&mut hasher));
+    let hash = hasher.finish();
+    (hash >> 32) as u32 ^ hash as u32
 }
 
 /// Whether exactly one letter is too many, missing, wrong, or swapped with its neighbour.
-fn differ_by_a_letter(a: &[char], b: &[char]) -> bool {
-    let same_before = a.iter().zip(b).take_while(|(a, b)| a == b).count();
-    let (a, b) = (&a[same_before..], &b[same_before..]);
-    let same_behind = a
-        .iter()
-        .rev()
-        .zip(b.iter().rev())
-        .take_while(|(a, b)| a == b)
-        .count();
-    let (a, b) = (&a[..a.len() - same_behind], &b[..b.len() - same_behind]);
-    let is_letter = |c: &char| !c.is_numeric();
-    match (a, b) {
-        ([one], []) | ([], [one]) => is_letter(one),
-        ([a], [b]) => is_letter(a) || is_letter(b),
-        ([a, b], [c, d]) => a == d && b == c,
-        _ => false,
-    }
+fn differ_by_a_letter(a: &str, b: &str) -> bool {
+    let digits = |name: &str| name.chars().filter(|c| c.is_numeric()).collect::<String>();
+    let others = |name: &str| name.chars().filter(|c| !c.is_numeric()).collect::<String>();
+    strsim::osa_distance(a, b) == 1 && (others(a) != others(b) || digits(a) == digits(b))
 }
 
 #[cfg(test)]
@@ -156,6 +127,7 @@ mod tests {
             ("lamb1", Some("lamp1")),
             ("ac", None),
             ("vorort", Some("vor_ort")),
+            ("lam1p", Some("lamp1")),
         ] {
             let expected: Vec<Name> = expected.map(Name::new).into_iter().collect();
             let found = near.one_letter_from(&Name::new(wanted));

@@ -1,14 +1,20 @@
 //! `never-read`: a tag of the program that no block reads.
 
-use super::tag_summary::Summary;
+use super::tag_view::TagView;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity, When};
 use crate::names::scope::{Origin, SectionKind};
 use crate::program::Role;
 
-pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
-    let tag = summary.tag;
-    if summary.is_read() || (summary.is_written() && !summary.has_outputs) {
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Program, "never-read", Severity::Info).when(When::WholeAndNames));
+
+pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
+    let tag = view.tag;
+    if !view.reports_use() {
+        return;
+    }
+    if view.is_read() || (view.is_written() && !view.has_outputs()) {
         return;
     }
     let name = &tag.name;
@@ -23,7 +29,7 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
         {
             return;
         }
-        Origin::Declared(SectionKind::Global) if !summary.is_written() => (
+        Origin::Declared(SectionKind::Global) if !view.is_written() => (
             format!("the global `{name}` is declared, and no file of the workspace uses it"),
             "use it, or remove its declaration",
         ),
@@ -31,7 +37,7 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
             format!("the global `{name}` is written, and no file of the workspace reads it"),
             "read it where it is meant to act, or remove it",
         ),
-        Origin::Declared(SectionKind::Var) if summary.places.writes == 0 => (
+        Origin::Declared(SectionKind::Var) if view.places.writes == 0 => (
             format!("`{name}` is declared and never used"),
             "use it, or remove its declaration",
         ),
@@ -45,5 +51,5 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
         ),
         _ => return,
     };
-    out.push(Diagnostic::new(Rule::NeverRead, summary.context.place_of(tag), message).help(help));
+    out.push(Diagnostic::new(RULE, view.context.place_of(tag), message).help(help));
 }

@@ -1,15 +1,21 @@
 //! `never-written`: a tag that is read, or an output, that nothing writes.
 
-use super::tag_summary::Summary;
+use super::tag_view::TagView;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity, When};
 use crate::names::scope::{Origin, SectionKind};
 use crate::program::Role;
 use crate::values::types::{Scalar, Type};
 
-pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
-    let tag = summary.tag;
-    if summary.is_written() || tag.constant || tag.role == Role::Input || !tag.rare.initial.is_empty() {
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Program, "never-written", Severity::Info).when(When::WholeAndNames));
+
+pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
+    let tag = view.tag;
+    if !view.reports_use() {
+        return;
+    }
+    if view.is_written() || tag.constant || tag.role == Role::Input || !tag.rare.initial.is_empty() {
         return;
     }
     let name = &tag.name;
@@ -20,7 +26,7 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
             "write it with a coil or another block, or remove its declaration",
         ),
         // never-read says that it is not used at all.
-        _ if !summary.is_read() => return,
+        _ if !view.is_read() => return,
         (Origin::Declared(SectionKind::Var | SectionKind::Global), Some(Type::State(state))) => (
             format!(
                 "no [{}] block works on `{name}`: it stays as it is at the start",
@@ -43,13 +49,13 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
         ),
         _ => return,
     };
-    let at = summary
+    let at = view
         .context
         .uses(tag)
         .next()
         .map_or(tag.declared_at, |first| first.range);
-    let mut found = Diagnostic::new(Rule::NeverWritten, at, message).help(help);
-    if at != summary.context.place_of(tag) {
+    let mut found = Diagnostic::new(RULE, at, message).help(help);
+    if at != view.context.place_of(tag) {
         found = found.related(tag.declared_at, format!("`{name}` is declared here"));
     }
     out.push(found);

@@ -2,11 +2,13 @@
 
 use super::form::Form;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::{BlockAt, NetworkAt};
 use ladder_instructions::{Op, Role};
 use ladder_syntax::wiring::PartKind;
 use ladder_syntax::{Parse, TextRange};
+
+pub(crate) const RULE: Rule = Rule(&RuleFacts::new(RuleGroup::Wiring, "no-output", Severity::Warning));
 
 pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
     let network = form.network;
@@ -16,11 +18,7 @@ pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
     let Some(range) = first_rung(form.parse, network) else {
         return;
     };
-    let found = Diagnostic::new(
-        Rule::NoOutput,
-        range,
-        "this network does nothing: no block in it acts",
-    );
+    let found = Diagnostic::new(RULE, range, "this network does nothing: no block in it acts");
     out.push(if network.blocks.is_empty() {
         found.help("put blocks onto the wire, or remove the line")
     } else {

@@ -2,9 +2,10 @@
 
 use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
-use crate::mistakes::one_address::{HELP, Said, disagreement};
 use crate::names::scope::TagFacts;
+use crate::program::Tag;
+use crate::values::types::{Scalar, Type};
+use crate::values::value::{Value, wrap};
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;
 
@@ -50,9 +51,100 @@ fn otherwise(context: &Context, first: &TagFacts, second: &TagFacts, address: &s
         said.constant = first.constant;
     }
     let message = disagreement(first.into(), said, address)?;
-    let found = Diagnostic::new(Rule::DuplicateDeclaration, context.place_of(second), message).help(HELP);
+    let found = Diagnostic::new(
+        super::duplicate_declaration::RULE,
+        context.place_of(second),
+        message,
+    )
+    .help(HELP);
     Some(found.related(
         context.place_of(first),
         format!("`{}` is declared here", first.name),
     ))
 }
+
+/// What one name says of its address.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Said<'t> {
+    pub(crate) name: &'t str,
+    pub(crate) ty: Option<Type>,
+    pub(crate) constant: bool,
+    pub(crate) initial: &'t [Value],
+}
+
+impl<'t> From<&'t TagFacts> for Said<'t> {
+    fn from(tag: &'t TagFacts) -> Self {
+        Said {
+            name: &tag.name,
+            ty: tag.ty,
+            constant: tag.constant,
+            initial: &tag.rare.initial,
+        }
+    }
+}
+
+impl<'t> From<&'t Tag> for Said<'t> {
+    fn from(tag: &'t Tag) -> Self {
+        Said {
+            name: &tag.name,
+            ty: Some(tag.ty),
+            constant: tag.constant,
+            initial: &tag.initial,
+        }
+    }
+}
+
+/// Whether a value of one type is one of the other with the same bits: integers and bit strings of one width.
+pub(crate) fn has_same_bits(one: Type, other: Type) -> bool {
+    let (Some(one), Some(other)) = (one.scalar(), other.scalar()) else {
+        return one == other;
+    };
+    let is_whole = |ty: Scalar| ty.is_bits() || ty.is_integer();
+    one == other || (is_whole(one) && is_whole(other) && one.width() == other.width())
+}
+
+/// Initial values in another type with the same bits.
+pub(crate) fn with_same_bits(initial: &[Value], ty: Type) -> Vec<Value> {
+    let value = |value: &Value| match (value, ty.scalar()) {
+        (Value::Int(number), Some(ty)) => Value::Int(wrap(*number, ty)),
+        _ => value.clone(),
+    };
+    initial.iter().map(value).collect()
+}
+
+/// What the second of two names of an address says otherwise than the first. None if they agree, as they do where one of
+/// them says nothing of it.
+pub(crate) fn disagreement(first: Said<'_>, second: Said<'_>, address: &str) -> Option<String> {
+    let (one, other) = (first.name, second.name);
+    let (Some(ty), Some(other_ty)) = (first.ty, second.ty) else {
+        return None;
+    };
+    if !has_same_bits(ty, other_ty) {
+        return Some(if other.eq_ignore_ascii_case(address) {
+            format!("`{other}` is {other_ty} here, and `{one}` at this address is {ty}")
+        } else {
+            format!("`{other}` is {other_ty}, and `{one}` at the same address {address} is {ty}")
+        });
+    }
+    let begins = |initial: &[Value]| with_same_bits(initial, ty);
+    if !first.initial.is_empty()
+        && !second.initial.is_empty()
+        && begins(first.initial) != begins(second.initial)
+    {
+        return Some(format!(
+            "`{other}` starts with another value than `{one}` at the same address {address}"
+        ));
+    }
+    let (constant, tag) = match (first.constant, second.constant) {
+        (true, false) => (one, other),
+        (false, true) => (other, one),
+        _ => return None,
+    };
+    Some(format!(
+        "`{constant}` is CONSTANT, and `{tag}` at the same address {address} is not"
+    ))
+}
+
+/// What to do about it.
+pub(crate) const HELP: &str =
+    "an address is one tag, whatever its names: they agree in type, initial value and CONSTANT";

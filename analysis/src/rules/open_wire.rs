@@ -6,12 +6,15 @@
 use super::form::Form;
 use super::rung_not_powered;
 use crate::findings::diagnostic::{Applicability, Diagnostic, Fix};
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::NetworkAt;
 use crate::program::Step;
 use ladder_format::Edit;
 use ladder_syntax::wiring::{PartKind, RungPart, Segment};
 use ladder_syntax::{Parse, TextRange, TextSize};
+
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Wiring, "open-wire", Severity::Error).fixed(Applicability::Safe));
 
 pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
     let network = form.network;
@@ -113,7 +116,7 @@ impl<'c> Reach<'c> {
             return Some(self.with_rail(rung, rung_not_powered::found(range)));
         }
         let found = Diagnostic::new(
-            Rule::OpenWire,
+            RULE,
             range,
             "no power can reach this wire: it begins neither at the left rail nor at a connector",
         )
@@ -145,7 +148,7 @@ impl<'c> Reach<'c> {
         }
         let message =
             "no power can reach this connector: nothing comes along its line, or along that of its partner";
-        let found = Diagnostic::new(Rule::OpenWire, self.range(rung, down, down), message)
+        let found = Diagnostic::new(RULE, self.range(rung, down, down), message)
             .help("one of the two lines must come from the left rail or from a live wire")
             .related(self.range(below, point.up, point.up), "its partner");
         Some(self.with_rail(rung, found))
@@ -167,7 +170,7 @@ impl<'c> Reach<'c> {
             _ => ("/", "\\", "below"),
         };
         let mut found = Diagnostic::new(
-            Rule::OpenWire,
+            RULE,
             self.range(rung, first, next),
             format!(
                 "this branch is drawn the wrong way round: power comes from the line {from} at its right end"
@@ -219,7 +222,7 @@ impl<'c> Reach<'c> {
             at = end.end();
         }
         let mut found = Diagnostic::new(
-            Rule::OpenWire,
+            RULE,
             gap + start,
             "the wire is cut here: no power can reach what is behind",
         )

@@ -5,8 +5,11 @@ use super::power_rules::Table;
 use crate::boolean::power::Question;
 use crate::boolean::written::written;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use ladder_instructions::Coil;
+
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Program, "order-sensitive", Severity::Info).about_types());
 
 pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
     let power = &table.power;
@@ -57,7 +60,7 @@ pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
             )
         };
         let mut found = Diagnostic::new(
-            Rule::OrderSensitive,
+            RULE,
             bound.range(),
             if values.is_empty() {
                 format!("the order of this network matters: {result}")

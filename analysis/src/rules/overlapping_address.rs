@@ -1,13 +1,21 @@
 //! `overlapping-address`: two direct addresses that would share memory in a controller, and do not here.
 
+use super::survey::Survey;
 use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::names::scope::TagFacts;
 use crate::values::address_bits::AddressBits;
 
+pub(crate) const RULE: Rule = Rule(&RuleFacts::new(
+    RuleGroup::Names,
+    "overlapping-address",
+    Severity::Warning,
+));
+
 /// Looks at tags that have an address.
-pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
+    let context = survey.context;
     let mut areas: Vec<Area<'_>> = context.addressed().filter_map(Area::of).collect();
     let start = |area: &Area<'_>| context.place_of(area.tag).start();
     areas.sort_by_key(|area| (area.bits, start(area)));
@@ -69,7 +77,7 @@ fn overlapping<'c>(
         }
     };
     let found = Diagnostic::new(
-        Rule::OverlappingAddress,
+        RULE,
         context.place_of(area.tag),
         format!(
             "{} and {} would share memory in a controller; here each is a tag of its own",

@@ -2,11 +2,8 @@
 //! them.
 
 use super::survey::Survey;
-use super::{constant_power, duplicate_branch, order_sensitive, redundant_element};
 use crate::boolean::power::{NetworkPower, Powers, Question};
 use crate::context::Context;
-use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
 use crate::names::operand_value::{Number, number, scalar};
 use crate::networks::access::Access;
 use crate::networks::named::Named;
@@ -29,30 +26,14 @@ pub(super) struct Table<'c> {
     parents: Vec<Option<usize>>,
 }
 
-/// Looks at a network in which one value is asked for more than once: where each is asked for once, every
-/// contact counts. `out` holds what was found in its wiring.
-pub(super) fn check(survey: &Survey<'_>, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
-    // A wire round a contact is reported already.
-    let bypassed = |found: &Diagnostic| matches!(found.rule, Rule::ShortedBranch | Rule::RedundantElement);
-    let is_bypassed = out.iter().any(bypassed);
-    if !is_worth_it(survey.context, network) || network.blocks().any(|bound| bound.faulty) {
-        return;
-    }
-    let Some(table) = Table::new(survey.context, network, survey.rail_varies(network)) else {
-        return;
-    };
-    let found = out.len();
-    constant_power::check(&table, out);
-    duplicate_branch::check(&table, out);
-    // What never or always conducts makes others redundant: it is reported once.
-    if out.len() == found && !is_bypassed {
-        redundant_element::check(&table, out);
-    }
-    order_sensitive::check(&table, out);
+/// The table of a network in which one value is asked for more than once: where each is asked for once, every contact counts.
+pub(super) fn table<'c>(survey: &Survey<'c>, network: NetworkAt<'c>) -> Option<Table<'c>> {
+    let is_worth_it = is_worth_it(survey.context, network) && !network.blocks().any(|bound| bound.faulty);
+    is_worth_it.then(|| Table::new(survey.context, network, survey.rail_varies(network)))?
 }
 
 impl<'c> Table<'c> {
-    pub(super) fn new(context: &'c Context, network: NetworkAt<'c>, rail_varies: bool) -> Option<Table<'c>> {
+    fn new(context: &'c Context, network: NetworkAt<'c>, rail_varies: bool) -> Option<Table<'c>> {
         let power = NetworkPower::new(context, network, rail_varies)?;
         let powers = power.powers(Question::default());
         let mut step_of = vec![0; network.blocks.len()];

@@ -6,7 +6,7 @@ use super::double_coil::Leaving;
 use super::survey::Survey;
 use crate::context::{Body, Context};
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity, When};
 use crate::names::operand_value::{each_tag, tag};
 use crate::names::scope::{Origin, SectionKind, TagFacts};
 use crate::networks::access::Access;
@@ -15,6 +15,9 @@ use crate::networks::use_place::{Use, UseRef};
 use crate::program::Role;
 use rustc_hash::FxHashSet;
 use std::cell::LazyCell;
+
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Program, "read-before-write", Severity::Info).when(When::Whole));
 
 pub(super) fn check(survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
     if !survey.whole {
@@ -94,7 +97,7 @@ fn tags_read(context: &Context, network: usize) -> FxHashSet<(usize, usize)> {
 fn found(tag: &TagFacts, read: Use, write: Use) -> Diagnostic {
     let name = &tag.name;
     let found = Diagnostic::new(
-        Rule::ReadBeforeWrite,
+        RULE,
         read.range,
         format!("`{name}` is written further down: this rung sees its value of the scan before"),
     );

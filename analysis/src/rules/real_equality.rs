@@ -2,13 +2,21 @@
 
 use super::survey::SurveyedBlock;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::names::operand_value::{Number, each_node, is_real, number};
 use crate::networks::facts::{Node, NodeKind, Operator};
 use ladder_instructions::Op;
 use ladder_syntax::TextRange;
 
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Blocks, "real-equality", Severity::Warning).about_types());
+
 pub(super) fn check(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
+    match place.op() {
+        Some(Op::Eq | Op::Ne) => {}
+        Some(Op::Calc) => return in_expression(place, out),
+        _ => return,
+    }
     let operands = || place.bound.facts.operands.iter().map(|operand| &operand.value);
     if compares_reals(place, operands()) {
         let negated = place.bound.op() == Some(Op::Ne);
@@ -17,7 +25,7 @@ pub(super) fn check(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
 }
 
 /// `=` and `<>` in a `[CALC]`.
-pub(super) fn in_expression(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
+fn in_expression(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
     for operand in &place.bound.facts.operands {
         each_node(&operand.value, &mut |node| {
             let NodeKind::Binary(operator @ (Operator::Equal | Operator::NotEqual), left, right) = &node.kind
@@ -45,6 +53,6 @@ fn found(range: TextRange, negated: bool) -> Diagnostic {
     } else {
         "two real numbers are nearly never exactly equal: this may not conduct when it should"
     };
-    Diagnostic::new(Rule::RealEquality, range, message)
+    Diagnostic::new(RULE, range, message)
         .help("compare with a tolerance: one [GE] for the lower and one [LE] for the upper limit")
 }

@@ -5,12 +5,18 @@
 use super::circles::{Use, circles, way};
 use crate::context::{Body, Context};
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::network::Meaning;
 use crate::other_files::exports::{ExportedBlock, Exports};
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
+
+pub(crate) const RULE: Rule = Rule(&RuleFacts::new(
+    RuleGroup::Names,
+    "recursive-block",
+    Severity::Error,
+));
 
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if context.own_blocks == 0 {
@@ -120,7 +126,7 @@ fn recursive(context: &Context, graph: &Graph, (first, around): (usize, Vec<Use>
             )
         }
     };
-    let mut found = Diagnostic::new(Rule::RecursiveBlock, context.user_blocks[first].at, message).help(
+    let mut found = Diagnostic::new(RULE, context.user_blocks[first].at, message).help(
         "every place of a block has a state of its own, so a block cannot contain itself: break the circle",
     );
     // Each use is in the block that the use before it leads to.

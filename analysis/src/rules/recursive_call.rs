@@ -4,14 +4,21 @@ use super::circles::{Use, circles, way};
 use super::survey::Survey;
 use crate::context::{Body, Context};
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::BlockAt;
 use crate::networks::control_flow::ControlFlow;
 use crate::networks::network::Meaning;
 use ladder_instructions::Op;
 use ladder_syntax::Name;
 
-pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
+pub(crate) const RULE: Rule = Rule(&RuleFacts::new(
+    RuleGroup::Names,
+    "recursive-call",
+    Severity::Warning,
+));
+
+pub(super) fn check(survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
+    let context = survey.context;
     if context.functions.is_empty() || !survey.any.has(ControlFlow::CALL) {
         return;
     }
@@ -67,7 +74,7 @@ fn recursive(context: &Context, first: usize, around: &[Use]) -> Diagnostic {
         }
     };
     let at = around.first().map_or_else(Default::default, |&(_, at)| at);
-    let mut found = Diagnostic::new(Rule::RecursiveCall, at, message)
+    let mut found = Diagnostic::new(RULE, at, message)
         .help("calls nest to a depth of 64, then the simulation stops with a fault: use <FOR> to repeat, or break the circle");
     for &(used, at) in &around[1..] {
         found = found.related(at, format!("{} is used here", name(used)));

@@ -4,14 +4,18 @@ use super::bypassed::Bypassed;
 use super::no_output::may_act;
 use super::power_rules::{Table, is_condition};
 use super::wiring_walk::Walk;
+use super::{constant_power, duplicate_branch, shorted_branch};
 use crate::boolean::gate::Gate;
 use crate::boolean::power::{Powers, Question, Replacement};
 use crate::boolean::written::written_block;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::BlockAt;
 use ladder_instructions::Power;
 use rustc_hash::FxHashSet;
+
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Wiring, "redundant-element", Severity::Warning).about_types());
 
 /// Tells of the contacts round which a wire leads, together where it joins their lines at one place; but for those
 /// that shorted-branch reported.
@@ -34,7 +38,7 @@ pub(super) fn bypassed(
         } else {
             "these contacts decide nothing: a wire leads round them".to_owned()
         };
-        let mut found = Diagnostic::new(Rule::RedundantElement, first.range(), message)
+        let mut found = Diagnostic::new(RULE, first.range(), message)
             .help("put a contact into the wire, or remove what it leads round");
         for other in &together[1..] {
             found = found.related(walk.block(other.block).range(), "this decides nothing either");
@@ -50,6 +54,19 @@ pub(super) fn bypassed(
 }
 
 pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
+    // What never or always conducts, or has a wire round it, makes others redundant: it is reported once.
+    let explains = |rule: Rule| {
+        [
+            RULE,
+            constant_power::RULE,
+            duplicate_branch::RULE,
+            shorted_branch::RULE,
+        ]
+        .contains(&rule)
+    };
+    if out.iter().any(|found| explains(found.rule)) {
+        return;
+    }
     let mut asked = vec![0; table.power.gates.variables.len()];
     for gate in &table.power.gates.of_block {
         each_variable(gate, |variable| asked[variable] += 1);
@@ -78,14 +95,7 @@ pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
             continue;
         };
         let name = written_block(table.context, table.network.scope, bound);
-        out.push(
-            Diagnostic::new(
-                Rule::RedundantElement,
-                bound.range(),
-                format!("{name} changes nothing here"),
-            )
-            .help(help),
-        );
+        out.push(Diagnostic::new(RULE, bound.range(), format!("{name} changes nothing here")).help(help));
         // What is redundant beside it may not be once it is gone.
         return;
     }

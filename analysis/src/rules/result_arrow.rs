@@ -1,14 +1,17 @@
 //! `result-arrow`: a result is taken with `:=` where `=>` shows that it comes out of the block.
 
-use crate::context::Context;
+use super::survey::SurveyedBlock;
 use crate::findings::diagnostic::{Applicability, Diagnostic};
-use crate::findings::rule::Rule;
-use crate::networks::BlockAt;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::network::{Formal, Meaning};
 use crate::program::ParameterKind;
 use ladder_instructions::Direction;
 
-pub(super) fn check(context: &Context, bound: BlockAt<'_>, out: &mut Vec<Diagnostic>) {
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Blocks, "result-arrow", Severity::Info).fixed(Applicability::Safe));
+
+pub(super) fn check(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
+    let (context, bound) = (place.context, place.bound);
     for (operand, formal) in bound.facts.operands.iter().zip(bound.formals.iter()) {
         let (Some(name), false) = (operand.name(), operand.has_arrow()) else {
             continue;
@@ -25,7 +28,7 @@ pub(super) fn check(context: &Context, bound: BlockAt<'_>, out: &mut Vec<Diagnos
         };
         out.push(
             Diagnostic::new(
-                Rule::ResultArrow,
+                RULE,
                 bound.absolute(arrow),
                 format!(
                     "`{}` is a result of {}: it is taken with `=>`",

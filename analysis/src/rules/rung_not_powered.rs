@@ -1,13 +1,17 @@
 //! `rung-not-powered`: a rung begins with `|--` where `+--` takes power from the left rail.
 
-use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use ladder_syntax::TextRange;
+
+pub(crate) const RULE: Rule = Rule(
+    &RuleFacts::new(RuleGroup::Wiring, "rung-not-powered", Severity::Warning).fixed(Applicability::Unsafe),
+);
 
 /// `range` is the stretch without power, as open-wire would show it.
 pub(super) fn found(range: TextRange) -> Diagnostic {
     Diagnostic::new(
-        Rule::RungNotPowered,
+        RULE,
         range,
         "this rung gets no power: it begins with `|`, which is decoration; `+` takes power from the left rail",
     )

@@ -3,10 +3,11 @@
 //! Decided for coils whose conditions are in series: the later one always acts with the earlier one if each of
 //! its conditions is one of the earlier one's, and nothing between them writes what they ask for.
 
+use super::tag_view::TagView;
 use crate::boolean::written::written;
 use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::names::operand_value::{each_tag, tag};
 use crate::names::scope::TagFacts;
 use crate::networks::NetworkAt;
@@ -19,6 +20,9 @@ use crate::program::Step;
 use crate::values::types::Type;
 use ladder_instructions::{Coil, Power, Role};
 use rustc_hash::FxHashSet;
+
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Program, "set-and-reset", Severity::Warning).about_types());
 
 /// What in a network leaves it unclear whether a coil acts with another one above it.
 const UNCLEAR: ControlFlow = ControlFlow::LEAVES
@@ -39,8 +43,8 @@ fn is_latch(tag: &TagFacts) -> bool {
     writers().take(MOST).any(|place| sets(&place)) && !writers().all(|place| sets(&place))
 }
 
-/// Looks at a tag. `any` is what the networks of the file have together of program flow.
-pub(super) fn check(context: &Context, any: ControlFlow, tag: &TagFacts, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
+    let (context, tag, any) = (view.context, view.tag, view.around.any);
     if !is_latch(tag) || any.has(ControlFlow::MCR) {
         return;
     }
@@ -171,7 +175,7 @@ fn found(name: &str, earlier: &Latch, later: &Latch) -> Diagnostic {
         ("resets", "sets")
     };
     Diagnostic::new(
-        Rule::SetAndReset,
+        RULE,
         earlier.place.range,
         format!(
             "whenever this {does} `{name}`, another coil {undoes} it in the same scan: this has no effect"

@@ -2,15 +2,18 @@
 
 use super::survey::SurveyedBlock;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::findings::rule_settings::DEFAULT_SCAN_INTERVAL;
 use crate::names::operand_value::{Number, number, scalar};
 use crate::networks::facts::{Node, NodeKind};
 use crate::networks::network::Formal;
 use crate::values::literal::Literal;
 use crate::values::types::Scalar;
-use ladder_instructions::{Accepts, Timing};
+use ladder_instructions::{Accepts, Instruction, Timing};
 use ladder_syntax::TextRange;
+
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Blocks, "short-preset", Severity::Warning).about_types());
 
 const MILLISECOND: i128 = 1_000_000;
 
@@ -24,6 +27,9 @@ const MOST_UNITS: i128 = 32_767;
 const DEFAULT_TIME_BASE: i128 = 100_000_000;
 
 pub(super) fn check(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
+    if !place.row.is_some_and(Instruction::is_timer) {
+        return;
+    }
     let bound = place.bound;
     let mut operands = bound.facts.operands.iter().zip(bound.formals.iter());
     let Some((operand, _)) = operands
@@ -60,7 +66,7 @@ pub(super) fn check(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
             milliseconds(scan)
         )
     };
-    let found = Diagnostic::new(Rule::ShortPreset, at, message);
+    let found = Diagnostic::new(RULE, at, message);
     out.push(if plain && value > 0 {
         found.help(format!(
             "a plain number is milliseconds: {value} s is written T#{value}s"
@@ -95,14 +101,14 @@ fn in_scans(preset: i128, scan: i128, at: TextRange) -> Option<Diagnostic> {
             "give a shorter time, or a longer scan above the first network, as in: # ladder: cycle 100ms #",
         ),
     };
-    Some(Diagnostic::new(Rule::ShortPreset, at, message).help(help))
+    Some(Diagnostic::new(RULE, at, message).help(help))
 }
 
 /// A timer that counts steps of a time base, at most one in a scan.
 fn in_ticks(place: &SurveyedBlock<'_>, count: Option<i128>, scan: i128, at: TextRange) -> Option<Diagnostic> {
     if count.is_some_and(|count| count <= 0) {
         let message = "the preset is 0 or less: the first step reaches it";
-        return Some(Diagnostic::new(Rule::ShortPreset, at, message).help("count one step or more"));
+        return Some(Diagnostic::new(RULE, at, message).help("count one step or more"));
     }
     match time_base(place, DEFAULT_TIME_BASE) {
         Some(base) if base < scan => {
@@ -111,7 +117,7 @@ fn in_ticks(place: &SurveyedBlock<'_>, count: Option<i128>, scan: i128, at: Text
                 milliseconds(base),
                 milliseconds(scan)
             );
-            let found = Diagnostic::new(Rule::ShortPreset, at, message);
+            let found = Diagnostic::new(RULE, at, message);
             Some(found.help("take a longer time base, or a shorter scan"))
         }
         _ => None,
@@ -147,7 +153,7 @@ fn in_units(value: i128, plain: bool, base: i128, at: TextRange) -> Option<Diagn
             "count in a longer unit, as in: B := T#1s",
         ),
     };
-    Some(Diagnostic::new(Rule::ShortPreset, at, message).help(help))
+    Some(Diagnostic::new(RULE, at, message).help(help))
 }
 
 fn is_integer(place: &SurveyedBlock<'_>, node: &Node) -> bool {

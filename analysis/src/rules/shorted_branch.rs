@@ -2,24 +2,38 @@
 
 use super::bypassed::Bypassed;
 use super::power_rules::is_condition;
+use super::redundant_element;
 use super::wiring_walk::Walk;
 use crate::boolean::written::written_block;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::BlockAt;
 use crate::program::Step;
 use rustc_hash::FxHashSet;
+
+pub(crate) const RULE: Rule = Rule(&RuleFacts::new(
+    RuleGroup::Wiring,
+    "shorted-branch",
+    Severity::Warning,
+));
 
 /// How far a branch is followed.
 const LONGEST: usize = 64;
 
 /// `bypassed` are the contacts that decide nothing, if that is known: one of a branch that leads elsewhere too does.
 /// Gives the blocks that were reported.
-pub(super) fn check(
-    walk: &Walk<'_>,
-    bypassed: Option<&[Bypassed]>,
-    out: &mut Vec<Diagnostic>,
-) -> FxHashSet<usize> {
+/// Also finds the contacts of `redundant-element` round which a wire leads.
+pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
+    if walk.network.wiring.points.is_empty() {
+        return;
+    }
+    let bypassed = super::bypassed::bypassed(walk);
+    let shorted = shorted(walk, bypassed.as_deref(), out);
+    redundant_element::bypassed(walk, &bypassed.unwrap_or_default(), &shorted, out);
+}
+
+/// Gives the blocks that are reported.
+fn shorted(walk: &Walk<'_>, bypassed: Option<&[Bypassed]>, out: &mut Vec<Diagnostic>) -> FxHashSet<usize> {
     let mut reported = FxHashSet::default();
     if bypassed.is_some_and(<[Bypassed]>::is_empty) {
         return reported;
@@ -50,7 +64,7 @@ pub(super) fn check(
         } else {
             "a bare wire beside these contacts shorts them: they decide nothing".to_owned()
         };
-        let mut found = Diagnostic::new(Rule::ShortedBranch, first.range(), message)
+        let mut found = Diagnostic::new(RULE, first.range(), message)
             .help("put a contact into the wire beside it, or remove the branch");
         for other in rest {
             found = found.related(other.range(), "this is shorted as well");

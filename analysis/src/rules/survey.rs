@@ -1,18 +1,10 @@
-//! What the rules about power and the whole program need to know of the file, and the walk over blocks that the rules about
-//! single blocks share.
+//! What the rules about power and the whole program need to know of the file, and a block for those about blocks.
 
-use super::{
-    alternative_mnemonic, ambiguous_sign, complex_network, division_by_zero, real_equality, result_arrow,
-    short_preset,
-};
 use crate::context::Context;
-use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
 use crate::findings::rule_settings::RuleSettings;
 use crate::networks::control_flow::ControlFlow;
-use crate::networks::network::Meaning;
 use crate::networks::{BlockAt, NetworkAt};
-use ladder_instructions::Op;
+use ladder_instructions::{Instruction, Op};
 
 /// What is known of the file as a whole.
 pub(crate) struct Survey<'c> {
@@ -50,71 +42,19 @@ impl<'c> Survey<'c> {
     }
 }
 
-/// What a rule about single blocks is asked with.
+/// A block, for the rules about blocks.
 pub(super) struct SurveyedBlock<'c> {
     pub(super) context: &'c Context,
     pub(super) network: NetworkAt<'c>,
     pub(super) bound: BlockAt<'c>,
+    /// The instruction, if it is one that could be read.
+    pub(super) row: Option<&'static Instruction>,
     pub(super) settings: &'c RuleSettings,
 }
 
-/// Asks the rules about single blocks of a network.
-pub(crate) fn of_network(
-    context: &Context,
-    network: NetworkAt<'_>,
-    settings: &RuleSettings,
-    out: &mut Vec<Diagnostic>,
-) {
-    blocks(
-        context,
-        network,
-        settings,
-        settings.is_on(Rule::AlternativeMnemonic),
-        out,
-    );
-    if settings.is_on(Rule::ComplexNetwork) {
-        complex_network::check(context, network, out);
-    }
-}
-
-/// Asks the rules about single blocks.
-fn blocks(
-    context: &Context,
-    network: NetworkAt<'_>,
-    settings: &RuleSettings,
-    spelling: bool,
-    out: &mut Vec<Diagnostic>,
-) {
-    for bound in network.blocks() {
-        let Meaning::Instruction(row) = bound.meaning else {
-            result_arrow::check(context, bound, out);
-            continue;
-        };
-        if bound.faulty {
-            continue;
-        }
-        let place = SurveyedBlock {
-            context,
-            network,
-            bound,
-            settings,
-        };
-        match row.op {
-            _ if row.is_timer() => short_preset::check(&place, out),
-            Op::Eq | Op::Ne => real_equality::check(&place, out),
-            Op::Div | Op::Mod => division_by_zero::check(&place, out),
-            Op::Calc => {
-                ambiguous_sign::check(&place, out);
-                real_equality::in_expression(&place, out);
-                division_by_zero::in_expression(&place, out);
-            }
-            _ => {}
-        }
-        if bound.facts.operands.len() > 1 {
-            result_arrow::check(context, bound, out);
-        }
-        if spelling {
-            alternative_mnemonic::check(row, bound, out);
-        }
+impl SurveyedBlock<'_> {
+    /// Which instruction it is, if it is one that could be read.
+    pub(super) fn op(&self) -> Option<Op> {
+        self.row.map(|row| row.op)
     }
 }

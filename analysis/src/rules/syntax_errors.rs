@@ -8,8 +8,8 @@ use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::excerpt::{self, Excerpts, blanks_before_drawing};
 use crate::findings::foreign_comment::ForeignComments;
-use crate::mistakes::{bad_declaration, bad_operand};
 use crate::networks::unread_line::{identifiers, looks_like_declaration};
+use crate::rules::{bad_declaration, bad_operand};
 use ladder_syntax::{
     DeclarationProblem, LineKind, Many, Parse, Surroundings, SyntaxError, SyntaxErrorKind, TextRange,
     TextSize,

@@ -1,13 +1,13 @@
 //! `type-mismatch`, where two places ask for two types of one undeclared tag.
 
-use crate::context::Context;
+use super::tag_view::TagView;
 use crate::findings::diagnostic::Diagnostic;
-use crate::mistakes::type_mismatch;
 use crate::names::infer;
-use crate::names::scope::TagFacts;
+use crate::rules::type_mismatch;
 
 /// Looks at the places of one tag.
-pub(super) fn check(context: &Context, tag: &TagFacts, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
+    let (context, tag) = (view.context, view.tag);
     if !tag.is_inferred() || tag.mistyped {
         return;
     }

@@ -1,14 +1,17 @@
 //! `unbalanced-loop`: `<FOR>` and `<NEXT>` that do not belong together.
 
 use super::survey::Survey;
-use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity, When};
 use crate::networks::control_flow::ControlFlow;
 use ladder_instructions::Op;
 use ladder_syntax::TextRange;
 
-pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Program, "unbalanced-loop", Severity::Error).when(When::Whole));
+
+pub(super) fn check(survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
+    let context = survey.context;
     let loops = ControlFlow::FOR.with(ControlFlow::NEXT);
     // Of a loop that cannot be read, only one half may be left.
     if !survey.any.has(loops) || !survey.whole {
@@ -44,7 +47,7 @@ pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagno
 
 fn no_next(at: TextRange) -> Diagnostic {
     Diagnostic::new(
-        Rule::UnbalancedLoop,
+        RULE,
         at,
         "this <FOR> has no <NEXT>: nobody can say where the loop ends",
     )
@@ -52,12 +55,12 @@ fn no_next(at: TextRange) -> Diagnostic {
 }
 
 fn no_for(at: TextRange) -> Diagnostic {
-    Diagnostic::new(Rule::UnbalancedLoop, at, "this <NEXT> ends no loop")
+    Diagnostic::new(RULE, at, "this <NEXT> ends no loop")
         .help("begin the loop with <FOR>( n ) on a network before it, or remove it")
 }
 
 fn nested(at: TextRange, outer: TextRange) -> Diagnostic {
-    Diagnostic::new(Rule::UnbalancedLoop, at, "a loop cannot be in another loop")
+    Diagnostic::new(RULE, at, "a loop cannot be in another loop")
         .help("end the first loop with <NEXT>; or put the inner loop into a function and <CALL> it")
         .related(outer, "this loop has not ended")
 }

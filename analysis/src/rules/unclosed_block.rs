@@ -2,8 +2,11 @@
 
 use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::excerpt::shortened;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use ladder_syntax::{SyntaxKind, TextRange, TextSize};
+
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Text, "unclosed-block", Severity::Error).fixed(Applicability::Safe));
 
 /// `text` is what is from the opening bracket to the place where the closing one belongs, which is the
 /// range. The fix takes the `blanks` behind it away: the wire goes on at the bracket.
@@ -27,7 +30,7 @@ pub(crate) fn missing(
     } else {
         bracket.to_owned()
     };
-    Diagnostic::new(Rule::UnclosedBlock, range, message)
+    Diagnostic::new(RULE, range, message)
         .help("a block is closed on its own line")
         .fix(
             applicability(text, blanks, of_list),
@@ -63,7 +66,7 @@ fn applicability(text: &str, blanks: TextRange, of_list: bool) -> Applicability 
 pub(crate) fn wrong(closing: SyntaxKind, text: &str, range: TextRange) -> Diagnostic {
     let bracket = bracket(closing);
     Diagnostic::new(
-        Rule::UnclosedBlock,
+        RULE,
         range,
         format!("`{text}` is where `{bracket}` closes the block"),
     )

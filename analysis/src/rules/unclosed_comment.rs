@@ -5,21 +5,27 @@
 //! first comment that holds a line of drawing, and what is found behind it is not shown.
 
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use ladder_syntax::{Parse, SyntaxErrorKind, TextRange};
+
+pub(crate) const RULE: Rule = Rule(&RuleFacts::new(
+    RuleGroup::Text,
+    "unclosed-comment",
+    Severity::Error,
+));
 
 /// `range` is the `#` at which the parser puts it.
 pub(crate) fn unclosed(parse: &Parse, range: TextRange) -> Diagnostic {
     match left_over(parse) {
         Some(last) if last != range => Diagnostic::new(
-            Rule::UnclosedComment,
+            RULE,
             range,
             "this comment holds lines of drawing: its closing `#` is probably missing",
         )
         .help("close it behind its text; until then nothing behind this place is checked")
         .related(last, "this `#` is left without a partner"),
         _ => Diagnostic::new(
-            Rule::UnclosedComment,
+            RULE,
             range,
             "this comment is never closed: all that follows is read as comment",
         )
@@ -46,12 +52,15 @@ pub(crate) fn hide_what_follows(parse: &Parse, diagnostics: &mut Vec<Diagnostic>
         // What a name stands for may be behind the place.
         let needs_the_rest = matches!(
             d.rule,
-            Rule::UndeclaredTag | Rule::UnknownLabel | Rule::UnknownFunction | Rule::UnknownBlock
+            super::undeclared_tag::RULE
+                | super::unknown_label::RULE
+                | super::unknown_function::RULE
+                | super::unknown_block::RULE
         );
-        d.rule == Rule::UnclosedComment || (d.range.start() < place && !needs_the_rest)
+        d.rule == RULE || (d.range.start() < place && !needs_the_rest)
     });
     for diagnostic in diagnostics {
-        if diagnostic.rule != Rule::UnclosedComment {
+        if diagnostic.rule != RULE {
             diagnostic
                 .related
                 .retain(|related| related.file.is_some() || related.range.start() < place);

@@ -2,8 +2,14 @@
 
 use super::flow::Flow;
 use crate::findings::diagnostic::{Applicability, Diagnostic};
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity, When};
 use ladder_instructions::Op;
+
+pub(crate) const RULE: Rule = Rule(
+    &RuleFacts::new(RuleGroup::Program, "unconditional-end", Severity::Warning)
+        .when(When::Whole)
+        .fixed(Applicability::Unsafe),
+);
 
 pub(super) fn check(flow: &Flow<'_>, out: &mut Vec<Diagnostic>) {
     for exit in flow.exits.iter().filter(|exit| exit.always) {
@@ -13,7 +19,7 @@ pub(super) fn check(flow: &Flow<'_>, out: &mut Vec<Diagnostic>) {
         }
         out.push(
             Diagnostic::new(
-                Rule::UnconditionalEnd,
+                RULE,
                 bound.range(),
                 "<END> stops the program for good, and no condition is before it: only one scan runs",
             )

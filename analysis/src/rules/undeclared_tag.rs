@@ -6,9 +6,10 @@
 
 use super::declaration_fix::Undeclared;
 use super::near_names::NearNames;
+use super::tag_view::TagView;
 use crate::context::Context;
 use crate::findings::diagnostic::{Applicability, Diagnostic, Fix};
-use crate::findings::rule::{Rule, Severity};
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::names::declaring::Places;
 use crate::names::did_you_mean;
 use crate::names::scope::{Origin, SectionKind, TagFacts};
@@ -19,7 +20,11 @@ use crate::program::Role;
 use crate::values::types::{Scalar, Type};
 use ladder_instructions::Accepts;
 use ladder_syntax::{Name, TextRange};
-use std::cell::{Cell, LazyCell, OnceCell};
+use smol_str::SmolStr;
+use std::cell::{Cell, OnceCell};
+
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Names, "undeclared-tag", Severity::Warning).fixed(Applicability::Unsafe));
 
 /// For how many tags of a file a near name is looked for among all declared ones.
 const MOST_SUGGESTIONS: usize = 20;
@@ -32,7 +37,7 @@ pub(super) struct Undeclaring<'c> {
     /// For so many tags a near name is still looked for.
     suggestions: Cell<usize>,
     /// The declared names, sorted: which of several is nearest does not depend on where they are declared.
-    declared: LazyCell<Vec<&'c str>, Box<dyn FnOnce() -> Vec<&'c str> + 'c>>,
+    declared: OnceCell<Vec<SmolStr>>,
     /// For each scope where its declarations go.
     places: Vec<OnceCell<Places>>,
 }
@@ -44,22 +49,27 @@ impl<'c> Undeclaring<'c> {
             let usual = tags.iter().filter(|tag| tag.origin == Origin::Undeclared);
             NearNames::new(usual.map(|tag| Name::new(&tag.name)))
         };
-        let declared = move || {
-            let declared = tags.iter().filter(|tag| tag.is_declared());
-            let mut names: Vec<&str> = declared
-                .map(|tag| tag.name.as_str())
-                .take(did_you_mean::MOST)
-                .collect();
-            names.sort_unstable();
-            names
-        };
         Undeclaring {
             context,
             usual: (!context.scopes[0].declares()).then(usual),
             suggestions: Cell::new(MOST_SUGGESTIONS),
-            declared: LazyCell::new(Box::new(declared)),
+            declared: OnceCell::new(),
             places: vec![OnceCell::new(); context.scopes.len()],
         }
+    }
+
+    /// The declared name that is nearest to another one.
+    fn nearest(&self, name: &str) -> Option<&str> {
+        let declared = self.declared.get_or_init(|| {
+            let tags = self.context.scopes[0].tags.iter().filter(|tag| tag.is_declared());
+            let mut names: Vec<SmolStr> = tags
+                .map(|tag| tag.name.clone())
+                .take(did_you_mean::MOST)
+                .collect();
+            names.sort_unstable();
+            names
+        });
+        did_you_mean::closest(name, declared.iter().map(SmolStr::as_str))
     }
 
     /// Has a fix add the declaration of a tag. A typing mistake must not make a tag: it is not made unasked.
@@ -83,8 +93,8 @@ impl<'c> Undeclaring<'c> {
 }
 
 /// Looks at one tag.
-pub(super) fn check(scope: usize, tag: &TagFacts, around: &Undeclaring<'_>, out: &mut Vec<Diagnostic>) {
-    let context = around.context;
+pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
+    let (context, scope, tag, around) = (view.context, view.scope, view.tag, &view.around.undeclaring);
     if !is_undeclared(tag, scope) {
         return;
     }
@@ -137,7 +147,7 @@ fn is_undeclared(tag: &TagFacts, scope: usize) -> bool {
 }
 
 fn found(severity: Severity, range: TextRange, message: String) -> Diagnostic {
-    let mut found = Diagnostic::new(Rule::UndeclaredTag, range, message);
+    let mut found = Diagnostic::new(RULE, range, message);
     found.severity = severity;
     found
 }
@@ -210,7 +220,7 @@ fn forgotten(around: &Undeclaring<'_>, tag: &TagFacts, range: TextRange) -> Diag
     let left = around.suggestions.get();
     around.suggestions.set(left.saturating_sub(1));
     let may_be_slip = left > 0 && tag.uses.len() == 1;
-    let near = may_be_slip.then(|| did_you_mean::closest(name, around.declared.iter().copied()));
+    let near = may_be_slip.then(|| around.nearest(name));
     let found = match near.flatten() {
         Some(near) => found.help(format!("did you mean `{near}`?")).fix(
             Applicability::Unsafe,

@@ -5,8 +5,14 @@ pub(super) mod box_drawing;
 use super::frame_keyword;
 use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::excerpt::shortened;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use ladder_syntax::{Many, Surroundings, TextRange, is_identifier};
+
+pub(crate) const RULE: Rule = Rule(&RuleFacts::new(
+    RuleGroup::Text,
+    "unexpected-character",
+    Severity::Error,
+));
 
 pub(crate) fn unexpected(
     place: Surroundings,
@@ -22,7 +28,7 @@ pub(crate) fn unexpected(
         Surroundings::Operands => format!("`{shown}` means nothing among operands"),
         Surroundings::Declaration => format!("`{shown}` means nothing in a declaration"),
     };
-    let found = Diagnostic::new(Rule::UnexpectedCharacter, range, message);
+    let found = Diagnostic::new(RULE, range, message);
     if behind_comment {
         return found.help(
             "the `#` before it ended a comment: a comment ends at the very next `#`, so write 5s and not T#5s in it",
@@ -61,7 +67,7 @@ pub(crate) fn unexpected(
 pub(crate) fn too_many(range: TextRange) -> Diagnostic {
     let most = Many::Parts.most();
     Diagnostic::new(
-        Rule::UnexpectedCharacter,
+        RULE,
         range,
         format!("a line holds at most {most} wires, connectors and blocks: what follows is not read"),
     )

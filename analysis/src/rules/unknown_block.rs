@@ -3,11 +3,14 @@
 use super::form::Form;
 use crate::context::Context;
 use crate::findings::diagnostic::{Applicability, Diagnostic};
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::names::did_you_mean;
 use crate::networks::BlockAt;
 use crate::networks::network::Meaning;
 use ladder_syntax::Name;
+
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Names, "unknown-block", Severity::Error).fixed(Applicability::Safe));
 
 pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
     // A network with a block that is not known may name one of another file.
@@ -32,7 +35,7 @@ fn unknown(context: &Context, bound: BlockAt<'_>) -> Diagnostic {
         let (open, close) = definition.shape.brackets();
         let right = format!("{open}{}{close}", definition.name);
         return Diagnostic::new(
-            Rule::WrongShape,
+            super::wrong_shape::RULE,
             range,
             format!("the block is drawn {right}, not {written}"),
         )
@@ -41,7 +44,7 @@ fn unknown(context: &Context, bound: BlockAt<'_>) -> Diagnostic {
         // One name has one shape.
         .fix(Applicability::Safe, format!("Replace with {right}"), range, right);
     }
-    let found = Diagnostic::new(Rule::UnknownBlock, range, format!("there is no block {written}"));
+    let found = Diagnostic::new(RULE, range, format!("there is no block {written}"));
     let others = context.others.all_blocks().map(|block| &block.facts);
     let same_shape = context
         .user_blocks

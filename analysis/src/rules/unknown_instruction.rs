@@ -5,12 +5,16 @@ use super::{missing_wire, wrong_shape};
 use crate::findings::article::with_article;
 use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::excerpt::in_sentence;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::BlockAt;
 use crate::networks::network::Meaning;
 use ladder_instructions::{Accepts, Instruction, Operand, Profile, Shape, TABLE, closest};
 use ladder_syntax::is_identifier;
 use std::fmt::Write;
+
+pub(crate) const RULE: Rule = Rule(
+    &RuleFacts::new(RuleGroup::Blocks, "unknown-instruction", Severity::Error).fixed(Applicability::Unsafe),
+);
 
 pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
     let network = form.network;
@@ -48,13 +52,13 @@ fn not_in_profile(profile: Profile, row: &Instruction, bound: BlockAt<'_>) -> Op
         .filter(|row| row.profiles.contain(profile) && row.operands.iter().any(counts));
     let known: Vec<String> = known.map(Instruction::block).collect();
     let message = format!("there is no {} in the profile `{profile}`", row.block());
-    let found = Diagnostic::new(Rule::UnknownInstruction, bound.head_range(), message);
+    let found = Diagnostic::new(RULE, bound.head_range(), message);
     Some(found.help(format!("its timers and counters are {}", known.join(" "))))
 }
 
 fn unknown(bound: BlockAt<'_>) -> Diagnostic {
     let found = Diagnostic::new(
-        Rule::UnknownInstruction,
+        RULE,
         bound.head_range(),
         format!("there is no instruction {}", bound.head_text()),
     );

@@ -1,14 +1,18 @@
 //! `unknown-label` where a `<$B>` block jumps out of its body. Other jumps are found while operands are resolved.
 
 use crate::context::{Body, Context};
-use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
+use crate::names::did_you_mean;
 use crate::networks::network::Meaning;
 use crate::networks::outward_jumps::{Jump, outward_jumps};
 use ladder_instructions::Shape;
 use ladder_syntax::{Name, TextRange};
 use std::collections::HashSet;
 use std::sync::Arc;
+
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Names, "unknown-label", Severity::Error).fixed(Applicability::Unsafe));
 
 /// Jumps out of the bodies of `<$B>` blocks: such a label is looked up where the block is, and must be there
 /// at every place.
@@ -47,7 +51,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 fn nowhere(context: &Context, jump: &Jump, place: TextRange) -> Diagnostic {
     match &jump.file {
         None => Diagnostic::new(
-            Rule::UnknownLabel,
+            RULE,
             jump.at,
             format!(
                 "there is no label `{}` in the block, nor where the block is",
@@ -58,7 +62,7 @@ fn nowhere(context: &Context, jump: &Jump, place: TextRange) -> Diagnostic {
         .related(place, "here the block is, and no label of this name"),
         // The other file is not wrong by itself.
         Some(file) => Diagnostic::new(
-            Rule::UnknownLabel,
+            RULE,
             place,
             format!(
                 "the block `{}` jumps to the label `{}`, which is not here",
@@ -116,4 +120,31 @@ fn places(context: &Context) -> Vec<Vec<(usize, TextRange)>> {
         }
     }
     places
+}
+
+pub(crate) fn unknown(context: &Context, network: usize, name: &str, range: TextRange) -> Diagnostic {
+    let body = context.bodies[network];
+    let found = Diagnostic::new(RULE, range, format!("there is no label `{name}` to jump to"));
+    let seen = context
+        .labels
+        .iter()
+        .filter(|label| context.bodies[label.network] == body);
+    if let Some(near) = did_you_mean::closest(name, seen.map(|label| label.name.as_str())) {
+        return found.help(format!("did you mean `{near}`?")).fix(
+            Applicability::Unsafe,
+            format!("Jump to `{near}`"),
+            range,
+            near,
+        );
+    }
+    let key = Name::new(name);
+    match context.labels.iter().find(|label| label.key == key) {
+        Some(elsewhere) => found
+            .help("a jump stays in its own program or function: put a label there, or use <CALL>")
+            .related(
+                elsewhere.at,
+                "the label of this name belongs to another function or block",
+            ),
+        None => found.help(format!("mark the network with <LBL>( {name} )")),
+    }
 }

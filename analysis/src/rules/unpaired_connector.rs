@@ -5,14 +5,19 @@ pub(super) mod completion;
 
 use super::form::Form;
 use crate::context::Context;
-use crate::findings::diagnostic::Diagnostic;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::excerpt::{columns, trimmed_line};
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::neighbours::{rung_above, rung_below};
 use crate::networks::network::breaks_drawing;
 use ladder_syntax::numeral::nth;
 use ladder_syntax::wiring::{self, PartKind, Rung};
 use ladder_syntax::{Parse, TextRange};
+
+pub(crate) const RULE: Rule = Rule(
+    &RuleFacts::new(RuleGroup::Connectors, "unpaired-connector", Severity::Error)
+        .fixed(Applicability::Unsafe),
+);
 
 /// How many connectors of one line are reported: whoever draws more of them without partners knows.
 const MOST: usize = 10;
@@ -103,11 +108,7 @@ fn unpaired(context: &Context, line: usize, kind: PartKind, out: &mut Vec<Diagno
     for (index, ordinal) in (paired..own.parts.len()).enumerate().take(MOST) {
         let suspect = culprits.as_ref().map_or(ordinal, |culprits| culprits[index]);
         let range = own.range(parse, ordinal);
-        let mut found = Diagnostic::new(
-            Rule::UnpairedConnector,
-            range,
-            message(context, &own, other.as_ref(), ordinal),
-        );
+        let mut found = Diagnostic::new(RULE, range, message(context, &own, other.as_ref(), ordinal));
         found = if suspect == ordinal {
             found.help(help(kind))
         } else {

@@ -4,11 +4,15 @@ use super::flow::{Exit, Flow};
 use super::no_output::first_rung;
 use crate::boolean::written::written_block;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity, When};
 use crate::program::Step;
 use ladder_instructions::Op;
 
-pub(super) fn check(flow: &Flow<'_>, reached: &[bool], out: &mut Vec<Diagnostic>) {
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Program, "unreachable", Severity::Warning).when(When::Whole));
+
+pub(super) fn check(flow: &Flow<'_>, out: &mut Vec<Diagnostic>) {
+    let reached = flow.reached();
     for exit in flow.exits.iter().filter(|exit| exit.always && reached[exit.from]) {
         out.extend(behind_in_network(flow, exit));
     }
@@ -37,7 +41,7 @@ pub(super) fn check(flow: &Flow<'_>, reached: &[bool], out: &mut Vec<Diagnostic>
             "nor to 1 of the network behind it",
             "nor to the network behind it",
         );
-        let mut found = Diagnostic::new(Rule::Unreachable, range, message)
+        let mut found = Diagnostic::new(RULE, range, message)
             .help("put a condition before what leaves above it, mark it with a <LBL> that is jumped to, or remove it");
         if let Some(exit) = always {
             found = found.related(flow.block(exit).range(), always_leaves(flow, exit));
@@ -65,7 +69,7 @@ fn behind_in_network(flow: &Flow<'_>, exit: &Exit) -> Option<Diagnostic> {
         })?;
     Some(
         Diagnostic::new(
-            Rule::Unreachable,
+            RULE,
             behind.range(),
             format!(
                 "{} never runs: the network is left before it",

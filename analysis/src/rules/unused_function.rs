@@ -1,15 +1,19 @@
 //! `unused-function`: a function that nothing calls.
 
 use super::survey::Survey;
-use crate::context::{Body, Context};
+use crate::context::Body;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity, When};
 use crate::networks::control_flow::ControlFlow;
 use ladder_instructions::Op;
 use ladder_syntax::Name;
 use rustc_hash::FxHashSet;
 
-pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Program, "unused-function", Severity::Info).when(When::Whole));
+
+pub(super) fn check(survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
+    let context = survey.context;
     // A file without a main program holds functions for others, maybe of another workspace.
     if context.functions.is_empty() || !survey.whole || !context.bodies.contains(&Body::Main) {
         return;
@@ -33,7 +37,7 @@ pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagno
             };
             out.push(
                 Diagnostic::new(
-                    Rule::UnusedFunction,
+                    RULE,
                     function.at,
                     format!("{place} calls the function `{}`", function.name),
                 )

@@ -3,7 +3,7 @@
 use super::survey::Survey;
 use crate::context::{Body, Context};
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity, When};
 use crate::networks::BlockAt;
 use crate::networks::control_flow::ControlFlow;
 use crate::networks::network::Meaning;
@@ -11,7 +11,11 @@ use ladder_instructions::Op;
 use ladder_syntax::Name;
 use rustc_hash::FxHashSet;
 
-pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Program, "unused-label", Severity::Info).when(When::Whole));
+
+pub(super) fn check(survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
+    let context = survey.context;
     if context.labels.is_empty() || !survey.whole {
         return;
     }
@@ -51,7 +55,7 @@ pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagno
         if !targets.contains(&(label.network, &label.key)) && !from_block {
             out.push(
                 Diagnostic::new(
-                    Rule::UnusedLabel,
+                    RULE,
                     label.at,
                     format!("nothing jumps to the label `{}`", label.name),
                 )

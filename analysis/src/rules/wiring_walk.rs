@@ -1,9 +1,6 @@
 //! One walk over each network's steps, shared by the rules about what is behind what on a wire.
 
-use super::{bypassed, contact_after_coil, dead_end, latched_power, redundant_element, shorted_branch};
 use crate::context::Context;
-use crate::findings::diagnostic::Diagnostic;
-use crate::networks::control_flow::ControlFlow;
 use crate::networks::{BlockAt, NetworkAt};
 use crate::program::Step;
 
@@ -25,30 +22,15 @@ impl<'c> Walk<'c> {
     }
 }
 
-/// Looks at a network that is drawn without an error.
-pub(super) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
-    // What does nothing at all is no-output.
-    if !network.blocks().any(super::no_output::may_act) {
-        return;
-    }
-    let walk = &Walk {
-        context,
-        network,
-        useful: useful(network),
-    };
-    dead_end::check(walk, out);
-    if !network.wiring.points.is_empty() {
-        let bypassed = bypassed::bypassed(walk);
-        let shorted = shorted_branch::check(walk, bypassed.as_deref(), out);
-        redundant_element::bypassed(walk, &bypassed.unwrap_or_default(), &shorted, out);
-    }
-    let control_flow = network.control_flow;
-    let coils = ControlFlow::COIL.with(ControlFlow::SET).with(ControlFlow::RESET);
-    if control_flow.has(coils) && network.blocks.len() > 1 {
-        contact_after_coil::check(walk, out);
-    }
-    if control_flow.has(ControlFlow::SET) && network.blocks.len() > 1 {
-        latched_power::check(walk, out);
+impl<'c> Walk<'c> {
+    /// None: the network does nothing at all, which is no-output.
+    pub(super) fn new(context: &'c Context, network: NetworkAt<'c>) -> Option<Walk<'c>> {
+        let acts = network.blocks().any(super::no_output::may_act);
+        acts.then(|| Walk {
+            context,
+            network,
+            useful: useful(network),
+        })
     }
 }
 

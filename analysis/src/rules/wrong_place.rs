@@ -2,9 +2,11 @@
 
 use super::form::Form;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::BlockAt;
 use ladder_instructions::{Op, Shape};
+
+pub(crate) const RULE: Rule = Rule(&RuleFacts::new(RuleGroup::Names, "wrong-place", Severity::Error));
 
 pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
     let network = form.network;
@@ -44,5 +46,5 @@ pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
 }
 
 fn wrong(bound: BlockAt<'_>, message: &str, help: &'static str) -> Diagnostic {
-    Diagnostic::new(Rule::WrongPlace, bound.head_range(), message).help(help)
+    Diagnostic::new(RULE, bound.head_range(), message).help(help)
 }

@@ -2,10 +2,13 @@
 
 use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::excerpt;
-use crate::findings::rule::Rule;
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::BlockAt;
 use ladder_instructions::{Instruction, Op, in_other_shape};
 use ladder_syntax::Parse;
+
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Blocks, "wrong-shape", Severity::Error).fixed(Applicability::Safe));
 
 /// The instruction of this name in other brackets; one that takes the operands as they are comes first.
 pub(crate) fn elsewhere(bound: BlockAt<'_>) -> Option<&'static Instruction> {
@@ -56,12 +59,10 @@ pub(crate) fn brackets(parse: &Parse, bound: BlockAt<'_>, row: &'static Instruct
         Op::Contact => format!("to test a bit write {written}"),
         _ => format!("write {written}"),
     };
-    Diagnostic::new(Rule::WrongShape, bound.head_range(), message)
-        .help(help)
-        .fix(
-            applicability(bound, row),
-            format!("Replace with {}", row.block()),
-            bound.head_range(),
-            row.block(),
-        )
+    Diagnostic::new(RULE, bound.head_range(), message).help(help).fix(
+        applicability(bound, row),
+        format!("Replace with {}", row.block()),
+        bound.head_range(),
+        row.block(),
+    )
 }

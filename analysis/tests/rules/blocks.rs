@@ -12,7 +12,7 @@ fn misspelt() {
                  ^^^^^ error[unknown-instruction]: there is no instruction [TOM]
                 help: did you mean [TON] (on-delay timer)?
                 fix: Replace with [TON]
-                  +----------[TON]( t, T#5s )--( )( y )--+
+                  +--------------------------------------------------[TON]( t, T#5s )--( )( y )--+
         "#]],
     );
     check(
@@ -30,12 +30,12 @@ fn misspelt() {
                  ^^^^^ error[unknown-instruction]: there is no instruction [XIC]
                 help: did you mean [ ] (open contact)?
                 fix: Replace with [ ]
-                  +--[ ]( a )----------------(OTE)( y )--+
+                  +--[ ]( a )--------------------------------------------------------(OTE)( y )--+
             > +--[XIC]( a )--(OTE)( y )--+
                              ^^^^^ error[unknown-instruction]: there is no instruction (OTE)
                 help: did you mean ( ) (coil)?
                 fix: Replace with ( )
-                  +----------------[XIC]( a )--( )( y )--+
+                  +--------------------------------------------------------[XIC]( a )--( )( y )--+
         "#]],
     );
     check(
@@ -53,7 +53,7 @@ fn misspelt() {
                            ^^^^^ error[unknown-instruction]: there is no instruction <JPM>
                 help: did you mean <JMP> (jump)?
                 fix: Replace with <JMP>
-                  +--[ ]( a )--<JMP>( x )--+
+                  +--[ ]( a )--------------------------------------------------------<JMP>( x )--+
         "#]],
     );
 }
@@ -67,12 +67,12 @@ fn the_tag_in_the_place_of_the_kind() {
                  ^^^^^^^ error[unknown-instruction]: there is no instruction [start]
                 help: a contact of the tag `start` is written [ ]( start )
                 fix: Write [ ]( start )
-                  +--[ ]( start )-----------------(run)--+
+                  +--[ ]( start )---------------------------------------------------------(run)--+
             > +--[start]--(run)--+
                           ^^^^^ error[unknown-instruction]: there is no instruction (run)
                 help: a coil of the tag `run` is written ( )( run )
                 fix: Write ( )( run )
-                  +-----------------[start]--( )( run )--+
+                  +---------------------------------------------------------[start]--( )( run )--+
         "#]],
     );
 }
@@ -87,16 +87,16 @@ fn a_word_that_may_be_an_instruction_or_a_tag() {
                              ^^^^^ error[unknown-instruction]: there is no instruction [TOM]
                 help: did you mean [TON] (on-delay timer)? The contact of a tag is written [ ]( TOM )
                 fix: Replace with [TON]
-                  +--[ ]( TOM )------------[TON]--(RSE)--+
+                  +--[ ]( TOM )----------------------------------------------------[TON]--(RSE)--+
                 fix: Write [ ]( TOM )
-                  +--[ ]( TOM )--[ ]( TOM )-------(RSE)--+
+                  +--[ ]( TOM )--[ ]( TOM )-----------------------------------------------(RSE)--+
             > +--[ ]( TOM )--[TOM]--(RSE)--+
                                     ^^^^^ error[unknown-instruction]: there is no instruction (RSE)
                 help: did you mean (RES) (reset timer or counter)? The coil of a tag is written ( )( RSE )
                 fix: Replace with (RES)
-                  +--[ ]( TOM )------------[TOM]--(RES)--+
+                  +--[ ]( TOM )----------------------------------------------------[TOM]--(RES)--+
                 fix: Write ( )( RSE )
-                  +--[ ]( TOM )-------[TOM]--( )( RSE )--+
+                  +--[ ]( TOM )-----------------------------------------------[TOM]--( )( RSE )--+
         "#]],
     );
 }
@@ -110,7 +110,7 @@ fn wrong_brackets() {
                            ^^^^^ error[wrong-shape]: [SET]( run ) is not [MOV]( y, a )
                 help: to latch a bit write (S)( run )
                 fix: Replace with (S)
-                  +--[ ]( a )----------------(S)( run )--+
+                  +--[ ]( a )--------------------------------------------------------(S)( run )--+
         "#]],
     );
     check(
@@ -120,7 +120,7 @@ fn wrong_brackets() {
                            ^^^^^^^ error[wrong-shape]: there is no [RESET]: the reset coil is written (R)
                 help: to reset a bit write (R)( run )
                 safe fix: Replace with (R)
-                  +--[ ]( a )----------------(R)( run )--+
+                  +--[ ]( a )--------------------------------------------------------(R)( run )--+
         "#]],
     );
     check(
@@ -130,7 +130,7 @@ fn wrong_brackets() {
                            ^^^^^ error[wrong-shape]: there is no <TON>: the on-delay timer is written [TON]
                 help: write [TON]( t, T#5s )
                 safe fix: Replace with [TON]
-                  +--[ ]( a )--------------------[TON]( t, T#5s )--( )( y )--+
+                  +--[ ]( a )----------------------------------------[TON]( t, T#5s )--( )( y )--+
         "#]],
     );
     check(
@@ -140,7 +140,7 @@ fn wrong_brackets() {
                            ^^^^^ error[wrong-shape]: there is no (MOV): the move is written [MOV]
                 help: write [MOV]( y, 5 )
                 safe fix: Replace with [MOV]
-                  +--[ ]( a )-------------[MOV]( y, 5 )--+
+                  +--[ ]( a )-----------------------------------------------------[MOV]( y, 5 )--+
         "#]],
     );
     check(
@@ -150,7 +150,7 @@ fn wrong_brackets() {
                            ^^^ error[wrong-shape]: there is no [S]: the set coil is written (S)
                 help: to latch a bit write (S)( y )
                 fix: Replace with (S)
-                  +--[ ]( a )------------------(S)( y )--+
+                  +--[ ]( a )----------------------------------------------------------(S)( y )--+
         "#]],
     );
     check(
@@ -160,7 +160,7 @@ fn wrong_brackets() {
                  ^^^ error[wrong-shape]: there is no < >: the open contact is written [ ]
                 help: to test a bit write [ ]( a )
                 fix: Replace with [ ]
-                  +--[ ]( a )------------------( )( y )--+
+                  +--[ ]( a )----------------------------------------------------------( )( y )--+
         "#]],
     );
 }
@@ -174,7 +174,7 @@ fn too_few_operands() {
                  ^^^^^^^^^^ error[bad-arity]: [TON] takes 2 operands, 1 is given
                 help: it is written [TON]( t, PT, R := )
                 fix: Add PT
-                  +----------[TON]( t, T#1s )--( )( y )--+
+                  +--------------------------------------------------[TON]( t, T#1s )--( )( y )--+
         "#]],
     );
     check(
@@ -184,12 +184,12 @@ fn too_few_operands() {
                  ^^^ error[bad-arity]: [ ] takes 1 operand, none is given
                 help: it is written [ ]( tag )
                 fix: Add tag
-                  +--[ ]( tag )---------------------( )--+
+                  +--[ ]( tag )-------------------------------------------------------------( )--+
             > +--[ ]--( )--+
                       ^^^ error[bad-arity]: ( ) takes 1 operand, none is given
                 help: it is written ( )( tag )
                 fix: Add tag
-                  +--[ ]---------------------( )( tag )--+
+                  +--[ ]-------------------------------------------------------------( )( tag )--+
         "#]],
     );
     check(
@@ -199,7 +199,7 @@ fn too_few_operands() {
                  ^^^^^^^^^^ error[bad-arity]: [ADD] takes at least 3 operands, 1 is given
                 help: it is written [ADD]( y, a, b, ... )
                 fix: Add a and b
-                  +--------------------[ADD]( y, 0, 0 )--+
+                  +------------------------------------------------------------[ADD]( y, 0, 0 )--+
         "#]],
     );
     check(
@@ -209,7 +209,7 @@ fn too_few_operands() {
                  ^^^^^^^^^^^^^^^^^^ error[bad-arity]: [TON] takes 2 operands, 1 is given
                 help: it is written [TON]( t, PT, R := )
                 fix: Add PT
-                  +--[TON]( t, T#1s, R := r )--( )( y )--+
+                  +------------------------------------------[TON]( t, T#1s, R := r )--( )( y )--+
         "#]],
     );
     check(
@@ -219,7 +219,7 @@ fn too_few_operands() {
                  ^^^^^^^^^^^^^^^^^^^^^^^ error[bad-arity]: [PWL] takes at least 6 operands, 5 are given
                 help: it is written [PWL]( y, x, x0, y0, x1, y1, ... )
                 fix: Add y1
-                  +----------[PWL]( y, x, 0, 0, 10, 0 )--+
+                  +--------------------------------------------------[PWL]( y, x, 0, 0, 10, 0 )--+
         "#]],
     );
 }
@@ -233,7 +233,7 @@ fn too_many_operands() {
                          ^ error[bad-arity]: [ ] takes 1 operand, 2 are given
                 help: it is written [ ]( tag )
                 fix: Remove the extra operand
-                  +--[ ]( a )------------------( )( y )--+
+                  +--[ ]( a )----------------------------------------------------------( )( y )--+
         "#]],
     );
     check(
@@ -243,7 +243,7 @@ fn too_many_operands() {
                                  ^^^^^^^ error[bad-arity]: [TON] takes 2 operands, 4 are given
                 help: it is written [TON]( t, PT, R := )
                 fix: Remove the extra operands
-                  +--[TON]( t, T#5s, R := r )--( )( y )--+
+                  +------------------------------------------[TON]( t, T#5s, R := r )--( )( y )--+
         "#]],
     );
     check(
@@ -253,7 +253,7 @@ fn too_many_operands() {
                                   ^ error[bad-arity]: <RET> takes no operands, 1 is given
                 help: it is written <RET>
                 fix: Remove the extra operand
-                  +--[ ]( a )---------------------<RET>--+
+                  +--[ ]( a )-------------------------------------------------------------<RET>--+
         "#]],
     );
 }
@@ -275,7 +275,7 @@ fn one_mistake_in_an_operand_list_is_reported_once() {
                         ^ error[bad-operand]: a comma is missing before this operand
                 help: operands are separated by commas
                 fix: Insert `,`
-                  +--[ ]( a, b )---------------( )( y )--+
+                  +--[ ]( a, b )-------------------------------------------------------( )( y )--+
         "#]],
     );
     check(

@@ -2,19 +2,21 @@
 
 use expect_test::Expect;
 use ladder_analysis::findings::fix;
-use ladder_analysis::{Diagnostic, Exported, Level, Others, Rule, RuleSettings, analyze_with, exports};
+use ladder_analysis::rules::rule_named;
+use ladder_analysis::{Diagnostic, Exported, Level, Others, RuleSettings, analyze_with, exports};
 use ladder_format::{Options, apply};
 use ladder_syntax::{LineIndex, TextRange, parse};
 use std::sync::Arc;
 
 /// Rules about what a whole program lacks. A text of two lines that shows something else lacks much.
-const ABOUT_WHOLE_PROGRAMS: [Rule; 6] = [
-    Rule::NeverRead,
-    Rule::NeverWritten,
-    Rule::SetWithoutReset,
-    Rule::ResetWithoutSet,
-    Rule::UnusedFunction,
-    Rule::UnusedLabel,
+const ABOUT_WHOLE_PROGRAMS: [&str; 7] = [
+    "never-read",
+    "never-written",
+    "set-without-reset",
+    "reset-without-set",
+    "unused-function",
+    "unused-label",
+    "never-reset",
 ];
 
 /// Compares the findings, drawn under their lines, with what is expected. Each fix is shown by the lines that it
@@ -40,8 +42,8 @@ pub(crate) fn clean_program(text: &str) {
 
 fn short_text() -> RuleSettings {
     let mut settings = RuleSettings::default();
-    for rule in ABOUT_WHOLE_PROGRAMS {
-        settings.set(rule, Level::Off);
+    for name in ABOUT_WHOLE_PROGRAMS {
+        settings.set(rule_named(name).expect("a rule"), Level::Off);
     }
     settings
 }

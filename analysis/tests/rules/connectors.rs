@@ -12,7 +12,7 @@ fn nothing_below_or_above() {
                            ^ error[unpaired-connector]: the `\` on line 1 has no partner: there is no rung below it
                 help: every `\` needs a `/` on the rung below: together they join the two lines
                 fix: Replace `\` with wire
-                  +--[ ]( a )------------------( )( y )--+
+                  +--[ ]( a )----------------------------------------------------------( )( y )--+
         "#]],
     );
     check(
@@ -57,11 +57,11 @@ fn one_too_many() {
                 help: every `\` needs a `/` on the rung below: together they join the two lines
                 at 2:1 `|  /--[ ]( b )---            |`: its partner `/` belongs onto this rung
                 fix: Close the branch with `/`
-                  +--\--[ ]( a )--\------------( )( y )--+
-                  |  /--[ ]( b )--/                      |
+                  +--\--[ ]( a )--\----------------------------------------------------( )( y )--+
+                  |  /--[ ]( b )--/                                                              |
                 fix: Replace `\` with wire
-                  +--\--[ ]( a )---------------( )( y )--+
-                  |  /--[ ]( b )--                       |
+                  +--\--[ ]( a )-------------------------------------------------------( )( y )--+
+                  |  /--[ ]( b )--                                                               |
         "#]],
     );
     // The columns say that the first one lacks its partner, the order says it is the second.
@@ -74,11 +74,11 @@ fn one_too_many() {
                 at 1:4 `\`: no `/` is below this `\`
                 at 2:1 `|  ---[ ]( b )--/            |`: its partner `/` belongs onto this rung
                 fix: Close the branch with `/`
-                  +--\--[ ]( a )--\------------( )( y )--+
-                  |  /--[ ]( b )--/                      |
+                  +--\--[ ]( a )--\----------------------------------------------------( )( y )--+
+                  |  /--[ ]( b )--/                                                              |
                 fix: Replace `\` with wire
-                  +--[ ]( a )----\-------------( )( y )--+
-                  |  --[ ]( b )--/                       |
+                  +--[ ]( a )----\-----------------------------------------------------( )( y )--+
+                  |  --[ ]( b )--/                                                               |
         "#]],
     );
     check(
@@ -90,8 +90,8 @@ fn one_too_many() {
                 at 2:4 `/`: no `\` is above this `/`
                 at 1:1 `+-----[ ]( a )--\--( )( y )--+`: its partner `\` belongs onto this rung
                 fix: Join with `\` above it
-                  +--\--[ ]( a )--\------------( )( y )--+
-                  |  /--[ ]( b )--/                      |
+                  +--\--[ ]( a )--\----------------------------------------------------( )( y )--+
+                  |  /--[ ]( b )--/                                                              |
         "#]],
     );
 }
@@ -120,11 +120,11 @@ fn no_other_rule_follows() {
                 help: every `\` needs a `/` on the rung below: together they join the two lines
                 at 3:1 `|            ---( )( z )--+`: its partner `/` belongs onto this rung
                 fix: Close the branch with `/`
-                  +--[ ]( a )--\---------------( )( y )--+
-                  |            |                         |
-                  |            /---------------( )( z )--+
+                  +--[ ]( a )--\-------------------------------------------------------( )( y )--+
+                  |            |                                                                 |
+                  |            /-------------------------------------------------------( )( z )--+
                 fix: Replace `\` with wire
-                  +--[ ]( a )-----( )( y )--+
+                  +--[ ]( a )----------------------------------------------------------( )( y )--+
         "#]],
     );
     check(
@@ -151,11 +151,11 @@ fn what_is_drawn_is_completed() {
                 at 1:3 `\`: no `/` is below this `\`
                 at 2:1 `|  -[ ]( run )-/`: its partner `/` belongs onto this rung
                 fix: Close the branch with `/`
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  /--[ ]( run )----/                                                          |
                 fix: Replace `\` with wire
-                  +--[ ]( start )--\--[/]( stop )----------------( )( run )--+
-                  |  --[ ]( run )--/                                         |
+                  +--[ ]( start )--\--[/]( stop )------------------------------------( )( run )--+
+                  |  --[ ]( run )--/                                                             |
         "#]],
     );
     // The closing one is forgotten: behind wire, behind a block, too far away.
@@ -167,11 +167,11 @@ fn what_is_drawn_is_completed() {
                 help: every `\` needs a `/` on the rung below: together they join the two lines
                 at 2:1 `|  /--[ ]( run )----   |`: its partner `/` belongs onto this rung
                 fix: Close the branch with `/`
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  /--[ ]( run )----/                                                          |
                 fix: Replace `\` with wire
-                  +--\--[ ]( start )--[/]( stop )----------------( )( run )--+
-                  |  /--[ ]( run )--                                         |
+                  +--\--[ ]( start )--[/]( stop )------------------------------------( )( run )--+
+                  |  /--[ ]( run )--                                                             |
         "#]],
     );
     check(
@@ -182,11 +182,11 @@ fn what_is_drawn_is_completed() {
                 help: every `\` needs a `/` on the rung below: together they join the two lines
                 at 2:1 `|  /--[ ]( run )--     |`: its partner `/` belongs onto this rung
                 fix: Close the branch with `/`
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  /--[ ]( run )----/                                                          |
                 fix: Replace `\` with wire
-                  +--\--[ ]( start )--[/]( stop )----------------( )( run )--+
-                  |  /--[ ]( run )--                                         |
+                  +--\--[ ]( start )--[/]( stop )------------------------------------( )( run )--+
+                  |  /--[ ]( run )--                                                             |
         "#]],
     );
     check(
@@ -197,11 +197,11 @@ fn what_is_drawn_is_completed() {
                 help: every `\` needs a `/` on the rung below: together they join the two lines
                 at 2:1 `|  /--[ ]( run )       |`: its partner `/` belongs onto this rung
                 fix: Close the branch with `/`
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  /--[ ]( run )----/                                                          |
                 fix: Replace `\` with wire
-                  +--\--[ ]( start )--[/]( stop )----------------( )( run )--+
-                  |  /--[ ]( run )                                           |
+                  +--\--[ ]( start )--[/]( stop )------------------------------------( )( run )--+
+                  |  /--[ ]( run )                                                               |
         "#]],
     );
     // One is forgotten above.
@@ -214,8 +214,8 @@ fn what_is_drawn_is_completed() {
                 at 2:4 `/`: no `\` is above this `/`
                 at 1:1 `+-----[ ]( start )--\--[/]( stop )--( )( run )--+`: its partner `\` belongs onto this rung
                 fix: Join with `\` above it
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  /--[ ]( run )----/                                                          |
         "#]],
     );
     check(
@@ -246,16 +246,16 @@ fn swapped_connectors() {
                  ^ error[unpaired-connector]: the `/` on line 1 has no partner: there is no rung above it
                 help: every `/` needs a `\` on the rung above: together they join the two lines
                 fix: Swap `/` and `\`
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  /--[ ]( run )----/                                                          |
                 fix: Replace `/` with wire
                   +-----[ ]( start )--\--[/]( stop )--( )( run )--+
             > |  \--[ ]( run )----/
                  ^ error[unpaired-connector]: the `\` on line 2 has no partner: there is no rung below it
                 help: every `\` needs a `/` on the rung below: together they join the two lines
                 fix: Swap `/` and `\`
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  /--[ ]( run )----/                                                          |
         "#]],
     );
     check(
@@ -265,16 +265,16 @@ fn swapped_connectors() {
                                   ^ error[unpaired-connector]: the `/` on line 1 has no partner: there is no rung above it
                 help: every `/` needs a `\` on the rung above: together they join the two lines
                 fix: Swap `/` and `\`
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  /--[ ]( run )----/                                                          |
                 fix: Replace `/` with wire
                   +--\--[ ]( start )-----[/]( stop )--( )( run )--+
             > |  /--[ ]( run )----\
                                   ^ error[unpaired-connector]: the `\` on line 2 has no partner: there is no rung below it
                 help: every `\` needs a `/` on the rung below: together they join the two lines
                 fix: Swap `/` and `\`
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  /--[ ]( run )----/                                                          |
         "#]],
     );
     // One of a pair leans the wrong way.
@@ -287,16 +287,16 @@ fn swapped_connectors() {
                 at 1:4 `\`: no `/` is below this `\`
                 at 2:1 `|  \--[ ]( run )----/`: its partner `/` belongs onto this rung
                 fix: Replace `\` with `/`
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  /--[ ]( run )----/                                                          |
                 fix: Replace `\` with wire
                   +-----[ ]( start )--\--[/]( stop )--( )( run )--+
             > |  \--[ ]( run )----/
                  ^ error[unpaired-connector]: the `\` on line 2 has no partner: there is no rung below it
                 help: every `\` needs a `/` on the rung below: together they join the two lines
                 fix: Replace `\` with `/`
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  /--[ ]( run )----/                                                          |
         "#]],
     );
     check(
@@ -306,8 +306,8 @@ fn swapped_connectors() {
                  ^ error[unpaired-connector]: the `/` on line 1 has no partner: there is no rung above it
                 help: every `/` needs a `\` on the rung above: together they join the two lines
                 fix: Replace `/` with `\`
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  /--[ ]( run )----/                                                          |
                 fix: Replace `/` with wire
                   +-----[ ]( start )--\--[/]( stop )--( )( run )--+
             > |  /--[ ]( run )----/
@@ -316,8 +316,8 @@ fn swapped_connectors() {
                 at 2:4 `/`: no `\` is above this `/`
                 at 1:1 `+--/--[ ]( start )--\--[/]( stop )--( )( run )--+`: its partner `\` belongs onto this rung
                 fix: Replace `/` with `\`
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  /--[ ]( run )----/                                                          |
         "#]],
     );
 }
@@ -333,14 +333,14 @@ fn a_rail_in_the_place_of_a_connector() {
                 at 1:4 `\`: no `/` is below this `\`
                 at 2:1 `|  |--[ ]( run )----/                          |`: its partner `/` belongs onto this rung
                 fix: Replace `|` with `/`
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  /--[ ]( run )----/                                                          |
                 fix: Close the branch with `/`
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  /--[ ]( run )----/                                                          |
                 fix: Replace `\` with wire
-                  +--[ ]( start )--\--[/]( stop )----------------( )( run )--+
-                  |--[ ]( run )----/                                         |
+                  +--[ ]( start )--\--[/]( stop )------------------------------------( )( run )--+
+                  |--[ ]( run )----/                                                             |
         "#]],
     );
     check(
@@ -351,14 +351,14 @@ fn a_rail_in_the_place_of_a_connector() {
                 help: every `\` needs a `/` on the rung below: together they join the two lines
                 at 2:1 `|  /--[ ]( run )----|                          |`: its partner `/` belongs onto this rung
                 fix: Replace `|` with `/`
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  /--[ ]( run )----/                                                          |
                 fix: Close the branch with `/`
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  /--[ ]( run )----/                                                          |
                 fix: Replace `\` with wire
-                  +--\--[ ]( start )--[/]( stop )----------------( )( run )--+
-                  |  /--[ ]( run )-------------------------------------------|
+                  +--\--[ ]( start )--[/]( stop )------------------------------------( )( run )--+
+                  |  /--[ ]( run )---------------------------------------------------------------|
         "#]],
     );
     check(
@@ -369,11 +369,11 @@ fn a_rail_in_the_place_of_a_connector() {
                 help: every `\` needs a `/` on the rung below: together they join the two lines
                 at 2:1 `|  /--[ ]( run )----+                          |`: its partner `/` belongs onto this rung
                 fix: Replace `+` with `/`
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  /--[ ]( run )----/                                                          |
                 fix: Replace `\` with wire
-                  +--\--[ ]( start )--[/]( stop )----------------( )( run )--+
-                  |  /--[ ]( run )-------------------------------------------+
+                  +--\--[ ]( start )--[/]( stop )------------------------------------( )( run )--+
+                  |  /--[ ]( run )---------------------------------------------------------------+
         "#]],
     );
     check(
@@ -383,8 +383,8 @@ fn a_rail_in_the_place_of_a_connector() {
                                   ^ error[misplaced-rail]: `|` cuts the wire
                 help: `|` only draws the rails and verticals; lines are joined with \ and /
                 fix: Replace with `\`
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  /--[ ]( run )----/                                                          |
                 fix: Replace with wire
                   +--\--[ ]( start )-----[/]( stop )--( )( run )--+
             > |  /--[ ]( run )----/                          |
@@ -392,11 +392,11 @@ fn a_rail_in_the_place_of_a_connector() {
                 help: every `/` needs a `\` on the rung above: together they join the two lines
                 at 1:1 `+--\--[ ]( start )--|--[/]( stop )--( )( run )--+`: its partner `\` belongs onto this rung
                 fix: Replace `|` with `\`
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  /--[ ]( run )----/                                                          |
                 fix: Close the branch with `\`
-                  +--\--[ ]( start )--\--|--[/]( stop )----------( )( run )--+
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--|--[/]( stop )------------------------------( )( run )--+
+                  |  /--[ ]( run )----/                                                          |
         "#]],
     );
     check(
@@ -408,14 +408,14 @@ fn a_rail_in_the_place_of_a_connector() {
                 fix: Replace with `\`
                   +--\--[ ]( start )--+--[/]( stop )--( )( run )--+
                 fix: Replace with wire
-                  +--[ ]( start )--+--[/]( stop )----------------( )( run )--+
+                  +--[ ]( start )--+--[/]( stop )------------------------------------( )( run )--+
             > +--+--[ ]( start )--+--[/]( stop )--( )( run )--+
                                   ^ error[misplaced-rail]: `+` is in the middle of a line
                 help: `+` is where a line leaves the left rail or ends at the right rail; lines are joined with \ and /
                 fix: Replace with `\`
                   +--+--[ ]( start )--\--[/]( stop )--( )( run )--+
                 fix: Replace with wire
-                  +--+--[ ]( start )--[/]( stop )----------------( )( run )--+
+                  +--+--[ ]( start )--[/]( stop )------------------------------------( )( run )--+
             > |  /--[ ]( run )----/                          |
                  ^ error[unpaired-connector]: the 1st `/` on line 2 has no partner: line 1 above it has no `\`
                 help: every `/` needs a `\` on the rung above: together they join the two lines
@@ -439,7 +439,7 @@ fn a_rail_in_the_place_of_a_connector() {
                 help: every `\` needs a `/` on the rung below: together they join the two lines
                 at 3:1 `+--[ ]( b )--( )( z )--+`: its partner `/` belongs onto this rung
                 fix: Replace `\` with wire
-                  +--[ ]( a )------------+
+                  +--[ ]( a )--------------------------------------------------------------------+
         "#]],
     );
 }

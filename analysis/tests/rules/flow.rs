@@ -107,7 +107,7 @@ fn ends() {
                  ^^^^^ warning[unconditional-end]: <END> stops the program for good, and no condition is before it: only one scan runs
                 help: a program needs no end; <RET> ends the scan, as END does in other controllers
                 fix: End the scan only: <RET>
-                  +---------------<RET>--+
+                  +-----------------------------------------------------------------------<RET>--+
         "#]],
     );
     clean("+--[ ]( a )--( )( y )--+\n\n+--[ ]( b )--<END>--+\n");

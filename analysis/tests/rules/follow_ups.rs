@@ -42,35 +42,35 @@ fn on_its_line() {
     check(
         "+--[ ]( a )--[MOV]( s, text' )--( )( y )--+\n",
         expect![[r#"
-        > +--[ ]( a )--[MOV]( s, text' )--( )( y )--+
-                                     ^ error[bad-literal]: this text is not closed: `'` is missing
-            help: a text ends on its own line; a quote in it is written $'
-            fix: Insert `'`
-              +--[ ]( a )------------------[MOV]( s, text'' )--( )( y )--+
-    "#]],
+            > +--[ ]( a )--[MOV]( s, text' )--( )( y )--+
+                                         ^ error[bad-literal]: this text is not closed: `'` is missing
+                help: a text ends on its own line; a quote in it is written $'
+                fix: Insert `'`
+                  +--[ ]( a )--------------------------------------[MOV]( s, text'' )--( )( y )--+
+        "#]],
     );
     check(
         "+--[TON]( t- T#5s )--( )( y )--+\n",
         expect![[r#"
-        > +--[TON]( t- T#5s )--( )( y )--+
-             ^^^^^^^^^^^^^^^^ error[bad-arity]: [TON] takes 2 operands, 1 is given
-            help: it is written [TON]( t, PT, R := )
-            fix: Add PT
-              +---[TON]( t - T#5s, T#1s )--( )( y )--+
-    "#]],
+            > +--[TON]( t- T#5s )--( )( y )--+
+                 ^^^^^^^^^^^^^^^^ error[bad-arity]: [TON] takes 2 operands, 1 is given
+                help: it is written [TON]( t, PT, R := )
+                fix: Add PT
+                  +-------------------------------------------[TON]( t - T#5s, T#1s )--( )( y )--+
+        "#]],
     );
     check(
         "+--[ ]( a b c )--( )( y, , )--+\n",
         expect![[r#"
-        > +--[ ]( a b c )--( )( y, , )--+
-                    ^ error[bad-operand]: a comma is missing before this operand
-            help: operands are separated by commas
-            fix: Insert `,`
-              +--[ ]( a , b c )---------( )( y, , )--+
-        > +--[ ]( a b c )--( )( y, , )--+
-                                   ^ error[bad-operand]: an operand is missing here
-            help: write the operand, or take the comma away
-    "#]],
+            > +--[ ]( a b c )--( )( y, , )--+
+                        ^ error[bad-operand]: a comma is missing before this operand
+                help: operands are separated by commas
+                fix: Insert `,`
+                  +--[ ]( a , b c )-------------------------------------------------( )( y, , )--+
+            > +--[ ]( a b c )--( )( y, , )--+
+                                       ^ error[bad-operand]: an operand is missing here
+                help: write the operand, or take the comma away
+        "#]],
     );
 }
 
@@ -91,7 +91,7 @@ fn labels_and_functions_that_cannot_be_read() {
                  ^^^^^ error[unknown-instruction]: there is no instruction <LBK>
                 help: did you mean <LBL> (label)?
                 fix: Replace with <LBL>
-                  +--<LBL>( out )--( )( y )--+
+                  +--<LBL>( out )------------------------------------------------------( )( y )--+
         "#]],
     );
     check(
@@ -101,7 +101,7 @@ fn labels_and_functions_that_cannot_be_read() {
                           ^ error[bad-operand]: a comma is missing before this operand
                 help: operands are separated by commas
                 fix: Insert `,`
-                  +--<LBL>( o, t )-------------( )( y )--+
+                  +--<LBL>( o, t )-----------------------------------------------------( )( y )--+
         "#]],
     );
     check(
@@ -111,7 +111,7 @@ fn labels_and_functions_that_cannot_be_read() {
                  ^^^^^^^^ error[bad-arity]: <FUN> takes 1 operand, none is given
                 help: it is written <FUN>( name )
                 fix: Add name
-                  +--<FUN>( name )-------------( )( y )--+
+                  +--<FUN>( name )-----------------------------------------------------( )( y )--+
         "#]],
     );
 }
@@ -206,18 +206,18 @@ fn rails() {
                ^ error[misplaced-rail]: `+` is in the middle of a line
                 help: `+` is where a line leaves the left rail or ends at the right rail; lines are joined with \ and /
                 fix: Replace with wire
-                  --[ ]( a )-------------------( )( y )--+
+                  --[ ]( a )-----------------------------------------------------------( )( y )--+
         "#]],
     );
     check(
         "+--\\[ ]( a )--( )( y )--+\n",
         expect![[r#"
-        > +--\[ ]( a )--( )( y )--+
-             ^ error[unpaired-connector]: the `\` on line 1 has no partner: there is no rung below it
-            help: every `\` needs a `/` on the rung below: together they join the two lines
-            fix: Replace `\` with wire
-              +--[ ]( a )------------------( )( y )--+
-    "#]],
+            > +--\[ ]( a )--( )( y )--+
+                 ^ error[unpaired-connector]: the `\` on line 1 has no partner: there is no rung below it
+                help: every `\` needs a `/` on the rung below: together they join the two lines
+                fix: Replace `\` with wire
+                  +--[ ]( a )----------------------------------------------------------( )( y )--+
+        "#]],
     );
 }
 
@@ -283,13 +283,12 @@ fn comments_of_other_languages() {
     check(
         "// a note: wait T#5s\n+--[ ]( a )--( )( y )--+\n",
         expect![[r#"
-        > // a note: wait T#5s
-          ^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: `//` begins no comment: a comment is written # .. #
-            help: write the text between two `#`; it cannot hold a `#` itself
-            safe fix: Write it as a comment
-              # a note: wait 5s #
-              +--[ ]( a )------------------( )( y )--+
-    "#]],
+            > // a note: wait T#5s
+              ^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: `//` begins no comment: a comment is written # .. #
+                help: write the text between two `#`; it cannot hold a `#` itself
+                safe fix: Write it as a comment
+                  # a note: wait 5s #
+        "#]],
     );
     check(
         "+--[ ]( a )--( )( y )--+\n(* two\n + lines *)\n",
@@ -305,12 +304,12 @@ fn comments_of_other_languages() {
     check(
         "+--[ ]( a )--( )( y )--+  ; a note\n",
         expect![[r#"
-        > +--[ ]( a )--( )( y )--+  ; a note
-                                    ^^^^^^^^ error[unexpected-character]: `;` begins no comment: a comment is written # .. #
-            help: write the text between two `#`; it cannot hold a `#` itself
-            safe fix: Write it as a comment
-              +--[ ]( a )------------------( )( y )--+  # a note #
-    "#]],
+            > +--[ ]( a )--( )( y )--+  ; a note
+                                        ^^^^^^^^ error[unexpected-character]: `;` begins no comment: a comment is written # .. #
+                help: write the text between two `#`; it cannot hold a `#` itself
+                safe fix: Write it as a comment
+                  +--[ ]( a )----------------------------------------------------------( )( y )--+  # a note #
+        "#]],
     );
     check(
         "VAR_INPUT\n    a : BOOL;\n    // a note\n    b : BOOL; // another\nEND_VAR\n+--[ ]( a )--[ ]( b )--( )( Q1 )--+\n",

@@ -12,7 +12,7 @@ fn in_a_file_that_declares() {
                       ^^^^^ warning[undeclared-tag]: `strat` is not declared
                 help: did you mean `start`?
                 fix: Replace with `start`
-                  +--[ ]( start )--[/]( stop )-------------------( )( run )--+
+                  +--[ ]( start )--[/]( stop )---------------------------------------( )( run )--+
                 fix: Declare `strat : BOOL` in VAR_INPUT
                       strat       : BOOL;
             > +--[ ]( strat )--[/]( stop )--( )( run )--+
@@ -156,8 +156,8 @@ fn slips_in_a_file_without_declarations() {
                          ^^^ info[undeclared-tag]: `rum` is here only, and looks like `run`
                 help: a typing mistake makes a new tag: correct it, or declare the tags of the file
                 fix: Replace with `run`
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  /--[ ]( run )----/                                                          |
             > +--[ ]( run )--( )( lamp2 )--( )( lamp1 )--+
                                                 ^^^^^ warning[double-coil]: `lamp1` is written by 2 coils: the last one alone decides
                 help: lead all conditions to one coil, joined with \ and /; or use (S) and (R)
@@ -262,28 +262,28 @@ fn operands_by_name() {
                            ^^ error[bad-operand]: `PT` of [TON] is given by its place, without a name
                 help: the first operands come in their order; only the optional ones are given by name
                 safe fix: Remove `PT :=`
-                  +----------[TON]( t, T#5s )--( )( z )--+
+                  +--------------------------------------------------[TON]( t, T#5s )--( )( z )--+
         "#]],
     );
     check(
         "+--[TON]( t, T#5s, R => y )--( )( z )--+\n",
         expect![[r#"
-        > +--[TON]( t, T#5s, R => y )--( )( z )--+
-                             ^^^^^^ error[bad-operand]: `R` is an operand that [TON] reads
-            help: `:=` gives an operand, `=>` takes a result
-            fix: Replace `=>` with `:=`
-              +--[TON]( t, T#5s, R := y )--( )( z )--+
-    "#]],
+            > +--[TON]( t, T#5s, R => y )--( )( z )--+
+                                 ^^^^^^ error[bad-operand]: `R` is an operand that [TON] reads
+                help: `:=` gives an operand, `=>` takes a result
+                fix: Replace `=>` with `:=`
+                  +------------------------------------------[TON]( t, T#5s, R := y )--( )( z )--+
+        "#]],
     );
     check(
         "+--[CTUD]( c, 5, CU := y )--( )( z )--+\n",
         expect![[r#"
-        > +--[CTUD]( c, 5, CU := y )--( )( z )--+
-                           ^^ error[bad-operand]: [CTUD] has no operand of the name `CU`
-            help: did you mean `CD`?
-            fix: Replace with `CD`
-              +---[CTUD]( c, 5, CD := y )--( )( z )--+
-    "#]],
+            > +--[CTUD]( c, 5, CU := y )--( )( z )--+
+                               ^^ error[bad-operand]: [CTUD] has no operand of the name `CU`
+                help: did you mean `CD`?
+                fix: Replace with `CD`
+                  +-------------------------------------------[CTUD]( c, 5, CD := y )--( )( z )--+
+        "#]],
     );
     check(
         "+--[TON]( t, T#5s, R := a, R := b )--( )( z )--+\n",
@@ -301,7 +301,7 @@ fn operands_by_name() {
                       ^^^ error[bad-operand]: `tag` of [ ] is given by its place, without a name
                 help: the first operands come in their order; only the optional ones are given by name
                 safe fix: Remove `tag :=`
-                  +--[ ]( a )------------------( )( z )--+
+                  +--[ ]( a )----------------------------------------------------------( )( z )--+
         "#]],
     );
 }
@@ -324,13 +324,13 @@ fn a_mistake_in_a_type_is_reported_once() {
     check(
         "+--[TON]( t, T#5s )--[ ]( t )--( )( y )--+\n",
         expect![[r#"
-        > +--[TON]( t, T#5s )--[ ]( t )--( )( y )--+
-                                    ^ error[type-mismatch]: `t` is used as BOOL here, and as TON before
-            help: for the output of the TON write `t.Q`
-            at 1:11 `t`: here it is TON
-            fix: Use the output of `t`
-              +--[TON]( t, T#5s )--[ ]( t.Q )------------------( )( y )--+
-    "#]],
+            > +--[TON]( t, T#5s )--[ ]( t )--( )( y )--+
+                                        ^ error[type-mismatch]: `t` is used as BOOL here, and as TON before
+                help: for the output of the TON write `t.Q`
+                at 1:11 `t`: here it is TON
+                fix: Use the output of `t`
+                  +--[TON]( t, T#5s )--[ ]( t.Q )--------------------------------------( )( y )--+
+        "#]],
     );
     check(
         "+--[MOV]( 5, a )--+\n",
@@ -390,7 +390,7 @@ fn a_mistake_in_a_declaration_brings_no_other() {
                                                       ^ error[bad-arity]: [ ] takes 1 operand, 2 are given
                 help: it is written [ ]( tag )
                 fix: Remove the extra operand
-                  +--[ ]( a )--[FROBNICATE]( x )--[ ]( a )-------------------+
+                  +--[ ]( a )--[FROBNICATE]( x )--[ ]( a )---------------------------------------+
         "#]],
     );
 }

@@ -14,18 +14,18 @@ fn branches_between_others_that_are_drawn_with_bars() {
                 at 2:4 `|`: no power comes to this `|`
                 at 2:17 `|`: no power leaves this `|`
                 fix: Draw it with `/--\` and `\--/`
-                  +--\--[ ]( a )--------\------( )( y )--+
-                  |  /--\--[ ]( b )--\--/                |
-                  |     /--[ ]( c )--/                   |
+                  +--\--[ ]( a )--------\----------------------------------------------( )( y )--+
+                  |  /--\--[ ]( b )--\--/                                                        |
+                  |     /--[ ]( c )--/                                                           |
             > |  /--[ ]( c )--/            |
                  ^ error[unpaired-connector]: the branch on line 2 begins and ends with `|`, which is decoration: nothing joins it to the branch below it
                 help: a branch between two others begins with `/--\` and ends with `\--/`
                 at 2:4 `|`: no power comes to this `|`
                 at 2:17 `|`: no power leaves this `|`
                 fix: Draw it with `/--\` and `\--/`
-                  +--\--[ ]( a )--------\------( )( y )--+
-                  |  /--\--[ ]( b )--\--/                |
-                  |     /--[ ]( c )--/                   |
+                  +--\--[ ]( a )--------\----------------------------------------------( )( y )--+
+                  |  /--\--[ ]( b )--\--/                                                        |
+                  |     /--[ ]( c )--/                                                           |
         "#]],
     );
     check(
@@ -37,20 +37,20 @@ fn branches_between_others_that_are_drawn_with_bars() {
                 at 2:4 `|`: no power comes to this `|`
                 at 2:17 `|`: no power leaves this `|`
                 fix: Draw it with `/--\` and `\--/`
-                  +--\--[ ]( a )--------------\--------------------( )( y )--+
-                  |  /--\--[ ]( b )--------\--/                              |
-                  |     /--\--[ ]( c )--\--/                                 |
-                  |        /--[ ]( d )--/                                    |
+                  +--\--[ ]( a )--------------\----------------------------------------( )( y )--+
+                  |  /--\--[ ]( b )--------\--/                                                  |
+                  |     /--\--[ ]( c )--\--/                                                     |
+                  |        /--[ ]( d )--/                                                        |
             > |  /--[ ]( d )--/            |
                  ^ error[unpaired-connector]: the branch on line 3 begins and ends with `|`, which is decoration: nothing joins it to the branch below it
                 help: a branch between two others begins with `/--\` and ends with `\--/`
                 at 3:4 `|`: no power comes to this `|`
                 at 3:17 `|`: no power leaves this `|`
                 fix: Draw it with `/--\` and `\--/`
-                  +--\--[ ]( a )--------------\--------------------( )( y )--+
-                  |  /--\--[ ]( b )--------\--/                              |
-                  |     /--\--[ ]( c )--\--/                                 |
-                  |        /--[ ]( d )--/                                    |
+                  +--\--[ ]( a )--------------\----------------------------------------( )( y )--+
+                  |  /--\--[ ]( b )--------\--/                                                  |
+                  |     /--\--[ ]( c )--\--/                                                     |
+                  |        /--[ ]( d )--/                                                        |
         "#]],
     );
     // The last branch, and one that only looks like it.
@@ -90,30 +90,30 @@ fn a_drawing_of_boxes() {
               ^^^^^^ error[unexpected-character]: `├──┬──` means nothing on a rung
                 help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
                 fix: Draw it with - + | \ / and blocks
-                  +--\--[ ]( a )--------\------( )( y )--+
-                  |  /--\--[ ]( b )--\--/                |
-                  |     /--[ ]( c )--/                   |
+                  +--\--[ ]( a )--------\----------------------------------------------( )( y )--+
+                  |  /--\--[ ]( b )--\--/                                                        |
+                  |     /--[ ]( c )--/                                                           |
             > ├──┬──[ ]( a )──┬──( )( y )──┤
                                          ^^^ error[unexpected-character]: `──┤` means nothing on a rung
                 help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
                 fix: Draw it with - + | \ / and blocks
-                  +--\--[ ]( a )--------\------( )( y )--+
-                  |  /--\--[ ]( b )--\--/                |
-                  |     /--[ ]( c )--/                   |
+                  +--\--[ ]( a )--------\----------------------------------------------( )( y )--+
+                  |  /--\--[ ]( b )--\--/                                                        |
+                  |     /--[ ]( c )--/                                                           |
             > │  ├──[ ]( b )──┤            │
               ^^^^^^ error[unexpected-character]: `│  ├──` means nothing on a rung
                 help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
                 fix: Draw it with - + | \ / and blocks
-                  +--\--[ ]( a )--------\------( )( y )--+
-                  |  /--\--[ ]( b )--\--/                |
-                  |     /--[ ]( c )--/                   |
+                  +--\--[ ]( a )--------\----------------------------------------------( )( y )--+
+                  |  /--\--[ ]( b )--\--/                                                        |
+                  |     /--[ ]( c )--/                                                           |
             > │  └──[ ]( c )──┘            │
               ^^^^^^ error[unexpected-character]: `│  └──` means nothing on a rung
                 help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
                 fix: Draw it with - + | \ / and blocks
-                  +--\--[ ]( a )--------\------( )( y )--+
-                  |  /--\--[ ]( b )--\--/                |
-                  |     /--[ ]( c )--/                   |
+                  +--\--[ ]( a )--------\----------------------------------------------( )( y )--+
+                  |  /--\--[ ]( b )--\--/                                                        |
+                  |     /--[ ]( c )--/                                                           |
         "#]],
     );
 }
@@ -130,37 +130,37 @@ fn names_above_a_drawing_of_boxes() {
               ^^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: `├─┬──┤ ├───┬────────┤` means nothing on a rung
                 help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
                 fix: Draw it with - + | \ / and blocks
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  |                |                                      |
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  |                |                                                          |
+                  |  /--[ ]( run )----/                                                          |
             > ├─┬──┤ ├───┬────────┤/├────────────( )──┤
                                     ^^^^^^^^^^^^^ error[unexpected-character]: `├────────────` means nothing on a rung
                 help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
                 fix: Draw it with - + | \ / and blocks
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  |                |                                      |
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  |                |                                                          |
+                  |  /--[ ]( run )----/                                                          |
             > ├─┬──┤ ├───┬────────┤/├────────────( )──┤
                                                     ^^^ error[unexpected-character]: `──┤` means nothing on a rung
                 help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
                 fix: Draw it with - + | \ / and blocks
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  |                |                                      |
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  |                |                                                          |
+                  |  /--[ ]( run )----/                                                          |
             > │ │  run   │                            │
               ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: `│ │  run   │...` means nothing on a rung
                 help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
                 fix: Draw it with - + | \ / and blocks
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  |                |                                      |
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  |                |                                                          |
+                  |  /--[ ]( run )----/                                                          |
             > │ └──┤ ├───┘                            │
               ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: `│ └──┤ ├───┘...` means nothing on a rung
                 help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
                 fix: Draw it with - + | \ / and blocks
-                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-                  |  |                |                                      |
-                  |  /--[ ]( run )----/                                      |
+                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+                  |  |                |                                                          |
+                  |  /--[ ]( run )----/                                                          |
         "#]],
     );
 }

@@ -33,28 +33,6 @@ fn found(program: &str) -> Vec<Diagnostic> {
     .to_vec()
 }
 
-/// The rules that LANGUAGE §7 marks with a star: they come with a fix.
-const MENDED: [Rule; 18] = [
-    Rule::UnclosedBlock,
-    Rule::MissingWire,
-    Rule::MisplacedRail,
-    Rule::UnpairedConnector,
-    Rule::MisleadingAlignment,
-    Rule::UnknownInstruction,
-    Rule::WrongShape,
-    Rule::BadArity,
-    Rule::TypeMismatch,
-    Rule::AlternativeMnemonic,
-    Rule::ResultArrow,
-    Rule::UndeclaredTag,
-    Rule::UnknownLabel,
-    Rule::UnknownFunction,
-    Rule::UnknownBlock,
-    Rule::OpenWire,
-    Rule::RungNotPowered,
-    Rule::UnconditionalEnd,
-];
-
 /// The headings of a page, in their order.
 const SECTIONS: [&str; 5] = [
     "## Wrong",
@@ -67,7 +45,7 @@ const SECTIONS: [&str; 5] = [
 #[test]
 fn every_rule_has_a_page_that_holds_true() {
     let mut problems = Vec::new();
-    for &rule in Rule::ALL {
+    for &rule in ladder_analysis::rules::ALL {
         let Ok(text) = std::fs::read_to_string(page(rule)) else {
             problems.push(format!("{rule}: there is no page"));
             continue;
@@ -95,13 +73,17 @@ fn every_rule_has_a_page_that_holds_true() {
 
 #[test]
 fn pages_belong_to_rules() {
-    let folder = page(Rule::OpenWire);
+    let folder = page(ladder_analysis::rules::rule_named("open-wire").expect("a rule"));
     let folder = folder.parent().expect("a page is in a folder");
     let mut strays: Vec<String> = std::fs::read_dir(folder)
         .expect("the pages are there")
         .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
         .filter(|name| name != "index.md")
-        .filter(|name| name.strip_suffix(".md").and_then(Rule::from_name).is_none())
+        .filter(|name| {
+            name.strip_suffix(".md")
+                .and_then(ladder_analysis::rules::rule_named)
+                .is_none()
+        })
         .collect();
     strays.sort();
     assert!(strays.is_empty(), "{strays:?}");
@@ -112,7 +94,7 @@ fn pages_belong_to_rules() {
 #[test]
 fn every_page_tells_all() {
     let mut problems = Vec::new();
-    for &rule in Rule::ALL {
+    for &rule in ladder_analysis::rules::ALL {
         let Ok(text) = std::fs::read_to_string(page(rule)) else {
             problems.push(format!("{rule}: there is no page"));
             continue;
@@ -140,18 +122,27 @@ fn every_page_tells_all() {
     assert!(problems.is_empty(), "{}", problems.join("\n"));
 }
 
+/// A rule says how the best fix of its findings may be made: the wrong programs of its page show it.
 #[test]
-fn starred_rules_mend_their_wrong_programs() {
+fn rules_fix_their_wrong_programs_as_they_say() {
     let mut problems = Vec::new();
-    for rule in MENDED {
+    for &rule in ladder_analysis::rules::ALL {
+        let Some(expected) = rule.fixed() else { continue };
         let text = std::fs::read_to_string(page(rule)).unwrap_or_default();
+        let mut best = None;
         for program in programs(&text, "wrong") {
-            let mended = found(program)
-                .into_iter()
-                .any(|d| d.rule == rule && !d.fixes.is_empty());
-            if !mended {
+            let found = found(program).into_iter().filter(|found| found.rule == rule);
+            let fixes: Vec<_> = found.flat_map(|found| found.fixes).collect();
+            if fixes.is_empty() {
                 problems.push(format!("{rule}: no fix for\n{program}"));
             }
+            best = fixes.iter().map(|fix| fix.applicability).chain(best).min();
+        }
+        if best.is_some_and(|best| best < expected) {
+            problems.push(format!(
+                "{rule}: a fix is {}",
+                best.map_or("", |best| best.name())
+            ));
         }
     }
     assert!(problems.is_empty(), "{}", problems.join("\n"));
@@ -162,10 +153,10 @@ fn starred_rules_mend_their_wrong_programs() {
 #[test]
 fn fixes_are_safe_and_leave_the_drawing_aligned() {
     let mut problems = Vec::new();
-    for &rule in Rule::ALL {
+    for &rule in ladder_analysis::rules::ALL {
         let text = std::fs::read_to_string(page(rule)).unwrap_or_default();
         for program in programs(&text, "wrong") {
-            // The rest of a page's program need not be where the file's rail is.
+            // A page's program need not be in the canonical layout.
             let canonical = format_text(program, &Options::default());
             let shows_it = found(&canonical).iter().any(|d| d.rule == rule);
             let program = if shows_it { &canonical } else { program };

@@ -71,7 +71,7 @@ fn coils_that_do_not_meet() {
                     ^^^^ error[unclosed-block]: `( b` is not closed: `)` is missing
                 help: a block is closed on its own line
                 safe fix: Insert `)`
-                  +--[ ]( b )--( )( y )--+
+                  +--[ ]( b )----------------------------------------------------------( )( y )--+
         "#]],
     );
 }
@@ -140,7 +140,7 @@ fn labels() {
                                   ^^^^^ error[unknown-label]: there is no label `ready` to jump to
                 help: did you mean `redy`?
                 fix: Jump to `redy`
-                  +--[ ]( a )--<JMP>( redy )--+
+                  +--[ ]( a )-----------------------------------------------------<JMP>( redy )--+
         "#]],
     );
     check(
@@ -165,7 +165,7 @@ fn functions() {
                                    ^^^ error[unknown-function]: there is no function `fil`
                 help: did you mean `fill`?
                 fix: Call `fill`
-                  +--[ ]( a )------------<CALL>( fill )--+
+                  +--[ ]( a )----------------------------------------------------<CALL>( fill )--+
         "#]],
     );
     check(
@@ -217,7 +217,7 @@ fn uses_of_blocks() {
                  ^^^^^^^^^^ error[unknown-block]: there is no block [$Debounc]
                 help: did you mean [$Debounce]?
                 fix: Replace with [$Debounce]
-                  +----------------------------------------[$Debounce]( a, T#20ms, y )--+
+                  +-------------------------------------------------[$Debounce]( a, T#20ms, y )--+
         "#]],
     );
     check(
@@ -228,7 +228,7 @@ fn uses_of_blocks() {
                 help: a block keeps the brackets of its definition
                 at 1:16 `[$Debounce]`: it is defined here
                 safe fix: Replace with [$Debounce]
-                  +----------------------------------------[$Debounce]( a, T#20ms, y )--+
+                  +-------------------------------------------------[$Debounce]( a, T#20ms, y )--+
         "#]],
     );
     check(
@@ -248,7 +248,7 @@ fn uses_of_blocks() {
                 help: it is written [$Debounce]( raw, wait, clean )
                 at 1:16 `[$Debounce]`: the block is defined here
                 fix: Remove the extra operand
-                  +----------------------------------------[$Debounce]( a, T#20ms, y )--+
+                  +-------------------------------------------------[$Debounce]( a, T#20ms, y )--+
         "#]],
     );
     check(
@@ -262,7 +262,7 @@ fn uses_of_blocks() {
                                                    ^^^ error[bad-operand]: [$Debounce] has no operand of the name `wat`
                 help: did you mean `wait`?
                 fix: Replace with `wait`
-                  +----------------------[$Debounce]( a, T#20ms, raw := b, wait := y )--+
+                  +-------------------------------[$Debounce]( a, T#20ms, raw := b, wait := y )--+
         "#]],
     );
     check(

@@ -38,7 +38,16 @@ fn check(text: &str, levels: &[(Rule, Level)], expected: Expect) {
 
 #[test]
 fn severities_are_those_that_are_set() {
-    let twice = |level, expected| check(TWICE, &[(Rule::DoubleCoil, level)], expected);
+    let twice = |level, expected| {
+        check(
+            TWICE,
+            &[(
+                ladder_analysis::rules::rule_named("double-coil").expect("a rule"),
+                level,
+            )],
+            expected,
+        )
+    };
     twice(
         Level::Shown(Severity::Info),
         expect![[r#"
@@ -61,14 +70,26 @@ fn an_error_that_is_hidden_still_keeps_the_program_from_running() {
     let text = "+--[TOM]( t )--( )( y )--+\n";
     check(
         text,
-        &[(Rule::UnknownInstruction, Level::Off)],
+        &[(
+            ladder_analysis::rules::rule_named("unknown-instruction").expect("a rule"),
+            Level::Off,
+        )],
         expect![[r#"
         does not run
     "#]],
     );
-    let analysis = analysed(text, &[(Rule::UnknownInstruction, Level::Off)]);
+    let analysis = analysed(
+        text,
+        &[(
+            ladder_analysis::rules::rule_named("unknown-instruction").expect("a rule"),
+            Level::Off,
+        )],
+    );
     let errors: Vec<_> = analysis.errors().map(|error| error.rule).collect();
-    assert_eq!(errors, [Rule::UnknownInstruction]);
+    assert_eq!(
+        errors,
+        [ladder_analysis::rules::rule_named("unknown-instruction").expect("a rule")]
+    );
 }
 
 #[test]

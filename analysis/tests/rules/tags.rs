@@ -2,7 +2,7 @@
 
 use crate::check::{check_program, clean_program};
 use expect_test::expect;
-use ladder_analysis::{Rule, analyze};
+use ladder_analysis::analyze;
 use std::sync::Arc;
 
 #[test]
@@ -59,7 +59,7 @@ fn read_and_written() {
                       ^^^^^ warning[undeclared-tag]: `strat` is not declared
                 help: did you mean `start`?
                 fix: Replace with `start`
-                  +--[ ]( start )------------( )( run )--+
+                  +--[ ]( start )----------------------------------------------------( )( run )--+
                 fix: Declare `strat : BOOL` in VAR_INPUT
                       strat : BOOL;
         "#]],
@@ -200,7 +200,7 @@ fn overlaps(addresses: &str) -> String {
     let analysis = analyze(&Arc::new(ladder_syntax::parse(&text)), "a.clad");
     let mut lines = String::new();
     for found in analysis.diagnostics() {
-        if found.rule == Rule::OverlappingAddress {
+        if found.rule.name() == "overlapping-address" {
             let related: Vec<&str> = found.related.iter().map(|related| &text[related.range]).collect();
             lines += &format!("{}: {}\n", &text[found.range], related.join(" "));
         }
@@ -376,6 +376,35 @@ fn what_is_given_has_no_address() {
                               ^^^^^^ error[bad-declaration]: an operand of a block is given where the block stands: take AT away, or declare the tag in VAR
             > VAR_IN_OUT q AT %QX0.0 : BOOL; END_VAR
                               ^^^^^^ error[bad-declaration]: an operand of a block is given where the block stands: take AT away, or declare the tag in VAR
+        "#]],
+    );
+}
+
+#[test]
+fn what_runs_to_its_end_once() {
+    check_program(
+        "+--[ ]( a )--[CTU]( c, 5 )--( )( y )--+\n",
+        expect![[r#"
+        > +--[ ]( a )--[CTU]( c, 5 )--( )( y )--+
+                              ^ warning[never-reset]: nothing resets or loads the CTU `c`: it counts to its end once
+            help: reset or load it with (R)( c ), or with an operand of its block
+    "#]],
+    );
+    for reset in [
+        "+--[ ]( a )--[CTU]( c, 5, R := b )--( )( y )--+\n",
+        "+--[ ]( a )--[CTU]( c, 5 )--( )( y )--+\n\n+--[ ]( b )--(R)( c )--+\n",
+        "+--[ ]( a )--[CTD]( c, 5, LD := b )--( )( y )--+\n",
+        "+--[ ]( a )--[CTC]( c, 5 )--( )( y )--+\n",
+        "+--[ ]( a )--[TON]( c, T#5s )--( )( y )--+\n",
+    ] {
+        clean_program(reset);
+    }
+    check_program(
+        "+--[ ]( a )--[RTO]( meter, T#1h )--( )( y )--+\n",
+        expect![[r#"
+            > +--[ ]( a )--[RTO]( meter, T#1h )--( )( y )--+
+                                  ^^^^^ warning[never-reset]: nothing resets the RTO `meter`: once it has run out it stays so
+                help: reset it with (R)( meter ), or with an operand of its block
         "#]],
     );
 }

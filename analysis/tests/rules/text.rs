@@ -12,7 +12,7 @@ fn first_part_that_is_not_closed() {
                  ^^^^ error[unclosed-block]: `[TON` is not closed: `]` is missing
                 help: a block is closed on its own line
                 safe fix: Insert `]`
-                  +----------[TON]( t, T#5s )--( )( y )--+
+                  +--------------------------------------------------[TON]( t, T#5s )--( )( y )--+
         "#]],
     );
     check(
@@ -22,7 +22,7 @@ fn first_part_that_is_not_closed() {
                            ^^^^ error[unclosed-block]: `<JMP` is not closed: `>` is missing
                 help: a block is closed on its own line
                 safe fix: Insert `>`
-                  +--[ ]( a )--<JMP>( there )--+
+                  +--[ ]( a )----------------------------------------------------<JMP>( there )--+
         "#]],
     );
     check(
@@ -32,7 +32,7 @@ fn first_part_that_is_not_closed() {
                            ^ error[unclosed-block]: `(` is not closed: `)` is missing
                 help: a block is closed on its own line
                 safe fix: Insert `)`
-                  +--[ ]( a )------------------( )( y )--+
+                  +--[ ]( a )----------------------------------------------------------( )( y )--+
         "#]],
     );
     check(
@@ -42,7 +42,7 @@ fn first_part_that_is_not_closed() {
                      ^ error[unclosed-block]: `)` is where `]` closes the block
                 help: a block ends with the partner of the bracket that it begins with
                 fix: Replace `)` with `]`
-                  +----------[TON]( t, T#5s )--( )( y )--+
+                  +--------------------------------------------------[TON]( t, T#5s )--( )( y )--+
         "#]],
     );
 }
@@ -56,7 +56,7 @@ fn operand_list_that_is_not_closed() {
                     ^^^^^^^^ error[unclosed-block]: `( start` is not closed: `)` is missing
                 help: a block is closed on its own line
                 safe fix: Insert `)`
-                  +--[ ]( start )--------------( )( y )--+
+                  +--[ ]( start )------------------------------------------------------( )( y )--+
         "#]],
     );
     check(
@@ -66,7 +66,7 @@ fn operand_list_that_is_not_closed() {
                       ^^^^^^^^^^^^^^ error[unclosed-block]: `( warmup, T#5s` is not closed: `)` is missing
                 help: a block is closed on its own line
                 safe fix: Insert `)`
-                  +-----[TON]( warmup, T#5s )--( )( y )--+
+                  +---------------------------------------------[TON]( warmup, T#5s )--( )( y )--+
         "#]],
     );
     check(
@@ -76,7 +76,7 @@ fn operand_list_that_is_not_closed() {
                        ^^ error[unclosed-block]: `[3` is not closed: `]` is missing
                 help: a block is closed on its own line
                 fix: Insert `]`
-                  +--[ ]( a[3] )---------------( )( y )--+
+                  +--[ ]( a[3] )-------------------------------------------------------( )( y )--+
         "#]],
     );
     check(
@@ -100,8 +100,8 @@ fn unclosed_block_brings_nothing_else() {
                        ^^^^ error[unclosed-block]: `( a` is not closed: `)` is missing
                 help: a block is closed on its own line
                 safe fix: Insert `)`
-                  +--\--[ ]( a )--\------------( )( y )--+
-                  |  /--[ ]( b )--/                      |
+                  +--\--[ ]( a )--\----------------------------------------------------( )( y )--+
+                  |  /--[ ]( b )--/                                                              |
         "#]],
     );
 }
@@ -124,12 +124,12 @@ fn a_file_in_the_first_draft() {
                  ^^^ error[bad-arity]: [ ] takes 1 operand, none is given
                 help: it is written [ ]( tag )
                 fix: Add tag
-                  +--[ ]( tag )-----------<a>--( )( z )--+
+                  +--[ ]( tag )---------------------------------------------------<a>--( )( z )--+
             > +--[ ]<a>--( )( z )--+
                    ^^ warning[missing-wire]: two blocks touch without a wire between them
                 help: draw a `-` between them
                 safe fix: Insert wire
-                  +--[ ]--<a>--( )( z )--+
+                  +--[ ]----------------------------------------------------------<a>--( )( z )--+
             > +--[ ]<a>--( )( z )--+
                     ^^^ error[unknown-instruction]: there is no instruction <a>
                 help: a block in < > is <LBL>, <JMP>, <FUN>, <CALL>, <RET>, <END>, <FOR>, <NEXT> or <MCR>
@@ -164,7 +164,7 @@ fn comment_that_is_not_closed() {
                  ^^^^^ error[unknown-instruction]: there is no instruction [TOM]
                 help: did you mean [TON] (on-delay timer)?
                 fix: Replace with [TON]
-                  +------[TON]( t, 5s )--<JMP>( there )--+
+                  +----------------------------------------------[TON]( t, 5s )--<JMP>( there )--+
             > # mark
               ^ error[unclosed-comment]: this comment is never closed: all that follows is read as comment
                 help: close it with a second `#`
@@ -266,7 +266,7 @@ fn blocks_that_touch() {
                         ^^ warning[missing-wire]: two blocks touch without a wire between them
                 help: draw a `-` between them
                 safe fix: Insert wire
-                  +--[ ]( a )--[ ]( b )--------( )( y )--+
+                  +--[ ]( a )--[ ]( b )------------------------------------------------( )( y )--+
         "#]],
     );
     check(
@@ -276,32 +276,32 @@ fn blocks_that_touch() {
                  ^^ warning[missing-wire]: `\` and a block touch without a wire between them
                 help: draw a `-` between them
                 safe fix: Insert wire
-                  +--\--[ ]( a )--\------------( )( y )--+
-                  |  /--[ ]( b )--/                      |
+                  +--\--[ ]( a )--\----------------------------------------------------( )( y )--+
+                  |  /--[ ]( b )--/                                                              |
             > +--\[ ]( a )\--( )( y )+
                          ^^ warning[missing-wire]: a block and `\` touch without a wire between them
                 help: draw a `-` between them
                 safe fix: Insert wire
-                  +--\--[ ]( a )--\------------( )( y )--+
-                  |  /--[ ]( b )--/                      |
+                  +--\--[ ]( a )--\----------------------------------------------------( )( y )--+
+                  |  /--[ ]( b )--/                                                              |
             > +--\[ ]( a )\--( )( y )+
                                     ^^ warning[missing-wire]: a block and `+` touch without a wire between them
                 help: draw a `-` between them
                 safe fix: Insert wire
-                  +--\--[ ]( a )--\------------( )( y )--+
-                  |  /--[ ]( b )--/                      |
+                  +--\--[ ]( a )--\----------------------------------------------------( )( y )--+
+                  |  /--[ ]( b )--/                                                              |
             > |  /[ ]( b )/           |
                  ^^ warning[missing-wire]: `/` and a block touch without a wire between them
                 help: draw a `-` between them
                 safe fix: Insert wire
-                  +--\--[ ]( a )--\------------( )( y )--+
-                  |  /--[ ]( b )--/                      |
+                  +--\--[ ]( a )--\----------------------------------------------------( )( y )--+
+                  |  /--[ ]( b )--/                                                              |
             > |  /[ ]( b )/           |
                          ^^ warning[missing-wire]: a block and `/` touch without a wire between them
                 help: draw a `-` between them
                 safe fix: Insert wire
-                  +--\--[ ]( a )--\------------( )( y )--+
-                  |  /--[ ]( b )--/                      |
+                  +--\--[ ]( a )--\----------------------------------------------------( )( y )--+
+                  |  /--[ ]( b )--/                                                              |
         "#]],
     );
     check(
@@ -311,7 +311,7 @@ fn blocks_that_touch() {
                                 ^^^^^^^^ error[missing-wire]: [OSR] takes the next parentheses as its operands: the wire between them is missing
                 help: [OSR] has no operands: keep a `-` behind it
                 safe fix: Insert wire behind [OSR]
-                  +--[ ]( a )--[OSR]-----------( )( y )--+
+                  +--[ ]( a )--[OSR]---------------------------------------------------( )( y )--+
         "#]],
     );
     check(
@@ -321,7 +321,7 @@ fn blocks_that_touch() {
                                  ^^^^^^^^ error[missing-wire]: [NOT] takes the next parentheses as its operands: the wire between them is missing
                 help: [NOT] has no operands: keep a `-` behind it
                 safe fix: Insert wire behind [NOT]
-                  +--[ ]( a )--[NOT]-----------(S)( y )--+
+                  +--[ ]( a )--[NOT]---------------------------------------------------(S)( y )--+
         "#]],
     );
     // A comment is wire.
@@ -413,7 +413,7 @@ fn literals() {
                           ^^^^^ error[bad-literal]: this text is not closed: `'` is missing
                 help: a text ends on its own line; a quote in it is written $'
                 fix: Insert `'`
-                  +--[EQ]( s, 'open' )---------( )( y )--+
+                  +--[EQ]( s, 'open' )-------------------------------------------------( )( y )--+
         "#]],
     );
     check(

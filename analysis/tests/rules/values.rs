@@ -98,7 +98,7 @@ fn spellings() {
                  ^^^^^ info[alternative-mnemonic]: [GRT] is another spelling of [GT]
                 help: one spelling for one instruction makes a program easy to search
                 safe fix: Write [GT]
-                  +--[GT]( n, 5 )--[EQU]( n, 7 )--[R_TRIG]---------( )( y )--+
+                  +--[GT]( n, 5 )--[EQU]( n, 7 )--[R_TRIG]-----------------------------( )( y )--+
             > +--[GRT]( n, 5 )--[equ]( n, 7 )--[R_TRIG]--( )( y )--+
                  ^^^^^^^^^^^^^ warning[redundant-element]: [GT]( n, 5 ) changes nothing here
                 help: a wire in its place does the same: remove it, or correct the tag that was meant
@@ -106,12 +106,12 @@ fn spellings() {
                                 ^^^^^ info[alternative-mnemonic]: [equ] is another spelling of [EQ]
                 help: one spelling for one instruction makes a program easy to search
                 safe fix: Write [EQ]
-                  +--[GRT]( n, 5 )--[EQ]( n, 7 )--[R_TRIG]---------( )( y )--+
+                  +--[GRT]( n, 5 )--[EQ]( n, 7 )--[R_TRIG]-----------------------------( )( y )--+
             > +--[GRT]( n, 5 )--[equ]( n, 7 )--[R_TRIG]--( )( y )--+
                                                ^^^^^^^^ info[alternative-mnemonic]: [R_TRIG] is another spelling of [OSR]
                 help: one spelling for one instruction makes a program easy to search
                 safe fix: Write [OSR]
-                  +--[GRT]( n, 5 )--[EQU]( n, 7 )--[OSR]-----------( )( y )--+
+                  +--[GRT]( n, 5 )--[EQU]( n, 7 )--[OSR]-------------------------------( )( y )--+
         "#]],
     );
     clean("+--[GRT]( n, 5 )--[R_TRIG]--( )( y )--+\n");
@@ -122,7 +122,7 @@ fn spellings() {
                                  ^^ info[result-arrow]: `y` is a result of [$B]: it is taken with `=>`
                 help: `:=` gives an operand, `=>` takes a result
                 safe fix: Replace `:=` with `=>`
-                  +----[$B]( a := p, y => q )--( )( r )--+
+                  +--------------------------------------------[$B]( a := p, y => q )--( )( r )--+
         "#]],
     );
 }

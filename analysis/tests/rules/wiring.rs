@@ -8,32 +8,32 @@ fn blank_cuts_the_wire() {
     check(
         "+--[ ]( a )--  --( )( y )--+\n",
         expect![[r#"
-        > +--[ ]( a )--  --( )( y )--+
-                       ^^ error[open-wire]: the wire is cut here: no power can reach what is behind
-            help: a blank or a `|` breaks a wire: draw it through with `-`
-            fix: Join the wire
-              +--[ ]( a )------------------( )( y )--+
-    "#]],
+            > +--[ ]( a )--  --( )( y )--+
+                           ^^ error[open-wire]: the wire is cut here: no power can reach what is behind
+                help: a blank or a `|` breaks a wire: draw it through with `-`
+                fix: Join the wire
+                  +--[ ]( a )----------------------------------------------------------( )( y )--+
+        "#]],
     );
     check(
         "+--[ ]( a )-- | --( )( y )--+\n",
         expect![[r#"
-        > +--[ ]( a )-- | --( )( y )--+
-                       ^^^ error[open-wire]: the wire is cut here: no power can reach what is behind
-            help: a blank or a `|` breaks a wire: draw it through with `-`
-            fix: Join the wire
-              +--[ ]( a )------------------( )( y )--+
-    "#]],
+            > +--[ ]( a )-- | --( )( y )--+
+                           ^^^ error[open-wire]: the wire is cut here: no power can reach what is behind
+                help: a blank or a `|` breaks a wire: draw it through with `-`
+                fix: Join the wire
+                  +--[ ]( a )----------------------------------------------------------( )( y )--+
+        "#]],
     );
     check(
         "+--[ ]( a )-- # oil # --( )( y )--+\n",
         expect![[r#"
-        > +--[ ]( a )-- # oil # --( )( y )--+
-                       ^^^^^^^^^ error[open-wire]: the wire is cut here: no power can reach what is behind
-            help: a blank or a `|` breaks a wire: draw it through with `-`
-            fix: Join the wire
-              +--[ ]( a )--# oil #---------( )( y )--+
-    "#]],
+            > +--[ ]( a )-- # oil # --( )( y )--+
+                           ^^^^^^^^^ error[open-wire]: the wire is cut here: no power can reach what is behind
+                help: a blank or a `|` breaks a wire: draw it through with `-`
+                fix: Join the wire
+                  +--[ ]( a )--# oil #-------------------------------------------------( )( y )--+
+        "#]],
     );
     check(
         "+--[ ]( a )--( )( y ) +\n",
@@ -42,7 +42,7 @@ fn blank_cuts_the_wire() {
                                    ^ error[open-wire]: the wire is cut here: no power can reach what is behind
                 help: a blank or a `|` breaks a wire: draw it through with `-`
                 safe fix: Join the wire
-                  +--[ ]( a )------------------( )( y )--+
+                  +--[ ]( a )----------------------------------------------------------( )( y )--+
         "#]],
     );
     check(
@@ -52,8 +52,8 @@ fn blank_cuts_the_wire() {
                     ^ error[open-wire]: the wire is cut here: no power can reach what is behind
                 help: a blank or a `|` breaks a wire: draw it through with `-`
                 safe fix: Join the wire
-                  +--\--[ ]( a )--\------------( )( y )--+
-                  |  /--[ ]( b )--/                      |
+                  +--\--[ ]( a )--\----------------------------------------------------( )( y )--+
+                  |  /--[ ]( b )--/                                                              |
         "#]],
     );
 }
@@ -63,12 +63,12 @@ fn line_without_a_beginning() {
     check(
         "--[ ]( a )--( )( y )--+\n",
         expect![[r#"
-        > --[ ]( a )--( )( y )--+
-          ^^^^^^^^^^^^^^^^^^^^^^^ error[open-wire]: no power can reach this wire: it begins neither at the left rail nor at a connector
-            help: begin the line with `+`, or join it to the line above with \ and /
-            fix: Begin at the left rail
-              +--[ ]( a )------------------( )( y )--+
-    "#]],
+            > --[ ]( a )--( )( y )--+
+              ^^^^^^^^^^^^^^^^^^^^^^^ error[open-wire]: no power can reach this wire: it begins neither at the left rail nor at a connector
+                help: begin the line with `+`, or join it to the line above with \ and /
+                fix: Begin at the left rail
+                  +--[ ]( a )----------------------------------------------------------( )( y )--+
+        "#]],
     );
     check(
         "|--[ ]( a )--( )( y )--+\n",
@@ -77,18 +77,18 @@ fn line_without_a_beginning() {
                ^^^^^^^^^^^^^^^^^^^^^^^ warning[rung-not-powered]: this rung gets no power: it begins with `|`, which is decoration; `+` takes power from the left rail
                 help: begin the line with `+`
                 fix: Begin at the left rail
-                  +--[ ]( a )------------------( )( y )--+
+                  +--[ ]( a )----------------------------------------------------------( )( y )--+
         "#]],
     );
     check(
         "[ ]( a )--( )( y )--+\n",
         expect![[r#"
-        > [ ]( a )--( )( y )--+
-          ^^^^^^^^^^^^^^^^^^^^^ error[open-wire]: no power can reach this wire: it begins neither at the left rail nor at a connector
-            help: begin the line with `+`, or join it to the line above with \ and /
-            fix: Begin at the left rail
-              +--[ ]( a )------------------( )( y )--+
-    "#]],
+            > [ ]( a )--( )( y )--+
+              ^^^^^^^^^^^^^^^^^^^^^ error[open-wire]: no power can reach this wire: it begins neither at the left rail nor at a connector
+                help: begin the line with `+`, or join it to the line above with \ and /
+                fix: Begin at the left rail
+                  +--[ ]( a )----------------------------------------------------------( )( y )--+
+        "#]],
     );
     check(
         "+--[ ]( a )-------\\--( )( y )--+\n|  --[ ]( b )-----/             |\n",
@@ -97,8 +97,8 @@ fn line_without_a_beginning() {
                  ^^^^^^^^^^^^^^^ error[open-wire]: no power can reach this wire: it begins neither at the left rail nor at a connector
                 help: begin the line with `+`, or join it to the line above with \ and /
                 fix: Begin at the left rail
-                  +--[ ]( a )--\---------------( )( y )--+
-                  +--[ ]( b )--/                         |
+                  +--[ ]( a )--\-------------------------------------------------------( )( y )--+
+                  +--[ ]( b )--/                                                                 |
         "#]],
     );
 }
@@ -112,9 +112,9 @@ fn branch_drawn_the_wrong_way_round() {
                     ^^^^^^^^^^^^^^ error[open-wire]: this branch is drawn the wrong way round: power comes from the line above at its right end
                 help: power runs to the right: begin the branch with `/` and end it with `\`
                 fix: Swap `\` and `/`
-                  +--[ ]( a )--\---------------( )( y )--+
-                  |            /--[ ]( b )--\            |
-                  |                         /--( )( z )  |
+                  +--[ ]( a )--\-------------------------------------------------------( )( y )--+
+                  |            /--[ ]( b )--\                                                    |
+                  |                         /------------------------------------------( )( z )  |
         "#]],
     );
     check(
@@ -124,9 +124,9 @@ fn branch_drawn_the_wrong_way_round() {
                     ^^^^^^^^^^^^^^ error[open-wire]: this branch is drawn the wrong way round: power comes from the line below at its right end
                 help: power runs to the right: begin the branch with `\` and end it with `/`
                 fix: Swap `\` and `/`
-                  |                         \--( )( z )--+
-                  |            \--[ ]( c )--/            |
-                  +--[ ]( b )--/                         |
+                  |                         \------------------------------------------( )( z )--+
+                  |            \--[ ]( c )--/                                                    |
+                  +--[ ]( b )--/                                                                 |
         "#]],
     );
 }
@@ -136,14 +136,14 @@ fn pair_that_nothing_feeds() {
     check(
         "|  \\--( )( y )--+\n|  /--( )( z )--+\n",
         expect![[r#"
-        > |  \--( )( y )--+
-             ^ error[open-wire]: no power can reach this connector: nothing comes along its line, or along that of its partner
-            help: one of the two lines must come from the left rail or from a live wire
-            at 2:4 `/`: its partner
-            fix: Begin at the left rail
-              +--\-------------------------( )( y )--+
-              |  /-------------------------( )( z )--+
-    "#]],
+            > |  \--( )( y )--+
+                 ^ error[open-wire]: no power can reach this connector: nothing comes along its line, or along that of its partner
+                help: one of the two lines must come from the left rail or from a live wire
+                at 2:4 `/`: its partner
+                fix: Begin at the left rail
+                  +--\-----------------------------------------------------------------( )( y )--+
+                  |  /-----------------------------------------------------------------( )( z )--+
+        "#]],
     );
     check(
         "+--[ ]( a )-- \\--( )( y )--+\n|             /--( )( z )--+\n",
@@ -152,8 +152,8 @@ fn pair_that_nothing_feeds() {
                            ^ error[open-wire]: the wire is cut here: no power can reach what is behind
                 help: a blank or a `|` breaks a wire: draw it through with `-`
                 fix: Join the wire
-                  +--[ ]( a )--\---------------( )( y )--+
-                  |            /---------------( )( z )--+
+                  +--[ ]( a )--\-------------------------------------------------------( )( y )--+
+                  |            /-------------------------------------------------------( )( z )--+
         "#]],
     );
 }
@@ -168,31 +168,31 @@ fn one_loss_is_reported_once() {
                            ^^ error[open-wire]: the wire is cut here: no power can reach what is behind
                 help: a blank or a `|` breaks a wire: draw it through with `-`
                 fix: Join the wire
-                  +--[ ]( a )--\---------------( )( x )--+
-                  |            /--\------------( )( y )--+
-                  |               /------------( )( z )--+
+                  +--[ ]( a )--\-------------------------------------------------------( )( x )--+
+                  |            /--\----------------------------------------------------( )( y )--+
+                  |               /----------------------------------------------------( )( z )--+
         "#]],
     );
     // The bar cuts the wire as well: one mistake.
     check(
         "+--[ ]( a )--|--( )( y )--+\n",
         expect![[r#"
-        > +--[ ]( a )--|--( )( y )--+
-                       ^ error[misplaced-rail]: `|` cuts the wire
-            help: `|` only draws the rails and verticals; lines are joined with \ and /
-            fix: Replace with wire
-              +--[ ]( a )------------------( )( y )--+
-    "#]],
+            > +--[ ]( a )--|--( )( y )--+
+                           ^ error[misplaced-rail]: `|` cuts the wire
+                help: `|` only draws the rails and verticals; lines are joined with \ and /
+                fix: Replace with wire
+                  +--[ ]( a )----------------------------------------------------------( )( y )--+
+        "#]],
     );
     check(
         "+--[ ]( a )--+--( )( y )--+\n",
         expect![[r#"
-        > +--[ ]( a )--+--( )( y )--+
-                       ^ error[misplaced-rail]: `+` is in the middle of a line
-            help: `+` is where a line leaves the left rail or ends at the right rail; lines are joined with \ and /
-            fix: Replace with wire
-              +--[ ]( a )------------------( )( y )--+
-    "#]],
+            > +--[ ]( a )--+--( )( y )--+
+                           ^ error[misplaced-rail]: `+` is in the middle of a line
+                help: `+` is where a line leaves the left rail or ends at the right rail; lines are joined with \ and /
+                fix: Replace with wire
+                  +--[ ]( a )----------------------------------------------------------( )( y )--+
+        "#]],
     );
     check(
         "+--[ ]( a )--( )( y )--+  +--[ ]( b )--( )( z )--+\n",
@@ -201,7 +201,7 @@ fn one_loss_is_reported_once() {
                                      ^^^^ error[misplaced-rail]: a second rung begins on this line
                 help: each rung belongs on a line of its own
                 fix: Break the line
-                  +--[ ]( a )--( )( y )--+
+                  +--[ ]( a )----------------------------------------------------------( )( y )--+
                   +--[ ]( b )--( )( z )--+
         "#]],
     );
@@ -272,9 +272,9 @@ fn columns_that_mislead() {
                 at 1:4 `\`: no `/` is below this `\`
                 at 2:1 `|               /--[ ]( b )--\-/--------------+`: its partner `/` belongs onto this rung
                 fix: Replace `\` with wire
-                  +--[ ]( a )--\---------------\-------------------( )( y )--+
-                  |            /--[ ]( b )--\--/-----------------------------+
-                  |                         /----------------------( )( z )--+
+                  +--[ ]( a )--\---------------\---------------------------------------( )( y )--+
+                  |            /--[ ]( b )--\--/-------------------------------------------------+
+                  |                         /------------------------------------------( )( z )--+
         "#]],
     );
     check(
@@ -285,8 +285,8 @@ fn columns_that_mislead() {
                 help: connectors pair in their order from left to right, whatever their columns
                 at 2:30 `/`: this is its partner
                 safe fix: Put pairs into one column
-                  +--\--[ ]( a )--\--[ ]( c )--\-------------------( )( y )--+
-                  |  /--[ ]( b )--/--[ ]( d )--/                             |
+                  +--\--[ ]( a )--\--[ ]( c )--\---------------------------------------( )( y )--+
+                  |  /--[ ]( b )--/--[ ]( d )--/                                                 |
         "#]],
     );
 }

@@ -212,7 +212,7 @@ fn written_out(text: Cow<'_, str>) -> (Cow<'_, str>, Vec<(usize, usize)>) {
 mod tests {
     use super::*;
     use expect_test::{Expect, expect};
-    use ladder_analysis::{Applicability, Rule};
+    use ladder_analysis::Applicability;
 
     /// A finding at the first `«..»`, related places at the others; the marks are taken out of the text. A fix
     /// replaces the first place by `fix`.
@@ -226,7 +226,11 @@ mod tests {
                 places.push(TextRange::new(start, TextSize::of(&text)));
             }
         }
-        let mut finding = Diagnostic::new(Rule::DuplicateTimer, places[0], "something is wrong here");
+        let mut finding = Diagnostic::new(
+            ladder_analysis::rules::rule_named("duplicate-timer").expect("a rule"),
+            places[0],
+            "something is wrong here",
+        );
         for place in &places[1..] {
             finding = finding.related(*place, "this has to do with it");
         }
@@ -255,7 +259,7 @@ mod tests {
                 help: Do it
                   |
                 2 - +--[TOM]( t )--+
-                2 + +--------------------------[TON]( t )--+
+                2 + +------------------------------------------------------------------[TON]( t )--+
                   |
             "#]],
         );
@@ -276,8 +280,8 @@ mod tests {
                   = help: do this
                 help: Do it
                   |
-                1 | +--[ ]( a )------------------( )( b )--+
-                  |            ++++++++++++++++++
+                1 | +--[ ]( a )----------------------------------------------------------( )( b )--+
+                  |            ++++++++++++++++++++++++++++++++++++++++++++++++++++++++++
             "#]],
         );
     }

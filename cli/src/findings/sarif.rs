@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 /// The document of a run with these results.
 pub(crate) fn document(results: Vec<Value>) -> Value {
-    let rules: Vec<Value> = Rule::ALL.iter().copied().map(rule).collect();
+    let rules: Vec<Value> = ladder_analysis::rules::ALL.iter().copied().map(rule).collect();
     json!({
         "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
         "version": "2.1.0",

@@ -44,7 +44,7 @@ fn an_error_with_what_to_do() {
             help: Jump to `finsh`
               |
             1 - +--[ ]( start )--<JMP>( finish )--+
-            1 + +--[ ]( start )--------<JMP>( finsh )--+
+            1 + +--[ ]( start )------------------------------------------------<JMP>( finsh )--+
               |
 
             Checked 1 file: 1 error.
@@ -68,8 +68,8 @@ fn a_warning_alone_does_not_fail() {
               = help: draw a `-` between them
             help: Insert wire
               |
-            1 | +--[ ]( start )------------( )( run )--+
-              |                ++++++++++++
+            1 | +--[ ]( start )----------------------------------------------------( )( run )--+
+              |                ++++++++++++++++++++++++++++++++++++++++++++++++++++
 
             Checked 1 file: 1 warning.
         "#]],
@@ -103,8 +103,8 @@ fn a_fix_in_the_middle_of_a_network() {
               = help: every `\` needs a `/` on the rung below: together they join the two lines
             help: Close the branch with `/`
               |
-            1 ~ +--\--[ ]( a )--\------------( )( y )--+
-            2 ~ |  /--[ ]( b )--/                      |
+            1 ~ +--\--[ ]( a )--\----------------------------------------------------( )( y )--+
+            2 ~ |  /--[ ]( b )--/                                                              |
               |
 
             Checked 1 file: 1 error.

@@ -116,9 +116,9 @@ fn fix_mends_and_aligns() {
             .to_string(),
     );
     expect![[r#"
-        +--[ ]( a )------------------( )( y )--+
+        +--[ ]( a )----------------------------------------------------------( )( y )--+
 
-        +----------[TON]( t, T#5s )--( )( z )--+
+        +--------------------------------------------------[TON]( t, T#5s )--( )( z )--+
     "#]]
     .assert_eq(&folder.read("wrong.clad"));
 }
@@ -137,7 +137,7 @@ fn only_safe_fixes_are_made_unasked() {
     "#]]
     .assert_eq(&run.to_string());
     expect![[r#"
-        +--[ ]( a )----------( )( y )--+
+        +--[ ]( a )----------------------------------------------------------( )( y )--+
 
         +--[TOM]( t, T#5s )--( )( z )--+
     "#]]
@@ -170,8 +170,8 @@ VAR_OUTPUT run : BOOL; END_VAR
         VAR_INPUT start, stop : BOOL; END_VAR
         VAR_OUTPUT run : BOOL; END_VAR
 
-        +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-        |  /--[ ]( run )----/                                      |
+        +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+        |  /--[ ]( run )----/                                                          |
     "#]]
     .assert_eq(&folder.read("motor.clad"));
 }
@@ -194,7 +194,7 @@ fn diff_shows_what_would_be_mended() {
         +++ wrong.clad
         @@ -1,3 +1,3 @@
         -+--[ ]( a )( )( y )--+
-        ++--[ ]( a )----------( )( y )--+
+        ++--[ ]( a )----------------------------------------------------------( )( y )--+
 
          +--[TOM]( t, T#5s )--( )( z )--+
         Checked 1 file: 1 error. 1 finding would be mended.
@@ -210,10 +210,10 @@ fn diff_shows_what_would_be_mended() {
         +++ wrong.clad
         @@ -1,3 +1,3 @@
         -+--[ ]( a )( )( y )--+
-        ++--[ ]( a )------------------( )( y )--+
+        ++--[ ]( a )----------------------------------------------------------( )( y )--+
 
         -+--[TOM]( t, T#5s )--( )( z )--+
-        ++----------[TON]( t, T#5s )--( )( z )--+
+        ++--------------------------------------------------[TON]( t, T#5s )--( )( z )--+
         Checked 1 file: no mistakes found. 2 findings would be mended.
     "#]]
     .assert_eq(&without_blanks(&run));

@@ -99,7 +99,7 @@ fn the_mended_text_goes_to_stdout_and_the_report_to_stderr() {
     expect![[r#"
         exit status 0
         -- stdout
-        +--[ ]( start )------------( )( run )--+
+        +--[ ]( start )----------------------------------------------------( )( run )--+
         -- stderr
         fixed <stdin>:1:15 missing-wire: Insert wire
         Checked 1 file: no mistakes found. Mended 1 finding.

@@ -27,8 +27,8 @@ fn a_program_becomes_ladder_text() {
             Q0 : BOOL;
         END_VAR
 
-        +--\--[ ]( I0 )--\--[/]( I1 )-------------------( )( Q0 )--+
-        |  /--[ ]( Q0 )--/                                         |
+        +--\--[ ]( I0 )--\--[/]( I1 )---------------------------------------( )( Q0 )--+
+        |  /--[ ]( Q0 )--/                                                             |
         -- stderr
         motor.txt: 4 translated, 0 approximated, 0 refused
     "#]]
@@ -56,7 +56,7 @@ fn what_has_no_counterpart_stays_as_a_comment() {
             lamp : BOOL;
         END_VAR
 
-        +--[ ]( go )--# [PID]<x> #--------------------( )( lamp )--+
+        +--[ ]( go )--# [PID]<x> #----------------------------------------( )( lamp )--+
     "#]]
     .assert_eq(&folder.read("lamp.clad"));
     let run = folder.ladder(&["convert", "lamp.cplc", "-o", "x.clad", "--report", "json"]);
@@ -130,8 +130,8 @@ fn ladder_text_becomes_something_else() {
         IN = {DI start, DI stop}
         VAR = {BOOL run}
 
-        +--\--[ ]<start>--\--[/]<stop>--( )<run>-------------------+
-        |  /--[ ]<run>----/                                        |
+        +--\--[ ]<start>--\--[/]<stop>--( )<run>---------------------------------------+
+        |  /--[ ]<run>----/                                                            |
     "#]]
     .assert_eq(&folder.read("motor.cplc"));
 }
@@ -146,8 +146,8 @@ fn one_foreign_notation_becomes_another() {
         IN = {DI I0, DI I1}
         OUT = {DO Q0}
 
-        +--\--[ ]<I0>--\--[/]<I1>--( )<Q0>-----+
-        |  /--[ ]<Q0>--/                       |
+        +--\--[ ]<I0>--\--[/]<I1>--( )<Q0>---------------------------------------------+
+        |  /--[ ]<Q0>--/                                                               |
         -- stderr
         motor.rung: approximated: tag `I0`: the draft has no initial values
         motor.rung: 5 translated, 1 approximated, 0 refused

@@ -124,7 +124,7 @@ fn without_a_name_all_are_listed() {
     let folder = Folder::with(&[]);
     let run = folder.ladder(&["explain"]);
     assert_eq!((run.status, run.stderr.as_str()), (Some(0), ""));
-    for rule in ladder_analysis::Rule::ALL {
+    for rule in ladder_analysis::rules::ALL {
         assert!(
             run.stdout.contains(&format!("\n  {rule} ")),
             "{rule} is not listed"

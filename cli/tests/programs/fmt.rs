@@ -62,8 +62,8 @@ fn diff_shows_what_would_change_and_writes_nothing() {
         @@ -1,2 +1,2 @@
         -+-\-[ ]( start )-\-[/]( stop )-( )( run )-+
         -| /-[ ]( run )-/
-        ++--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-        +|  /--[ ]( run )----/                                      |
+        ++--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+        +|  /--[ ]( run )----/                                                          |
     "#]]
     .assert_eq(&folder.ldfmt(&["--diff", "."]).to_string());
     assert_eq!(folder.read("a.clad"), CROOKED);
@@ -110,7 +110,7 @@ fn diff_says_where_the_last_line_has_no_end() {
         @@ -1 +1 @@
         -+-( )( a )-+
         \ No newline at end of file
-        ++----------------------------( )( a )--+
+        ++--------------------------------------------------------------------( )( a )--+
         \ No newline at end of file
     "#]]
     .assert_eq(&folder.ldfmt(&["--diff", "a.clad"]).to_string());
@@ -254,13 +254,13 @@ fn settings_from_a_file_that_is_named() {
     );
     assert_eq!(
         folder.read("a.clad"),
-        "+----[ ]( a )--------------( )( y )----+\n"
+        "+----[ ]( a )------------------------------------------------------( )( y )----+\n"
     );
     assert_eq!(folder.read("b/b.clad"), CROOKED);
     let stdin = folder.ldfmt_stdin(&["--config", "other.toml", "-"], b"+-[ ](a)-( )(y)-+");
     assert_eq!(
         stdin.to_string(),
-        "exit status 0\n-- stdout\n+----[ ]( a )--------------( )( y )----+"
+        "exit status 0\n-- stdout\n+----[ ]( a )------------------------------------------------------( )( y )----+"
     );
     expect![[r#"
         exit status 2

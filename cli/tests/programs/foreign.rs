@@ -162,11 +162,11 @@ fn a_run_shows_the_coils() {
             Q1 : BOOL;
         END_VAR
 
-        +==\==[ ]( I0 )==\==[/]( I1 )===================( )( Q0 )==+
-        |  /==[ ]( Q0 )--/                                         |
+        +==\==[ ]( I0 )==\==[/]( I1 )=======================================( )( Q0 )==+
+        |  /==[ ]( Q0 )--/                                                             |
 
-        +==\==[ ]( I0 )=========================================\==+
-        |  /==[ ]( I2 )------------------------------(/)( Q1 )--/  |
+        +==\==[ ]( I0 )=============================================================\==+
+        |  /==[ ]( I2 )--------------------------------------------------(/)( Q1 )--/  |
     "#]]
     .assert_eq(&run.to_string());
 }
@@ -382,8 +382,8 @@ fn a_draft_that_is_called_ladder_text_is_reported_once() {
             run : BOOL;
         END_VAR
 
-        +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-        |  /--[ ]( run )----/                                      |
+        +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+        |  /--[ ]( run )----/                                                          |
     "#]]
     .assert_eq(&folder.read("motor.clad"));
     // What cannot be said exactly is not said unasked.
@@ -408,7 +408,7 @@ fn a_draft_that_is_called_ladder_text_is_reported_once() {
          7 +     lamp : BOOL;
          8 + END_VAR
          9 + 
-        10 ~ +--[ ]( go )--# [PID]<x> #--------------------( )( lamp )--+
+        10 ~ +--[ ]( go )--# [PID]<x> #----------------------------------------( )( lamp )--+
            |
 
         Checked 1 file: 1 error.
@@ -426,7 +426,7 @@ fn a_draft_that_is_called_ladder_text_is_reported_once() {
             lamp : BOOL;
         END_VAR
 
-        +--[ ]( go )--# [PID]<x> #--------------------( )( lamp )--+
+        +--[ ]( go )--# [PID]<x> #----------------------------------------( )( lamp )--+
     "#]]
     .assert_eq(&folder.read("lamp.clad"));
     folder.write("broken.clad", b"IN = {DI start}\n+--[ ]<start>--?--()<run>--+\n");

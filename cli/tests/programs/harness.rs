@@ -9,8 +9,8 @@ use tempfile::TempDir;
 
 /// A small program without mistakes, in canonical layout.
 pub(crate) const MOTOR: &str = "\
-+--\\--[ ]( start )--\\--[/]( stop )-------------( )( run )--+
-|  /--[ ]( run )----/                                      |
++--\\--[ ]( start )--\\--[/]( stop )---------------------------------( )( run )--+
+|  /--[ ]( run )----/                                                          |
 ";
 
 /// The same program, not in canonical layout.

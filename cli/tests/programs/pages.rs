@@ -2,8 +2,6 @@
 
 use crate::harness::Folder;
 use expect_test::expect;
-use std::io::Write;
-use std::process::{Command, Stdio};
 
 #[test]
 fn every_shell_has_completions() {
@@ -27,6 +25,9 @@ fn every_shell_has_completions() {
 /// What bash offers for words of which the last is being typed.
 #[cfg(unix)]
 fn offered(words: &[&str]) -> String {
+    use std::io::Write;
+    use std::process::{Command, Stdio};
+
     let folder = Folder::with(&[]);
     let script = folder.ladder(&["completions", "bash"]).stdout;
     let ask = format!(

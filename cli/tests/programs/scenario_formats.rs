@@ -92,7 +92,7 @@ fn json() {
                   "on": true
                 },
                 {
-                  "column": 48,
+                  "column": 68,
                   "kind": "coil",
                   "line": 1,
                   "off": true,

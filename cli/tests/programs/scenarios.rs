@@ -251,7 +251,7 @@ fn a_program_that_is_missing_or_has_errors() {
             help: Replace with [TON]
               |
             1 - +--[ ]( start )--[TOM]( t, 5s )--( )( run )--+
-            1 + +--[ ]( start )----------------[TON]( t, 5s )--( )( run )--+
+            1 + +--[ ]( start )------------------------------------[TON]( t, 5s )--( )( run )--+
               |
 
             0 scenarios in 1 file: 0 passed, 1 file not run for mistakes, in T s.

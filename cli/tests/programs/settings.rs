@@ -35,7 +35,7 @@ fn fixes_are_laid_out_as_the_workspace_asks() {
             "+-[ ]( a )-[TOM]( t, 5s )--------------( )( y )-+\n",
         ),
     ]);
-    let laid_out = "+-[ ]( a )-----[TON]( t, 5s )-( )( y )-+\n";
+    let laid_out = "+-[ ]( a )---------------------------------------------[TON]( t, 5s )-( )( y )-+\n";
     let shown = folder.ladder(&["check", "sub/a.clad"]).stdout;
     assert!(shown.contains(laid_out), "{shown}");
     folder.ladder(&["check", "--fix", "--unsafe-fixes", "sub/a.clad"]);

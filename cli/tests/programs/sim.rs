@@ -154,15 +154,15 @@ fn a_diagram_shows_the_power_after_the_last_scan() {
     expect![[r#"
         exit status 0
         -- stdout
-        +==\==[ ]( start )==\==[/]( stop )=============( )( run )==+
-        |  /==[ ]( run )====/                                      |
+        +==\==[ ]( start )==\==[/]( stop )=================================( )( run )==+
+        |  /==[ ]( run )====/                                                          |
     "#]]
     .assert_eq(&motor(&["--scans", "2", "--set", "start=1", "--format", "diagram"]).to_string());
     expect![[r#"
         exit status 0
         -- stdout
-        +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-        |  /--[ ]( run )----/                                      |
+        +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+        |  /--[ ]( run )----/                                                          |
     "#]]
     .assert_eq(&motor(&["--scans", "0", "--format", "diagram"]).to_string());
 }
@@ -246,7 +246,7 @@ fn a_program_with_errors_is_not_run() {
         help: Replace with [TON]
           |
         1 - +--[TOM]( t, T#5s )--( )( run )--+
-        1 + +--------[TON]( t, T#5s )--( )( run )--+
+        1 + +------------------------------------------------[TON]( t, T#5s )--( )( run )--+
           |
 
         error: a.clad: a program with errors is not run

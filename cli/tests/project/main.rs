@@ -7,6 +7,7 @@ mod editor_menus;
 mod examples;
 mod formatting;
 mod generated;
+#[cfg(unix)]
 mod git;
 mod options;
 mod traces;

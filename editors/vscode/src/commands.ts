@@ -4,18 +4,16 @@ import * as vscode from 'vscode';
 import { CLICK, type Click } from './click.ts';
 import { convert, exportAs } from './conversion.ts';
 import type { DiagramEditors } from './diagram/editor.ts';
-import { editDrawing } from './edit.ts';
+import { editDrawing, toggleComment } from './edit.ts';
 import { openExample } from './example.ts';
 import { showReferences } from './lenses.ts';
 import { askValue, pickTag } from './prompts.ts';
 import { forceVariable, releaseVariable, startDebugging, stepBackScan } from './debugger.ts';
-import type { Tag } from './protocol.ts';
+import type { Speed, Tag } from './protocol.ts';
 import type { Server } from './server.ts';
-import type { Speed } from './session.ts';
 import type { Simulation } from './simulation.ts';
 import { goToStop } from './tabStops.ts';
 import type { TestExplorer } from './testExplorer.ts';
-import { toggleCommentInEditor } from './toggleComment.ts';
 import type { TraceView } from './trace/traceView.ts';
 import type { WhyRow } from './whyTree.ts';
 import type { WhyView } from './whyView.ts';
@@ -38,12 +36,12 @@ async function chosen(
 const isWritable = ({ readOnly }: Tag) => readOnly !== true;
 
 /** Sets or forces a tag. */
-async function assign(simulation: Simulation, name: 'set' | 'force', given: Tag | undefined): Promise<void> {
+async function assign(simulation: Simulation, name: 'set' | 'force', row: Tag | undefined): Promise<void> {
     const verb = name === 'set' ? 'Set' : 'Force';
-    const tag = await chosen(simulation, given, `${verb} Tag`, isWritable);
-    const value = tag && (await askValue(tag, `${verb} ${tag.name}`));
-    if (tag && value !== undefined) {
-        await simulation.command(name, { tag: tag.name, value });
+    const tag = await chosen(simulation, row, `${verb} Tag`, isWritable);
+    const given = tag && (await askValue(tag, `${verb} ${tag.name}`));
+    if (tag && given) {
+        await simulation.command(name, { tag: tag.name, ...given });
     }
 }
 
@@ -114,21 +112,21 @@ async function record(simulation: Simulation): Promise<void> {
 }
 
 const speeds: readonly { readonly label: string; readonly description: string; readonly speed: Speed }[] = [
-    { label: '0.01x', description: 'very slow motion', speed: 0.01 },
-    { label: '0.1x', description: 'slow motion', speed: 0.1 },
-    { label: '0.5x', description: 'half as fast as real time', speed: 0.5 },
-    { label: '1x', description: 'real time', speed: 1 },
-    { label: '2x', description: 'twice as fast', speed: 2 },
-    { label: '10x', description: 'ten times as fast', speed: 10 },
-    { label: '100x', description: 'a hundred times as fast', speed: 100 },
-    { label: 'max', description: 'as fast as it goes', speed: 'max' },
+    { label: '0.01x', description: 'very slow motion', speed: { speed: 0.01 } },
+    { label: '0.1x', description: 'slow motion', speed: { speed: 0.1 } },
+    { label: '0.5x', description: 'half as fast as real time', speed: { speed: 0.5 } },
+    { label: '1x', description: 'real time', speed: { speed: 1 } },
+    { label: '2x', description: 'twice as fast', speed: { speed: 2 } },
+    { label: '10x', description: 'ten times as fast', speed: { speed: 10 } },
+    { label: '100x', description: 'a hundred times as fast', speed: { speed: 100 } },
+    { label: 'max', description: 'as fast as it goes', speed: { realTime: false } },
 ];
 
 async function setSpeed(simulation: Simulation): Promise<void> {
     const placeHolder = 'How fast a run goes';
     const picked = await vscode.window.showQuickPick(speeds, { title: 'Speed of the Simulation', placeHolder, matchOnDescription: true });
     if (picked) {
-        await simulation.setSpeed(picked.speed);
+        await simulation.command('speed', picked.speed);
     }
 }
 
@@ -191,7 +189,7 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
         'ladder.debug.force': (row) => forceVariable(row),
         'ladder.debug.unforce': (row) => releaseVariable(row),
         'ladder.debug.stepBackScan': () => stepBackScan(),
-        'ladder.toggleComment': () => toggleCommentInEditor(),
+        'ladder.toggleComment': () => toggleComment(server),
         'ladder.draw.contact': () => editDrawing(server, 'contact'),
         'ladder.draw.closedContact': () => editDrawing(server, 'closedContact'),
         'ladder.draw.coil': () => editDrawing(server, 'coil'),

@@ -2,14 +2,12 @@
 import * as vscode from 'vscode';
 
 import { Flicker } from './flicker.ts';
-import { type Label, type Placed, placeLabels, roomFor } from './labels.ts';
 import { Pace, withTheRest } from './pace.ts';
 import { type Look, type PowerRanges, powerRanges } from './powerRanges.ts';
-import type { Power } from './protocol.ts';
+import type { Label, Power, Tag } from './protocol.ts';
 import { Restless } from './restless.ts';
 import type { Session } from './session.ts';
 import { type Simulation, toRange } from './simulation.ts';
-import { showValue } from './value.ts';
 
 /** Nobody reads a value that changes more often. In milliseconds. */
 const VALUES_EVERY = 200;
@@ -56,15 +54,6 @@ const values = style({});
 
 const kinds = [...Object.values(looks).flatMap(({ calm, restless }) => [calm, restless]), next, values];
 
-/** A value of an operand, and where it is. */
-interface ShownLabel {
-    readonly tag: string;
-    readonly line: number;
-    readonly character: number;
-    readonly room: number;
-    readonly placed: Placed;
-}
-
 /** What an editor shows of a session, so that nothing is drawn twice. */
 interface Canvas {
     readonly session: Session;
@@ -76,9 +65,6 @@ interface Canvas {
     /** Whether anything flickers: it may have come to rest without a word of it. */
     flickers: boolean;
     readonly restless: Restless;
-    labels: readonly ShownLabel[];
-    /** Of what the labels were placed for: lines that are shown, and what is forced. */
-    labelled: string;
 }
 
 const canvases = new WeakMap<vscode.TextEditor, Canvas>();
@@ -97,8 +83,6 @@ function canvasOf(editor: vscode.TextEditor, session: Session): Canvas {
         flicker: new Flicker(),
         flickers: false,
         restless: new Restless(),
-        labels: [],
-        labelled: '',
     };
     canvases.set(editor, canvas);
     return canvas;
@@ -118,49 +102,11 @@ function draw(
     }
 }
 
-function textOf(session: Session, name: string): string {
-    const tag = session.tag(name);
-    return tag ? showValue(tag) + (tag.forced ? '!' : '') : '';
-}
-
-/** The drawing itself tells a contact's value, unless somebody holds it, and the text that of a constant. */
-function isLabelled(session: Session, name: string, drawn: boolean): boolean {
-    const tag = session.tag(name);
-    const isConstant = tag?.readOnly === true && !tag.name.startsWith('SYS.');
-    return tag !== undefined && !isConstant && (!drawn || tag.forced);
-}
-
-function placeAll(session: Session): ShownLabel[] {
-    const lines = [...session.operands.keys()].sort((a, b) => a - b);
-    const found = lines.flatMap((line) =>
-        (session.operands.get(line) ?? [])
-            .filter(({ tags, drawn }) => isLabelled(session, tags[0] ?? '', drawn === true))
-            .map(({ tags, range }) => ({ tag: tags[0] ?? '', range }))
-            .sort((a, b) => a.range.start.character - b.range.start.character),
-    );
-    const labels: Label[] = found.map(({ tag, range }) => ({
-        row: range.start.line,
-        column: range.start.character,
-        text: textOf(session, tag),
-        room: roomFor(session.tag(tag)?.type ?? ''),
-    }));
-    const { document } = session;
-    const lineAt = (row: number) => (row >= 0 && row < document.lineCount ? document.lineAt(row).text : undefined);
-    return placeLabels(labels, lineAt).map((placed, index) => ({
-        tag: found[index]?.tag ?? '',
-        line: labels[index]?.row ?? 0,
-        character: labels[index]?.column ?? 0,
-        room: Math.max(labels[index]?.room ?? 0, labels[index]?.text.length ?? 0),
-        placed,
-    }));
-}
-
 /**
  * The place in the text that a label hangs on, and where the label is from there. If it is shown on a blank line it hangs on
  * that: the editor makes the line anew with each value, and takes one under the pointer for one that the pointer has left.
  */
-function hangsOn(document: vscode.TextDocument, { line, character, placed }: ShownLabel) {
-    const { side, column } = placed;
+function hangsOn(document: vscode.TextDocument, { at: { line, character }, side, column }: Label) {
     const other = line + { above: -1, below: 1, between: 0 }[side];
     if (side === 'between' || other < 0 || other >= document.lineCount || !document.lineAt(other).isEmptyOrWhitespace) {
         const start = new vscode.Position(line, character);
@@ -174,10 +120,9 @@ function hangsOn(document: vscode.TextDocument, { line, character, placed }: Sho
  * A label is over the text, out of its flow: it takes no room in its line. On a blank line it is as large as the
  * text; between two lines it is as large as the gap.
  */
-function labelOptions(session: Session, label: ShownLabel): vscode.DecorationOptions {
-    const { side } = label.placed;
-    const text = textOf(session, label.tag);
-    const tag = session.tag(label.tag);
+function labelOptions(session: Session, label: Label, tag: Tag): vscode.DecorationOptions {
+    const { side } = label;
+    const text = tag.text + (tag.forced ? '!' : '');
     const { range, isApart, shift } = hangsOn(session.document, label);
     // A cell of the label is as much smaller than one of the text.
     const size = side === 'between' ? 0.68 : 0.9;
@@ -186,7 +131,7 @@ function labelOptions(session: Session, label: ShownLabel): vscode.DecorationOpt
         below: `top: ${isApart ? 0 : '100%'}`,
         between: 'top: -0.6em; line-height: 1',
     }[side];
-    const color = tag?.forced ? 'ladder.forced' : tag?.value === true ? 'ladder.powerOn' : 'ladder.value';
+    const color = tag.forced ? 'ladder.forced' : tag.value === true ? 'ladder.powerOn' : 'ladder.value';
     return {
         range,
         renderOptions: {
@@ -205,16 +150,12 @@ function labelOptions(session: Session, label: ShownLabel): vscode.DecorationOpt
 
 function paintValues(editor: vscode.TextEditor, canvas: Canvas): void {
     const { session } = canvas;
-    const forced = [...session.tags.values()].filter((tag) => tag.forced).map(({ name }) => name);
-    const labelled = JSON.stringify([[...session.operands.keys()], forced]);
-    const isOutgrown = canvas.labels.some(({ tag, room }) => textOf(session, tag).length > room);
-    if (labelled !== canvas.labelled || isOutgrown) {
-        canvas.labelled = labelled;
-        canvas.labels = placeAll(session);
-    }
-    const options = canvas.labels.map((label) => labelOptions(session, label));
-    const key = canvas.labels.map(({ line, character, tag }) => `${line}:${character} ${textOf(session, tag)}`).join(' ');
-    draw(editor, canvas, values, options, `${labelled} ${key}`);
+    const shown = session.labels.flatMap((label) => {
+        const tag = session.tag(label.tag);
+        return tag ? [{ label, tag }] : [];
+    });
+    const key = shown.map(({ label: { at, side, column }, tag }) => `${at.line}:${at.character} ${side} ${column} ${tag.text} ${tag.forced}`);
+    draw(editor, canvas, values, shown.map(({ label, tag }) => labelOptions(session, label, tag)), key.join(' '));
 }
 
 function clear(editor: vscode.TextEditor): void {

@@ -10,6 +10,8 @@ export interface Tag {
     readonly name: string;
     readonly type: string;
     readonly value: Value;
+    /** The value as people read it. */
+    readonly text: string;
     readonly role: 'input' | 'output' | 'internal';
     readonly forced: boolean;
     /** It can be neither set nor forced. */
@@ -34,6 +36,22 @@ export interface Operand {
     /** The drawing tells the value already. */
     readonly drawn?: boolean;
 }
+
+/** Where the value of an operand is shown: over the line above or below, which is blank there, or between two lines. */
+export interface Label {
+    /** Whose text it is. */
+    readonly tag: string;
+    /** Where the operand begins. */
+    readonly at: Range['start'];
+    readonly side: 'above' | 'below' | 'between';
+    readonly column: number;
+}
+
+/** A value for a tag, or what a person typed for it. */
+export type Given = { readonly value: Value } | { readonly text: string };
+
+/** How many times as fast as real time, or as fast as it goes. */
+export type Speed = { readonly speed: number } | { readonly realTime: false };
 
 /** Which part of a program is shown. */
 export interface Shown {
@@ -65,6 +83,8 @@ export interface State {
     /** Only what has changed is sent of the drawing. */
     readonly delta?: boolean;
     readonly status: 'paused' | 'running' | 'ended' | 'faulted';
+    /** How it is, in words. */
+    readonly text: string;
     readonly scan: number;
     readonly timeMs: number;
     /** How many scans can be stepped back, and how many were stepped back from. */
@@ -82,6 +102,8 @@ export interface State {
     readonly tags: readonly Tag[];
     readonly power: readonly Power[];
     readonly operands?: readonly Operand[];
+    /** All of them, whenever one is at another place. */
+    readonly labels?: readonly Label[];
     readonly faults: readonly Fault[];
 }
 
@@ -144,12 +166,13 @@ export interface Commands {
     trace: { argument: TraceAsked & { tags: readonly string[] }; answer: Traced };
     record: { argument: object; answer: Recorded };
     warmRestart: { argument: object; answer: State };
-    run: { argument: { speed?: number; realTime?: boolean }; answer: State };
+    run: { argument: object; answer: State };
+    speed: { argument: Speed; answer: State };
     show: { argument: Shown; answer: State };
     tags: { argument: { containing?: string }; answer: { count: number; tags: Tag[] } };
     pause: { argument: object; answer: State };
-    set: { argument: { tag: string; value: Value }; answer: State };
-    force: { argument: { tag: string; value: Value }; answer: State };
+    set: { argument: { tag: string } & Given; answer: State };
+    force: { argument: { tag: string } & Given; answer: State };
     pulse: { argument: { tag: string }; answer: State };
     unforce: { argument: { tag?: string }; answer: State };
     reset: { argument: object; answer: State };
@@ -200,7 +223,7 @@ interface Stretch {
     readonly end: Place;
 }
 
-/** The answer to `ladder.edit`. */
+/** The answer to `ladder.edit` and to `ladder.comment`. */
 export interface EditedDrawing {
     readonly version: number;
     readonly edits: readonly { readonly range: Stretch; readonly newText: string }[];
@@ -215,6 +238,7 @@ export interface DrawnFence {
 
 export interface OtherCommands {
     'ladder.fence': { argument: { text: string }; answer: DrawnFence };
+    'ladder.comment': { argument: { uri: string; lines: readonly Lines[] }; answer: EditedDrawing };
     'ladder.edit': { argument: { uri: string; range: Stretch; edit: EditKind }; answer: EditedDrawing };
     'ladder.diagram': {
         argument: { uri: string; lines: Lines; rail: number; known: readonly string[] };

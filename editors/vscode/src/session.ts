@@ -1,16 +1,13 @@
 // One simulation of one document's text: sends its commands in order, and keeps what is known of what is shown.
 import type { TextDocument } from 'vscode';
 
-import type { Commands, Operand, Power, Shown, State, Tag } from './protocol.ts';
+import type { Commands, Label, Operand, Power, Shown, State, Tag } from './protocol.ts';
 
 /** Sends `ladder.simulate.<name>` with one object. */
 export type Send = <Name extends keyof Commands>(
     name: Name,
     argument: Commands[Name]['argument'] & { session?: string },
 ) => Promise<Commands[Name]['answer']>;
-
-/** How many times as fast as real time. */
-export type Speed = number | 'max';
 
 export class Session {
     readonly document: TextDocument;
@@ -22,6 +19,8 @@ export class Session {
     readonly power = new Map<number, Map<number, Power>>();
     /** Those of the lines that are shown, by line. */
     readonly operands = new Map<number, readonly Operand[]>();
+    /** Where values are shown. */
+    labels: readonly Label[] = [];
     /** Grows whenever what is known of power changes. */
     powerChanges = 0;
     /** How many commands had taken effect in the last picture; an answer comes before the picture of it. */
@@ -31,7 +30,6 @@ export class Session {
     /** The editor was given something of it to draw, and has not said yet that it has taken that. */
     isDrawing = false;
     shown: Shown;
-    speed: Speed = 1;
     /** The text is newer than what the server has answered about: its places are about an older one. */
     stale = false;
     /** Grows whenever what is known is about another text. */
@@ -76,6 +74,7 @@ export class Session {
             this.tags.clear();
             this.power.clear();
             this.operands.clear();
+            this.labels = [];
             this.texts += 1;
         }
         for (const tag of state.tags) {
@@ -99,7 +98,8 @@ export class Session {
         for (const [line, operands] of byLine) {
             this.operands.set(line, operands);
         }
-        return whole || state.tags.length > 0 || state.power.length > 0 || byLine.size > 0;
+        this.labels = state.labels ?? this.labels;
+        return whole || state.tags.length > 0 || state.power.length > 0 || byLine.size > 0 || state.labels !== undefined;
     }
 
     /** @returns whether something else is shown now */

@@ -7,7 +7,7 @@ import type { Lines } from './diagram/messages.ts';
 import type { Commands, Operand, Recorded, Shown, State, Tag, Why } from './protocol.ts';
 import { operandAt } from './operands.ts';
 import { withTheRest } from './pace.ts';
-import { Session, type Speed } from './session.ts';
+import { Session } from './session.ts';
 
 /** So many lines above and below an editor's part of the text are kept ready for scrolling. */
 const MARGIN = 5;
@@ -141,23 +141,10 @@ export class Simulation implements vscode.Disposable {
     }
 
     async run(): Promise<void> {
-        const speed = this.current?.speed ?? 1;
-        await this.command('run', speed === 'max' ? { realTime: false } : { speed });
+        await this.command('run', {});
     }
 
-    /** How fast runs go from now on, and the one that is under way. */
-    async setSpeed(speed: Speed): Promise<void> {
-        const session = this.current;
-        if (session) {
-            session.speed = speed;
-            if (session.state.status === 'running') {
-                await this.run();
-            }
-            this.#announce(session.document);
-        }
-    }
-
-    async command<Name extends 'step' | 'stepBlock' | 'stepRung' | 'back' | 'goTo' | 'run' | 'set' | 'pulse' | 'force' | 'unforce' | 'reset' | 'warmRestart'>(
+    async command<Name extends 'step' | 'stepBlock' | 'stepRung' | 'back' | 'goTo' | 'run' | 'speed' | 'set' | 'pulse' | 'force' | 'unforce' | 'reset' | 'warmRestart'>(
         name: Name,
         argument: Commands[Name]['argument'],
     ): Promise<void> {

@@ -1,12 +1,21 @@
-// The status bar item: status, scan and simulated time of the current simulation.
+// The status bar item: how the current simulation is, in the server's words.
 import * as vscode from 'vscode';
 
 import { Pace } from './pace.ts';
+import type { State } from './protocol.ts';
 import type { Simulation } from './simulation.ts';
-import { statusText } from './statusText.ts';
 
 /** Nobody reads it more often, and the editor lays its bar out anew each time. In milliseconds. */
 const UPDATE_EVERY = 200;
+
+const STALE = 'The text has errors; the last program without any runs on, and is shown in the lines that are still the same.';
+
+const icons: Readonly<Record<State['status'], string>> = {
+    running: '$(play)',
+    paused: '$(debug-pause)',
+    ended: '$(debug-stop)',
+    faulted: '$(error)',
+};
 
 export function showStatus(simulation: Simulation): vscode.Disposable {
     const item = vscode.window.createStatusBarItem('ladder.simulation', vscode.StatusBarAlignment.Left, 0);
@@ -18,10 +27,11 @@ export function showStatus(simulation: Simulation): vscode.Disposable {
             item.hide();
             return;
         }
-        const { text, tooltip, warning } = statusText(session.state, session.speed);
+        const { status, text, stale, faults, forced } = session.state;
+        const warning = stale || faults.length > 0 || forced > 0;
         session.isDrawing = true;
-        item.text = text;
-        item.tooltip = tooltip;
+        item.text = `${icons[status]} Ladder: ${text}`;
+        item.tooltip = stale ? STALE : (faults.at(-1)?.message ?? 'Simulation of the ladder program. Click to show its tags.');
         item.backgroundColor = warning ? new vscode.ThemeColor('statusBarItem.warningBackground') : undefined;
         item.show();
     };

@@ -1,6 +1,5 @@
 // The tag view's content: tags in groups by their role, and what each row shows.
 import type { Tag } from './protocol.ts';
-import { showValue } from './value.ts';
 
 /** Tags of one role; of a long list a part of them. */
 export interface TagGroup {
@@ -57,7 +56,7 @@ export function tagRow(tag: Tag): TagRow {
     const icon = tag.forced ? 'lock' : !isBool ? 'symbol-number' : tag.value ? 'circle-filled' : 'circle-large-outline';
     return {
         label: tag.name,
-        description: showValue(tag) + (tag.forced ? '  forced' : ''),
+        description: tag.text + (tag.forced ? '  forced' : ''),
         tooltip: `${tag.name} : ${tag.type}, ${role}${tag.forced ? ', forced' : ''}`,
         icon,
         context: `tag ${settable ? `settable ${tag.forced ? 'forced' : 'free'}` : 'constant'}`,

@@ -5,7 +5,6 @@ import type { Tag } from './protocol.ts';
 import type { Session } from './session.ts';
 import type { Simulation } from './simulation.ts';
 import { partsOf, type TagGroup, tagGroups, tagRow } from './tagTree.ts';
-import { showValue } from './value.ts';
 
 type Node = TagGroup | Tag;
 
@@ -85,7 +84,7 @@ class TagsProvider implements vscode.TreeDataProvider<Node>, vscode.Disposable {
 
     #text(tag: Tag): string {
         const now = this.#now(tag);
-        return `${showValue(now)} ${now.forced}`;
+        return `${now.text} ${now.forced}`;
     }
 
     /** The tags that are unfolded. */

@@ -5,16 +5,17 @@ import { Feed, type Source } from '../src/diagram/feed.ts';
 import type { LiveUpdate } from '../src/diagram/messages.ts';
 import type { Operand, Power, State, Tag } from '../src/protocol.ts';
 import { isSwitch, Live } from '../webview/diagram/live.ts';
-import { describe, standing } from '../webview/diagram/speech.ts';
+import { describe } from '../webview/diagram/speech.ts';
 
 const at = (line: number, character: number, length = 5) => ({ start: { line, character }, end: { line, character: character + length } });
 
 function tag(name: string, value: Tag['value'], more: Partial<Tag> = {}): Tag {
-    return { name, type: typeof value === 'boolean' ? 'BOOL' : 'DINT', value, role: 'input', forced: false, ...more };
+    const text = typeof value === 'boolean' ? String(Number(value)) : String(value);
+    return { name, type: typeof value === 'boolean' ? 'BOOL' : 'DINT', value, text, role: 'input', forced: false, ...more };
 }
 
 const state: State = {
-    session: 's1', uri: 'file:///a.clad', version: 1, stale: false, status: 'paused', scan: 3, timeMs: 30,
+    session: 's1', uri: 'file:///a.clad', version: 1, stale: false, status: 'paused', text: 'paused, scan 3, 30ms', scan: 3, timeMs: 30,
     behind: 0, ahead: 0, forced: 0, tags: [], power: [], faults: [],
 };
 
@@ -92,8 +93,7 @@ test('of another text, and after it has forgotten, all is sent again', () => {
 });
 
 function update(more: Partial<LiveUpdate>): LiveUpdate {
-    const { status, scan, forced } = state;
-    return { whole: false, status, scan, time: '30ms', forced, faults: 0, stale: false, power: [], operands: [], tags: [], ...more };
+    return { whole: false, status: state.status, text: state.text, power: [], operands: [], tags: [], ...more };
 }
 
 test('what is known moves with the text', () => {
@@ -130,15 +130,6 @@ test('elements are said in words', () => {
     assert.deepEqual(words('blocks'), ['blocks the power that comes']);
     assert.deepEqual(words('flickers'), ['changes faster than can be followed']);
     const timer = { kind: 'block', name: 'On-delay timer', operands: ['warm', 'T#5s'] };
-    const tags = [tag('warm.ET', 1500, { type: 'TIME' }), tag('warm.Q', false)];
+    const tags = [tag('warm.ET', 1500, { type: 'TIME', text: '1.5s' }), tag('warm.Q', false)];
     assert.equal(describe(timer, { on: false, does: undefined }, tags), 'On-delay timer warm T#5s, no power, warm.ET is 1.5s, warm.Q is 0');
-});
-
-test('scan, time and forces are always in sight', () => {
-    assert.equal(standing(undefined), 'at rest');
-    assert.equal(standing(update({})), 'paused · scan 3 · 30ms');
-    assert.equal(
-        standing(update({ status: 'running', forced: 2, faults: 1, stale: true })),
-        'running · scan 3 · 30ms · 2 forced · 1 fault · the text has errors: the last good program runs',
-    );
 });

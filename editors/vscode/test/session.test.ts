@@ -10,6 +10,7 @@ const state: State = {
     version: 1,
     stale: false,
     status: 'paused',
+    text: 'paused, scan 0, 0ms',
     scan: 0,
     timeMs: 0,
     behind: 0,
@@ -71,7 +72,7 @@ test('an edit waits for what the server says of the new text, which is all there
     const session = await Session.start(document, nothing, slowServer().send);
     session.edited();
     assert.equal(session.stale, true);
-    const tag = { name: 'Run', type: 'BOOL', value: true, role: 'output', forced: false } as const;
+    const tag = { name: 'Run', type: 'BOOL', value: true, text: '1', role: 'output', forced: false } as const;
     session.take({ ...state, delta: true, tags: [tag] });
     assert.equal(session.stale, true, 'of the text before');
     session.take({ ...state, version: document.version, tags: [], power: [] });
@@ -82,7 +83,7 @@ test('what is sent is kept, until its lines are shown no more', async () => {
     const { sent, send } = slowServer();
     const session = await Session.start(document, nothing, send);
     const range = (line: number) => ({ start: { line, character: 0 }, end: { line, character: 1 } });
-    const tag = { name: 'Run', type: 'BOOL', value: true, role: 'output', forced: false } as const;
+    const tag = { name: 'Run', type: 'BOOL', value: true, text: '1', role: 'output', forced: false } as const;
     const operands = [3, 3, 4].map((line) => ({ range: range(line), block: range(line), tags: ['Run'] }));
     assert.equal(session.take({ ...state, tags: [tag], power: [{ range: range(3), on: true }], operands }), true);
     assert.equal(session.take({ ...state, delta: true, scan: 7, tags: [], power: [] }), false, 'nothing of the drawing');
@@ -91,5 +92,9 @@ test('what is sent is kept, until its lines are shown no more', async () => {
     assert.equal(session.show(shown), true);
     assert.equal(session.show({ ...shown }), false, 'the same is not sent again');
     assert.deepEqual([...session.power.keys(), ...session.operands.keys()], [4]);
+    const label = { tag: 'Run', at: range(4).start, side: 'above', column: 0 } as const;
+    assert.equal(session.take({ ...state, delta: true, tags: [], power: [], labels: [label] }), true);
+    session.take({ ...state, delta: true, tags: [], power: [] });
+    assert.deepEqual(session.labels, [label], 'until it is told of others');
     assert.equal(sent.at(-1), 'show {"lines":[{"first":4,"last":9}],"tags":[],"session":"s1"}');
 });

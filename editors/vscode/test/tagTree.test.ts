@@ -4,9 +4,9 @@ import { test } from 'node:test';
 import type { Tag } from '../src/protocol.ts';
 import { partsOf, tagGroups, tagRow } from '../src/tagTree.ts';
 
-const start: Tag = { name: 'start', type: 'BOOL', value: true, role: 'input', forced: false };
-const run: Tag = { name: 'run', type: 'BOOL', value: false, role: 'output', forced: true };
-const elapsed: Tag = { name: 't.ET', type: 'TIME', value: 1500, role: 'internal', forced: false };
+const start: Tag = { name: 'start', type: 'BOOL', value: true, text: '1', role: 'input', forced: false };
+const run: Tag = { name: 'run', type: 'BOOL', value: false, text: '0', role: 'output', forced: true };
+const elapsed: Tag = { name: 't.ET', type: 'TIME', value: 1500, text: '1.5s', role: 'internal', forced: false };
 
 test('tags are grouped by role, empty groups are left out', () => {
     assert.deepEqual(

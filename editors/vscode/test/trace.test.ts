@@ -143,7 +143,7 @@ test('the tags of a trace', () => {
     assert.deepEqual(moved(['a', 'b', 'c'], 'c', -1), ['a', 'c', 'b']);
     assert.deepEqual(moved(['a', 'b'], 'b', 1), ['a', 'b']);
     assert.deepEqual(picked(['b', 'a'], ['a', 'b', 'c']), ['b', 'a', 'c']);
-    const tag = (name: string, role: Tag['role']): Tag => ({ name, role, type: 'BOOL', value: false, forced: false });
+    const tag = (name: string, role: Tag['role']): Tag => ({ name, role, type: 'BOOL', value: false, text: '0', forced: false });
     assert.deepEqual(atFirst([tag('m', 'internal'), tag('lamp', 'output'), tag('start', 'input')]), ['start', 'lamp']);
 });
 

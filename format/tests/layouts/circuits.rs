@@ -23,7 +23,7 @@ fn parallel<const N: usize>(branches: [Drawn; N]) -> Drawn {
 
 #[track_caller]
 fn check(circuit: &Drawn, expected: Expect) {
-    let text = circuit.draw(&Options::default(), None, "\n", |(kind, text)| (*kind, text));
+    let text = circuit.draw(&Options::default(), "\n", |(kind, text)| (*kind, text));
     expected.assert_eq(&text);
     assert_eq!(
         format_text(&text, &Options::default()),
@@ -37,8 +37,8 @@ fn one_behind_the_other() {
     check(
         &series([contact("a"), contact("b"), coil("y")]),
         expect![[r#"
-        +--[ ]( a )--[ ]( b )--------( )( y )--+
-    "#]],
+            +--[ ]( a )--[ ]( b )------------------------------------------------( )( y )--+
+        "#]],
     );
 }
 
@@ -51,9 +51,9 @@ fn branches_side_by_side_and_below_each_other() {
             coil("y"),
         ]),
         expect![[r#"
-            +--\--[ ]( a )--------\--\--[ ]( d )--\----------( )( y )--+
-            |  /--\--[ ]( b )--\--/  /--[ ]( e )--/                    |
-            |     /--[ ]( c )--/                                       |
+            +--\--[ ]( a )--------\--\--[ ]( d )--\------------------------------( )( y )--+
+            |  /--\--[ ]( b )--\--/  /--[ ]( e )--/                                        |
+            |     /--[ ]( c )--/                                                           |
         "#]],
     );
 }
@@ -70,10 +70,10 @@ fn a_branch_in_an_upper_branch_is_passed() {
             parallel([coil("y"), coil("z")]),
         ]),
         expect![[r#"
-            +--\--[ ]( a )--\--[ ]( b )--\-----\--\-------( )( y )--\--+
-            |  /--\         /--[ ]( c )--/  \--/  /-------( )( z )--/  |
-            |     /--\--[ ]( d )--\---------/                          |
-            |        /------------/                                    |
+            +--\--[ ]( a )--\--[ ]( b )--\-----\--\---------------------------( )( y )--\--+
+            |  /--\         /--[ ]( c )--/  \--/  /---------------------------( )( z )--/  |
+            |     /--\--[ ]( d )--\---------/                                              |
+            |        /------------/                                                        |
         "#]],
     );
 }

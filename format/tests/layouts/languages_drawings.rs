@@ -3,9 +3,17 @@
 use expect_test::{Expect, expect};
 use ladder_format::{Options, format_text};
 
+/// As LANGUAGE §8 shows them.
+fn options() -> Options {
+    Options {
+        width: 60,
+        ..Options::default()
+    }
+}
+
 #[track_caller]
 fn stays(text: &str) {
-    assert_eq!(format_text(text, &Options::default()), text);
+    assert_eq!(format_text(text, &options()), text);
 }
 
 #[test]
@@ -39,7 +47,7 @@ fn start_stop() {
 
 #[track_caller]
 fn becomes(text: &str, expected: Expect) {
-    let new = format_text(text, &Options::default());
+    let new = format_text(text, &options());
     expected.assert_eq(&new);
     stays(&new);
 }
@@ -65,9 +73,9 @@ fn three_branches() {
 |     /--[ ]( c )--/               |
 ",
         expect![[r#"
-            +--\--[ ]( a )--------\------( )( y )--+
-            |  /--\--[ ]( b )--\--/                |
-            |     /--[ ]( c )--/                   |
+            +--\--[ ]( a )--------\--------------------------( )( y )--+
+            |  /--\--[ ]( b )--\--/                                    |
+            |     /--[ ]( c )--/                                       |
         "#]],
     );
 }
@@ -114,7 +122,7 @@ END_FUNCTION_BLOCK
             +--[ ]( EN )--[ ]( raw )-----------[TON]( t, wait )--( )( clean )--( )( ENO )--+
             END_FUNCTION_BLOCK
 
-            +------------------------[$Debounce]( button, T#20ms, pressed )--( )( light )--+
+            +----[$Debounce]( button, T#20ms, pressed )--( )( light )--+
         "#]],
     );
 }

@@ -4,7 +4,10 @@ use ladder_format::{Options, format_text};
 
 #[track_caller]
 fn becomes(text: &str, expected: &str) {
-    let options = Options::default();
+    let options = Options {
+        width: 40,
+        ..Options::default()
+    };
     assert_eq!(format_text(text, &options), expected);
     assert_eq!(format_text(expected, &options), expected);
 }

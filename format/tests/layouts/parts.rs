@@ -46,17 +46,6 @@ fn networks_and_sections() {
     assert!(new.contains("+--[ ]( en )"), "a program in a later part");
 }
 
-/// The widest network is last, and all before it are drawn by its rail.
-#[test]
-fn the_rail_moves_late() {
-    let mut text = "+--[ ]( a )--( )( y )--+\n|\n".repeat(MANY);
-    text.push_str("+--[ ]( a_long_name_that_needs_room )--( )( another_long_name_that_does )--+\n");
-    text.push_str(&"+--[ ]( a )--( )( y )--+\n".repeat(MANY));
-    let new = check(&text);
-    let rails: Vec<usize> = new.lines().map(str::len).collect();
-    assert!(rails.iter().all(|&rail| rail == 80), "{:?}", rails.first());
-}
-
 #[test]
 fn switched_off_over_parts() {
     let rung = "+-[ ](a)-( )(y)-+\n";

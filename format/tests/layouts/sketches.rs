@@ -40,30 +40,27 @@ fn sketch(rungs: &[&str]) -> (Sketch, Vec<String>) {
 }
 
 #[track_caller]
-fn check(rungs: &[&str], rail: Option<u32>, expected: Expect) {
+fn check(rungs: &[&str], expected: Expect) {
     let (sketch, texts) = sketch(rungs);
-    let layout = sketch.lay_out(&Options::default(), rail);
+    let layout = sketch.lay_out(&Options::default());
     let mut text = String::new();
     layout.draw(|n| &texts[n], "\n", &mut text);
     expected.assert_eq(&text);
-    if rail.is_none() {
-        assert_eq!(
-            format_text(&text, &Options::default()),
-            text,
-            "the formatter draws it otherwise"
-        );
-    }
+    assert_eq!(
+        format_text(&text, &Options::default()),
+        text,
+        "the formatter draws it otherwise"
+    );
 }
 
 #[test]
 fn a_branch() {
     check(
         &["+ \\ start \\ stop !run +", "/ run /"],
-        None,
         expect![[r#"
-        +--\--[ ]( start )--\--[ ]( stop )-------------( )( run )--+
-        |  /--[ ]( run )----/                                      |
-    "#]],
+            +--\--[ ]( start )--\--[ ]( stop )---------------------------------( )( run )--+
+            |  /--[ ]( run )----/                                                          |
+        "#]],
     );
 }
 
@@ -71,29 +68,26 @@ fn a_branch() {
 fn nested_and_closed() {
     check(
         &["+ a \\ b \\ !y \\ +", "/ \\ c / !zz /", "/ !w ~ d --"],
-        None,
         expect![[r#"
-            +--[ ]( a )--\--[ ]( b )-----\----------------( )( y )--\--+
-            |            /--\--[ ]( c )--/---------------( )( zz )--/  |
-            |               /--( )( w )  [ ]( d )--                    |
+            +--[ ]( a )--\--[ ]( b )-----\------------------------------------( )( y )--\--+
+            |            /--\--[ ]( c )--/-----------------------------------( )( zz )--/  |
+            |               /--( )( w )  [ ]( d )--                                        |
         "#]],
     );
 }
 
 #[test]
-fn the_rail_of_the_file() {
+fn a_wide_one_has_a_rail_of_its_own() {
     check(
         &["+ a !y +"],
-        Some(59),
         expect![[r#"
-        +--[ ]( a )--------------------------------------( )( y )--+
-    "#]],
+            +--[ ]( a )----------------------------------------------------------( )( y )--+
+        "#]],
     );
     check(
         &["+ a_name_that_is_too_long_for_it !y +"],
-        Some(39),
         expect![[r#"
-            +--[ ]( a_name_that_is_too_long_for_it )---------( )( y )--+
+            +--[ ]( a_name_that_is_too_long_for_it )-----------------------------( )( y )--+
         "#]],
     );
 }
@@ -102,7 +96,6 @@ fn the_rail_of_the_file() {
 fn without_partner_or_rail() {
     check(
         &["a \\ b", "c \\ d", "/ / e"],
-        Some(59),
         expect![[r#"
         [ ]( a )--\--[ ]( b )
         [ ]( c )--\--[ ]( d )

@@ -1,26 +1,21 @@
 //! Edits of names together with the drawing that they move.
 //!
-//! A longer name shifts what is behind it, and the connectors below no longer be under theirs. So the names
-//! are changed first, then what was laid out before is laid out again, together with every network in which a name has
-//! another width now; and both steps become one list of small edits.
+//! A longer name shifts what is after it, and the connectors below are no longer under theirs. So the names are changed first, then
+//! every network is laid out again in which a name has another width now, and every section that was laid out before; and both
+//! steps become one list of small edits.
 
-use ladder_format::{Edit, Options, apply, display_width, format, format_ranges};
-use ladder_syntax::{Item, LineKind, Parse, TextRange, TextSize, parse};
+use ladder_format::{Edit, Options, apply, display_width, format_ranges};
+use ladder_syntax::{LineKind, Parse, TextRange, TextSize, parse};
 
 /// The edits of names in a text, and those that put its drawing straight afterwards, as one.
 pub(super) fn laid_out(old: &Parse, text: &str, names: &[Edit], options: &Options) -> Vec<Edit> {
     let renamed = apply(text, names);
     let parsed = parse(&renamed);
-    let crooked = format(old, options);
-    let straighten = if crooked.is_empty() {
-        format(&parsed, options)
-    } else {
-        let shift = Shift::of(names);
-        let mut ranges = moved(old, text, names, &shift);
-        let straight = straight_items(old, &crooked).into_iter();
-        ranges.extend(straight.map(|range| shift.range(range)));
-        format_ranges(&parsed, options, &ranges)
-    };
+    let shift = Shift::of(names);
+    let mut ranges = moved(old, text, names, &shift);
+    let sections = straight_sections(old, names, options);
+    ranges.extend(sections.into_iter().map(|range| shift.range(range)));
+    let straighten = format_ranges(&parsed, options, &ranges);
     compose(text, names, &renamed, &straighten)
 }
 
@@ -42,23 +37,16 @@ fn moved(old: &Parse, text: &str, names: &[Edit], shift: &Shift<'_>) -> Vec<Text
         .collect()
 }
 
-/// The networks, sections and lines that are laid out as they should be.
-fn straight_items(old: &Parse, crooked: &[Edit]) -> Vec<TextRange> {
+/// The sections with one of the names that are laid out as they should be.
+fn straight_sections(old: &Parse, names: &[Edit], options: &Options) -> Vec<TextRange> {
     let structure = old.structure_once();
-    let straight = structure.items.iter().filter_map(|item| {
-        let lines = match *item {
-            Item::Network(network) => structure.networks[network].lines.clone(),
-            Item::Section(section) => structure.sections[section].lines.clone(),
-            _ => return None,
-        };
-        let range = TextRange::new(old.line_start(lines.start), old.line_range(lines.end - 1).end());
-        let first = crooked.partition_point(|edit| edit.range.end() < range.start());
-        let touched = crooked
-            .get(first)
-            .is_some_and(|edit| edit.range.start() < range.end());
-        (!touched).then_some(range)
+    let ranges = structure.sections.iter().map(|section| {
+        let end = old.line_range(section.lines.end - 1).end();
+        TextRange::new(old.line_start(section.lines.start), end)
     });
-    straight.collect()
+    let is_named = |range: &TextRange| names.iter().any(|name| range.contains_range(name.range));
+    let is_straight = |range: &TextRange| format_ranges(old, options, &[*range]).is_empty();
+    ranges.filter(is_named).filter(is_straight).collect()
 }
 
 /// Where things lie when the edits before them are made.

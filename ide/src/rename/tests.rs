@@ -38,10 +38,10 @@ fn the_drawing_follows() {
 ",
         "motor_is_running",
         expect![[r#"
-            +--\--[ ]( start )-------------\--( )( motor_is_running )--+
-            |  /--[ ]( motor_is_running )--/                           |
+            +--\--[ ]( start )-------------\----------------------( )( motor_is_running )--+
+            |  /--[ ]( motor_is_running )--/                                               |
 
-            +--[ ]( motor_is_running )-----------------------( )( x )--+
+            +--[ ]( motor_is_running )-------------------------------------------( )( x )--+
         "#]],
     );
     check(
@@ -53,7 +53,7 @@ fn the_drawing_follows() {
                 b  : BOOL;
             END_VAR
 
-            +--[ ]( go )-----------------( )( b )--+
+            +--[ ]( go )---------------------------------------------------------( )( b )--+
         "#]],
     );
 }
@@ -64,7 +64,7 @@ fn a_network_that_nobody_laid_out_is_left_alone() {
         "+--[ ]( a$0 )------------------( )( b )--+\n\n+-[ ]( c )-( )( d )-+\n\n+--[ ]( e )------------------( )( f )--+\n",
         "longer",
         expect![[r#"
-            +--[ ]( longer )-------------( )( b )--+
+            +--[ ]( longer )-----------------------------------------------------( )( b )--+
 
             +-[ ]( c )-( )( d )-+
 
@@ -88,7 +88,7 @@ fn what_is_as_wide_as_before_moves_nothing() {
         "xy",
         expect![[r#"
             VAR xy,b:BOOL; END_VAR
-            +--[ ]( xy )-----------------(S)( b )--+
+            +--[ ]( xy )---------------------------------------------------------(S)( b )--+
         "#]],
     );
 }
@@ -113,7 +113,7 @@ fn all_files() {
             VAR_EXTERNAL
                 sum : DINT;
             END_VAR
-            +--[GT]( sum, 3 )------------( )( y )--+
+            +--[GT]( sum, 3 )----------------------------------------------------( )( y )--+
         "#]],
     );
     check(
@@ -122,13 +122,13 @@ fn all_files() {
         "button",
         expect![[r#"
             %% main.clad
-            +----[$Wait]( button := x )--( )( y )--+
+            +--------------------------------------------[$Wait]( button := x )--( )( y )--+
             %% lib.clad
             FUNCTION_BLOCK [$Wait]
             VAR_INPUT
                 button : BOOL;
             END_VAR
-            +--[ ]( button )-----------( )( ENO )--+
+            +--[ ]( button )---------------------------------------------------( )( ENO )--+
             END_FUNCTION_BLOCK
         "#]],
     );
@@ -138,7 +138,7 @@ fn all_files() {
         "Pause",
         expect![[r#"
             %% main.clad
-            +-------------[$Pause]( x )--( )( y )--+
+            +-----------------------------------------------------[$Pause]( x )--( )( y )--+
             %% lib.clad
             FUNCTION_BLOCK [$Pause]
             VAR_INPUT raw : BOOL; END_VAR
@@ -151,9 +151,9 @@ fn all_files() {
         "add_one",
         expect![[r#"
             %% main.clad
-            +--[ ]( a )---------<CALL>( add_one )--+
+            +--[ ]( a )-------------------------------------------------<CALL>( add_one )--+
             %% lib.clad
-            +--<FUN>( add_one )--------------------+
+            +--<FUN>( add_one )------------------------------------------------------------+
         "#]],
     );
 }
@@ -210,22 +210,22 @@ fn scenarios_follow() {
         &at("( )( lamp"),
         "l",
         expect![[r#"
-        %% lib.clad
-        VAR_GLOBAL total : DINT; END_VAR
-        +--<FUN>( f )----------------( )( l )--+
-        %% motor.ladder-test
-        program main.clad
-        step 100ms
+            %% lib.clad
+            VAR_GLOBAL total : DINT; END_VAR
+            +--<FUN>( f )--------------------------------------------------------( )( l )--+
+            %% motor.ladder-test
+            program main.clad
+            step 100ms
 
-        scenario "starts"
-        start     _-_
-        run    => _--
-        t.ET   => 0s 1s 2s
-        lib.l    => _-_
+            scenario "starts"
+            start     _-_
+            run    => _--
+            t.ET   => 0s 1s 2s
+            lib.l    => _-_
 
-        scenario "other"
-        total => 1 2 3
-    "#]],
+            scenario "other"
+            total => 1 2 3
+        "#]],
     );
     check(
         &at("VAR_GLOBAL total"),
@@ -256,7 +256,7 @@ fn labels() {
         "+--<LBL>( top )--[ ]( a )-----<JMP>( t$0op )--+\n\n+--<FUN>( f )--<JMP>( top )--+\n",
         "again",
         expect![[r#"
-            +--<LBL>( again )--[ ]( a )----------------<JMP>( again )--+
+            +--<LBL>( again )--[ ]( a )------------------------------------<JMP>( again )--+
 
             +--<FUN>( f )--<JMP>( top )--+
         "#]],
@@ -269,13 +269,13 @@ fn labels() {
         "done",
         expect![[r#"
             FUNCTION_BLOCK <$Go>
-            +--[ ]( EN )------------<JMP>( done )--+
+            +--[ ]( EN )----------------------------------------------------<JMP>( done )--+
             END_FUNCTION_BLOCK
             FUNCTION_BLOCK <$Via>
             +--<$Go>--+
             END_FUNCTION_BLOCK
-            +--<$Go>--<LBL>( done )----------------+
-            +--<FUN>( f )--<$Via>--<LBL>( done )---+
+            +--<$Go>--<LBL>( done )--------------------------------------------------------+
+            +--<FUN>( f )--<$Via>--<LBL>( done )-------------------------------------------+
             +--<FUN>( g )--<LBL>( out )--+
         "#]],
     );
@@ -473,7 +473,7 @@ fn a_type_that_follows_from_the_name() {
         "+--[ ]( start$0 )--------------------( )( y )--+\n",
         "I7",
         expect![[r#"
-            +--[ ]( I7 )-----------------( )( y )--+
+            +--[ ]( I7 )---------------------------------------------------------( )( y )--+
         "#]],
     );
 }
@@ -562,9 +562,9 @@ fn an_address_stays_where_it_is_written() {
         &text.replacen("lamp", "la$0mp", 1),
         "light",
         expect![[r#"
-        VAR light AT %QX0.1 : BOOL; END_VAR
-        +--[ ]( light )--[ ]( %QX0.1 )-------------------( )( y )--+
-    "#]],
+            VAR light AT %QX0.1 : BOOL; END_VAR
+            +--[ ]( light )--[ ]( %QX0.1 )---------------------------------------( )( y )--+
+        "#]],
     );
     check(
         &text.replacen("( %QX", "( %Q$0X", 1),

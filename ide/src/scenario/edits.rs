@@ -6,7 +6,7 @@ use ladder_simulator::scenario;
 use ladder_syntax::{TextRange, TextSize};
 
 /// The characters behind which columns are aligned.
-pub const TRIGGERS: [char; 1] = ['\n'];
+const TRIGGERS: [char; 1] = ['\n'];
 
 /// The edits that align a text. Sorted, none touching another.
 pub fn layout(text: &str) -> Vec<Edit> {

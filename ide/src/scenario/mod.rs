@@ -15,7 +15,7 @@ mod row;
 mod used;
 
 pub use completion::completions as scenario_completions;
-pub use edits::{TRIGGERS as SCENARIO_TRIGGERS, layout as scenario_layout, on_type as scenario_on_type};
+pub use edits::{layout as scenario_layout, on_type as scenario_on_type};
 pub use hover::hover as scenario_hover;
 pub use navigate::{
     definition as scenario_definition, highlights as scenario_highlights,

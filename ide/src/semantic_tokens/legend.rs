@@ -63,13 +63,13 @@ impl Modifiers {
     /// The name is introduced here.
     pub const DECLARATION: Modifiers = Modifiers(1);
     /// It cannot be written.
-    pub const READONLY: Modifiers = Modifiers(1 << 1);
+    pub(super) const READONLY: Modifiers = Modifiers(1 << 1);
     /// The whole workspace sees it, or it has an address.
-    pub const STATIC: Modifiers = Modifiers(1 << 2);
+    pub(super) const STATIC: Modifiers = Modifiers(1 << 2);
     /// It is written here.
-    pub const MODIFICATION: Modifiers = Modifiers(1 << 3);
+    pub(super) const MODIFICATION: Modifiers = Modifiers(1 << 3);
     /// It belongs to the language.
-    pub const DEFAULT_LIBRARY: Modifiers = Modifiers(1 << 4);
+    pub(super) const DEFAULT_LIBRARY: Modifiers = Modifiers(1 << 4);
     /// An input: the outside writes it.
     pub const INPUT: Modifiers = Modifiers(1 << 5);
     /// An output: the outside reads it.

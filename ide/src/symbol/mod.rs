@@ -72,7 +72,7 @@ impl Usage {
     }
 
     /// Whether the thing gets a new value here.
-    pub const fn writes(self) -> bool {
+    pub(crate) const fn writes(self) -> bool {
         matches!(self, Usage::Write | Usage::ReadWrite)
     }
 }

@@ -1,6 +1,10 @@
 //! Bistables (LANGUAGE §5.3).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Power, Profiles, Role, Shape, StateType};
+use crate::instruction::{Acts, Group, Instruction, Role, Shape};
+use crate::op::Op;
+use crate::operand::{Accepts, Operand, StateType};
+use crate::power::Power;
+use crate::profile::Profiles;
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {

@@ -1,8 +1,10 @@
 //! Coils (LANGUAGE §5.4).
 
-use crate::{
-    Accepts, Acts, Coil, Edge, Group, Instruction, Op, Operand, Power, Profile, Profiles, Role, Shape,
-};
+use crate::instruction::{Acts, Group, Instruction, Role, Shape};
+use crate::op::Op;
+use crate::operand::{Accepts, Operand};
+use crate::power::{Coil, Edge, Power};
+use crate::profile::{Profile, Profiles};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {

@@ -1,6 +1,10 @@
 //! Comparisons (LANGUAGE §5.1).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Power, Profiles, Role, Shape};
+use crate::instruction::{Acts, Group, Instruction, Role, Shape};
+use crate::op::Op;
+use crate::operand::{Accepts, Operand};
+use crate::power::Power;
+use crate::profile::Profiles;
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {

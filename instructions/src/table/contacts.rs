@@ -1,6 +1,10 @@
 //! Contacts, edges and the inverter (LANGUAGE §5.1).
 
-use crate::{Accepts, Acts, Edge, Group, Instruction, Op, Operand, Power, Profile, Profiles, Role, Shape};
+use crate::instruction::{Acts, Group, Instruction, Role, Shape};
+use crate::op::Op;
+use crate::operand::{Accepts, Operand};
+use crate::power::{Edge, Power};
+use crate::profile::{Profile, Profiles};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {

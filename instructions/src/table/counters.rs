@@ -1,8 +1,10 @@
 //! Counters (LANGUAGE §5.3).
 
-use crate::{
-    Accepts, Acts, Group, Instruction, Op, Operand, Power, Profile, Profiles, Role, Shape, StateType,
-};
+use crate::instruction::{Acts, Group, Instruction, Role, Shape};
+use crate::op::Op;
+use crate::operand::{Accepts, Operand, StateType};
+use crate::power::Power;
+use crate::profile::{Profile, Profiles};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {

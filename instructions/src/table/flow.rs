@@ -1,6 +1,10 @@
 //! Program flow (LANGUAGE §5.5).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Power, Profile, Profiles, Role, Shape};
+use crate::instruction::{Acts, Group, Instruction, Role, Shape};
+use crate::op::Op;
+use crate::operand::{Accepts, Operand};
+use crate::power::Power;
+use crate::profile::{Profile, Profiles};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {

@@ -17,7 +17,8 @@ mod selection;
 mod strings;
 mod timers;
 
-use crate::{Instruction, Op};
+use crate::instruction::Instruction;
+use crate::op::Op;
 
 /// Every instruction, in the order of LANGUAGE §5, which is the order of [`Op`].
 pub static TABLE: &[Instruction] = &ROWS;

@@ -1,8 +1,10 @@
 //! Instructions on array ranges (LANGUAGE §5.2).
 
-use crate::{
-    Accepts, Acts, Group, Instruction, Op, Operand, Power, Profile, Profiles, Role, Shape, TypeClass,
-};
+use crate::instruction::{Acts, Group, Instruction, Role, Shape};
+use crate::op::Op;
+use crate::operand::{Accepts, Operand, TypeClass};
+use crate::power::Power;
+use crate::profile::{Profile, Profiles};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {

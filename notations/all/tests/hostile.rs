@@ -141,7 +141,7 @@ fn a_million_rungs() {
     );
     // As many as fit: what is made of them grows with them.
     let text = "RUNG\nCOIL Y 0 0 0\nEND\n".repeat(5_000);
-    assert!(ldmicro(&text).expect("it can be read") < 5_000 * 60);
+    assert!(ldmicro(&text).expect("it can be read") < 5_000 * 100);
 }
 
 #[test]

@@ -76,16 +76,6 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
         parts.push((std::mem::take(&mut above), drawn));
     }
     let mut out = writer.headers();
-    let rails = parts
-        .iter()
-        .flat_map(|(_, drawn)| drawn)
-        .filter_map(|(sketch, _)| {
-            let layout = sketch.clone().lay_out(&Options::default(), None);
-            layout
-                .right_rail()
-                .filter(|rail| *rail < Options::default().width)
-        });
-    let rail = rails.max();
     for (comments, drawn) in parts {
         out.push('\n');
         for line in comments {
@@ -93,7 +83,7 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
         }
         match drawn {
             Ok((sketch, texts)) => {
-                let layout = sketch.lay_out(&Options::default(), rail);
+                let layout = sketch.lay_out(&Options::default());
                 layout.draw(|n| &texts[n], "\n", &mut out);
             }
             Err(refused) => {

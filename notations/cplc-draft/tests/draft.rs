@@ -74,8 +74,8 @@ fn a_motor_with_decoration() {
             END_VAR
 
             # seal-in #
-            +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
-            |  /--[ ]( run )----/                                      |
+            +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
+            |  /--[ ]( run )----/                                                          |
             7:28 stop: approximated: no header declares it; it is an internal BOOL here
             2:1 never-read: the input `reset` is declared, and nothing reads it
             2:1 never-read: the input `weight` is declared, and nothing reads it
@@ -115,17 +115,17 @@ fn timers_counters_comparisons_and_sums() {
                 slow  : TON;
             END_VAR
 
-            +--[ ]( go )---------------[TON]( slow, 500, R := clear )--+
+            +--[ ]( go )-----------------------------------[TON]( slow, 500, R := clear )--+
 
-            +--[ ]( slow.Q )-----------[CTU]( parts, 10, R := clear )--+
+            +--[ ]( slow.Q )-------------------------------[CTU]( parts, 10, R := clear )--+
 
-            +--[GT]( parts.CV, 5 )-----------( )( many )--( )( lamp )--+
+            +--[GT]( parts.CV, 5 )-------------------------------( )( many )--( )( lamp )--+
 
-            +--[ ]( many )--------------------[ADD]( x, x, parts.CV )--+
+            +--[ ]( many )----------------------------------------[ADD]( x, x, parts.CV )--+
 
-            +--[ ]( parts.Q )--[OSR]----------------------(S)( full )--+
+            +--[ ]( parts.Q )--[OSR]------------------------------------------(S)( full )--+
 
-            +--[ ]( go )--# [PID]<a><b> #-----------------( )( lamp )--+
+            +--[ ]( go )--# [PID]<a><b> #-------------------------------------( )( lamp )--+
             9:12 [PID]<a><b>: refused: the draft has no such block
             3:1 INT t: approximated: it is `slow.ET` here
             3:1 INT n: approximated: it is `parts.CV` here
@@ -214,14 +214,14 @@ fn a_program_is_written() {
         OUT = {DO lamp, DO root}
         VAR = {INT x, BOOL high, FLOAT y}
 
-        +--\--[ ]<go>----\--[/]<clear>--( )<lamp>------------------+
-        |  /--[ ]<lamp>--/                                         |
+        +--\--[ ]<go>----\--[/]<clear>--( )<lamp>--------------------------------------+
+        |  /--[ ]<lamp>--/                                                             |
 
-        +--[ ]<go>--[TON]<t><clear><t_time><5000>------------------+
+        +--[ ]<go>--[TON]<t><clear><t_time><5000>--------------------------------------+
 
-        +--[ ]<t>--[ADD]<sum1><x><1><x>----------------------------+
+        +--[ ]<t>--[ADD]<sum1><x><1><x>------------------------------------------------+
 
-        +--[GRT]<greater1><x><3>--( )<high>------------------------+
+        +--[GRT]<greater1><x><3>--( )<high>--------------------------------------------+
 
         // +--[ ]( high )--[SQRT]( y, 2.0 )--( )( root )----+
         18:1 network: refused: the draft has no [SQRT] as it is here
@@ -250,14 +250,14 @@ fn what_is_written_is_read_again() {
             t : TON;
         END_VAR
 
-        +--\--[ ]( go )----\--[/]( clear )------------( )( lamp )--+
-        |  /--[ ]( lamp )--/                                       |
+        +--\--[ ]( go )----\--[/]( clear )--------------------------------( )( lamp )--+
+        |  /--[ ]( lamp )--/                                                           |
 
-        +--[ ]( go )-----------------[TON]( t, 5000, R := clear )--+
+        +--[ ]( go )-------------------------------------[TON]( t, 5000, R := clear )--+
 
-        +--[ ]( t.Q )----------------------------[ADD]( x, x, 1 )--+
+        +--[ ]( t.Q )------------------------------------------------[ADD]( x, x, 1 )--+
 
-        +--[GT]( x, 3 )-------------------------------( )( high )--+
+        +--[GT]( x, 3 )---------------------------------------------------( )( high )--+
     "#]]
     .assert_eq(&read(&draft));
 }

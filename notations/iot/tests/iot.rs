@@ -192,11 +192,11 @@ NO Q2 | ( NC T1:DN ; NO MI02 ) | () ; XOR MI02 MI02 I1 ; RESET T1
             END_VAR
 
             # Counts while I1 is on. #
-            +--[ ]( I1 )-------------------------------------------------------[CTU]( C1, C1_PRE )--( )( Q1 )--+
+            +--[ ]( I1 )-----------------------------------[CTU]( C1, C1_PRE )--( )( Q1 )--+
 
             +--[P]( I2 )-----------------[ADD]( MI01, C1.AC, I1 )--[DIV]( MF01, MI01, 4 )--[MOV]( C1_PRE, 5 )--+
 
-            +--[TON]( T1, 1, B := T#100ms )--[GT]( T1.AC, 3 )---------------------------[AND]( Q2, C1.AC, 4 )--+
+            +--[TON]( T1, 1, B := T#100ms )--[GT]( T1.AC, 3 )-------[AND]( Q2, C1.AC, 4 )--+
 
             +--\--[ ]( Q2 )------------------------\---------------------[XOR]( MI02, MI02, I1 )--(RES)( T1 )--+
             |  /--\--[/]( T1.DN )--[ ]( MI02 )--\--/                                                           |
@@ -231,11 +231,11 @@ EQ 1 2 ; NO T1:TT ; OR MI01 MF01 1
                 T1   : TON;
             END_VAR
 
-            +--[ ]( I1 )---------[TON]( T1, 5, B := T#1s )--( )( Q1 )--+
+            +--[ ]( I1 )-----------------------------[TON]( T1, 5, B := T#1s )--( )( Q1 )--+
 
             +--[ ]( I2 )--[TON]( T1, 3, B := T#100ms )--(S)( Q1 )--[MOV]( MI01, 7 )--( )( MI01 )--[P]( MI01 )---[MOV]( T1.AC, 0 )--+
 
-            +--# iot: EQ 1 2 #--[ ]( T1.TT )--# iot: OR MI01 MF01 1 #--+
+            +--# iot: EQ 1 2 #--[ ]( T1.TT )--# iot: OR MI01 MF01 1 #----------------------+
             3:1 EQ 1 2: refused: it compares two numbers, neither of which changes
             3:10 NO T1:TT: approximated: TT says here whether the timer is timing; in the original it is the time of the last count
             3:21 OR MI01 MF01 1: refused: C has no such operation with MF01
@@ -267,7 +267,7 @@ fn checks_of_the_editor() {
 
             +--[ ]( I1 )--[P]( I2 )---------------------[TON]( T1, 0, B := T#100ms )--[CTU]( C1, 2000000000 )--+
 
-            +--[N]( I2 )---------------------------------------------[NOT]( Q1, I1 )--[ADD]( MI01, MI01, -1 )--+
+            +--[N]( I2 )-------------------------[NOT]( Q1, I1 )--[ADD]( MI01, MI01, -1 )--+
             1:16 iot-preset: the preset 0 is reached at once
             1:27 iot-range: 2000000000 is out of range: -999999999 to 999999999
             2:1 iot-shared-edge: the edge elements on I2 share one memory: the one at 1:9 uses up the edge; use another variable for this one

@@ -44,7 +44,7 @@ use tower_lsp::{Client, LanguageServer};
 use crate::busy::Busy;
 use crate::lsp::documents::{configuration, file_operations, folders, pull, sync, typed, watch};
 use crate::lsp::features::{
-    call_hierarchy, code_action, code_lens, completion, diagram, diagram_text, edit, fence, folding,
+    call_hierarchy, code_action, code_lens, comment, completion, diagram, diagram_text, edit, fence, folding,
     formatting::{self, DocumentRangesFormattingParams},
     goto, hover, inlay_hint, links, notations, preview, references, rename, semantic_tokens, signature,
     simulate, symbols,
@@ -360,6 +360,7 @@ impl LanguageServer for Backend {
             preview::PREVIEW => preview::execute(&self.shared, params).await,
             typed::CURSOR => typed::execute(&self.shared, params).await,
             edit::EDIT => edit::execute(&self.shared, params).await,
+            comment::COMMENT => comment::execute(&self.shared, params).await,
             command if notations::COMMANDS.contains(&command) => {
                 notations::execute(&self.shared, params).await
             }

@@ -19,8 +19,8 @@ use tower_lsp::ls_types::{
 use crate::document::position::Encoding;
 use crate::lsp::documents::{file_operations, pull, typed};
 use crate::lsp::features::{
-    code_action::KINDS, code_lens, completion, diagram, diagram_text, edit, fence, notations, preview,
-    semantic_tokens, signature,
+    code_action::KINDS, code_lens, comment, completion, diagram, diagram_text, edit, fence, notations,
+    preview, semantic_tokens, signature,
 };
 use crate::simulation::COMMANDS;
 use ladder_ide::TRIGGERS;
@@ -322,6 +322,7 @@ pub(crate) fn offered(agreed: Agreed) -> ServerCapabilities {
                     fence::FENCE,
                     typed::CURSOR,
                     edit::EDIT,
+                    comment::COMMENT,
                 ])
                 .map(ToString::to_string)
                 .collect(),

@@ -10,6 +10,30 @@ use super::messages::{Found, History, Recorded, Search, Shown, State, Trace, Tra
 use crate::diagram_text::{DiagramText, DrawnText};
 use crate::document::Revision;
 
+/// How fast a run goes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Pace {
+    /// So many times as fast as real time.
+    Times(f64),
+    /// As fast as it goes.
+    Full,
+}
+
+impl Default for Pace {
+    fn default() -> Self {
+        Pace::Times(1.0)
+    }
+}
+
+/// A value for a tag.
+#[derive(Debug)]
+pub(crate) enum Given {
+    /// As JSON.
+    Json(Value),
+    /// As a person types it.
+    Typed(String),
+}
+
 /// What a session is asked to do.
 #[derive(Debug)]
 pub(crate) enum Action {
@@ -39,17 +63,19 @@ pub(crate) enum Action {
     Run {
         /// Pause after this many scans.
         scans: Option<u64>,
-        /// How many times as fast as real time; as fast as it goes if there is no number.
-        speed: Option<f64>,
+        /// As fast as before if there is none.
+        pace: Option<Pace>,
     },
+    /// Run as fast as this from now on.
+    Pace(Pace),
     /// Stop scanning.
     Pause,
     /// Give a tag a value.
-    Set(String, Value),
+    Set(String, Given),
     /// Give a tag of BOOL its other value for one scan.
     Pulse(String),
     /// Hold a tag at a value.
-    Force(String, Value),
+    Force(String, Given),
     /// Let a tag go, or all.
     Unforce(Option<String>),
     /// Nothing: only answer.

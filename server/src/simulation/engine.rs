@@ -9,8 +9,8 @@ use ladder_analysis::values::value::Value;
 use ladder_analysis::{Analysis, NotWhole};
 use ladder_simulator::chart::Recorder;
 use ladder_simulator::{Brake, Breakpoint, HistoryLimits, Point, Session, Simulation, Status, Stop};
-use serde_json::Value as Json;
 
+use super::action::Given;
 use super::drawing::Drawing;
 use super::follow::Texts;
 use super::messages;
@@ -18,7 +18,7 @@ use super::pulse::Pulse;
 use super::request::Failure;
 use super::retention::Retention;
 use super::sight::Sight;
-use super::value::from_json;
+use super::value::from_given;
 use super::view::View;
 use crate::document::position::Range;
 use crate::document::{Beside, Revision};
@@ -90,7 +90,7 @@ impl Engine {
             Session::new(program, engine, limits).map_err(|error| Failure::Failed(error.to_string()))?;
         let inputs = options.inputs.iter();
         let inputs = inputs
-            .map(|(tag, value)| assignment(session.simulation(), tag, value))
+            .map(|(tag, value)| assignment(session.simulation(), tag, &Given::Json(value.clone())))
             .collect::<Result<_, _>>()?;
         let (retention, notes) = Retention::begin(settings.retain.as_ref(), revision.name(), &mut session);
         let mut engine = Engine {
@@ -234,7 +234,7 @@ impl Engine {
     }
 
     /// Gives a tag a value.
-    pub(super) fn set(&mut self, tag: &str, value: &Json) -> Result<(), Failure> {
+    pub(super) fn set(&mut self, tag: &str, value: &Given) -> Result<(), Failure> {
         let (point, value) = assignment(self.session.simulation(), tag, value)?;
         let set = self.session.set(&point, value);
         self.look_at_what_runs();
@@ -242,7 +242,7 @@ impl Engine {
     }
 
     /// Holds a tag at a value.
-    pub(super) fn force(&mut self, tag: &str, value: &Json) -> Result<(), Failure> {
+    pub(super) fn force(&mut self, tag: &str, value: &Given) -> Result<(), Failure> {
         let (point, value) = assignment(self.session.simulation(), tag, value)?;
         let forced = self.session.force(&point, value);
         self.look_at_what_runs();
@@ -351,9 +351,9 @@ pub(super) fn point(simulation: &Simulation, tag: &str) -> Result<Point, Failure
         .map_err(|error| Failure::Failed(error.to_string()))
 }
 
-fn assignment(simulation: &Simulation, tag: &str, value: &Json) -> Result<(Point, Value), Failure> {
+fn assignment(simulation: &Simulation, tag: &str, value: &Given) -> Result<(Point, Value), Failure> {
     let point = point(simulation, tag)?;
-    let value = from_json(value, point.ty)
+    let value = from_given(value, point.ty)
         .map_err(|problem| Failure::Invalid(format!("{}: {problem}", point.name)))?;
     Ok((point, value))
 }

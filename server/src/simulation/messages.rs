@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize, Serializer};
 use serde_json::Value;
 
-pub use shown::{Contact, Found, Lines, Operand, Search, Show, Shown};
+pub use shown::{Contact, Found, Label, Lines, Operand, Search, Show, Shown, Side};
 pub use state::{Breakpoint, Fault, Hit, Lost, Power, ProgramChange, Role, State, Status, Tag};
 pub use trace::{Cursors, GoTo, Reach, Tick, Trace, TraceColumn, TraceTag, Traced, TracedKind};
 pub use why::{CauseKind, PassOrStop, Reading, Since, TagReason, Why, WriteReason};
@@ -119,10 +119,28 @@ pub struct Run {
     /// How many scans; until it is paused unless given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub scans: Option<u64>,
-    /// One scan in each interval of real time (which is what `true`, the default, asks for), or as fast as it goes.
+    /// One scan in each interval of real time, or as fast as it goes.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub real_time: Option<bool>,
-    /// How many times as fast as real time: 0.1 is slow motion; 1 unless given.
+    /// How many times as fast as real time: 0.1 is slow motion. Without it and `real_time` it is as fast as before.
+    #[serde(
+        default,
+        skip_serializing_if = "Option::is_none",
+        serialize_with = "shortest_if_any"
+    )]
+    pub speed: Option<f64>,
+}
+
+/// The argument of `ladder.simulate.speed`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Speed {
+    /// The session.
+    pub session: String,
+    /// One scan in each interval of real time, or as fast as it goes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub real_time: Option<bool>,
+    /// How many times as fast as real time.
     #[serde(
         default,
         skip_serializing_if = "Option::is_none",
@@ -140,7 +158,11 @@ pub struct Assign {
     /// The tag, or a member as in `t1.ET`.
     pub tag: String,
     /// The value, as the tag's type writes it.
-    pub value: Value,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub value: Option<Value>,
+    /// Or what a person typed for it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub text: Option<String>,
 }
 
 /// The argument of `ladder.simulate.unforce`.

@@ -2,13 +2,14 @@
 
 use ladder_analysis::program::Role;
 use ladder_analysis::values::types::Scalar;
-use ladder_simulator::{Point, Simulation, value_text};
+use ladder_simulator::{Point, Simulation, chart, value_text};
 use ladder_syntax::{TextRange, TextSize};
 
 use super::drawing::{self, Drawing};
 use super::engine::Engine;
 use super::messages;
 use super::value::to_json;
+use super::view::News;
 
 impl Engine {
     /// Tells from now on only of this.
@@ -25,14 +26,20 @@ impl Engine {
         self.view.is_some()
     }
 
-    /// What has changed of what is shown since this was asked last: tags, power, and operands that are new there.
-    pub(super) fn news(&mut self) -> (Vec<messages::Tag>, Vec<messages::Power>, Vec<messages::Operand>) {
+    /// What has changed of what is shown since this was asked last: tags, power, and what is new of operands.
+    pub(super) fn news(&mut self) -> (Vec<messages::Tag>, News) {
         let Some(view) = &mut self.view else {
-            return (self.tags(), self.power(), Vec::new());
+            let power = self.power();
+            return (
+                self.tags(),
+                News {
+                    power,
+                    ..News::default()
+                },
+            );
         };
         let news = view.news(&self.sight, self.session.simulation());
-        let tags = news.points.iter().map(|point| self.tag(point)).collect();
-        (tags, news.power, news.operands)
+        (news.points.iter().map(|point| self.tag(point)).collect(), news)
     }
 
     /// How many tags are forced.
@@ -111,10 +118,12 @@ impl Engine {
     }
 
     fn tag(&self, point: &Point) -> messages::Tag {
+        let value = self.session.simulation().value(point);
         messages::Tag {
             name: point.name.clone(),
             kind: point.ty.to_string(),
-            value: to_json(&self.session.simulation().value(point), point.ty),
+            value: to_json(&value, point.ty),
+            text: chart::reading(&value, point.ty),
             role: match point.role {
                 Role::Input => messages::Role::Input,
                 Role::Output => messages::Role::Output,

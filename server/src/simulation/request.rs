@@ -4,12 +4,12 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 
 use super::messages::{
-    Assign, Breakpoints, GoTo, OfSession, OfTag, Past, Record, Run, Search, Show, Start, StepBy, Trace,
-    Unforce,
+    Assign, Breakpoints, GoTo, OfSession, OfTag, Past, Record, Run, Search, Show, Speed, Start, StepBy,
+    Trace, Unforce,
 };
 
 /// What a client can ask for with `workspace/executeCommand`.
-pub(crate) const COMMANDS: [&str; 23] = [
+pub(crate) const COMMANDS: [&str; 24] = [
     "ladder.simulate.start",
     "ladder.simulate.step",
     "ladder.simulate.stepBlock",
@@ -22,6 +22,7 @@ pub(crate) const COMMANDS: [&str; 23] = [
     "ladder.simulate.trace",
     "ladder.simulate.record",
     "ladder.simulate.run",
+    "ladder.simulate.speed",
     "ladder.simulate.pause",
     "ladder.simulate.set",
     "ladder.simulate.pulse",
@@ -59,6 +60,7 @@ pub(crate) enum Request {
     Trace(Trace),
     Record(Record),
     Run(Run),
+    Speed(Speed),
     Pause(OfSession),
     Set(Assign),
     Pulse(OfTag),
@@ -89,6 +91,7 @@ impl Request {
             Some("trace") => Ok(Request::Trace(read(command, argument(arguments)?)?)),
             Some("record") => Ok(Request::Record(read(command, argument(arguments)?)?)),
             Some("run") => Ok(Request::Run(read(command, argument(arguments)?)?)),
+            Some("speed") => Ok(Request::Speed(read(command, argument(arguments)?)?)),
             Some("pause") => Ok(Request::Pause(read(command, argument(arguments)?)?)),
             Some("set") => Ok(Request::Set(read(command, argument(arguments)?)?)),
             Some("pulse") => Ok(Request::Pulse(read(command, argument(arguments)?)?)),

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use ladder_simulator::Brake;
 use tokio::sync::watch;
 
-use super::action::{Action, Answer};
+use super::action::{Action, Answer, Pace};
 use super::messages::{State, Status};
 use super::request::Failure;
 use super::running_program::{Detail, Simulation};
@@ -223,7 +223,14 @@ impl Runner {
                 self.simulation.engine.warm_restart()?;
                 self.simulation.status = Status::Paused;
             }
-            Action::Run { scans, speed } => self.start_run(scans, speed),
+            Action::Run { scans, pace } => self.start_run(scans, pace),
+            Action::Pace(pace) => {
+                self.simulation.pace = pace;
+                let due = self.first_due();
+                if let Some(run) = &mut self.run {
+                    run.due = due;
+                }
+            }
             Action::Show(shown) => self.simulation.engine.show(&shown),
             Action::Pause => self.pause(),
             Action::Set(tag, value) => self.simulation.engine.set(&tag, &value)?,
@@ -304,23 +311,30 @@ impl Runner {
         self.pause();
     }
 
-    fn start_run(&mut self, scans: Option<u64>, speed: Option<f64>) {
+    fn start_run(&mut self, scans: Option<u64>, pace: Option<Pace>) {
+        self.simulation.pace = pace.unwrap_or(self.simulation.pace);
         let can_run = matches!(self.simulation.status, Status::Paused | Status::Running);
         if can_run && scans != Some(0) {
-            let now = Instant::now();
-            let interval = self.simulation.engine.interval();
-            // An interval that is too long to be counted never ends.
-            let pace =
-                |speed: f64| Duration::try_from_secs_f64(interval.as_secs_f64() / speed).unwrap_or(NEVER);
             self.simulation.status = Status::Running;
             self.run = Some(Going {
                 left: scans,
-                due: speed.map(|speed| (now, pace(speed).min(NEVER))),
-                reported: now,
+                due: self.first_due(),
+                reported: Instant::now(),
             });
         } else {
             self.pause();
         }
+    }
+
+    /// When a run that begins now is due, and the time from one scan to the next, if it keeps to a clock.
+    fn first_due(&self) -> Option<(Instant, Duration)> {
+        let Pace::Times(speed) = self.simulation.pace else {
+            return None;
+        };
+        let interval = self.simulation.engine.interval().as_secs_f64();
+        // An interval that is too long to be counted never ends.
+        let pace = Duration::try_from_secs_f64(interval / speed).unwrap_or(NEVER);
+        Some((Instant::now(), pace.min(NEVER)))
     }
 
     /// One scan of a run.

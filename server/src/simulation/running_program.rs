@@ -1,7 +1,10 @@
 //! The program of a session and its state.
 
+use super::action::Pace;
 use super::engine::Engine;
 use super::messages::{Hit, State, Status};
+use super::status_text::status_text;
+use super::view::News;
 
 /// How much of the drawing a state holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,6 +22,8 @@ pub(super) struct Simulation {
     pub(super) status: Status,
     /// The breakpoint that stopped the last run.
     pub(super) hit: Option<Hit>,
+    /// How fast runs go.
+    pub(super) pace: Pace,
     /// How many answers were given.
     pub(super) answers: u64,
 }
@@ -47,12 +52,12 @@ impl Simulation {
         let engine = &mut self.engine;
         let in_part = engine.is_shown_in_part();
         let whole = detail == Detail::Picture && std::mem::take(&mut engine.is_anew);
-        let (tags, power, operands) = if in_part && detail == Detail::Answer {
-            Default::default()
+        let (tags, news) = if in_part && detail == Detail::Answer {
+            (Vec::new(), News::default())
         } else {
             engine.news()
         };
-        State {
+        let mut state = State {
             session: self.id.clone(),
             uri: engine.revision().uri.to_string(),
             version: engine.revision().version,
@@ -60,6 +65,7 @@ impl Simulation {
             change: engine.texts.change.clone(),
             program: engine.session.generation(),
             status: self.status,
+            text: String::new(),
             scan: engine.scans(),
             time_ms: engine.time_ms(),
             behind: engine.behind(),
@@ -71,10 +77,13 @@ impl Simulation {
             delta: in_part && !whole,
             answers: self.answers,
             commands: in_part.then_some(self.answers),
-            operands,
+            operands: news.operands,
+            labels: news.labels,
             tags,
-            power,
+            power: news.power,
             faults: engine.faults(),
-        }
+        };
+        state.text = status_text(&state, self.pace);
+        state
     }
 }

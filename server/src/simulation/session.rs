@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use tokio::sync::{oneshot, watch};
 
-use super::action::{Action, Answer};
+use super::action::{Action, Answer, Pace};
 use super::engine::Engine;
 use super::messages::{Options, State, Status};
 use super::request::Failure;
@@ -59,6 +59,7 @@ impl Session {
             engine,
             status: Status::Paused,
             hit: None,
+            pace: Pace::default(),
             answers: 0,
         };
         let (states, receiver) = watch::channel(simulation.state(Detail::Picture));

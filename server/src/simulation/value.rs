@@ -6,6 +6,8 @@ use ladder_analysis::with_article;
 use ladder_simulator::value_text;
 use serde_json::{Number, Value as Json};
 
+use super::action::Given;
+
 /// The largest whole number that every client's JSON reader holds exactly.
 const EXACT: u64 = 1 << 53;
 
@@ -59,6 +61,26 @@ pub(crate) fn from_json(json: &Json, ty: Scalar) -> Result<Value, String> {
         }
         _ => Err(format!("{json} is no value for {}", with_article(ty))),
     }
+}
+
+/// A value that a client gives a tag of a type.
+pub(super) fn from_given(given: &Given, ty: Scalar) -> Result<Value, String> {
+    match given {
+        Given::Json(json) => from_json(json, ty),
+        Given::Typed(text) => from_typed(text, ty),
+    }
+}
+
+/// A value as a person types it: a BOOL also as `on`, `off`, `high` and `low`.
+fn from_typed(text: &str, ty: Scalar) -> Result<Value, String> {
+    if ty == Scalar::Bool {
+        match text.trim().to_ascii_lowercase().as_str() {
+            "on" | "high" => return Ok(Value::Bool(true)),
+            "off" | "low" => return Ok(Value::Bool(false)),
+            _ => {}
+        }
+    }
+    value_text::parse(text, ty)
 }
 
 #[cfg(test)]
@@ -130,6 +152,37 @@ mod tests {
             (json!({}), Scalar::Bool),
         ] {
             assert!(back(json.clone(), ty).is_err(), "{json} as {ty}");
+        }
+    }
+    #[test]
+    fn what_is_typed_is_read_by_its_type() {
+        let typed = |text, ty| from_typed(text, ty).map(|value| to_json(&value, ty));
+        for (text, ty, means) in [
+            ("1", Scalar::Bool, json!(true)),
+            ("TRUE", Scalar::Bool, json!(true)),
+            (" on", Scalar::Bool, json!(true)),
+            ("High", Scalar::Bool, json!(true)),
+            ("0", Scalar::Bool, json!(false)),
+            ("false", Scalar::Bool, json!(false)),
+            ("off", Scalar::Bool, json!(false)),
+            ("T#1h30m", Scalar::Time, json!(5_400_000)),
+            ("1m30.5s", Scalar::Time, json!(90_500)),
+            ("250", Scalar::Time, json!(250)),
+            ("16#FF", Scalar::Int, json!(255)),
+            ("-1_000", Scalar::Dint, json!(-1000)),
+            ("1.5e-3", Scalar::Lreal, json!(0.0015)),
+            ("9007199254740993", Scalar::Lint, json!("9007199254740993")),
+            ("'it$'s'", Scalar::String(80), json!("it's")),
+            ("a b", Scalar::String(80), json!("a b")),
+        ] {
+            assert_eq!(typed(text, ty), Ok(means), "{text} as {ty}");
+        }
+        for (text, ty) in [
+            ("maybe", Scalar::Bool),
+            ("0x10", Scalar::Int),
+            ("on", Scalar::Int),
+        ] {
+            assert!(typed(text, ty).is_err(), "{text} as {ty}");
         }
     }
 }

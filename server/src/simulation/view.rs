@@ -3,10 +3,13 @@
 use std::collections::{HashMap, HashSet};
 
 use ladder_analysis::values::value::Value;
-use ladder_simulator::{Point, Simulation};
+use ladder_format::display_width;
+use ladder_simulator::{Point, Simulation, chart};
+use ladder_syntax::TextRange;
 
 use super::drawing::{Drawing, Element};
-use super::messages::{self, Contact, Lines, Shown};
+use super::labels::{Wanted, place, room};
+use super::messages::{self, Contact, Label, Lines, Shown};
 use super::sight::Sight;
 
 /// More lines than this are no screen.
@@ -25,6 +28,22 @@ pub(super) struct View {
     told_lines: HashSet<u32>,
     /// Operands whose values it is to be sent.
     operands: Vec<messages::Operand>,
+    /// The operands that may have labels, and which tag each shows.
+    valued: Vec<Valued>,
+    /// Where values are shown.
+    labels: Vec<Label>,
+    /// How many columns are kept for the value of each label.
+    rooms: Vec<u32>,
+    /// They may have to be placed elsewhere.
+    unplaced: bool,
+}
+
+/// An operand that shows a value, or would if the tag were forced.
+#[derive(Debug)]
+struct Valued {
+    range: TextRange,
+    point: Point,
+    drawn: bool,
 }
 
 /// What has changed of what is shown.
@@ -33,6 +52,8 @@ pub(super) struct News {
     pub(super) points: Vec<Point>,
     pub(super) power: Vec<messages::Power>,
     pub(super) operands: Vec<messages::Operand>,
+    /// All of them, if one is at another place.
+    pub(super) labels: Option<Vec<Label>>,
 }
 
 impl View {
@@ -43,6 +64,8 @@ impl View {
         let mut lines_told = HashSet::new();
         self.elements.clear();
         self.points.clear();
+        self.valued.clear();
+        self.unplaced = true;
         let is_shown = |line: u32| shown.lines.iter().any(|it| (it.first..=it.last).contains(&line));
         self.operands.retain(|operand| is_shown(operand.block.start.line));
         let named = shown.tags.iter();
@@ -69,6 +92,13 @@ impl View {
                             drawn: operand.drawn,
                         });
                     }
+                    if let Some(point) = operand.points.first() {
+                        self.valued.push(Valued {
+                            range: operand.range,
+                            point: point.clone(),
+                            drawn: operand.drawn,
+                        });
+                    }
                     for point in operand.points {
                         if known.insert(point.name.clone()) {
                             self.points.push(point);
@@ -80,6 +110,8 @@ impl View {
         }
         let mut seen = HashSet::new();
         self.elements.retain(|element| seen.insert(element.number));
+        self.valued.sort_by_key(|it| it.range.start());
+        self.valued.dedup_by_key(|it| it.range.start());
         self.sent_power.retain(|number, _| seen.contains(number));
         self.told_values.retain(|name, _| known.contains(name));
         // They are sent with the next picture.
@@ -104,11 +136,75 @@ impl View {
         }
         for point in &self.points {
             let now = (simulation.value(point), simulation.is_forced(point));
-            if self.told_values.get(&point.name) != Some(&now) {
+            let before = self.told_values.get(&point.name);
+            if before != Some(&now) {
+                let is_held_as_before = before.is_some_and(|before| before.1 == now.1);
+                self.unplaced |= !is_held_as_before || self.outgrows(point, simulation);
                 self.told_values.insert(point.name.clone(), now);
                 news.points.push(point.clone());
             }
         }
+        if std::mem::take(&mut self.unplaced) {
+            let labels = self.place(sight, simulation);
+            if labels != self.labels {
+                self.labels.clone_from(&labels);
+                news.labels = Some(labels);
+            }
+        }
         news
     }
+
+    /// Whether a value takes more columns than are kept for it.
+    fn outgrows(&self, point: &Point, simulation: &Simulation) -> bool {
+        let mut of_point = self.labels.iter().zip(&self.rooms);
+        of_point.any(|(label, room)| label.tag == point.name && width(point, simulation) > *room)
+    }
+
+    /// Where the values of all operands that are shown go.
+    fn place(&mut self, sight: &Sight, simulation: &Simulation) -> Vec<Label> {
+        let shown = sight.shown();
+        let line_at = |line: u32| {
+            let (start, end) = (shown.line_start(line), shown.line_start(line + 1));
+            (line <= shown.last_line()).then(|| shown.stretch(start.into()..end.into()))
+        };
+        let mut labels = Vec::new();
+        let mut wanted = Vec::new();
+        for Valued { range, point, drawn } in &self.valued {
+            // The drawing itself tells the value of a contact that is not forced, and the text that of a constant.
+            let is_constant = point.read_only && !point.name.starts_with("SYS.");
+            if is_constant || (*drawn && !simulation.is_forced(point)) {
+                continue;
+            }
+            let Some(at) = sight.range(*range).map(|range| range.start) else {
+                continue;
+            };
+            let start = shown.line_start(at.line).into();
+            let before = shown.stretch(start..shown.offset(at).into());
+            wanted.push(Wanted {
+                row: at.line,
+                column: display_width(&before),
+                width: room(point.ty).max(width(point, simulation)),
+            });
+            labels.push((point.name.clone(), at));
+        }
+        self.rooms = wanted.iter().map(|it| it.width).collect();
+        let places = place(&wanted, |line| {
+            line_at(line).map(|line| line.trim_end_matches(['\r', '\n']).to_owned())
+        });
+        let placed = labels.into_iter().zip(places);
+        placed
+            .map(|((tag, at), (side, column))| Label {
+                tag,
+                at,
+                side,
+                column,
+            })
+            .collect()
+    }
+}
+
+/// How many columns a value takes. What is forced has a mark.
+fn width(point: &Point, simulation: &Simulation) -> u32 {
+    let text = chart::reading(&simulation.value(point), point.ty);
+    display_width(&text) + u32::from(simulation.is_forced(point))
 }

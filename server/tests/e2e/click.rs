@@ -148,9 +148,9 @@ async fn a_hover_shows_what_a_line_becomes() {
         )
         .unwrap();
     }
-    let valve = "+--[ ]( Start )--[LT]( Level, Limit )--------( )( Valve )--+";
-    let stir = "+--[GE]( Level, Limit )----[TON]( Stir, T#2m, B := T#1m )--+";
-    let end = "+---------------------------------------------------<RET>--+";
+    let valve = "+--[ ]( Start )--[LT]( Level, Limit )----------------------------( )( Valve )--+";
+    let stir = "+--[GE]( Level, Limit )------------------------[TON]( Stir, T#2m, B := T#1m )--+";
+    let end = "+-----------------------------------------------------------------------<RET>--+";
     assert_eq!(
         said,
         format!(

@@ -88,7 +88,7 @@ async fn formatting_sends_small_edits() {
     let formatted = edited(text, &edits);
     assert_eq!(
         formatted,
-        "+--\\--[ ]( a )--\\------------( )( y )--+\n|  /--[ ]( b )--/                      |\n"
+        "+--\\--[ ]( a )--\\----------------------------------------------------( )( y )--+\n|  /--[ ]( b )--/                                                              |\n"
     );
     for edit in edits.as_array().unwrap() {
         assert!(
@@ -119,11 +119,11 @@ async fn edits_for_a_text_that_has_moved_on_are_not_sent() {
 
 /// Two jumps to labels that are nearly there.
 const MISTYPED: &str = "\
-+--<LBL>( again )----------------------+
++--<LBL>( again )--------------------------------------------------------------+
 
-+--[ ]( a )------------<JMP>( agian )--+
++--[ ]( a )----------------------------------------------------<JMP>( agian )--+
 
-+--[ ]( b )-------------<JMP>( agan )--+
++--[ ]( b )-----------------------------------------------------<JMP>( agan )--+
 ";
 
 #[tokio::test]
@@ -134,7 +134,7 @@ async fn a_fix_is_offered_where_its_problem_is() {
         actions(&mut client, [0, 4, 0, 4], Some("quickfix")).await,
         Vec::<Value>::new()
     );
-    let offered = actions(&mut client, [2, 31, 2, 31], None).await;
+    let offered = actions(&mut client, [2, 72, 2, 72], None).await;
     let fix = &offered[0];
     assert_eq!(
         (&fix["kind"], &fix["isPreferred"]),
@@ -196,8 +196,8 @@ async fn all_fixes_at_once() {
 
 /// A seal-in, and a client that asks for edits when it wants them.
 const MOTOR: &str = "\
-+--\\--[ ]( start )--\\--[/]( stop )-------------( )( run )--+
-|  /--[ ]( run )----/                                      |
++--\\--[ ]( start )--\\--[/]( stop )---------------------------------( )( run )--+
+|  /--[ ]( run )----/                                                          |
 ";
 
 fn asks_later() -> Value {
@@ -333,4 +333,26 @@ async fn a_cancelled_request_is_answered_as_such() {
         .unwrap();
     assert_eq!(state["status"], "paused");
     client.finish().await;
+}
+
+#[tokio::test]
+async fn each_selection_is_toggled_by_itself() {
+    let text = "+--( )( a )--+\n# b #\n\n+--[GT]( x, 16#FF )--( )( c )--+\n";
+    let mut client = Client::new().await;
+    client.open(text).await;
+    let mut toggle = async |lines: Value| {
+        let argument = json!({"uri": URI, "lines": lines});
+        let params = json!({"command": "ladder.comment", "arguments": [argument]});
+        client.request("workspace/executeCommand", params).await
+    };
+    // The second cursor is in the lines of the first selection.
+    let lines = json!([{"first": 0, "last": 0}, {"first": 1, "last": 1}, {"first": 1, "last": 2}]);
+    let answer = toggle(lines).await.unwrap();
+    let first = "# +--( )( a )--+ #\nb\n\n+--[GT]( x, 16#FF )--( )( c )--+\n";
+    assert_eq!(edited(text, &answer["edits"]), first);
+    let (_, why) = toggle(json!([{"first": 0, "last": 99}])).await.unwrap_err();
+    assert_eq!(
+        why,
+        "line 4 holds a \"#\", which would end the comment; write it without"
+    );
 }

@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use ladder_server::typing_messages::{Cursor, EditDrawing, EditedDrawing};
+use ladder_server::typing_messages::{Cursor, EditDrawing, EditedDrawing, ToggleComment};
 use ladder_server::{Diagram, DiagramText, Drawn, DrawnFence, DrawnText, Fence, messages, notation_messages};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -178,6 +178,11 @@ async fn the_page_shows_every_command_whole() {
                 is_whole::<EditedDrawing>(answer);
                 continue;
             }
+            "comment" => {
+                is_whole::<ToggleComment>(argument);
+                is_whole::<EditedDrawing>(answer);
+                continue;
+            }
             "convert" => {
                 is_whole::<notation_messages::Convert>(argument);
                 is_whole::<notation_messages::Converted>(answer);
@@ -222,6 +227,7 @@ async fn the_page_shows_every_command_whole() {
             "breakpoints" => is_whole::<messages::Breakpoints>(argument),
             "step" | "back" => is_whole::<messages::StepBy>(argument),
             "run" => is_whole::<messages::Run>(argument),
+            "speed" => is_whole::<messages::Speed>(argument),
             "show" => is_whole::<messages::Show>(argument),
             "set" | "force" => is_whole::<messages::Assign>(argument),
             "pulse" => is_whole::<messages::OfTag>(argument),

@@ -36,7 +36,7 @@ async fn all_files_in_one_edit_with_versions() {
     let text = edited(MAIN, &changes[0]["edits"]);
     assert_eq!(
         text,
-        "+--<CALL>( count )--[GT]( sum, 3 )---------------( )( y )--+\n"
+        "+--<CALL>( count )--[GT]( sum, 3 )-----------------------------------( )( y )--+\n"
     );
     let text = edited(LIBRARY, &changes[1]["edits"]);
     assert!(
@@ -132,7 +132,7 @@ async fn while_a_person_types() {
         .unwrap();
     assert_eq!(
         edited(text, &edits),
-        "+--\\--[ ]( start )--\\------( )( run )--+\n|  /--[ ]( run )----/                  |\n\n"
+        "+--\\--[ ]( start )--\\----------------------------------------------( )( run )--+\n|  /--[ ]( run )----/                                                          |\n\n"
     );
     let edits = client
         .request("textDocument/onTypeFormatting", ask(1, 5, "x"))

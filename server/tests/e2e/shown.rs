@@ -252,3 +252,69 @@ async fn constants_are_read_only_and_runs_have_a_speed() {
     }
     client.finish().await;
 }
+
+#[tokio::test]
+async fn values_come_with_their_places() {
+    let program = "\
++--[TON]( t, 5s )--[ADD]( n, n, 1 )--( )( y )--+
+
++--[ ]( y )--[MOV]( m, 3 )--+
+# after #
+";
+    let (mut client, s, first) = shown(program, [0, 3], json!([])).await;
+    let label = |tag: &str, at: [u32; 2], side: &str, column: u32| {
+        let at = json!({"line": at[0], "character": at[1]});
+        json!({"tag": tag, "at": at, "side": side, "column": column})
+    };
+    // The first line has none above; the drawing tells what contacts and coils hold.
+    let at_first = [
+        label("t.ET", [0, 10], "below", 10),
+        label("n", [0, 26], "below", 26),
+        label("n", [0, 29], "between", 29),
+        label("m", [2, 20], "above", 20),
+    ];
+    assert_eq!(first["labels"], json!(at_first), "{:#}", first["labels"]);
+
+    // A value that has room changes alone.
+    let set = json!({"session": s, "tag": "m", "value": 12345});
+    client.simulate("set", set).await.unwrap();
+    let state = client.notification(STATE, |_| true).await;
+    assert_eq!(
+        (&state["tags"][0]["text"], state.get("labels")),
+        (&json!("12345"), None)
+    );
+
+    // One that outgrows it moves, and so does what it is in the way of.
+    client.notify(SEEN, json!({"session": s})).await;
+    let set = json!({"session": s, "tag": "t.ET", "value": 123_456_789});
+    client.simulate("set", set).await.unwrap();
+    let state = client.notification(STATE, |_| true).await;
+    assert_eq!(state["tags"][0]["text"], "1d10h17m36.789s");
+    let outgrown = [
+        label("t.ET", [0, 10], "below", 10),
+        label("n", [0, 26], "below", 26),
+        label("n", [0, 29], "between", 29),
+        label("m", [2, 20], "below", 20),
+    ];
+    assert_eq!(state["labels"], json!(outgrown), "{:#}", state["labels"]);
+
+    // What is forced shows its value everywhere.
+    client.notify(SEEN, json!({"session": s})).await;
+    let force = json!({"session": s, "tag": "y", "value": true});
+    client.simulate("force", force).await.unwrap();
+    let state = client.notification(STATE, |_| true).await;
+    let labels = state["labels"].as_array().unwrap();
+    let of_y: Vec<_> = labels.iter().filter(|label| label["tag"] == "y").collect();
+    let forced = [label("y", [0, 42], "below", 42), label("y", [2, 8], "between", 8)];
+    assert_eq!(json!(of_y), json!(forced), "{:#}", state["labels"]);
+
+    // What is not shown any more has no labels.
+    client.notify(SEEN, json!({"session": s})).await;
+    let show = json!({"session": s, "lines": [{"first": 2, "last": 3}]});
+    client.simulate("show", show).await.unwrap();
+    let state = client.notification(STATE, |_| true).await;
+    let labels = state["labels"].as_array().unwrap().iter();
+    let tags: Vec<_> = labels.map(|label| label["tag"].clone()).collect();
+    assert_eq!(tags, ["y", "m"]);
+    client.finish().await;
+}

@@ -72,7 +72,7 @@ async fn a_motor_starts_holds_and_stops() {
     assert_eq!(names, ["start", "stop", "run"]);
     assert_eq!(
         tag(&first, "start"),
-        &json!({"name": "start", "type": "BOOL", "value": false, "role": "input", "forced": false})
+        &json!({"name": "start", "type": "BOOL", "value": false, "text": "0", "role": "input", "forced": false})
     );
 
     set(&mut client, &s, "start", json!(true)).await.unwrap();
@@ -130,7 +130,7 @@ async fn values_are_written_as_their_types() {
     let (mut client, s, first) = started(COUNT).await;
     assert_eq!(
         tag(&first, "t.ET"),
-        &json!({"name": "t.ET", "type": "TIME", "value": 0, "role": "internal", "forced": false})
+        &json!({"name": "t.ET", "type": "TIME", "value": 0, "text": "0ms", "role": "internal", "forced": false})
     );
     set(&mut client, &s, "go", json!(true)).await.unwrap();
     let state = step(&mut client, &s, 3).await;
@@ -147,6 +147,51 @@ async fn values_are_written_as_their_types() {
     assert_eq!(tag(&state, "ratio")["value"], 0.25);
     let state = set(&mut client, &s, "note", json!("Grüße")).await.unwrap();
     assert_eq!(tag(&state, "note")["value"], "Grüße");
+    // What a person types is read by its type.
+    for (name, text, value) in [
+        ("go", "off", json!(false)),
+        ("n", "16#FF", json!(255)),
+        ("note", "'a'", json!("a")),
+    ] {
+        let typed = json!({"session": s, "tag": name, "text": text});
+        let state = client.simulate("set", typed).await.unwrap();
+        assert_eq!(tag(&state, name)["value"], value);
+    }
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn how_it_is_comes_in_words() {
+    let (mut client, s, first) = started(MOTOR).await;
+    assert_eq!(first["text"], "paused, scan 0, 0ms");
+    let force = json!({"session": s, "tag": "run", "value": true});
+    client.simulate("force", force).await.unwrap();
+    let slow = json!({"session": s, "speed": 0.1});
+    let state = client.simulate("speed", slow).await.unwrap();
+    assert_eq!(state["text"], "paused, scan 0, 0ms, 0.1x speed, 1 forced");
+    // A run is as fast as was said last, until something else is said.
+    let state = client.simulate("run", json!({"session": s})).await.unwrap();
+    assert_eq!(state["text"], "running, scan 0, 0ms, 0.1x speed, 1 forced");
+    let full = json!({"session": s, "realTime": false});
+    client.simulate("speed", full).await.unwrap();
+    let far = |it: &Value| it["scan"].as_u64() > Some(1000);
+    let state = client.notification("ladder/simulationState", far).await;
+    let text = state["text"].as_str().unwrap();
+    assert!(
+        text.starts_with("running, scan ") && text.ends_with(", full speed, 1 forced"),
+        "{text}"
+    );
+    // Errors in the text.
+    client
+        .change(2, &[([0, 0, 0, 0], "+--[ ]( start )--\\--+\n")])
+        .await;
+    let broken = |it: &Value| it["stale"] == true;
+    let state = client.notification("ladder/simulationState", broken).await;
+    let text = state["text"].as_str().unwrap();
+    assert!(
+        text.ends_with(", 1 forced, before the errors in the text"),
+        "{text}"
+    );
     client.finish().await;
 }
 

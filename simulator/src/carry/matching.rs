@@ -20,13 +20,10 @@ pub(super) struct Matching {
 
 impl Matching {
     pub(super) fn of(old: &Program, new: &Program, renamed: &Renamed) -> Matching {
-        let old_signatures = Signatures::of(old, &Renamed::default());
-        let new_signatures = Signatures::of(new, renamed);
-        let keys = |program: &Program, signatures: &Signatures<'_>| -> Vec<u64> {
-            let networks = program.networks.iter();
-            networks.map(|network| signatures.network(network)).collect()
-        };
-        let networks = same(&keys(old, &old_signatures), &keys(new, &new_signatures));
+        let unchanged = Renamed::default();
+        let old_side = Side::of(old, &unchanged);
+        let new_side = Side::of(new, renamed);
+        let networks = same(&old_side.networks(), &new_side.networks());
         let mut matching = Matching {
             networks,
             edited: HashMap::new(),
@@ -61,40 +58,35 @@ impl Matching {
             };
             let olds = blocks_of(old, from, old_gap);
             let news = blocks_of(new, at, gap);
-            matching.match_blocks((old, &old_signatures, olds), (new, &new_signatures, news));
+            matching.match_blocks(&old_side, olds, &new_side, news);
             at += gap;
         }
         // What was edited and went elsewhere.
         let taken: HashSet<BlockAt> = matching.edited.values().copied().collect();
         let olds = unmatched(old, |at| is_matched[at.network] || taken.contains(&at));
         let news = unmatched(new, |at| matching.block(at).is_some());
-        matching.match_blocks((old, &old_signatures, olds), (new, &new_signatures, news));
+        matching.match_blocks(&old_side, olds, &new_side, news);
         matching
     }
 
     fn match_blocks(
         &mut self,
-        (old, old_signatures, mut olds): (&Program, &Signatures<'_>, Vec<BlockAt>),
-        (new, new_signatures, mut news): (&Program, &Signatures<'_>, Vec<BlockAt>),
+        old: &Side<'_>,
+        mut olds: Vec<BlockAt>,
+        new: &Side<'_>,
+        mut news: Vec<BlockAt>,
     ) {
         for by_kind in [false, true] {
-            let key = |program: &Program, signatures: &Signatures<'_>, at: BlockAt| {
-                let block = &program.networks[at.network].blocks[at.block];
-                if by_kind {
-                    signatures.kind(block)
-                } else {
-                    Some(signatures.block(block))
-                }
-            };
             let mut known: HashMap<u64, VecDeque<BlockAt>> = HashMap::new();
             for &at in &olds {
-                if let Some(key) = key(old, old_signatures, at) {
+                if let Some(key) = old.block(at, by_kind) {
                     known.entry(key).or_default().push_back(at);
                 }
             }
             let mut taken = HashSet::new();
             news.retain(|&at| {
-                let found = key(new, new_signatures, at)
+                let found = new
+                    .block(at, by_kind)
                     .and_then(|key| known.get_mut(&key))
                     .and_then(VecDeque::pop_front);
                 if let Some(was) = found {
@@ -118,6 +110,36 @@ impl Matching {
     /// The same for a block in bodies.
     pub(super) fn path(&self, path: &[BlockAt]) -> Option<Vec<BlockAt>> {
         path.iter().map(|&at| self.block(at)).collect()
+    }
+}
+
+/// A program, and what its parts are told apart by.
+struct Side<'p> {
+    program: &'p Program,
+    signatures: Signatures<'p>,
+}
+
+impl<'p> Side<'p> {
+    fn of(program: &'p Program, renamed: &'p Renamed) -> Side<'p> {
+        Side {
+            program,
+            signatures: Signatures::of(program, renamed),
+        }
+    }
+
+    fn networks(&self) -> Vec<u64> {
+        let networks = self.program.networks.iter();
+        networks.map(|network| self.signatures.network(network)).collect()
+    }
+
+    /// What a block does, or of which kind it is.
+    fn block(&self, at: BlockAt, by_kind: bool) -> Option<u64> {
+        let block = &self.program.networks[at.network].blocks[at.block];
+        if by_kind {
+            self.signatures.kind(block)
+        } else {
+            Some(self.signatures.block(block))
+        }
     }
 }
 

@@ -3,9 +3,9 @@
 use super::Lost;
 use super::matching::Matching;
 use super::renamed::Renamed;
-use crate::compile::EdgeOf;
 use crate::layout::{Home, state_size};
 use crate::memory::{Bit, Memory, Word};
+use crate::places::EdgeOf;
 use crate::simulation::Simulation;
 use ladder_analysis::program::{Tag, TagId};
 use ladder_analysis::values::types::Type;
@@ -163,7 +163,9 @@ impl Copied<'_> {
                     len: to_len,
                 },
             ) => {
-                for (from, to) in overlap((at.0, first, len), (to.0, to_first, to_len)) {
+                for (from, to) in
+                    Elements::new(at.0, first, len).overlap(Elements::new(to.0, to_first, to_len))
+                {
                     self.bit(Bit(from), Bit(to));
                 }
                 true
@@ -177,7 +179,9 @@ impl Copied<'_> {
                     ..
                 },
             ) => {
-                for (from, to) in overlap((at.0, first, len), (to.0, to_first, to_len)) {
+                for (from, to) in
+                    Elements::new(at.0, first, len).overlap(Elements::new(to.0, to_first, to_len))
+                {
                     self.word(Word(from), Word(to));
                 }
                 true
@@ -191,7 +195,9 @@ impl Copied<'_> {
                     ..
                 },
             ) => {
-                for (from, to) in overlap((at.0, first, len), (to.0, to_first, to_len)) {
+                for (from, to) in
+                    Elements::new(at.0, first, len).overlap(Elements::new(to.0, to_first, to_len))
+                {
                     let text = self.old.machine.memory.texts[from as usize].bytes();
                     self.memory.texts[to as usize].set(text);
                 }
@@ -237,14 +243,34 @@ impl Copied<'_> {
     }
 }
 
-/// The slots of elements with the same index.
-fn overlap(
-    (from, from_first, from_len): (u32, i64, u32),
-    (to, to_first, to_len): (u32, i64, u32),
-) -> impl Iterator<Item = (u32, u32)> {
-    let first = from_first.max(to_first);
-    let end = (from_first + i64::from(from_len)).min(to_first + i64::from(to_len));
-    (first..end).map(move |index| (from + (index - from_first) as u32, to + (index - to_first) as u32))
+/// The elements of an array: the slot and the index of the first one, and how many there are.
+#[derive(Clone, Copy)]
+struct Elements {
+    at: u32,
+    first: i64,
+    len: u32,
+}
+
+impl Elements {
+    fn new(at: u32, first: i64, len: u32) -> Elements {
+        Elements { at, first, len }
+    }
+
+    /// The slots of elements with the same index, here and in another array.
+    fn overlap(self, other: Elements) -> impl Iterator<Item = (u32, u32)> {
+        let first = self.first.max(other.first);
+        let end = self.end().min(other.end());
+        (first..end).map(move |index| (self.slot(index), other.slot(index)))
+    }
+
+    /// The index after the last one.
+    fn end(self) -> i64 {
+        self.first + i64::from(self.len)
+    }
+
+    fn slot(self, index: i64) -> u32 {
+        self.at + (index - self.first) as u32
+    }
 }
 
 /// Whether a tag holds what it began with.

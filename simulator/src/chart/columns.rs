@@ -70,7 +70,7 @@ impl Window {
     }
 
     /// The column that a scan belongs to.
-    pub fn column(&self, scan: u64) -> u64 {
+    pub(crate) fn column(&self, scan: u64) -> u64 {
         scan / self.per
     }
 

@@ -23,7 +23,8 @@ impl Recorder {
     }
 
     /// The newest scan that is recorded.
-    pub fn newest(&self) -> u64 {
+    #[cfg(test)]
+    pub(super) fn newest(&self) -> u64 {
         self.newest
     }
 

@@ -1,9 +1,9 @@
 //! What is recorded of a session, and what is drawn of it.
 
 use super::*;
+use crate::session::{HistoryLimits, Session};
 use crate::simulation::{Options, Simulation};
 use crate::tags::Point;
-use crate::{HistoryLimits, Session};
 use expect_test::{Expect, expect};
 use ladder_analysis::values::value::Value;
 use std::fmt::Write;
@@ -404,16 +404,38 @@ fn words() {
 }
 
 #[test]
-fn durations_are_written_as_editors_write_them() {
-    let shared = concat!(env!("CARGO_MANIFEST_DIR"), "/../editors/shared/values.json");
-    let shared: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(shared).unwrap()).unwrap();
-    let durations = shared["durations"].as_array().unwrap();
-    assert!(durations.len() > 5);
-    for pair in durations {
-        let nanoseconds = pair[0].as_f64().unwrap() * 1e6;
-        assert_eq!(duration(nanoseconds as i64), pair[1].as_str().unwrap());
+fn values_are_written_as_one_reads_them() {
+    use ladder_analysis::values::types::Scalar;
+    for (milliseconds, text) in [
+        (0.0, "0ms"),
+        (20.0, "20ms"),
+        (0.1, "0.1ms"),
+        (1000.0, "1s"),
+        (90_500.0, "1m30.5s"),
+        (90_000_000.0, "1d1h"),
+        (-250.0, "-250ms"),
+    ] {
+        assert_eq!(duration((milliseconds * 1e6) as i64), text);
     }
     assert_eq!(duration(i64::MIN), "-106751d23h47m16.854775808s");
+    for (value, ty, text) in [
+        (Value::Bool(true), Scalar::Bool, "1"),
+        (Value::Int(-7), Scalar::Dint, "-7"),
+        (Value::Int(255), Scalar::Word, "16#00FF"),
+        (Value::Real(0.1 + 0.2), Scalar::Lreal, "0.3"),
+        (Value::Real(f64::from(0.1_f32)), Scalar::Real, "0.1"),
+        (Value::Real(12.0), Scalar::Lreal, "12.0"),
+        (Value::Real(1.0 / 3.0), Scalar::Lreal, "0.3333333"),
+        (Value::Real(1e300), Scalar::Lreal, "1e300"),
+        (Value::Real(f64::NAN), Scalar::Lreal, "NaN"),
+        (
+            Value::Text(b"a'b".as_slice().into()),
+            Scalar::String(80),
+            "'a$'b'",
+        ),
+    ] {
+        assert_eq!(reading(&value, ty), text);
+    }
 }
 
 #[test]

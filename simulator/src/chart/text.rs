@@ -9,12 +9,18 @@ pub fn reading(value: &Value, ty: Scalar) -> String {
     match value {
         Value::Bool(_) => value_text::cell(value, ty),
         Value::Int(nanoseconds) if ty == Scalar::Time => duration(*nanoseconds),
+        Value::Real(real) => seven_digits(*real),
         _ => value_text::display(value, ty),
     }
 }
 
-/// Nanoseconds as editors show a duration beside its operand: `20ms`, `1m30.5s`. Their own words for it are in
-/// `editors/shared/values.json`, which a test holds this against.
+/// A real with as many digits as a REAL has: nobody reads more of them, and a narrow place has no room for them.
+fn seven_digits(real: f64) -> String {
+    let rounded = format!("{real:.6e}").parse().unwrap_or(real);
+    value_text::cell(&Value::Real(rounded), Scalar::Lreal)
+}
+
+/// Nanoseconds as a duration in a narrow place: `20ms`, `1m30.5s`.
 pub fn duration(nanoseconds: i64) -> String {
     const SECOND: u64 = 1_000_000_000;
     let mut rest = nanoseconds.unsigned_abs();

@@ -78,7 +78,7 @@ impl Track {
     }
 
     /// A value as a number that can be drawn: TIME in milliseconds. None if it is not one.
-    pub fn number(&self, value: &Value) -> Option<f64> {
+    pub(crate) fn number(&self, value: &Value) -> Option<f64> {
         let number = match (value, self.point.ty) {
             (Value::Int(number), Scalar::Ulint | Scalar::Lword) => *number as u64 as f64,
             (Value::Int(nanoseconds), Scalar::Time) => *nanoseconds as f64 / 1e6,

@@ -1,6 +1,7 @@
 //! What a block is given, by place and by name.
 
-use super::{CompileError, Result};
+use super::Result;
+use crate::compile_error::CompileError;
 use ladder_analysis::program::{Argument, Block, Bound, Expr, Place, RangeRef, TagId};
 use ladder_analysis::values::types::Scalar;
 use ladder_instructions::{Op, Presence};

@@ -2,10 +2,11 @@
 
 use super::arguments::Arguments;
 use super::place::{Slot, Spot};
-use super::{Cell, Compiler, EdgeOf, Result};
+use super::{Cell, Compiler, Result};
 use crate::code::Instr;
 use crate::memory::Bit;
 use crate::operation::{Test, Width};
+use crate::places::EdgeOf;
 use ladder_analysis::program::{Argument, Expr, ExprKind, Place};
 use ladder_analysis::values::types::{Scalar, common};
 use ladder_instructions::{Edge, Edges, Instruction, Op, Power};

@@ -5,7 +5,7 @@ use super::arguments::Arguments;
 use super::{Cell, Compiler, Result};
 use crate::code::Instr;
 use crate::memory::{Bit, Word};
-use crate::operation::{IntegerOp, Width};
+use crate::operation::IntegerOp;
 use crate::routine::Routine;
 use ladder_analysis::program::ExprKind;
 use ladder_analysis::values::types::Scalar;
@@ -82,6 +82,3 @@ impl Compiler<'_> {
 
 /// What a count can reach.
 const MOST_SCANS: i64 = i16::MAX as i64;
-
-/// The width of what is counted.
-pub(crate) const COUNT: Width = Width::I16;

@@ -2,8 +2,9 @@
 
 use super::arguments::Arguments;
 use super::place::Slot;
-use super::{CompileError, Compiler, Result};
+use super::{Compiler, Result};
 use crate::code::Instr;
+use crate::compile_error::CompileError;
 use crate::memory::{Bit, TextSlot, Word};
 use crate::operation::{Conversion, IntegerOp, RealFunction, RealOp, Width};
 use ladder_analysis::program::{BinaryOperator, Expr, ExprKind, UnaryOperator};

@@ -35,39 +35,20 @@ mod units;
 mod user_block;
 
 use crate::code::{ArrayPlace, Code, ElementPlace, Instr};
+use crate::compile_error::CompileError;
 use crate::fuse::{Fused, fuse};
 use crate::layout::{Elsewhere, Home, Layout};
 use crate::memory::{Bit, Memory, Word};
-use crate::places::{BlockAt, Cell, Places, Remembered};
+use crate::places::{BlockAt, Cell, EdgeOf, Places, Remembered};
 use crate::retain::{Retained, kept_tags, retained};
 use crate::work;
 use call_graph::Cycles;
-pub(crate) use cycles::COUNT as COUNT_OF_SCANS;
 use flow::Region;
-use ladder_analysis::program::{Location, Program, TagId};
+use ladder_analysis::program::{Program, TagId};
 use ladder_instructions::Law;
 pub(crate) use ports::{CHANNELS, Ports};
 use std::collections::HashMap;
 use std::ops::Range;
-pub(crate) use ticks::COUNT as COUNT_OF_TICKS;
-pub(crate) use units::MOST_UNITS;
-
-/// Why a program cannot run in the simulator.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct CompileError {
-    /// What is wrong and what to do.
-    pub message: String,
-    /// Where.
-    pub location: Location,
-}
-
-impl std::fmt::Display for CompileError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(&self.message)
-    }
-}
-
-impl std::error::Error for CompileError {}
 
 /// A program ready to run.
 #[derive(Debug)]
@@ -211,13 +192,6 @@ struct Compiler<'p> {
     places: Places,
     /// The block that is being compiled, behind those in whose bodies it is.
     standing: Vec<BlockAt>,
-}
-
-/// What an edge belongs to that is shared by all edges of a tag.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(crate) enum EdgeOf {
-    Bit(Bit),
-    Word(Word),
 }
 
 impl Compiler<'_> {

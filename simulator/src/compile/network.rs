@@ -1,7 +1,8 @@
 //! One network, step by step: where power begins, where wires meet, and the blocks between.
 
-use super::{CompileError, Compiler, MOST_INSTRUCTIONS, Result, flow};
+use super::{Compiler, MOST_INSTRUCTIONS, Result, flow};
 use crate::code::{BlockPlace, ElementPlace, Instr, NetworkPlace};
+use crate::compile_error::CompileError;
 use crate::memory::Bit;
 use crate::places::BlockAt;
 use ladder_analysis::program::{Block, BlockKind, Location, Step};

@@ -4,7 +4,7 @@ use super::arguments::Arguments;
 use super::{Compiler, Result};
 use crate::layout::{Home, counter};
 use crate::memory::{Bit, Word};
-use crate::operation::{IntegerOp, Width};
+use crate::operation::IntegerOp;
 use crate::routine::Routine;
 use ladder_analysis::program::{Argument, Expr, ExprKind};
 use ladder_analysis::values::types::Scalar;
@@ -111,6 +111,3 @@ impl Compiler<'_> {
         Ok(en)
     }
 }
-
-/// The width of what is counted.
-pub(crate) const COUNT: Width = Width::I32;

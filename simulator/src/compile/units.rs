@@ -4,7 +4,7 @@ use super::arguments::Arguments;
 use super::{Cell, Compiler, Result};
 use crate::layout::{counter, timer};
 use crate::memory::{Bit, Word};
-use crate::routine::Routine;
+use crate::routine::{MOST_UNITS, Routine};
 use ladder_analysis::program::ExprKind;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
@@ -12,9 +12,6 @@ use ladder_instructions::Op;
 
 /// The unit where none is given: a millisecond.
 const UNIT: i64 = 1_000_000;
-
-/// What a timer can count to.
-pub(crate) const MOST_UNITS: i64 = i16::MAX as i64;
 
 impl Compiler<'_> {
     /// `[TON]` `[TOF]` `[RTO]` `[RTOF]`

@@ -4,8 +4,9 @@
 use super::arguments::Arguments;
 use super::flow::{BodyExit, Kind, holds_any};
 use super::place::{Slot, Spot};
-use super::{CompileError, Compiler, Result};
+use super::{Compiler, Result};
 use crate::code::Instr;
+use crate::compile_error::CompileError;
 use crate::layout::{Elsewhere, Home};
 use crate::memory::Bit;
 use ladder_analysis::program::{Argument, Block, BlockKind, Bound, Network, ParameterKind, Place, TagId};

@@ -45,7 +45,7 @@ pub struct CoverageItem {
 
 impl CoverageItem {
     /// It was seen both ways.
-    pub fn is_exercised(&self) -> bool {
+    pub(crate) fn is_exercised(&self) -> bool {
         self.on && self.off
     }
 }
@@ -187,17 +187,6 @@ impl Coverage {
             if !simulation.is_skippable(network.index) {
                 network.scans += scans;
             }
-        }
-    }
-
-    /// Takes in what was seen elsewhere of the same program.
-    pub fn merge(&mut self, other: &Coverage) {
-        for (network, other) in self.networks.iter_mut().zip(&other.networks) {
-            network.scans += other.scans;
-        }
-        for (part, other) in self.parts.iter_mut().zip(&other.parts) {
-            part.on |= other.on;
-            part.off |= other.off;
         }
     }
 }

@@ -2,7 +2,9 @@
 
 mod table;
 
-use crate::{Point, Simulation, value_text};
+use crate::simulation::Simulation;
+use crate::tags::Point;
+use crate::value_text;
 use ladder_analysis::values::value::Value;
 use std::fmt;
 use table::Table;

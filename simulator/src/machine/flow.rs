@@ -1,9 +1,10 @@
 //! Program flow (LANGUAGE §5.5): jumps, calls, loops, rails.
 
-use super::{CALL_DEPTH, Halt, Machine, block_at};
+use super::{Halt, Machine, block_at};
 use crate::code::{Code, Instr, NOTHING_SAVED};
 use crate::fault::Trouble;
 use crate::timers::Clock;
+use crate::work::CALL_DEPTH;
 
 /// Where a scan goes on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -10,16 +10,13 @@ use crate::controller::Relay;
 use crate::fault::Trouble;
 use crate::memory::{Bit, Memory};
 use crate::timers::Clock;
-use crate::work::{Brake, UNBRAKED};
+use crate::work::{Brake, CALL_DEPTH, UNBRAKED};
 use execute::{Onward, execute};
 use flow::{Flow, Frame};
 use ladder_instructions::Controller;
 use position::Position;
 pub(crate) use position::Until;
 pub(crate) use state::MachineState;
-
-/// How deep calls may nest (LANGUAGE §5.5).
-pub(crate) const CALL_DEPTH: usize = 64;
 
 /// How a scan ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,9 +1,12 @@
 //! Timers that count scans and counters of 16 bits, as LDmicro's simulator has them.
 
 use super::Operands;
-use crate::compile::COUNT_OF_SCANS as WIDTH;
 use crate::layout::{counter as c, timer as t};
 use crate::memory::Memory;
+use crate::operation::Width;
+
+/// The width of what is counted.
+const WIDTH: Width = Width::I16;
 
 /// One evaluation of a timer.
 pub(super) struct Evaluation {

@@ -1,10 +1,13 @@
 //! Timers that count a time base and counters that latch, as the code of iot-ladder-editor has them.
 
 use super::Operands;
-use crate::compile::COUNT_OF_TICKS as WIDTH;
 use crate::layout::{counter as c, timer as t};
 use crate::memory::{Memory, Word};
+use crate::operation::Width;
 use crate::timers::Clock;
+
+/// The width of what is counted.
+const WIDTH: Width = Width::I32;
 
 /// The clock counts whole milliseconds.
 const MILLISECOND: i64 = 1_000_000;

@@ -1,10 +1,12 @@
 //! Timers that count time in a unit, and counters whose output compares, as Click controllers have them.
 
 use super::Operands;
-use crate::compile::MOST_UNITS;
 use crate::layout::{counter as c, timer as t};
 use crate::memory::Memory;
 use crate::timers::Clock;
+
+/// What a timer can count to.
+pub(crate) const MOST_UNITS: i64 = i16::MAX as i64;
 
 /// What a timer does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,7 +1,8 @@
 //! Scenarios with a program: names become tags, and cells values of the tags' types.
 
+use super::mistake::Mistake;
 use super::parse::{Cell, Direction, Row, Scenario, Suite};
-use super::{Mistake, Tolerance};
+use super::tolerance::Tolerance;
 use crate::simulation::Simulation;
 use crate::tags::Point;
 use crate::value_text;

@@ -13,6 +13,7 @@
 mod bind;
 mod draw;
 mod layout;
+mod mistake;
 mod parse;
 mod play;
 mod played;
@@ -25,32 +26,11 @@ mod words;
 
 pub use bind::{Case, bind};
 pub use draw::{Line, LineKind, draw, sentence};
-use ladder_syntax::TextRange;
 pub use layout::layout;
+pub use mistake::Mistake;
 pub use parse::{Cell, Direction, HEADINGS, Row, Scenario, Suite, parse};
 pub use play::Unmet;
 pub use record::{Recorded, record, recorded_file};
 pub use run::{Difference, Ran, run};
 pub use tolerance::Tolerance;
 pub use words::{Line as TextLine, Word};
-
-/// A mistake in a scenario file.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Mistake {
-    /// Where, in bytes.
-    pub range: TextRange,
-    /// What is wrong.
-    pub message: String,
-    /// What to do, where the message does not say it.
-    pub help: Option<String>,
-}
-
-impl Mistake {
-    fn new(range: TextRange, message: impl Into<String>, help: impl Into<String>) -> Mistake {
-        Mistake {
-            range,
-            message: message.into(),
-            help: Some(help.into()),
-        }
-    }
-}

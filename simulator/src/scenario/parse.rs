@@ -1,7 +1,8 @@
 //! What the lines of a scenario file say, before anything is known of the program.
 
+use super::mistake::Mistake;
+use super::tolerance::Tolerance;
 use super::words::{Word, lines, range};
-use super::{Mistake, Tolerance};
 use crate::value_text;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;

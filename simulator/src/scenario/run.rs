@@ -1,7 +1,7 @@
 //! Playing a scenario.
 
-use super::Tolerance;
 use super::bind::{Case, Expected, Target};
+use super::tolerance::Tolerance;
 use crate::fault::Fault;
 use crate::simulation::{Simulation, Status};
 use ladder_analysis::values::value::Value;

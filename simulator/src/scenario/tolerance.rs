@@ -40,12 +40,12 @@ impl Tolerance {
     }
 
     /// Whether a type's values have a distance.
-    pub fn is_for(ty: Scalar) -> bool {
+    pub(crate) fn is_for(ty: Scalar) -> bool {
         ty.is_number() || ty == Scalar::Time
     }
 
     /// Whether a value is near enough.
-    pub fn allows(self, expected: &Value, got: &Value, ty: Scalar) -> bool {
+    pub(crate) fn allows(self, expected: &Value, got: &Value, ty: Scalar) -> bool {
         let (Some(expected), Some(got)) = (number(expected, ty), number(got, ty)) else {
             return false;
         };

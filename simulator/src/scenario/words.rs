@@ -16,7 +16,7 @@ pub struct Word<'t> {
 
 impl Word<'_> {
     /// Where it ends, in bytes.
-    pub fn end(&self) -> usize {
+    pub(crate) fn end(&self) -> usize {
         self.start + self.text.len()
     }
 
@@ -59,7 +59,7 @@ impl<'t> Line<'t> {
     }
 
     /// The comment with its `#`, if there is one.
-    pub fn comment(&self) -> Option<&'t str> {
+    pub(crate) fn comment(&self) -> Option<&'t str> {
         Some(self.text[self.comment?..].trim_end())
     }
 }

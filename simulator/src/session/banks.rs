@@ -15,6 +15,13 @@ pub(super) struct Banks {
     left_at: Vec<u32>,
 }
 
+/// What a machine holds besides its memory.
+struct Rest<'m> {
+    rows: &'m [u8],
+    reached: &'m [i64],
+    left_at: &'m [u32],
+}
+
 impl Banks {
     /// What a machine holds.
     pub(super) fn of(machine: &Machine) -> Banks {
@@ -47,30 +54,32 @@ impl Banks {
 
     /// Writes how a machine differs, follows it, and marks what it touched.
     pub(super) fn follow(&mut self, machine: &Machine, touched: &mut Touched, out: &mut Vec<u8>) {
-        let rest = (&*machine.rows, &*machine.reached, &*machine.left_at);
+        let rest = Rest {
+            rows: &machine.rows,
+            reached: &machine.reached,
+            left_at: &machine.left_at,
+        };
         self.write(&machine.memory, rest, touched, out);
     }
 
     /// The same for banks of a later moment.
     pub(super) fn follow_banks(&mut self, newer: &Banks, touched: &mut Touched, out: &mut Vec<u8>) {
-        let rest = (&*newer.rows, &*newer.reached, &*newer.left_at);
+        let rest = Rest {
+            rows: &newer.rows,
+            reached: &newer.reached,
+            left_at: &newer.left_at,
+        };
         self.write(&newer.memory, rest, touched, out);
     }
 
-    fn write(
-        &mut self,
-        memory: &Memory,
-        (rows, reached, left_at): (&[u8], &[i64], &[u32]),
-        touched: &mut Touched,
-        out: &mut Vec<u8>,
-    ) {
+    fn write(&mut self, memory: &Memory, rest: Rest<'_>, touched: &mut Touched, out: &mut Vec<u8>) {
         let old = &mut self.memory;
         write_cells(out, &mut old.bits, &memory.bits, |run| touched.mark_bits(run));
         write_cells(out, &mut old.words, &memory.words, |run| touched.mark_words(run));
         write_texts(out, &mut old.texts, &memory.texts, |at| touched.mark_text(at));
-        write_cells(out, &mut self.rows, rows, |_| ());
-        write_cells(out, &mut self.reached, reached, |_| ());
-        write_cells(out, &mut self.left_at, left_at, |_| ());
+        write_cells(out, &mut self.rows, rest.rows, |_| ());
+        write_cells(out, &mut self.reached, rest.reached, |_| ());
+        write_cells(out, &mut self.left_at, rest.left_at, |_| ());
         write_queue(out, &mut old.received, &memory.received);
     }
 

@@ -11,7 +11,7 @@ use super::history::History;
 use super::{Breakpoint, Session, Writers};
 use crate::carry::{self, Changeover, Moved};
 use crate::code::{ElementPlace, Instr};
-use crate::compile::CompileError;
+use crate::compile_error::CompileError;
 use crate::machine::FaultRecord;
 use crate::simulation::{Simulation, ValueRefused};
 use crate::tags::Point;

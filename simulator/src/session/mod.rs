@@ -10,6 +10,7 @@ mod change;
 mod delta;
 mod given;
 mod history;
+mod inquire;
 mod names;
 mod past;
 mod rewind;
@@ -19,7 +20,7 @@ mod touched;
 mod why;
 
 use crate::carry::Names;
-use crate::compile::CompileError;
+use crate::compile_error::CompileError;
 use crate::fault::Fault;
 use crate::machine::FaultRecord;
 use crate::retain::Kept;
@@ -277,7 +278,7 @@ impl Session {
     }
 
     /// Whether anything was given since the last scan.
-    pub fn is_given(&self) -> bool {
+    pub(crate) fn is_given(&self) -> bool {
         self.changed
     }
 

@@ -3,6 +3,7 @@
 use super::Session;
 use super::change::Era;
 use super::history::History;
+use super::rewind::Rewind;
 use crate::simulation::Simulation;
 use crate::tags::Point;
 use ladder_analysis::values::types::Scalar;
@@ -76,7 +77,7 @@ fn note(
     count: usize,
     past: &mut [Vec<Value>],
 ) {
-    let mut rewind = history.rewind(simulation);
+    let mut rewind = Rewind::new(history, simulation);
     for scan in 0..skipped + count {
         rewind.undo_given();
         if scan >= skipped {

@@ -8,7 +8,8 @@ mod restart;
 mod scan;
 mod state;
 
-use crate::compile::{CompileError, Compiled, compile};
+use crate::compile::{Compiled, compile};
+use crate::compile_error::CompileError;
 use crate::fault::{Fault, Trouble};
 use crate::machine::{FaultRecord, Machine};
 use crate::memory::SERIAL_ROOM;
@@ -239,7 +240,7 @@ impl Simulation {
     }
 
     /// Whether the program uses the serial port.
-    pub fn has_serial(&self) -> bool {
+    pub(crate) fn has_serial(&self) -> bool {
         self.compiled.ports.serial
     }
 

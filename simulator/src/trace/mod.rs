@@ -16,7 +16,6 @@ use crate::simulation::Simulation;
 use crate::tags::Point;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
-pub use timing::{Lane, Signal, Timing};
 
 /// The form of a trace.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

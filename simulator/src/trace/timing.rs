@@ -12,38 +12,46 @@ use ladder_analysis::values::value::Value;
 
 /// What a timing diagram shows.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Timing {
+struct Timing {
     /// Said to those who cannot see the picture, and shown where a pointer rests on it.
-    pub title: String,
+    title: String,
     /// Nanoseconds that a column stands for.
-    pub interval: i64,
+    interval: i64,
     /// How many columns there are.
-    pub columns: u64,
+    columns: u64,
     /// From top to bottom.
-    pub lanes: Vec<Lane>,
+    lanes: Vec<Lane>,
 }
 
 /// One line of a timing diagram.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Lane {
+struct Lane {
     /// What is at its left.
-    pub name: String,
+    name: String,
     /// What it draws.
-    pub signal: Signal,
+    signal: Signal,
 }
 
 /// What a lane draws. A change is a column and what holds from there on; the first is at column 0.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Signal {
+enum Signal {
     /// A waveform.
     Levels(Vec<(u64, bool)>),
     /// Values: as they are read, and as a number if they are one.
-    Values(Vec<(u64, String, Option<f64>)>),
+    Values(Vec<Change>),
+}
+
+/// A new value.
+#[derive(Debug, Clone, PartialEq)]
+struct Change {
+    column: u64,
+    text: String,
+    number: Option<f64>,
 }
 
 impl Timing {
     /// The picture: one SVG document.
-    pub fn svg(&self) -> String {
+    fn svg(&self) -> String {
         draw::svg(self)
     }
 }
@@ -76,7 +84,11 @@ impl Write for Recorder {
                 (Signal::Levels(changes), value) => changes.push((scan, *value == Value::Bool(true))),
                 (Signal::Values(changes), value) => {
                     let ty = header.tags[index].ty();
-                    changes.push((scan, shown(value, ty), number(value, ty)));
+                    changes.push(Change {
+                        column: scan,
+                        text: shown(value, ty),
+                        number: number(value, ty),
+                    });
                 }
             }
         }

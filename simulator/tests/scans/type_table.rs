@@ -2,7 +2,7 @@
 
 use crate::support::get;
 use expect_test::expect;
-use ladder_analysis::{Rule, Severity, analyze};
+use ladder_analysis::{Severity, analyze};
 use ladder_simulator::{Options, Simulation};
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -72,7 +72,7 @@ fn program(declarations: &str, rung: &str) -> Option<Simulation> {
         return Some(Simulation::new(Arc::clone(program), Options::default()).unwrap());
     }
     assert!(
-        errors.iter().all(|found| found.rule == Rule::TypeMismatch),
+        errors.iter().all(|found| found.rule.name() == "type-mismatch"),
         "{text}: {errors:?}"
     );
     None

@@ -1,7 +1,7 @@
 //! Blocks on a rung: first part, operand list, operands.
 
 use super::{AstNode, Expression, NodeView, TokenView, child, expression_before, expression_behind};
-use crate::SyntaxKind;
+use crate::kind::SyntaxKind;
 use rowan::TextRange;
 
 ast_node!(

@@ -1,7 +1,7 @@
 //! Sections, declarations, headers of block definitions.
 
 use super::{AstNode, BlockHead, Expression, NodeView, TokenView, child, child_expression};
-use crate::SyntaxKind;
+use crate::kind::SyntaxKind;
 
 ast_node!(
     /// One declaration.

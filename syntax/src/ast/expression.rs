@@ -1,7 +1,7 @@
 //! Expressions: operands, indices, initial values.
 
 use super::{AstNode, NodeView, TokenView, child, child_expression, expression_before, expression_behind};
-use crate::SyntaxKind;
+use crate::kind::SyntaxKind;
 use rowan::TextRange;
 
 /// An expression. Which expressions an operand may be is for the analysis to say.

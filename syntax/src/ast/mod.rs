@@ -31,7 +31,7 @@ pub use expression::{
 };
 pub use view::{NodeView, TokenView};
 
-use crate::SyntaxKind;
+use crate::kind::SyntaxKind;
 use rowan::TextRange;
 
 /// A typed view of a node.

@@ -3,7 +3,7 @@
 //! rowan's own cursor knows its parents and allocates for each node it is on. What is read downwards only, for
 //! every block of every check, needs neither.
 
-use crate::SyntaxKind;
+use crate::kind::SyntaxKind;
 use rowan::{GreenNodeData, GreenTokenData, NodeOrToken, TextRange, TextSize};
 use std::fmt;
 
@@ -31,17 +31,17 @@ impl<'g> NodeView<'g> {
     }
 
     /// Its kind.
-    pub fn kind(self) -> SyntaxKind {
+    pub(crate) fn kind(self) -> SyntaxKind {
         SyntaxKind::from_raw(self.green.kind())
     }
 
     /// Where it is.
-    pub fn range(self) -> TextRange {
+    pub(crate) fn range(self) -> TextRange {
         TextRange::at(self.start, self.green.text_len())
     }
 
     /// The nodes and tokens right below it.
-    pub fn parts(self) -> impl Iterator<Item = NodeOrToken<NodeView<'g>, TokenView<'g>>> + use<'g> {
+    pub(crate) fn parts(self) -> impl Iterator<Item = NodeOrToken<NodeView<'g>, TokenView<'g>>> + use<'g> {
         let mut at = self.start;
         self.green.children().map(move |child| {
             let start = at;
@@ -69,7 +69,7 @@ impl<'g> NodeView<'g> {
     }
 
     /// Its first token, however deep.
-    pub fn first_token(self) -> Option<TokenView<'g>> {
+    pub(crate) fn first_token(self) -> Option<TokenView<'g>> {
         self.parts().find_map(|part| match part {
             NodeOrToken::Node(node) => node.first_token(),
             NodeOrToken::Token(token) => Some(token),

@@ -5,8 +5,9 @@
 
 use super::{Parser, expression, plain, recovery};
 use crate::builder::Builder;
+use crate::error::{Many, OperandPlace, Surroundings, SyntaxErrorKind};
+use crate::kind::SyntaxKind;
 use crate::lexer;
-use crate::{Many, OperandPlace, Surroundings, SyntaxErrorKind, SyntaxKind};
 use std::ops::Range;
 
 /// The block that begins with the bracket `open`.

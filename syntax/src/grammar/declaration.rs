@@ -2,10 +2,11 @@
 
 use super::{Parser, block, expression, plain};
 use crate::builder::Builder;
+use crate::error::{DeclarationProblem, SyntaxErrorKind};
+use crate::kind::SyntaxKind;
 use crate::lexer;
 use crate::line::{LineKind, Mode};
 use crate::name::longest;
-use crate::{DeclarationProblem, SyntaxErrorKind, SyntaxKind};
 
 /// The keyword that a line begins with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

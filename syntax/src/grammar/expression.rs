@@ -8,8 +8,9 @@
 
 use super::{MAX_DEPTH, MAX_TERMS, Parser, recovery};
 use crate::builder::Builder;
+use crate::error::{Many, OperandPlace, Surroundings, SyntaxErrorKind};
+use crate::kind::SyntaxKind;
 use crate::lexer;
-use crate::{Many, OperandPlace, Surroundings, SyntaxErrorKind, SyntaxKind};
 
 /// Whether a token can begin an operand. Operators and `:=` count: what they lack before them is named then.
 pub(super) const fn begins_operand(kind: SyntaxKind) -> bool {

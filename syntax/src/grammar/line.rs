@@ -3,10 +3,11 @@
 use super::declaration::KeywordLine;
 use super::{Parser, block, declaration};
 use crate::builder::Builder;
+use crate::error::{DeclarationProblem, Many, Surroundings, SyntaxErrorKind};
+use crate::kind::SyntaxKind;
 use crate::lexer;
-use crate::line::{Line, LineKind, Mode};
+use crate::line::{LineKind, Mode, ReadLine};
 use crate::line_index::line_ends;
-use crate::{DeclarationProblem, Many, Surroundings, SyntaxErrorKind, SyntaxKind};
 use rowan::TextSize;
 
 /// What a line's parse depends on besides its text.
@@ -28,12 +29,12 @@ impl Entry {
 
 /// Parses the logical line that begins at `start`. `start` must not be the end of the text; at least one
 /// character is taken.
-pub(crate) fn line<B: Builder>(text: &str, start: usize, entry: Entry, builder: &mut B) -> Line<B::Line> {
+pub(crate) fn line<B: Builder>(text: &str, start: usize, entry: Entry, builder: &mut B) -> ReadLine<B::Line> {
     let mut p = Parser::new(text, start, builder);
     let mut marks = Marks::default();
     let (kind, mode_after) = logical_line(&mut p, entry, &mut marks);
     drop_swallowed(&mut p);
-    Line {
+    ReadLine {
         kind,
         mode_after,
         downs: marks.downs,

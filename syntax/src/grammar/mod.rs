@@ -16,8 +16,9 @@ pub use declaration::is_declaration_keyword;
 pub(crate) use line::{Entry, line};
 
 use crate::builder::Builder;
+use crate::error::{DeclarationProblem, Surroundings, SyntaxError, SyntaxErrorKind};
+use crate::kind::SyntaxKind;
 use crate::lexer::{self, Token};
-use crate::{DeclarationProblem, Surroundings, SyntaxError, SyntaxErrorKind, SyntaxKind};
 use rowan::{TextRange, TextSize};
 
 /// How deep expressions may nest, and how many operators one operand may have. Both bound the depth of the

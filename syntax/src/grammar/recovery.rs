@@ -5,8 +5,8 @@
 //! parentheses of the line do not pair: in text without mistakes nothing is ever guessed.
 
 use super::Parser;
-use crate::SyntaxKind;
 use crate::builder::Builder;
+use crate::kind::SyntaxKind;
 use crate::lexer;
 
 /// The operand list that is being read.

@@ -8,7 +8,7 @@ mod literal;
 
 pub(crate) use literal::{is_closed_string, string_end};
 
-use crate::SyntaxKind::{self, *};
+use crate::kind::SyntaxKind::{self, *};
 use literal::{address_end, literal_end};
 
 /// A token: its kind, and where it ends.

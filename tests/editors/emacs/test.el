@@ -128,6 +128,16 @@
     (save-buffer))
   (same "the saved rung" "+--[ ]( a )------------------( )( b )--+\n" (buffer-string)))
 
+(step "comments are toggled, without what would end them"
+  (open "motor.clad")
+  (let ((before (buffer-string)))
+    (search-forward "[TON]")
+    (ladder-toggle-comment)
+    (same "the line" "# +--[ ]( run )--------[TON]( warmup, 20ms )--( )( lamp )--+ #"
+          (buffer-substring-no-properties (line-beginning-position) (line-end-position)))
+    (ladder-toggle-comment)
+    (same "the text" (string-replace "T#20ms" "20ms" before) (buffer-string))))
+
 (step "completion proposes the tags that fit"
   (open "typed.clad" "+--[ ]( start )--( )( st )--+\n")
   (goto-char (point-min))
@@ -145,7 +155,7 @@
   (search-forward "( start")
   (ladder-toggle (ladder--ask-tag "Toggle" #'identity))
   (ladder-step 3)
-  (same "the header" " paused, scan 3, 30 ms" (substring (ladder--header) 0 22))
+  (same "the header" " paused, scan 3, 30ms" (substring (ladder--header) 0 21))
   (same "what has power"
         '("" "+--\\--[ ]( start )--\\--[/]( stop )-------------( )( run )--+"
           "" "   /--[ ]( run )----/" ""

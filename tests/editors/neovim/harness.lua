@@ -118,8 +118,8 @@ end
 function M.values(bufnr, names)
   return table.concat(
     vim.tbl_map(function(name)
-      local tag, value = require('ladder').tag(name, bufnr), require('ladder.value')
-      return ('%s=%s%s'):format(name, tag and value.show(tag) or '?', tag and tag.forced and '!' or '')
+      local tag = require('ladder').tag(name, bufnr)
+      return ('%s=%s%s'):format(name, tag and tag.text or '?', tag and tag.forced and '!' or '')
     end, names),
     '  '
   )

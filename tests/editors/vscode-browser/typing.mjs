@@ -27,8 +27,20 @@ const place = (page, line, column) => page.getByText(new RegExp(`Ln ${line}, Col
 
 export async function typing(page, { step, until, screenshot, project }) {
     const mistakes = page.locator('.editor-group-container.active .monaco-editor .squiggly-error');
-    await step('Enter behind a rung begins the next one', async () => {
+    await step('a line becomes a comment and comes back, each in one step of undo', async () => {
         await open(page, NAME);
+        await page.locator('.editor-group-container.active .view-line', { hasText: 'first' }).click();
+        const shows = (what, text) => until(what, 5, async () => (await lines(page))[0] === text);
+        await page.keyboard.press('Control+/');
+        await shows('the comment', `# ${RUNG} #`);
+        await page.keyboard.press('Control+/');
+        await shows('the rung', RUNG);
+        await page.keyboard.press('Control+Z');
+        await shows('the comment again', `# ${RUNG} #`);
+        await page.keyboard.press('Control+Z');
+        await shows('the rung again', RUNG);
+    });
+    await step('Enter behind a rung begins the next one', async () => {
         await page.locator('.editor-group-container.active .view-line', { hasText: 'first' }).click();
         await page.keyboard.press('Control+Home');
         await page.keyboard.press('End');

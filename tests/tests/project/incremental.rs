@@ -8,8 +8,8 @@ use ladder_analysis::names::join::context_after;
 use ladder_analysis::names::scope::Scope;
 use ladder_analysis::networks::use_place::Use;
 use ladder_analysis::{
-    Analysis, Diagnostic, Exported, Exports, Level, Rule, RuleSettings, Severity, analyze_after,
-    analyze_context, analyze_with, exports,
+    Analysis, Diagnostic, Exported, Exports, Level, RuleSettings, Severity, analyze_after, analyze_context,
+    analyze_with, exports,
 };
 use ladder_syntax::{Parse, TextRange, parse};
 use ladder_tests::generator::{Dice, Mode, program};
@@ -280,7 +280,7 @@ fn settings(dice: &mut Dice) -> RuleSettings {
             Level::Shown(Severity::Error),
             Level::Shown(Severity::Info),
         ]);
-        settings.set(dice.of(Rule::ALL), level);
+        settings.set(dice.of(ladder_analysis::rules::ALL), level);
     }
     settings.scan_interval = dice.of(&[settings.scan_interval, Some(5_000_000)]);
     settings

@@ -16,6 +16,7 @@ mod pictures_wiring;
 mod power;
 mod refactorings;
 mod rename;
+mod rooms;
 mod rule_index;
 mod safe_fixes;
 mod scenarios;

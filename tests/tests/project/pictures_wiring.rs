@@ -262,7 +262,7 @@ fn branches_begin_at_one_line_and_end_at_one() {
     let mut met = 0;
     for seed in 0..100 {
         let circuit = series(&mut Dice::new(seed), 2, &mut 0);
-        let text = circuit.draw(&ladder_format::Options::default(), None, "\n", |text| {
+        let text = circuit.draw(&ladder_format::Options::default(), "\n", |text| {
             (ElementKind::Condition, text.as_str())
         });
         assert_eq!(check(&text), 1, "{text}");

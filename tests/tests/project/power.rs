@@ -147,7 +147,7 @@ fn constant_power_is_just_where_no_power_comes_through() {
     each(|lone| {
         let found = |block: usize| {
             lone.analysis.diagnostics().iter().any(|found| {
-                found.rule == Rule::ConstantPower
+                found.rule.name() == "constant-power"
                     && found.message.starts_with("no power ever")
                     && lone.block_at(found.range) == block
             })
@@ -171,7 +171,8 @@ fn redundant_elements_are_redundant_and_all_others_are_not() {
                 .iter()
                 .filter(move |found| found.rule == rule)
         };
-        let mut reported = of(Rule::RedundantElement).peekable();
+        let mut reported =
+            of(ladder_analysis::rules::rule_named("redundant-element").expect("a rule")).peekable();
         if reported.peek().is_some() {
             for found in reported {
                 let block = lone.block_at(found.range);
@@ -181,11 +182,11 @@ fn redundant_elements_are_redundant_and_all_others_are_not() {
         }
         // What never conducts, or leads nowhere, makes others redundant, and is reported in their place.
         let others = [
-            Rule::ConstantPower,
-            Rule::DuplicateBranch,
-            Rule::DeadEnd,
-            Rule::NoOutput,
-            Rule::OpenWire,
+            ladder_analysis::rules::rule_named("constant-power").expect("a rule"),
+            ladder_analysis::rules::rule_named("duplicate-branch").expect("a rule"),
+            ladder_analysis::rules::rule_named("dead-end").expect("a rule"),
+            ladder_analysis::rules::rule_named("no-output").expect("a rule"),
+            ladder_analysis::rules::rule_named("open-wire").expect("a rule"),
         ];
         if others.into_iter().any(|rule| of(rule).next().is_some()) {
             return;

@@ -5,7 +5,6 @@
 use std::path::Path;
 
 use expect_test::expect_file;
-use ladder_analysis::Rule;
 use ladder_notations::{NOTATIONS, by_name};
 use ladder_tests::book::{pages, source};
 use ladder_tests::rule_index;
@@ -36,7 +35,9 @@ fn rules_that_the_book_names_exist() {
     for page in pages().iter().filter(|page| !has_own_words(&page.path)) {
         for code in page.content.codes.iter().filter(|code| looks_like_a_rule(code)) {
             assert!(
-                Rule::from_name(code).is_some() || by_name(code).is_some() || is_foreign_check(code),
+                ladder_analysis::rules::rule_named(code).is_some()
+                    || by_name(code).is_some()
+                    || is_foreign_check(code),
                 "{}: there is no rule `{code}`",
                 page.path.display()
             );

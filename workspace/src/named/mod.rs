@@ -49,7 +49,7 @@ impl Named {
     }
 
     /// What is wrong with the name, whatever lies there.
-    pub fn mistake(&self) -> Option<Problem> {
+    pub(crate) fn mistake(&self) -> Option<Problem> {
         match name::parts(&self.name) {
             Err(problem) => Some(problem),
             Ok(parts) if self.folder == self.root && name::climbs_out(&parts) => Some(Problem::Outside),

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use walk::Walker;
 
 /// What the name of a program ends in, without the dot.
-pub const EXTENSION: &str = "clad";
+const EXTENSION: &str = "clad";
 
 /// Whether a file is a program by its name.
 pub fn is_program(path: &Path) -> bool {

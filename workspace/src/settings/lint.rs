@@ -23,7 +23,7 @@ pub struct Lint {
 
 impl Lint {
     /// What holds in a program's file.
-    pub fn levels_of(&self, program: &Path) -> Levels {
+    pub(crate) fn levels_of(&self, program: &Path) -> Levels {
         let mut levels = self.levels.clone();
         for (files, own) in &self.overrides {
             if covers(files, program) {
@@ -63,7 +63,7 @@ fn read_override(mut table: Table, folder: &Path, reader: &mut Reader) -> (Gitig
 fn levels(entries: impl Iterator<Item = Entry>, reader: &mut Reader) -> Levels {
     let mut levels = Levels::new();
     for Entry { key, range, given } in entries {
-        let Some(rule) = Rule::from_name(&key) else {
+        let Some(rule) = ladder_analysis::rules::rule_named(&key) else {
             reader.wrong(range, unknown_rule(&key));
             continue;
         };
@@ -113,7 +113,10 @@ fn level(given: &Given, reader: &mut Reader) -> Option<Level> {
 }
 
 fn unknown_rule(name: &str) -> String {
-    let names: Vec<&str> = Rule::ALL.iter().map(|rule| rule.name()).collect();
+    let names: Vec<&str> = ladder_analysis::rules::ALL
+        .iter()
+        .map(|rule| rule.name())
+        .collect();
     match closest(name, &names) {
         Some(near) => format!("`{name}` is no rule: did you mean `{near}`?"),
         None => format!("`{name}` is no rule; the reference of the rules lists them all"),

@@ -91,14 +91,11 @@ const ANY: i64 = i64::MAX;
 
 pub(super) const WIDTH: Setting = Setting {
     key: "width",
-    kind: Kind::Whole {
-        least: 40,
-        most: 10_000,
-    },
+    kind: Kind::Whole { least: 40, most: 300 },
     place: SetBy::FileOrEditor,
-    default: Some("100"),
+    default: Some("80"),
     example: "120",
-    about: "A network of up to this many columns shares the file's right rail; a wider one keeps its own.",
+    about: "The column of the right rail. A wider network has its own, at the next multiple of 20.",
 };
 
 pub(super) const SPACING: Setting = Setting {
@@ -192,7 +189,7 @@ pub(super) const CODE_LENS: Setting = Setting {
 };
 
 /// How diagrams are laid out.
-pub const FORMAT: Section = Section {
+pub(super) const FORMAT: Section = Section {
     name: "format",
     about: "How diagrams are laid out.",
     settings: &[WIDTH, SPACING],
@@ -206,14 +203,14 @@ pub const LINT: Section = Section {
 };
 
 /// How programs are run.
-pub const SIMULATE: Section = Section {
+pub(super) const SIMULATE: Section = Section {
     name: "simulate",
     about: "How programs are run.",
     settings: &[INTERVAL, WATCHDOG, HISTORY, RETAIN],
 };
 
 /// Which programs belong to the workspace.
-pub const WORKSPACE: Section = Section {
+pub(super) const WORKSPACE: Section = Section {
     name: "workspace",
     about: "Which programs belong to the workspace. Patterns are those of `.gitignore`, seen from the folder of `ladder.toml`.",
     settings: &[INCLUDE, EXCLUDE],

@@ -3,7 +3,7 @@
 use ladder_workspace::{Files, MAX_FILE_BYTES, Replacement, Root, find_programs, read, write};
 use std::fs;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use tempfile::TempDir;
 
 /// A folder with empty files; names that end in `/` are folders.
@@ -145,6 +145,7 @@ fn a_replacement_that_is_given_up_leaves_the_old_content() {
 mod unix {
     use super::*;
     use std::os::unix::fs::{PermissionsExt, symlink};
+    use std::path::Path;
 
     fn mode(path: &Path) -> u32 {
         fs::metadata(path).unwrap().permissions().mode() & 0o777

@@ -1,7 +1,7 @@
 //! What editors say of settings, and what is wrong with it.
 
 use expect_test::{Expect, expect};
-use ladder_analysis::{Level, Rule};
+use ladder_analysis::Level;
 use ladder_workspace::{EditorSettings, Tree};
 
 fn table(entries: &[(&str, Tree)]) -> Tree {
@@ -56,7 +56,13 @@ fn every_key() {
     assert!(settings.inlay_hints && !settings.code_lens);
     let project = settings.project;
     assert_eq!((project.format.width, project.format.spacing), (120, 3));
-    assert_eq!(project.lint.levels.get(&Rule::DoubleCoil), Some(&Level::Off));
+    assert_eq!(
+        project
+            .lint
+            .levels
+            .get(&ladder_analysis::rules::rule_named("double-coil").expect("a rule")),
+        Some(&Level::Off)
+    );
     assert_eq!(project.simulate.interval, Some(20_000_000));
     assert_eq!(
         (project.simulate.watchdog, project.simulate.history),
@@ -86,7 +92,7 @@ fn what_is_wrong_is_named_and_the_rest_holds() {
         ]),
         expect![[r#"
             `ladder.formt`: `formt` is no setting: did you mean `format`?
-            `ladder.format.width`: a whole number from 40 to 10000 is expected here
+            `ladder.format.width`: a whole number from 40 to 300 is expected here
             `ladder.format.with`: `with` is no setting in [format]: did you mean `width`?
             `ladder.lint.open-wires`: `open-wires` is no rule: did you mean `open-wire`?
             `ladder.lint.no-output`: `warning` is no severity: write "error", "warn", "info" or "off"

@@ -2,7 +2,7 @@
 
 use expect_test::{Expect, expect};
 use ladder_analysis::program::Program;
-use ladder_analysis::{Level, Rule, Severity};
+use ladder_analysis::{Level, Severity};
 use ladder_workspace::{Root, Settings, find_programs};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -57,9 +57,18 @@ exclude = ["old", "*.tmp.clad"]
     assert_eq!(
         lint,
         [
-            (Rule::UndeclaredTag, Level::Shown(Severity::Error)),
-            (Rule::NoOutput, Level::Shown(Severity::Info)),
-            (Rule::DoubleCoil, Level::Off),
+            (
+                ladder_analysis::rules::rule_named("undeclared-tag").expect("a rule"),
+                Level::Shown(Severity::Error)
+            ),
+            (
+                ladder_analysis::rules::rule_named("no-output").expect("a rule"),
+                Level::Shown(Severity::Info)
+            ),
+            (
+                ladder_analysis::rules::rule_named("double-coil").expect("a rule"),
+                Level::Off
+            ),
         ]
     );
     assert_eq!(settings.simulate.interval, Some(20_000_000));
@@ -139,7 +148,7 @@ fn wrong_values() {
     wrong(
         "[format]\nwidth = \"wide\"\nspacing = 0\n[simulate]\ninterval = 10\nwatchdog = -1\nretain = \"\"\n",
         expect![[r#"
-            ladder.toml:2:9: a whole number from 40 to 10000 is expected here
+            ladder.toml:2:9: a whole number from 40 to 300 is expected here
             ladder.toml:3:11: a whole number from 1 to 40 is expected here
             ladder.toml:5:12: a text in quotes is expected here, for example "20ms"
             ladder.toml:6:12: a whole number of at least 1 is expected here

@@ -4,7 +4,6 @@ use super::Side;
 use super::completion::{NEAR, Row};
 use crate::context::Context;
 use crate::findings::diagnostic::{Applicability, Diagnostic, Fix};
-use crate::findings::rule::Rule;
 use crate::networks::neighbours::{rung_above, rung_below};
 use ladder_format::Edit;
 use ladder_syntax::wiring::PartKind;
@@ -60,7 +59,7 @@ pub(super) fn found(context: &Context, own: &Side, other: &Side) -> Option<Diagn
         .iter()
         .flat_map(|&(first, last)| [edit(first, "/--\\"), edit(last, "\\--/")]);
     let mut found = Diagnostic::new(
-        Rule::UnpairedConnector,
+        crate::rules::unpaired_connector::RULE,
         own.range(parse, 0),
         format!(
             "the branch on line {} begins and ends with `|`, which is decoration: nothing joins it to the branch {} it",

@@ -3,7 +3,7 @@
 use super::look::Look;
 use super::wrap::wrap;
 use super::{markdown, rule};
-use ladder_analysis::{Rule, RuleGroup};
+use ladder_analysis::RuleGroup;
 use ladder_instructions::{Group, Instruction, TABLE};
 use std::io::{self, Write};
 
@@ -18,7 +18,9 @@ pub(super) fn print(look: &Look, out: &mut impl Write) -> io::Result<()> {
     }
     for group in RuleGroup::ALL {
         writeln!(out, "{heading}Rules: {}{heading:#}\n", group.title())?;
-        let rules = Rule::ALL.iter().filter(|rule| rule.group() == group);
+        let rules = ladder_analysis::rules::ALL
+            .iter()
+            .filter(|rule| rule.group() == group);
         let lines = rules.map(|rule| (rule.name().to_owned(), rule::summary(*rule)));
         markdown::print_table(&lines.collect::<Vec<_>>(), look.columns, out)?;
         writeln!(out)?;

@@ -3,7 +3,6 @@
 use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
 use clap::error::Error;
 use clap::{Arg, Command};
-use ladder_analysis::Rule;
 use ladder_instructions::TABLE;
 use std::collections::BTreeSet;
 use std::ffi::OsStr;
@@ -21,7 +20,7 @@ impl TypedValueParser for Names {
     fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
         let is_word = |name: &&str| name.chars().all(|c| c.is_ascii_alphanumeric());
         let mnemonics: BTreeSet<&str> = TABLE.iter().map(|row| row.mnemonic).filter(is_word).collect();
-        let rules = Rule::ALL.iter().map(|rule| rule.name());
+        let rules = ladder_analysis::rules::ALL.iter().map(|rule| rule.name());
         Some(Box::new(
             mnemonics.into_iter().chain(rules).map(PossibleValue::new),
         ))

@@ -9,7 +9,7 @@ include!(concat!(env!("OUT_DIR"), "/rule_pages.rs"));
 
 /// The rule of a name, as findings show it; capitals, and blanks or underscores for the hyphens, do not matter.
 pub(super) fn find(name: &str) -> Option<Rule> {
-    Rule::from_name(&name.trim().to_lowercase().replace(['_', ' '], "-"))
+    ladder_analysis::rules::rule_named(&name.trim().to_lowercase().replace(['_', ' '], "-"))
 }
 
 /// The first sentence of its page.
@@ -28,13 +28,13 @@ pub(super) fn summary(rule: Rule) -> String {
 /// The rules whose name has this word in it, as `coil` is in `double-coil`.
 pub(super) fn with_word(word: &str) -> impl Iterator<Item = &'static str> {
     let word = word.trim().to_lowercase();
-    let names = Rule::ALL.iter().map(|rule| rule.name());
+    let names = ladder_analysis::rules::ALL.iter().map(|rule| rule.name());
     names.filter(move |name| name.split('-').any(|part| part == word))
 }
 
 /// The name of a rule that is spelt almost like this.
 pub(super) fn closest(name: &str) -> Option<&'static str> {
-    Rule::ALL
+    ladder_analysis::rules::ALL
         .iter()
         .map(|rule| {
             (
@@ -75,7 +75,7 @@ mod tests {
 
     #[test]
     fn every_rule_has_its_page() {
-        for rule in Rule::ALL {
+        for rule in ladder_analysis::rules::ALL {
             let page = page(*rule).unwrap_or_else(|| panic!("docs/src/rules has no {rule}.md"));
             assert!(page.starts_with(&format!("# `{rule}`")), "{rule}");
         }

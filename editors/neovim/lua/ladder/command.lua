@@ -51,14 +51,10 @@ local function assignment(arguments, subcommand)
   return name, text
 end
 
---- Sends what was typed for a tag, as its type takes it.
+--- Sends what was typed for a tag.
 local function assign(arguments, subcommand)
   local name, text = assignment(arguments, subcommand)
-  local bufnr = drawing()
-  simulation().with_tag(bufnr, name, function(tag)
-    local value = require('ladder.value').parse(tag and tag.type, text)
-    simulation().command(bufnr, subcommand, { tag = tag and tag.name or name, value = value }, true)
-  end)
+  simulation().command(drawing(), subcommand, { tag = name, text = text })
 end
 
 --- @param wanted fun(tag: ladder.Tag): boolean

@@ -1,74 +1,29 @@
 --- Turns lines into comments and back. A comment cannot hold a `#`, so the editor's own `gc` would break a rung with a
---- duration in it: `T#5s` becomes `5s`, which means the same; where another `#` is, the command refuses.
+--- duration in it: what is to be written the server knows.
 local M = {}
 
-local function is_comment(line)
-  return line:match('^%s*#[^#]*#%s*$') ~= nil
-end
+--- In milliseconds. The operator waits for the answer: what is typed next is about the new text.
+local PATIENCE = 2000
 
-local function is_blank(line)
-  return line:match('^%s*$') ~= nil
-end
-
-local function uncommented(line)
-  local indent, text = line:match('^(%s*)#%s?([^#]-)%s?#%s*$')
-  return indent and indent .. text or line
-end
-
---- @param text string without a `#` in its strings
-local function without_prefixes(text)
-  return (
-    text:gsub('%f[%w_]([%a]+)#(%-?%d)', function(kind, digit)
-      local folded = kind:upper()
-      return (folded == 'T' or folded == 'TIME') and digit or nil
-    end)
-  )
-end
-
---- @return string|nil nil if a `#` is in the way
-local function commented(line)
-  local indent, text = line:match('^(%s*)(.-)%s*$')
-  -- A `$'` does not end a string.
-  for string in text:gsub('%$.', ''):gmatch("'[^']*'") do
-    if string:find('#', 1, true) then
-      return nil
-    end
-  end
-  local bare = without_prefixes(text)
-  return not bare:find('#', 1, true) and ('%s# %s #'):format(indent, bare) or nil
-end
-
---- All lines are comments: they are no longer. Else those that are not become one each.
---- @param lines string[]
---- @return string[]|nil lines
---- @return integer|nil refused the first line that holds another `#`, from 1
-function M.toggle(lines)
-  local all = vim.iter(lines):all(function(line)
-    return is_blank(line) or is_comment(line)
-  end)
-  if all then
-    return vim.tbl_map(uncommented, lines)
-  end
-  local result = {}
-  for index, line in ipairs(lines) do
-    result[index] = (is_blank(line) or is_comment(line)) and line or commented(line)
-    if not result[index] then
-      return nil, index
-    end
-  end
-  return result
+local function warn(message)
+  vim.notify('ladder: ' .. message, vim.log.levels.WARN)
 end
 
 --- The operator's function: `gc` sets it as 'operatorfunc'.
 function M.operate()
-  local first, last = vim.api.nvim_buf_get_mark(0, '[')[1], vim.api.nvim_buf_get_mark(0, ']')[1]
-  local lines, refused = M.toggle(vim.api.nvim_buf_get_lines(0, first - 1, last, false))
-  if lines then
-    vim.api.nvim_buf_set_lines(0, first - 1, last, false, lines)
-  else
-    local message = 'ladder: line %d holds a "#", which would end the comment. Write it without.'
-    vim.notify(message:format(first + refused - 1), vim.log.levels.WARN)
+  local bufnr = vim.api.nvim_get_current_buf()
+  local client = require('ladder.server').await(bufnr)
+  if not client then
+    return warn('no language server is attached')
   end
+  local first, last = vim.api.nvim_buf_get_mark(0, '[')[1], vim.api.nvim_buf_get_mark(0, ']')[1]
+  local argument = { uri = vim.uri_from_bufnr(bufnr), lines = { { first = first - 1, last = last - 1 } } }
+  local params = { command = 'ladder.comment', arguments = { argument } }
+  local answer, why = client:request_sync('workspace/executeCommand', params, PATIENCE, bufnr)
+  if not answer or answer.err then
+    return warn(answer and answer.err.message or 'no answer to the comment: ' .. why)
+  end
+  vim.lsp.util.apply_text_edits(answer.result.edits, bufnr, client.offset_encoding)
 end
 
 --- For a mapping with `expr`: begins the operator.

@@ -8,7 +8,6 @@ local shown = require('ladder.shown')
 local side_buffer = require('ladder.side_buffer')
 local simulation = require('ladder.simulation')
 local status = require('ladder.status')
-local value = require('ladder.value')
 local view = require('ladder.view')
 
 local M = {}
@@ -39,7 +38,7 @@ local function render(panel, tag)
   local name = tag.name .. pad .. '  '
   local role = tag.readOnly and 'constant' or tag.role
   local kind = ('%-' .. panel.types .. 's  %-8s  '):format(tag.type, role)
-  local text = value.show(tag)
+  local text = tag.text
   local line = name .. kind .. text .. (tag.forced and '  forced' or '')
   local at = #name + #kind
   local marks = { { 0, #tag.name, 'LadderTagName' }, { #name, at, 'LadderTagType' } }

@@ -13,13 +13,13 @@ local M = {}
 --- @field tags table<string, ladder.Tag> what is known of tags, by their names in lower case
 --- @field power table<integer, table<integer, ladder.Power>> what is known of elements, by line and column
 --- @field operands table<integer, ladder.Operand[]> those of the lines that are shown, by line
+--- @field labels ladder.Label[] where values are shown
 --- @field stale boolean the text is newer than what the server has answered about
 --- @field waiting fun()[] commands that wait for the one under way
 --- @field busy boolean a command is under way
 --- @field asked integer how many commands had taken effect at the last answer
 --- @field seen integer how many of them are in the picture that is shown
 --- @field hits integer the number of the last hit that was told
---- @field speed number|'max' how many times as fast as real time a run goes
 
 --- @class ladder.State
 --- @field session string
@@ -30,6 +30,7 @@ local M = {}
 --- @field program integer|nil the number of the change that brought the program which runs
 --- @field delta boolean|nil
 --- @field status 'paused'|'running'|'ended'|'faulted'
+--- @field text string how it is, in words
 --- @field scan integer
 --- @field timeMs number
 --- @field behind integer
@@ -41,6 +42,7 @@ local M = {}
 --- @field tags ladder.Tag[]
 --- @field power ladder.Power[]
 --- @field operands ladder.Operand[]|nil
+--- @field labels ladder.Label[]|nil all of them, whenever one is at another place
 --- @field faults { message: string, range: lsp.Range, scan: integer }[]
 
 --- @class ladder.Power
@@ -54,10 +56,17 @@ local M = {}
 --- @field tags string[]
 --- @field drawn boolean|nil
 
+--- @class ladder.Label where the value of an operand is shown
+--- @field tag string whose text it is
+--- @field at lsp.Position where the operand begins
+--- @field side 'above'|'below'|'between'
+--- @field column integer
+
 --- @class ladder.Tag
 --- @field name string
 --- @field type string
 --- @field value any
+--- @field text string the value as people read it
 --- @field role 'input'|'output'|'internal'
 --- @field forced boolean
 --- @field readOnly boolean|nil
@@ -76,13 +85,13 @@ function M.open(bufnr, client)
     tags = {},
     power = {},
     operands = {},
+    labels = {},
     stale = false,
     waiting = {},
     busy = false,
     asked = 0,
     seen = 0,
     hits = 0,
-    speed = 1,
   }
   sessions[bufnr] = session
   return session
@@ -91,14 +100,10 @@ end
 --- Takes in what a state tells of the drawing.
 --- @param session ladder.Session
 --- @param state ladder.State
---- @return boolean moved what is beside operands may have to be elsewhere
 function M.take(session, state)
-  local moved = state.operands ~= nil
+  session.labels = state.labels or session.labels
   for _, tag in ipairs(state.tags) do
-    local name = vim.fn.tolower(tag.name)
-    local known = session.tags[name]
-    moved = moved or not known or known.forced ~= tag.forced
-    session.tags[name] = tag
+    session.tags[vim.fn.tolower(tag.name)] = tag
   end
   for _, element in ipairs(state.power) do
     local start = element.range.start
@@ -113,7 +118,6 @@ function M.take(session, state)
     fresh[line] = true
     table.insert(session.operands[line], operand)
   end
-  return moved
 end
 
 --- Forgets all that is known of the drawing and the tags.
@@ -122,6 +126,7 @@ function M.reset(session)
   session.tags = {}
   session.power = {}
   session.operands = {}
+  session.labels = {}
 end
 
 --- Forgets the lines that are not shown any more.

@@ -289,26 +289,14 @@ end
 --- @param bufnr integer
 --- @param scans integer|nil until it is paused if not given
 function M.run(bufnr, scans)
-  local session = sessions.of(bufnr)
-  local speed = session and session.speed or 1
-  local argument = speed == 'max' and { realTime = false } or { speed = speed }
-  M.command(bufnr, 'run', vim.tbl_extend('force', argument, { scans = scans }))
+  M.command(bufnr, 'run', { scans = scans })
 end
 
 --- How fast runs go from now on, and the one that is under way.
 --- @param bufnr integer
 --- @param speed number|'max'
 function M.speed(bufnr, speed)
-  local session = sessions.of(bufnr)
-  if not session then
-    return M.command(bufnr, 'run')
-  end
-  session.speed = speed
-  if session.state and session.state.status == 'running' then
-    M.run(bufnr)
-  else
-    view.changed(bufnr)
-  end
+  M.command(bufnr, 'speed', speed == 'max' and { realTime = false } or { speed = speed })
 end
 
 --- Pauses at once: it does not wait for the commands before it, and drops those that have not been sent.

@@ -2,74 +2,15 @@
 --- drawing apart.
 require('ladder.highlight')
 
-local labels = require('ladder.labels')
 local sessions = require('ladder.session')
-local value = require('ladder.value')
 
 local M = {}
 
 local namespace = vim.api.nvim_create_namespace('ladder_values')
 
---- @class ladder.PlacedLabel
---- @field label ladder.Label
---- @field tag ladder.Tag
---- @field place 'above'|'below'|'between'
---- @field column integer
---- @field name string the operand's tag
---- @field drawn boolean|nil
-
---- What is where, by buffer; computed when other lines are shown, or when a value outgrows its room.
---- @type table<integer, { labels: ladder.PlacedLabel[], marks: table<integer, string> }>
-local placed = {}
-
---- @param tag ladder.Tag
---- @return string
-local function text_of(tag)
-  return value.show(tag) .. (tag.forced and '!' or '')
-end
-
---- @param session ladder.Session
---- @return ladder.PlacedLabel[]
-local function find_labels(session)
-  local found = {}
-  local encoding = session.client.offset_encoding
-  for line, operands in pairs(session.operands) do
-    local text = vim.api.nvim_buf_get_lines(session.bufnr, line, line + 1, false)[1] or ''
-    for _, operand in ipairs(operands) do
-      local tag = sessions.tag(session, operand.tags[1])
-      -- The drawing itself tells a contact's value, unless somebody holds it, and the text that of a constant.
-      local is_constant = tag and tag.readOnly and not vim.startswith(tag.name, 'SYS.')
-      if tag and not is_constant and (not operand.drawn or tag.forced) then
-        local byte = vim.str_byteindex(text, encoding, operand.range.start.character, false)
-        table.insert(found, {
-          name = operand.tags[1],
-          drawn = operand.drawn,
-          label = {
-            row = line,
-            column = vim.fn.strdisplaywidth(text:sub(1, byte)),
-            text = text_of(tag),
-            room = labels.room(tag.type),
-          },
-        })
-      end
-    end
-  end
-  table.sort(found, function(a, b)
-    return a.label.row < b.label.row or (a.label.row == b.label.row and a.label.column < b.label.column)
-  end)
-  local places = labels.place(
-    vim.tbl_map(function(it)
-      return it.label
-    end, found),
-    function(row)
-      return row >= 0 and vim.api.nvim_buf_get_lines(session.bufnr, row, row + 1, false)[1] or nil
-    end
-  )
-  for index, place in ipairs(places) do
-    found[index].place, found[index].column = place[1], place[2]
-  end
-  return found
-end
+--- What is drawn, by buffer: the labels, and what each line has of them.
+--- @type table<integer, { labels: ladder.Label[], marks: table<integer, string> }>
+local drawn = {}
 
 --- @param tag ladder.Tag
 local function group_of(tag)
@@ -78,21 +19,22 @@ end
 
 --- What is over each line, and in a line of its own above it: pieces of text at their columns.
 --- @param session ladder.Session
---- @param found ladder.PlacedLabel[]
-local function rows_of(session, found)
+local function rows_of(session)
   local rows = vim.defaulttable()
-  for _, it in ipairs(found) do
-    local tag = sessions.tag(session, it.name)
+  for _, label in ipairs(session.labels) do
+    local tag = sessions.tag(session, label.tag)
     if tag then
-      local piece = { column = it.column, text = text_of(tag), group = group_of(tag) }
-      if it.place == 'between' then
-        table.insert(rows[it.label.row].between, piece)
-      elseif it.place == 'above' then
-        table.insert(rows[it.label.row - 1].over, piece)
+      local text = tag.text .. (tag.forced and '!' or '')
+      local piece = { column = label.column, text = text, group = group_of(tag) }
+      local row = label.at.line
+      if label.side == 'between' then
+        table.insert(rows[row].between, piece)
+      elseif label.side == 'above' then
+        table.insert(rows[row - 1].over, piece)
       else
         -- Else it could be one of the line below.
-        piece.text = '^' .. piece.text
-        table.insert(rows[it.label.row + 1].over, piece)
+        piece.text = '^' .. text
+        table.insert(rows[row + 1].over, piece)
       end
     end
   end
@@ -168,21 +110,15 @@ local function put_between(bufnr, row, pieces)
 end
 
 --- @param session ladder.Session
---- @param moved boolean other lines are shown, or a tag was forced or let go
-function M.show(session, moved)
+function M.show(session)
   local bufnr = session.bufnr
-  local known = placed[bufnr]
-  for _, it in ipairs(known and known.labels or {}) do
-    local tag = sessions.tag(session, it.name)
-    local room = math.max(it.label.room, vim.fn.strdisplaywidth(it.label.text))
-    moved = moved or (tag ~= nil and vim.fn.strdisplaywidth(text_of(tag)) > room)
-  end
-  if moved or not known then
-    known = { labels = find_labels(session), marks = {} }
-    placed[bufnr] = known
+  local known = drawn[bufnr]
+  if not known or known.labels ~= session.labels then
+    known = { labels = session.labels, marks = {} }
+    drawn[bufnr] = known
     vim.api.nvim_buf_clear_namespace(bufnr, namespace, 0, -1)
   end
-  local rows = rows_of(session, known.labels)
+  local rows = rows_of(session)
   for row, content in pairs(rows) do
     local key = key_of(content)
     if known.marks[row] ~= key then
@@ -200,7 +136,7 @@ end
 
 --- @param bufnr integer
 function M.clear(bufnr)
-  placed[bufnr] = nil
+  drawn[bufnr] = nil
   vim.api.nvim_buf_clear_namespace(bufnr, namespace, 0, -1)
 end
 

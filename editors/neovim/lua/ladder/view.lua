@@ -57,7 +57,7 @@ function M.show(session, state)
     sessions.reset(session)
     power.clear(session.bufnr)
   end
-  local moved = sessions.take(session, state) or not state.delta
+  sessions.take(session, state)
   tell_of_change(last, state)
   -- The same hit comes with an answer and with a notification, and with one that comes late once more.
   if state.hit and state.hit.number > session.hits then
@@ -68,7 +68,7 @@ function M.show(session, state)
     local encoding = session.client.offset_encoding
     power.paint(session.bufnr, state.power, encoding)
     power.mark_next(session.bufnr, state.next, encoding)
-    values.show(session, moved)
+    values.show(session)
     faults.show(session.bufnr, state.faults, encoding)
   end
   M.changed(session.bufnr)

@@ -1,7 +1,6 @@
 // What a diagram's page is sent of a session: what has changed of what it shows, and never what it knows.
 import { Flicker } from '../flicker.ts';
 import type { Session } from '../session.ts';
-import { showDuration } from '../value.ts';
 import type { Lines, LiveUpdate, OperandAt, PowerAt } from './messages.ts';
 
 /** As much of a session as a page is sent. */
@@ -70,8 +69,7 @@ export class Feed {
             return tag && isNews(key, `${tag.value} ${tag.forced}`) ? [tag] : [];
         });
         this.#sent = sent;
-        const { status, scan, timeMs, forced, faults, stale } = source.state;
-        const time = showDuration(timeMs);
-        return { whole, status, scan, time, forced, faults: faults.length, stale, power, operands, tags };
+        const { status, text } = source.state;
+        return { whole, status, text, power, operands, tags };
     }
 }

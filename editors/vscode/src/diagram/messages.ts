@@ -1,5 +1,5 @@
 // What the diagram's page and the extension say to each other. Lines and characters count from 0.
-import type { Contact, Tag, Value } from '../protocol.ts';
+import type { Contact, Given, Tag } from '../protocol.ts';
 
 /** Lines that follow one another, both ends included. */
 export interface Lines {
@@ -54,13 +54,8 @@ export type OperandAt = readonly [line: number, character: number, tags: readonl
 export interface LiveUpdate {
     readonly whole: boolean;
     readonly status: 'paused' | 'running' | 'ended' | 'faulted';
-    readonly scan: number;
-    /** Time of the simulation, as text. */
-    readonly time: string;
-    readonly forced: number;
-    readonly faults: number;
-    /** Lines of the text have changed, and the server has not answered yet, or reports errors. */
-    readonly stale: boolean;
+    /** How the simulation is, in words. */
+    readonly text: string;
     readonly power: readonly PowerAt[];
     readonly operands: readonly OperandAt[];
     readonly tags: readonly Tag[];
@@ -84,8 +79,7 @@ export type FromPage =
     | { readonly type: 'painted' }
     | { readonly type: 'toggle'; readonly tag: string }
     | { readonly type: 'pulse'; readonly tag: string }
-    | { readonly type: 'set'; readonly tag: string; readonly value: Value }
-    | { readonly type: 'force'; readonly tag: string; readonly value: Value }
+    | ({ readonly type: 'set' | 'force'; readonly tag: string } & Given)
     | { readonly type: 'unforce'; readonly tag: string }
     | { readonly type: 'why'; readonly tag: string }
     | { readonly type: 'reveal'; readonly from: Place; readonly to: Place; readonly focus: boolean }

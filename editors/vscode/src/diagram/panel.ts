@@ -141,7 +141,7 @@ export class DiagramPanel implements vscode.Disposable {
                 break;
             case 'set':
             case 'force':
-                await this.#simulation.command(message.type, { tag, value: message.value });
+                await this.#simulation.command(message.type, 'text' in message ? { tag, text: message.text } : { tag, value: message.value });
                 break;
             case 'why':
                 await vscode.commands.executeCommand('ladder.simulation.why', { name: tag });

@@ -5,7 +5,6 @@ import * as vscode from 'vscode';
 
 import type { Session } from '../session.ts';
 import type { Simulation } from '../simulation.ts';
-import { showValue } from '../value.ts';
 import { added, atFirst, moved, MOST, picked, removed, renamed } from './chosenTags.ts';
 import type { FromPage, Situation, ToPage, TraceAsked } from './messages.ts';
 import { page } from './page.ts';
@@ -72,7 +71,7 @@ export class TraceView implements vscode.WebviewViewProvider, vscode.Disposable 
         const names = new Set(before.map((name) => name.toLowerCase()));
         const items = (await this.#simulation.allTags()).map((tag) => ({
             label: tag.name,
-            description: `${showValue(tag)}  ${tag.type}, ${tag.role}`,
+            description: `${tag.text}  ${tag.type}, ${tag.role}`,
             picked: names.has(tag.name.toLowerCase()),
         }));
         const chosen = await vscode.window.showQuickPick(items, {

@@ -1,6 +1,5 @@
 // A piece of the diagram on the page: the server's SVG, with the state of the running program on it. Text of the program
 // comes as text and stays text: the drawing is read as XML, and what is added is added as text.
-import { showValue } from '../../src/value.ts';
 import type { Tag } from '../../src/protocol.ts';
 import { type Changed, isSwitch, type Live, type Power, toggles } from './live.ts';
 import type { Piece } from './layout.ts';
@@ -244,7 +243,7 @@ export class Drawing {
         }
         for (const { text, operand, room } of part.values) {
             const tag = live.tagsOf([[this.first + operand[0], operand[1]]])[0];
-            setText(text, tag ? fitted(`${tag.forced ? 'F ' : ''}${showValue(tag)}`, room) : '');
+            setText(text, tag ? fitted(`${tag.forced ? 'F ' : ''}${tag.text}`, room) : '');
             text.classList.toggle('forced', tag?.forced === true);
         }
         if (isHurried && part.node !== document.activeElement) {

@@ -1,7 +1,6 @@
 // The strip below the diagram: the tags of the element that has the focus, to be set and forced.
 import type { FromPage } from '../../src/diagram/messages.ts';
 import type { Tag } from '../../src/protocol.ts';
-import { parseValue, showValue } from '../../src/value.ts';
 import { toggles } from './live.ts';
 import { type Span, sliderSpan } from './slider.ts';
 
@@ -97,7 +96,7 @@ export class Inspector {
             node,
             update: (tag) => {
                 now = tag;
-                value.textContent = `${showValue(tag)}${tag.forced ? ' forced' : ''}`;
+                value.textContent = `${tag.text}${tag.forced ? ' forced' : ''}`;
                 node.classList.toggle('forced', tag.forced);
                 updates.forEach((update) => update());
             },
@@ -115,8 +114,8 @@ export class Inspector {
     /** A field for the value, and a slider for a number. What is forced is forced to the new value. */
     #number(node: HTMLElement, now: () => Tag): (() => void)[] {
         const write = (text: string) => {
-            const { name, type, forced } = now();
-            this.#send({ type: forced ? 'force' : 'set', tag: name, value: parseValue(type, text) });
+            const { name, forced } = now();
+            this.#send({ type: forced ? 'force' : 'set', tag: name, text });
         };
         const field = document.createElement('input');
         field.type = 'text';
@@ -149,7 +148,7 @@ export class Inspector {
             () => {
                 const tag = now();
                 if (document.activeElement !== field) {
-                    field.value = showValue(tag);
+                    field.value = tag.text;
                 }
                 const next = sliderSpan(tag, span);
                 slider.hidden = next === undefined;
@@ -157,7 +156,7 @@ export class Inspector {
                     [slider.min, slider.max, slider.step] = [String(next.min), String(next.max), String(next.step)];
                 }
                 span = next;
-                slider.setAttribute('aria-valuetext', showValue(tag));
+                slider.setAttribute('aria-valuetext', tag.text);
                 if (sent && (tag.value === sent.value || Date.now() - sent.at > SETTLED)) {
                     sent = undefined;
                 }

@@ -4,7 +4,7 @@ import { Hands } from './hands.ts';
 import { Inspector } from './inspector.ts';
 import { Live } from './live.ts';
 import { Page } from './page.ts';
-import { describe, standing } from './speech.ts';
+import { describe } from './speech.ts';
 import { Toolbar } from './toolbar.ts';
 
 interface Saved {
@@ -77,7 +77,7 @@ function speak(): void {
     const state = live.state;
     if (state?.status !== status) {
         status = state?.status;
-        say(`Simulation ${standing(state)}`);
+        say(`Simulation ${state?.text ?? 'at rest'}`);
     }
     const found = page.selection;
     if (!found || !document.activeElement?.closest('g.element') || state?.status === 'running') {

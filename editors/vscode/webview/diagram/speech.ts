@@ -1,7 +1,5 @@
-// What is said of an element, and of the simulation.
-import type { LiveUpdate } from '../../src/diagram/messages.ts';
+// What is said of an element.
 import type { Tag } from '../../src/protocol.ts';
-import { showValue } from '../../src/value.ts';
 import type { Power } from './live.ts';
 
 /** An element of the drawing, in words. */
@@ -30,28 +28,11 @@ function powerInWords(kind: string, power: Power): string[] {
 }
 
 export function valueInWords(tag: Tag): string {
-    return `${tag.name} is ${showValue(tag)}${tag.forced ? ', forced' : ''}`;
+    return `${tag.name} is ${tag.text}${tag.forced ? ', forced' : ''}`;
 }
 
 /** @returns what is to be said, from what matters most to what matters least */
 export function describe({ kind, name, operands }: Spoken, power: Power | undefined, tags: readonly Tag[]): string {
     const what = [name, ...operands].join(' ');
     return [what, ...(power ? powerInWords(kind, power) : []), ...tags.slice(0, 3).map(valueInWords)].join(', ');
-}
-
-/** How the simulation is, in words. */
-export function standing(state: LiveUpdate | undefined): string {
-    if (!state) {
-        return 'at rest';
-    }
-    const { status, scan, time, forced, faults, stale } = state;
-    const count = (number: number, one: string) => `${number} ${one}${number === 1 ? '' : 's'}`;
-    return [
-        status,
-        `scan ${scan}`,
-        time,
-        ...(forced > 0 ? [`${forced} forced`] : []),
-        ...(faults > 0 ? [count(faults, 'fault')] : []),
-        ...(stale ? ['the text has errors: the last good program runs'] : []),
-    ].join(' · ');
 }

@@ -1,7 +1,6 @@
 // The strip above the diagram: what the simulation is doing, and the buttons that move it.
 import type { FromPage, LiveUpdate } from '../../src/diagram/messages.ts';
 import { Pace } from '../../src/pace.ts';
-import { standing } from './speech.ts';
 
 /** Nobody reads more often how far the program is. In milliseconds. */
 const UPDATE_EVERY = 200;
@@ -101,7 +100,7 @@ export class Toolbar {
     }
 
     #tell(): void {
-        const text = standing(this.#state);
+        const text = this.#state?.text ?? 'at rest';
         if (this.#standing.textContent !== text) {
             this.#standing.textContent = text;
         }

@@ -47,17 +47,17 @@ VAR_INPUT raw : BOOL; wait : TIME; END_VAR
         "Extract the selected",
         "+--[ ]( a )--$0[ADD]( n, n, 1 )--[GT]( n, 5 )$1--( )( y )--+\n",
         expect![[r#"
-        Extract the selected blocks into the block `[$Block1]`
+            Extract the selected blocks into the block `[$Block1]`
 
-        +--[ ]( a )----------------------[$Block1]( n )--( )( y )--+
+            +--[ ]( a )------------------------------------------[$Block1]( n )--( )( y )--+
 
-        FUNCTION_BLOCK [$Block1]
-        VAR_IN_OUT
-            n : DINT;
-        END_VAR
-        +--[ ]( EN )--[ADD]( n, n, 1 )--[GT]( n, 5 )---( )( ENO )--+
-        END_FUNCTION_BLOCK
-    "#]],
+            FUNCTION_BLOCK [$Block1]
+            VAR_IN_OUT
+                n : DINT;
+            END_VAR
+            +--[ ]( EN )--[ADD]( n, n, 1 )--[GT]( n, 5 )-----------------------( )( ENO )--+
+            END_FUNCTION_BLOCK
+        "#]],
     );
 }
 

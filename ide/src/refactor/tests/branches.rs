@@ -9,11 +9,11 @@ fn around_a_contact() {
         "Draw",
         "+--[ ]( st$0art )---------------------( )( run )--+\n",
         expect![[r#"
-        Draw a parallel contact `new_contact_1` around `start` (no change while it is low)
+            Draw a parallel contact `new_contact_1` around `start` (no change while it is low)
 
-        +--\--[ ]( start )----------\------------------( )( run )--+
-        |  /--[ ]( new_contact_1 )--/                              |
-    "#]],
+            +--\--[ ]( start )----------\--------------------------------------( )( run )--+
+            |  /--[ ]( new_contact_1 )--/                                                  |
+        "#]],
     );
 }
 
@@ -70,11 +70,11 @@ fn beside_a_coil() {
         "Draw",
         "+--[ ]( a )---------------------( )( r$0un )--+\n",
         expect![[r#"
-        Draw a parallel coil `new_coil_1` beside `run`
+            Draw a parallel coil `new_coil_1` beside `run`
 
-        +--[ ]( a )--\----------( )( run )--\--+
-        |            /---( )( new_coil_1 )--/  |
-    "#]],
+            +--[ ]( a )--\--------------------------------------------------( )( run )--\--+
+            |            /-------------------------------------------( )( new_coil_1 )--/  |
+        "#]],
     );
 }
 
@@ -89,17 +89,17 @@ VAR_INPUT a : BOOL; END_VAR
 END_FUNCTION_BLOCK
 ",
         expect![[r#"
-    Draw a parallel contact `new_contact_1` around `a` (no change while it is low)
+            Draw a parallel contact `new_contact_1` around `a` (no change while it is low)
 
-    FUNCTION_BLOCK [$B]
-    VAR_INPUT a : BOOL; END_VAR
-    VAR
-        new_contact_1 : BOOL;
-    END_VAR
-    +--[ ]( EN )--\--[ ]( a )--------------\-------( )( ENO )--+
-    |             /--[ ]( new_contact_1 )--/                   |
-    END_FUNCTION_BLOCK
-"#]],
+            FUNCTION_BLOCK [$B]
+            VAR_INPUT a : BOOL; END_VAR
+            VAR
+                new_contact_1 : BOOL;
+            END_VAR
+            +--[ ]( EN )--\--[ ]( a )--------------\---------------------------( )( ENO )--+
+            |             /--[ ]( new_contact_1 )--/                                       |
+            END_FUNCTION_BLOCK
+        "#]],
     );
 }
 
@@ -141,11 +141,11 @@ fn a_copy() {
         "Wrap",
         "+--$0[ ]( a )--[/]( b )$1---------------------( )( run )--+\n",
         expect![[r#"
-        Wrap `a` in a branch, with a copy in parallel (changes nothing yet)
+            Wrap `a` in a branch, with a copy in parallel (changes nothing yet)
 
-        +--\--[ ]( a )--[/]( b )--\--------------------( )( run )--+
-        |  /--[ ]( a )--[/]( b )--/                                |
-    "#]],
+            +--\--[ ]( a )--[/]( b )--\----------------------------------------( )( run )--+
+            |  /--[ ]( a )--[/]( b )--/                                                    |
+        "#]],
     );
     check(
         "Wrap",
@@ -165,10 +165,10 @@ fn gone() {
 |  /--[ ]( ru$0n )----/                                      |  # seal-in #
 ",
         expect![[r#"
-    Remove the parallel branch with `run` (changes what the rung does)
+            Remove the parallel branch with `run` (changes what the rung does)
 
-    +--[ ]( start )--[/]( stop )-------------------( )( run )--+  # main #  # seal-in #
-"#]],
+            +--[ ]( start )--[/]( stop )---------------------------------------( )( run )--+  # main #  # seal-in #
+        "#]],
     );
     check(
         "Remove",
@@ -177,10 +177,10 @@ fn gone() {
 |  /--[ ]( run )----/                                      |  # seal-in #
 ",
         expect![[r#"
-    Remove the parallel branch with `start` (changes what the rung does)
+            Remove the parallel branch with `start` (changes what the rung does)
 
-    +--[ ]( run )--[/]( stop )---------------------( )( run )--+  # main #  # seal-in #
-"#]],
+            +--[ ]( run )--[/]( stop )-----------------------------------------( )( run )--+  # main #  # seal-in #
+        "#]],
     );
     check(
         "Remove",
@@ -190,11 +190,11 @@ fn gone() {
 |     /--[ ]( $0c )--------/                     |
 ",
         expect![[r#"
-    Remove the parallel branch with `c` (changes what the rung does)
+            Remove the parallel branch with `c` (changes what the rung does)
 
-    +--\--[ ]( a )--\------------( )( y )--+
-    |  /--[ ]( b )--/                      |
-"#]],
+            +--\--[ ]( a )--\----------------------------------------------------( )( y )--+
+            |  /--[ ]( b )--/                                                              |
+        "#]],
     );
     check(
         "Remove",
@@ -204,11 +204,11 @@ fn gone() {
 |     /--[ ]( c )--------/                     |
 ",
         expect![[r#"
-    Remove the parallel branch with `b` (changes what the rung does)
+            Remove the parallel branch with `b` (changes what the rung does)
 
-    +--\--[ ]( a )--\------------( )( y )--+
-    |  /--[ ]( c )--/                      |
-"#]],
+            +--\--[ ]( a )--\----------------------------------------------------( )( y )--+
+            |  /--[ ]( c )--/                                                              |
+        "#]],
     );
     check(
         "Remove",
@@ -218,11 +218,11 @@ fn gone() {
 |     /--[ ]( c )--/                           |
 ",
         expect![[r#"
-    Remove the parallel branch with `b` (changes what the rung does)
+            Remove the parallel branch with `b` (changes what the rung does)
 
-    +--\--[ ]( a )--\------------( )( y )--+
-    |  /--[ ]( c )--/                      |
-"#]],
+            +--\--[ ]( a )--\----------------------------------------------------( )( y )--+
+            |  /--[ ]( c )--/                                                              |
+        "#]],
     );
     titles(
         "+--[ ]( a )--[TON]( $0t, 5s )---------( )( run )--+\n",
@@ -249,7 +249,7 @@ fn no_line_of_comments_is_lost() {
 
 
             # what holds it #
-            +--[ ]( start )--[/]( stop )-------------------( )( run )--+
+            +--[ ]( start )--[/]( stop )---------------------------------------( )( run )--+
         "#]],
     );
     check(
@@ -263,11 +263,11 @@ fn no_line_of_comments_is_lost() {
             Split the network before `stop` (`split_1` carries the power)
 
 
-            +--\--[ ]( start )-------------------------( )( split_1 )--+
-            |  /--                                                     |
+            +--\--[ ]( start )---------------------------------------------( )( split_1 )--+
+            |  /--                                                                         |
 
             # nothing #
-            +--[ ]( split_1 )--[/]( stop )-----------------( )( run )--+
+            +--[ ]( split_1 )--[/]( stop )-------------------------------------( )( run )--+
         "#]],
     );
 }

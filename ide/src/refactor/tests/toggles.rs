@@ -9,10 +9,10 @@ fn contacts() {
         "Make",
         "+--[ ]( st$0art )---------------------( )( run )--+\n",
         expect![[r#"
-        Make `start` normally closed (changes what the rung does)
+            Make `start` normally closed (changes what the rung does)
 
-        +--[/]( start )------------( )( run )--+
-    "#]],
+            +--[/]( start )----------------------------------------------------( )( run )--+
+        "#]],
     );
     titles(
         "+--[/]( sto$0p )---------------------( )( run )--+\n",
@@ -60,10 +60,10 @@ fn comparisons() {
         "Invert",
         "+--[G$0RT]( a, 5 )---------------------( )( run )--+\n",
         expect![[r#"
-        Invert the comparison of `a` (changes what the rung does)
+            Invert the comparison of `a` (changes what the rung does)
 
-        +--[LEQ]( a, 5 )-----------( )( run )--+
-    "#]],
+            +--[LEQ]( a, 5 )---------------------------------------------------( )( run )--+
+        "#]],
     );
     titles(
         "+--[G$0T]( a, 5, 7 )---------------------( )( run )--+\n",

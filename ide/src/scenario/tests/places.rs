@@ -164,7 +164,7 @@ fn rename_reaches_the_program_and_all_scenarios() {
         expect![[r#"
             %% lib.clad
             VAR count_of_parts, go : BOOL; list : ARRAY[1..2] OF INT; END_VAR
-            +--<FUN>( count )--[ ]( go )--------( )( count_of_parts )--+
+            +--<FUN>( count )--[ ]( go )----------------------------( )( count_of_parts )--+
             %% main.ladder-test
             program main.clad
             step 100ms

@@ -257,29 +257,29 @@ fn jumps_that_lead_nowhere() {
 
             +--# ldmicro: GOTO nowhere #--# ldmicro: GOTO inside #--# ldmicro: GOTO 4 #--# ldmicro: GOTO 0 #---+
 
-            +--<LBL>( twice )------------------------------------------------------------------<JMP>( twice )--+
+            +--<LBL>( twice )----------------------------------------------<JMP>( twice )--+
 
             # ldmicro: SUBPROG sub #
 
-            +--# ldmicro: LABEL twice #--# ldmicro: GOSUB other #----------------------------------------------+
+            +--# ldmicro: LABEL twice #--# ldmicro: GOSUB other #--------------------------+
 
-            +--# ldmicro: SUBPROG outer #----------------------------------------------------------------------+
+            +--# ldmicro: SUBPROG outer #--------------------------------------------------+
 
             # ldmicro: SUBPROG inner #
 
-            +--# ldmicro: ENDSUB outer #-----------------------------------------------------------------------+
+            +--# ldmicro: ENDSUB outer #---------------------------------------------------+
 
-            +--# ldmicro: SUBPROG beside #--[OSR]--------------------------------------------------------------+
+            +--# ldmicro: SUBPROG beside #--[OSR]------------------------------------------+
 
-            +--# ldmicro: ENDSUB beside #----------------------------------------------------------------------+
+            +--# ldmicro: ENDSUB beside #--------------------------------------------------+
 
-            +-------------------------------------------------------------------------------------------<MCR>--+
+            +-----------------------------------------------------------------------<MCR>--+
 
-            +--<FUN>( sub )------------------------------------------------------------------------------------+
+            +--<FUN>( sub )----------------------------------------------------------------+
 
             +--<LBL>( inside )--# ldmicro: GOTO twice #--# ldmicro: GOTO 1 #-----------<RET>--# was: GOTO 5 #--+
 
-            +--<FUN>( inner )----------------------------------------------------------------------------------+
+            +--<FUN>( inner )--------------------------------------------------------------+
             11:1 GOTO nowhere: refused: there is no label `nowhere`
             12:1 GOTO inside: refused: it leads out of its subprogram, or into one, to `inside`
             13:1 GOTO 4: refused: rung 4 is in another subprogram, or in none
@@ -342,12 +342,12 @@ fn a_relay_in_a_subprogram_and_branches_that_go_on() {
 
             # ldmicro: SUBPROG sub #
 
-            +--\----------( )( Ya )--\--( )( Yc )--+
-            |  /----------( )( Yb )--/             |
+            +--\--------------------------------------------------( )( Ya )--\--( )( Yc )--+
+            |  /--------------------------------------------------( )( Yb )--/             |
 
-            +--<FUN>( sub )------------------------+
+            +--<FUN>( sub )----------------------------------------------------------------+
 
-            +--[ ]( Xa )--------------------<MCR>--+
+            +--[ ]( Xa )------------------------------------------------------------<MCR>--+
             11:1 SUBPROG sub: approximated: what its MASTER_RELAY does ends with the function here
             22:1 PARALLEL: approximated: what is behind these branches has the power that comes out of any of them here; in LDmicro's fork it has what goes in
             22:1 ldmicro-rightmost: COIL must be the rightmost element of its rung

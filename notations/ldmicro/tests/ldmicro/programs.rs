@@ -178,9 +178,9 @@ fn every_element() {
             |                                          /--\----------------------[ADC]( Ain, 4 )--\--/                             |
             |                                             /---------------------[PERSIST]( sum )--/                                |
 
-            +-------------------------------------------------------------------------------------------<MCR>--+
+            +-----------------------------------------------------------------------<MCR>--+
 
-            +------------------------------------------------[URCV]( n )--[USND]( n )--[FMT]( 'H:\-5$R!', n )--+
+            +----------------------------[URCV]( n )--[USND]( n )--[FMT]( 'H:\-5$R!', n )--+
 
             # ldmicro: RUNG #
             70:1 RUNG: approximated: the rung is empty
@@ -244,8 +244,8 @@ fn the_fork() {
             VAR_INPUT
                 max : INT;
             END_VAR
-            +--[ ]( EN )--[OSR]--[LT]( c, max )----------------------------------------------[ADD]( c, c, 1 )--+
-            +--[GE]( c, max )----------------------------------------------------------------------( )( ENO )--+
+            +--[ ]( EN )--[OSR]--[LT]( c, max )--------------------------[ADD]( c, c, 1 )--+
+            +--[GE]( c, max )--------------------------------------------------( )( ENO )--+
             END_FUNCTION_BLOCK
             24:1 GOSUB #sub: refused: there is no subprogram `#sub` that could be made a function
             24:1 ldmicro-element: `GOSUB #sub` stays as a comment: there is no subprogram `#sub` that could be made a function

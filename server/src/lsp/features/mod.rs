@@ -4,6 +4,7 @@ pub(crate) mod asked;
 pub(crate) mod call_hierarchy;
 pub(crate) mod code_action;
 pub(crate) mod code_lens;
+pub(crate) mod comment;
 pub(crate) mod completion;
 pub(crate) mod diagram;
 pub(crate) mod diagram_text;

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use serde::Serialize;
+use serde_json::Value;
 use tokio::sync::{oneshot, watch};
 use tower_lsp::Client;
 use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
@@ -13,8 +14,8 @@ use crate::cancel::Cancel;
 use crate::lsp::convert;
 use crate::lsp::shared::Shared;
 use crate::lsp::transport::{blocking::blocking, prepared};
-use crate::simulation::messages::{OfSession, Run, Show, Shown, Start, Started, State, Status, Stopped};
-use crate::simulation::{Action, Answer, Failure, REPORT, Request, Session};
+use crate::simulation::messages::{OfSession, Show, Shown, Start, Started, State, Status, Stopped};
+use crate::simulation::{Action, Answer, Failure, Given, Pace, REPORT, Request, Session, status_text};
 
 /// The protocol's code for a request that makes sense but cannot be done.
 const REQUEST_FAILED: i64 = -32803;
@@ -58,14 +59,24 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
             act(shared, &it.session, Action::Record(name)).await
         }
         Request::Run(it) => {
-            let speed = speed(&it)?;
+            let pace = pace(it.real_time, it.speed)?;
             let scans = it.scans;
-            act(shared, &it.session, Action::Run { scans, speed }).await
+            act(shared, &it.session, Action::Run { scans, pace }).await
+        }
+        Request::Speed(it) => {
+            let pace = pace(it.real_time, it.speed)?.unwrap_or_default();
+            act(shared, &it.session, Action::Pace(pace)).await
         }
         Request::Pause(it) => act(shared, &it.session, Action::Pause).await,
-        Request::Set(it) => act(shared, &it.session, Action::Set(it.tag, it.value)).await,
+        Request::Set(it) => {
+            let given = given(&it.tag, it.value, it.text)?;
+            act(shared, &it.session, Action::Set(it.tag, given)).await
+        }
         Request::Pulse(it) => act(shared, &it.session, Action::Pulse(it.tag)).await,
-        Request::Force(it) => act(shared, &it.session, Action::Force(it.tag, it.value)).await,
+        Request::Force(it) => {
+            let given = given(&it.tag, it.value, it.text)?;
+            act(shared, &it.session, Action::Force(it.tag, given)).await
+        }
         Request::Unforce(it) => act(shared, &it.session, Action::Unforce(it.tag)).await,
         Request::State(it) => act(shared, &it.session, Action::State).await,
         Request::Show(Show { session, lines, tags }) => {
@@ -79,17 +90,30 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
     answer.map(Some)
 }
 
-/// How many times as fast as real time a run is to be; none for as fast as it goes.
-fn speed(run: &Run) -> Result<Option<f64>> {
-    match (run.real_time, run.speed) {
-        (Some(false), None) => Ok(None),
+/// The value for a tag.
+fn given(tag: &str, value: Option<Value>, text: Option<String>) -> Result<Given> {
+    match (value, text) {
+        (Some(value), None) => Ok(Given::Json(value)),
+        (None, Some(text)) => Ok(Given::Typed(text)),
+        _ => Err(error(Failure::Invalid(format!(
+            "{tag} takes a value or a text: give one of the two"
+        )))),
+    }
+}
+
+/// How fast a run is to go; none if nothing is said of it.
+fn pace(real_time: Option<bool>, speed: Option<f64>) -> Result<Option<Pace>> {
+    match (real_time, speed) {
+        (Some(false), None) => Ok(Some(Pace::Full)),
         (Some(false), Some(_)) => Err(error(Failure::Invalid(
             "a run that is not in real time has no speed: give one of the two".into(),
         ))),
         (_, Some(speed)) if !SPEEDS.contains(&speed) => Err(error(Failure::Invalid(format!(
             "speed is {speed}; it must be from 0.001 to 1000 times real time"
         )))),
-        (_, speed) => Ok(Some(speed.unwrap_or(1.0))),
+        (_, Some(speed)) => Ok(Some(Pace::Times(speed))),
+        (Some(true), None) => Ok(Some(Pace::default())),
+        (None, None) => Ok(None),
     }
 }
 
@@ -231,10 +255,11 @@ async fn report(
     // showing a program that runs.
     let last = states.borrow().clone();
     if last.status != Status::Ended {
-        let ended = State {
+        let mut ended = State {
             status: Status::Ended,
             ..last
         };
+        ended.text = status_text(&ended, Pace::default());
         client.send_notification::<SimulationState>(ended).await;
     }
 }
@@ -260,7 +285,7 @@ mod tests {
     use std::time::Duration;
 
     use futures::StreamExt;
-    use serde_json::{Value, json};
+    use serde_json::json;
     use tokio::io::AsyncWriteExt;
     use tower::{Service, ServiceExt};
     use tower_lsp::LspService;
@@ -334,6 +359,7 @@ mod tests {
             change: None,
             program: 0,
             status: Status::Paused,
+            text: String::new(),
             scan: 0,
             time_ms: 0.0,
             tags: Vec::new(),
@@ -349,6 +375,7 @@ mod tests {
             answers: 0,
             commands: None,
             operands: Vec::new(),
+            labels: None,
         };
         let (states, seen) = watch::channel(state.clone());
         let (_, answered) = oneshot::channel();

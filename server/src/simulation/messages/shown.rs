@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Tag, is_false};
-use crate::document::position::Range;
+use crate::document::position::{Position, Range};
 
 /// What of a program a client shows.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -93,4 +93,31 @@ pub struct Operand {
     /// The power of the block, or what the contact does, shows the value already.
     #[serde(default, skip_serializing_if = "is_false")]
     pub drawn: bool,
+}
+
+/// Where the value of an operand is shown over the text: never between the characters of a line, which would push the
+/// drawing apart.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Label {
+    /// The tag whose text it is.
+    pub tag: String,
+    /// Where its operand begins.
+    pub at: Position,
+    /// On which side of the operand's line.
+    pub side: Side,
+    /// In which column of the screen it begins, from 0.
+    pub column: u32,
+}
+
+/// On which side of a line something is shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Side {
+    /// Over the line above, which is blank there.
+    Above,
+    /// Over the line below, which is blank there.
+    Below,
+    /// Between the line and the one above, where neither leaves room.
+    Between,
 }

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::{Contact, Operand, is_false, is_zero, shortest};
+use super::{Contact, Label, Operand, is_false, is_zero, shortest};
 use crate::document::position::Range;
 
 /// How a simulation is: the answer of every other command, and the parameters of
@@ -28,6 +28,8 @@ pub struct State {
     pub program: u64,
     /// What it is doing.
     pub status: Status,
+    /// How it is, in words: `running, scan 12, 1.2s, 0.1x speed, 2 forced`.
+    pub text: String,
     /// How many scans are done.
     pub scan: u64,
     /// The simulation's clock, in milliseconds.
@@ -60,6 +62,9 @@ pub struct State {
     /// For a client that says what it shows: the operands in lines that it had not shown before.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub operands: Vec<Operand>,
+    /// For a client that says what it shows: where values are shown. All of them, whenever one is at another place.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub labels: Option<Vec<Label>>,
     /// Every tag, in the order of first appearance; timers and counters as their members.
     pub tags: Vec<Tag>,
     /// Every wire, block and connector, and whether power flowed there in the last scan.
@@ -159,6 +164,8 @@ pub struct Tag {
     pub kind: String,
     /// Its value.
     pub value: Value,
+    /// Its value as people read it: `1`, `1.5s`, `'text'`.
+    pub text: String,
     /// Who writes it.
     pub role: Role,
     /// Whether it is held at this value.

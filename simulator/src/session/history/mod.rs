@@ -14,7 +14,6 @@ mod travel;
 
 use super::banks::Banks;
 use super::delta::{Bytes, Way};
-use super::rewind::Rewind;
 use super::serial::SerialLog;
 use super::touched::Touched;
 use crate::simulation::Simulation;
@@ -271,11 +270,6 @@ impl History {
     pub(super) fn clock_before(&self, entry: usize) -> (u64, i64) {
         let moment = self.moment_before(entry);
         (moment.scan as u64, moment.now)
-    }
-
-    /// The state from which one can go back scan by scan, without moving the history.
-    pub(super) fn rewind(&self, simulation: &Simulation) -> Rewind<'_> {
-        Rewind::new(self, simulation)
     }
 
     /// The span of scans right before an entry, if there is one.

@@ -46,7 +46,7 @@ enum Purpose {
     Now,
 }
 
-pub(super) struct Inquiry<'s> {
+pub(in crate::session) struct Inquiry<'s> {
     simulation: &'s mut Simulation,
     history: &'s History,
     writers: &'s Writers,
@@ -62,7 +62,7 @@ pub(super) struct Inquiry<'s> {
 impl Inquiry<'_> {
     /// Why a point holds what it holds now, and how many kept scans were gone back over for it. The simulation is left
     /// anywhere.
-    pub(super) fn answer(
+    pub(in crate::session) fn answer(
         simulation: &mut Simulation,
         history: &History,
         writers: &Writers,
@@ -80,7 +80,7 @@ impl Inquiry<'_> {
             })
         };
         let value = simulation.value(point);
-        let present = history.rewind(simulation);
+        let present = Rewind::new(history, simulation);
         let mut inquiry = Inquiry {
             simulation,
             history,

@@ -14,9 +14,8 @@ mod text;
 mod trace;
 mod writers;
 
-use super::Session;
 use crate::tags::Point;
-use inquiry::Inquiry;
+pub(super) use inquiry::Inquiry;
 use ladder_analysis::program::Location;
 use ladder_analysis::values::value::Value;
 pub use text::Wording;
@@ -99,31 +98,4 @@ pub struct Reason {
     pub values: Vec<(Point, Value)>,
     /// Why these were so, as far as that was followed.
     pub because: Vec<Why>,
-}
-
-impl Session {
-    /// Why a point holds what it holds now.
-    pub fn why(&mut self, point: &Point) -> Why {
-        self.inquire(point).0
-    }
-
-    /// The same, and how many kept scans were gone back over for it.
-    fn inquire(&mut self, point: &Point) -> (Why, usize) {
-        let state = self.simulation.state();
-        let faults = self.simulation.machine.faults.len();
-        // The scans that are run again here came to their end before.
-        let brake = self.simulation.machine.brake.take();
-        let Session {
-            simulation,
-            history,
-            writers,
-            ..
-        } = self;
-        let writers = writers.get_or_init(|| Writers::of(simulation));
-        let answer = Inquiry::answer(simulation, history, writers, point);
-        self.simulation.restore(&state);
-        self.simulation.machine.faults.truncate(faults);
-        self.simulation.machine.brake = brake;
-        answer
-    }
 }

@@ -1,7 +1,7 @@
 //! How far back is gone for an answer.
 
+use crate::session::{HistoryLimits, Session};
 use crate::simulation::{Options, Simulation};
-use crate::{HistoryLimits, Session};
 use expect_test::{Expect, expect};
 use ladder_analysis::values::value::Value;
 use std::fmt::Write;

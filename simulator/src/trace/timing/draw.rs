@@ -1,6 +1,6 @@
 //! The picture itself.
 
-use super::{Lane, Signal, Timing};
+use super::{Change, Lane, Signal, Timing};
 use crate::chart::{Tick, time_ticks};
 use ladder_syntax::xml::Escaped;
 use std::fmt::Write;
@@ -206,15 +206,18 @@ impl Page {
 
     fn bus(
         &self,
-        changes: &[(u64, String, Option<f64>)],
+        changes: &[Change],
         columns: u64,
         high: f64,
         low: f64,
         out: &mut String,
     ) -> std::fmt::Result {
         let mid = f64::midpoint(high, low);
-        for (index, (at, text, _)) in changes.iter().enumerate() {
-            let (from, to) = (self.x(*at), self.x(next(changes, index, columns, |c| c.0)));
+        for (index, Change { column, text, .. }) in changes.iter().enumerate() {
+            let (from, to) = (
+                self.x(*column),
+                self.x(next(changes, index, columns, |c| c.column)),
+            );
             let slant = f64::min(4.0, (to - from) / 2.0);
             writeln!(
                 out,
@@ -244,7 +247,7 @@ impl Page {
 
     fn curve(
         &self,
-        changes: &[(u64, String, Option<f64>)],
+        changes: &[Change],
         columns: u64,
         high: f64,
         low: f64,
@@ -252,8 +255,11 @@ impl Page {
         out: &mut String,
     ) -> std::fmt::Result {
         let mut path = String::new();
-        for (index, (at, _, number)) in changes.iter().enumerate() {
-            let (from, to) = (self.x(*at), self.x(next(changes, index, columns, |c| c.0)));
+        for (index, Change { column, number, .. }) in changes.iter().enumerate() {
+            let (from, to) = (
+                self.x(*column),
+                self.x(next(changes, index, columns, |c| c.column)),
+            );
             let part = (number.unwrap_or(scale.least) - scale.least) / (scale.most - scale.least);
             let y = n(low - part * SWING);
             let step = if index == 0 {
@@ -300,17 +306,17 @@ fn scale(lane: &Lane, columns: u64, column: f64) -> Option<Scale> {
         return None;
     }
     let has_room = |index: usize| {
-        let (at, text, _) = &changes[index];
-        let width = (next(changes, index, columns, |c| c.0) - at) as f64 * column;
-        letters(text) * LETTER + 8.0 <= width
+        let change = &changes[index];
+        let width = (next(changes, index, columns, |c| c.column) - change.column) as f64 * column;
+        letters(&change.text) * LETTER + 8.0 <= width
     };
     let roomy = (0..changes.len()).filter(|&index| has_room(index)).count();
     if roomy * 2 >= changes.len() {
         return None;
     }
     let mut ends: Option<[(f64, &str); 2]> = None;
-    for (_, text, number) in changes {
-        let here = ((*number)?, text.as_str());
+    for change in changes {
+        let here = (change.number?, change.text.as_str());
         let [low, high] = ends.unwrap_or([here, here]);
         ends = Some([
             if here.0 < low.0 { here } else { low },

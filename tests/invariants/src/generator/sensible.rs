@@ -248,7 +248,7 @@ impl Writer {
     /// A block that a program can use.
     fn begin_definition(&mut self, dice: &mut Dice) {
         let wait = dice.of(&["T#20ms", "30ms"]);
-        let kind = dice.of(&["TON", "TOF", "RTO"]);
+        let kind = dice.of(&["TON", "TOF", "TP"]);
         self.definition = format!(
             "FUNCTION_BLOCK [$Steady]\nVAR_INPUT\n    raw : BOOL;\n    wait : TIME := {wait};\nEND_VAR\n\
              VAR_OUTPUT\n    clean : BOOL;\nEND_VAR\nVAR\n    delay : {kind};\nEND_VAR\n\n\

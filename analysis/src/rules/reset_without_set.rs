@@ -1,0 +1,6 @@
+//! `reset-without-set`: TODO
+
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity, When};
+
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Program, "reset-without-set", Severity::Info).when(When::Whole));

@@ -1,0 +1,160 @@
+//! `type-mismatch`: a value does not pass to the type that its place asks for.
+
+use crate::findings::article::with_article;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
+use crate::values::types::{Scalar, Type};
+use ladder_instructions::{Op, StateType, TypeClass};
+use ladder_syntax::TextRange;
+
+pub(crate) const RULE: Rule = Rule(
+    &RuleFacts::new(RuleGroup::Blocks, "type-mismatch", Severity::Error)
+        .about_types()
+        .fixed(Applicability::Unsafe),
+);
+
+pub(crate) fn wrong(range: TextRange, message: impl Into<String>) -> Diagnostic {
+    Diagnostic::new(RULE, range, message)
+}
+
+/// Two places ask for two types of one undeclared tag.
+pub(crate) fn two_answers(name: &str, first: (Type, TextRange), second: (Type, TextRange)) -> Diagnostic {
+    let message = format!("`{name}` is used as {} here, and as {} before", second.0, first.0);
+    let found = wrong(second.1, message).related(first.1, format!("here it is {}", first.0));
+    match (first.0, second.0) {
+        (Type::State(state), Type::Scalar(Scalar::Bool)) => found
+            .help(format!(
+                "for the output of the {} write `{name}.{}`",
+                state.name(),
+                state.output()
+            ))
+            .fix(
+                Applicability::Unsafe,
+                format!("Use the output of `{name}`"),
+                TextRange::empty(second.1.end()),
+                format!(".{}", state.output()),
+            ),
+        (Type::State(_), Type::State(_)) => found.help("give each of the two blocks a tag of its own"),
+        _ => found.help("declare it with the type it should have, and use another tag for the other"),
+    }
+}
+
+/// The tag of a timer is where a value belongs.
+pub(crate) fn state_as_value(name: &str, state: StateType, range: TextRange) -> Diagnostic {
+    let message = format!(
+        "`{name}` is the state of {}, a value is expected here",
+        with_article(state.name())
+    );
+    let member = match state {
+        StateType::Sr | StateType::Rs => format!("`{name}.Q1` is its output"),
+        state if state.is_counter() => format!("`{name}.Q` is its output, `{name}.CV` its count"),
+        _ => format!("`{name}.Q` is its output, `{name}.ET` its elapsed time"),
+    };
+    wrong(range, message).help(member)
+}
+
+pub(crate) fn does_not_pass(from: Scalar, to: Scalar, range: TextRange) -> Diagnostic {
+    let found = wrong(range, format!("this is {from}, {to} is expected here"));
+    let bits = |ty: Scalar| ty.is_bits() || ty.is_integer();
+    if from == Scalar::Bool && bits(to) {
+        return found
+            .help("a contact turns a BOOL into power: put it before the block; or convert it with [TYP]");
+    }
+    if to == Scalar::Bool && bits(from) {
+        return found.help("compare it ([NE]( tag, 0 )), or name one of its bits (tag.0)");
+    }
+    found.help(format!(
+        "convert it with [TYP]( result, value ) into {} first",
+        with_article(to)
+    ))
+}
+
+/// An operator does not work in the type of the result.
+pub(crate) fn operator(range: TextRange, ty: Scalar) -> Diagnostic {
+    wrong(
+        range,
+        format!("this operator does not work in {ty}, the type of the result"),
+    )
+}
+
+/// Times, points in time and numbers that do not fit together.
+pub(crate) fn times(op: Op, ty: Scalar, range: TextRange) -> Diagnostic {
+    let (message, help) = match (op, ty) {
+        (Op::Add, Scalar::Dt) => (
+            "a DT is the sum of a DT and TIMEs",
+            "the DT comes first: [ADD]( dt, dt, time )",
+        ),
+        (_, Scalar::Dt) => (
+            "only [ADD] gives a DT: from a DT and a TIME",
+            "for an earlier one add a negative TIME: [ADD]( dt, dt, T#-1h )",
+        ),
+        (Op::Sub, _) => (
+            "a TIME is the difference of two TIMEs, two DTs or two TODs",
+            "both sides are of one type: [SUB]( time, later, earlier )",
+        ),
+        (Op::Mul, _) => (
+            "a TIME is multiplied by numbers",
+            "one operand is the TIME, the others are numbers: [MUL]( time, time, 3 )",
+        ),
+        (Op::Div, _) => (
+            "a TIME is divided by numbers",
+            "the TIME comes first: [DIV]( time, time, 2 )",
+        ),
+        _ => (
+            "all operands must be TIMEs, as the result is",
+            "convert a number of milliseconds with [TYP]( time, number ) first",
+        ),
+    };
+    wrong(range, message).help(help)
+}
+
+pub(crate) fn cannot_compare(a: Scalar, b: Scalar, range: TextRange) -> Diagnostic {
+    wrong(range, format!("{a} and {b} cannot be compared")).help("convert one of them with [TYP] first")
+}
+
+pub(crate) fn bool_order(range: TextRange) -> Diagnostic {
+    wrong(
+        range,
+        "BOOL values are equal or not: none is greater than another",
+    )
+    .help("use contacts, or [EQ] and [NE]")
+}
+
+/// `[TYP]` between a duration and a point in time, or a day and a time of day.
+pub(crate) fn does_not_convert(from: Scalar, to: Scalar, range: TextRange) -> Diagnostic {
+    let message = format!("{from} cannot be converted into {to}");
+    wrong(range, message).help(
+        "a DT converts to its DATE and its TOD, a DATE to a DT; a TIME is the difference of two TODs or two DTs, \
+         [SUB]( time, later, earlier )",
+    )
+}
+
+/// The result's type is none that the instruction gives.
+pub(crate) fn result(ty: Scalar, class: TypeClass, range: TextRange) -> Diagnostic {
+    let expected = match class {
+        TypeClass::Number => "a number",
+        TypeClass::NumberOrTime => "a number or a TIME",
+        TypeClass::Real => "REAL or LREAL",
+        TypeClass::BitsOrInteger => "a bit string (BYTE to LWORD) or an integer",
+        TypeClass::BoolBitsOrInteger => "BOOL, a bit string or an integer",
+        TypeClass::Integer => "an integer",
+        TypeClass::String => "a STRING",
+        TypeClass::Any => "an elementary type",
+    };
+    wrong(range, format!("the result is {ty}, this block gives {expected}"))
+}
+
+/// A timer's or counter's block is on a tag of another type.
+pub(crate) fn wrong_state(name: &str, found: Type, expected: StateType, range: TextRange) -> Diagnostic {
+    wrong(
+        range,
+        format!(
+            "`{name}` is {found}, this block keeps its state in {}",
+            with_article(expected.name())
+        ),
+    )
+    .help(format!(
+        "give it a tag of its own: `{name} : {};`",
+        expected.name()
+    ))
+}

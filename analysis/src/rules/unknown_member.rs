@@ -1,0 +1,80 @@
+//! `unknown-member`: the word or number behind a point names no part of the tag.
+
+use crate::findings::article::with_article;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
+use crate::names::did_you_mean;
+use crate::names::scope::Scope;
+use crate::names::system_tag::SystemTag;
+use crate::values::types::{Scalar, Type};
+use ladder_instructions::StateType;
+use ladder_syntax::TextRange;
+
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Names, "unknown-member", Severity::Error).about_types());
+
+fn unknown(range: TextRange, message: String) -> Diagnostic {
+    Diagnostic::new(RULE, range, message)
+}
+
+pub(crate) fn system(word: &str, range: TextRange) -> Diagnostic {
+    unknown(range, format!("there is no system tag SYS.{word}"))
+        .help(format!("the system tags are {}", SystemTag::list()))
+}
+
+pub(crate) fn of_state(name: &str, state: StateType, word: &str, range: TextRange) -> Diagnostic {
+    let members = match state {
+        StateType::Sr | StateType::Rs => "Q1",
+        StateType::Ctud => "CU CD R LD PV CV QU QD Q CC",
+        state if state.is_counter() => "CU CD R LD PV CV Q CC",
+        _ => "IN PT Q ET R TT",
+    };
+    unknown(
+        range,
+        format!(
+            "`{name}` is {} and has no member `{word}`",
+            with_article(state.name())
+        ),
+    )
+    .help(format!("its members are {members}"))
+}
+
+/// A member of a timer, on a tag that is neither declared nor the tag of a block.
+pub(crate) fn of_no_state(
+    scope: &Scope,
+    name: &str,
+    word: &str,
+    base: TextRange,
+    range: TextRange,
+) -> Diagnostic {
+    let found = unknown(
+        range,
+        format!("`{name}` has no `{word}`: no block makes it a timer or counter, and it is not declared"),
+    );
+    let states = scope
+        .tags
+        .iter()
+        .filter(|tag| matches!(tag.ty, Some(Type::State(_))));
+    match did_you_mean::closest(name, states.map(|tag| tag.name.as_str())) {
+        Some(near) => found.help(format!("did you mean `{near}`?")).fix(
+            Applicability::Unsafe,
+            format!("Replace with `{near}`"),
+            base,
+            near,
+        ),
+        None => found.help(format!(
+            "check the name, or write the block that it belongs to, such as [TON]( {name}, T#5s )"
+        )),
+    }
+}
+
+pub(crate) fn of_scalar(ty: Scalar, word: &str, range: TextRange) -> Diagnostic {
+    if ty.is_integer() || ty.is_bits() {
+        let last = ty.width() - 1;
+        return unknown(
+            range,
+            format!("{ty} has the bits 0 to {last}, there is no `{word}`"),
+        );
+    }
+    unknown(range, format!("{ty} has no members"))
+}

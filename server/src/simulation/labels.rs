@@ -1,0 +1,143 @@
+//! Where values are shown: above their operands where the text is blank, else below them, else between the lines. Never
+//! between the characters of a line, which would push the drawing apart.
+
+use std::collections::HashMap;
+
+use ladder_analysis::values::types::Scalar;
+use ladder_format::display_width;
+
+use super::messages::Side;
+
+/// A value that is to be shown.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Wanted {
+    /// The line of the operand.
+    pub(super) row: u32,
+    /// The column of the screen where the operand begins.
+    pub(super) column: u32,
+    /// How many columns are kept for it.
+    pub(super) width: u32,
+}
+
+/// How many columns a value of a type mostly takes, so that it can grow without moving.
+pub(super) fn room(ty: Scalar) -> u32 {
+    match ty {
+        Scalar::Bool => 1,
+        Scalar::Time | Scalar::Real | Scalar::Lreal => 7,
+        _ => 5,
+    }
+}
+
+/// On which side of its line each value is, and in which column.
+///
+/// `wanted` is in the order of the text; `line_at` has no text for what is past its ends.
+pub(super) fn place(wanted: &[Wanted], line_at: impl Fn(u32) -> Option<String>) -> Vec<(Side, u32)> {
+    let mut lines: HashMap<u32, Option<Vec<bool>>> = HashMap::new();
+    let mut free_between: HashMap<u32, u32> = HashMap::new();
+    let places = wanted.iter().map(|&Wanted { row, column, width }| {
+        for (side, other) in [
+            (Side::Above, row.checked_sub(1)),
+            (Side::Below, row.checked_add(1)),
+        ] {
+            let Some(other) = other else { continue };
+            let taken = lines
+                .entry(other)
+                .or_insert_with(|| line_at(other).map(|line| taken(&line)));
+            // A column on each side, so that two things do not look like one.
+            let (start, end) = (column as usize, (column + width) as usize);
+            let Some(taken) = taken else { continue };
+            let mut around = taken.iter().take(end + 1).skip(start.saturating_sub(1));
+            if around.any(|taken| *taken) {
+                continue;
+            }
+            taken.resize(taken.len().max(end), false);
+            taken[start..end].fill(true);
+            return (side, column);
+        }
+        let free = free_between.entry(row).or_default();
+        let column = column.max(*free);
+        *free = column + width + 1;
+        (Side::Between, column)
+    });
+    places.collect()
+}
+
+/// Which columns of a line hold something.
+fn taken(line: &str) -> Vec<bool> {
+    let mut taken = Vec::with_capacity(line.len());
+    let mut letter = [0; 4];
+    for c in line.chars() {
+        let width = display_width(c.encode_utf8(&mut letter));
+        taken.extend(std::iter::repeat_n(c != ' ', width as usize));
+    }
+    taken
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Side::{Above, Below, Between};
+    use super::*;
+
+    /// Values at (row, column, width) over these lines.
+    fn placed(lines: &[&str], values: &[(u32, u32, u32)]) -> Vec<(Side, u32)> {
+        let values: Vec<Wanted> = values
+            .iter()
+            .map(|&(row, column, width)| Wanted { row, column, width })
+            .collect();
+        place(&values, |row| {
+            lines.get(row as usize).map(|&line| line.to_owned())
+        })
+    }
+
+    #[test]
+    fn above_where_it_is_blank() {
+        let timer = "+--[TON]( t, 5s )--( )( y )--+";
+        assert_eq!(placed(&["", timer], &[(1, 10, 7)]), [(Above, 10)]);
+        // A rail leaves room next to it.
+        let rail = "|                                  |";
+        let lines = ["+--[ ]( a )-------------( )( b )--+", rail, timer];
+        assert_eq!(placed(&lines, &[(2, 10, 7)]), [(Above, 10)]);
+        // A column on each side is left.
+        for (other, side) in [(" ".repeat(17) + "x", Between), (" ".repeat(18) + "x", Above)] {
+            assert_eq!(placed(&[&other, timer], &[(1, 10, 7)]), [(side, 10)]);
+        }
+        // Two columns of the screen are one letter there.
+        assert_eq!(placed(&["# 電電電 #", timer], &[(1, 10, 7)]), [(Between, 10)]);
+        assert_eq!(placed(&["# 電電 #", timer], &[(1, 10, 7)]), [(Above, 10)]);
+    }
+
+    #[test]
+    fn below_where_something_is_above() {
+        let (above, timer) = ("# a comment above #", "+--[TON]( t, 5s )--+");
+        assert_eq!(placed(&[above, timer, ""], &[(1, 10, 7)]), [(Below, 10)]);
+    }
+
+    #[test]
+    fn between_the_lines_where_neither_leaves_room() {
+        let (above, timer) = ("# a comment above #", "+--[TON]( t, 5s )--+");
+        // Never on a wire, which would seem to have that value.
+        let wire = "+-------------------( )( y )--+";
+        for below in [wire, "# a comment below #"] {
+            assert_eq!(placed(&[above, timer, below], &[(1, 10, 7)]), [(Between, 10)]);
+        }
+        // The first line has none above, the last none below.
+        assert_eq!(placed(&[timer], &[(0, 10, 7)]), [(Between, 10)]);
+        let sum = ["# a comment #", "+--[ADD]( n, m, 1 )--+", "# a comment #"];
+        let both = placed(&sum, &[(1, 10, 5), (1, 13, 2)]);
+        assert_eq!(both, [(Between, 10), (Between, 16)]);
+    }
+
+    #[test]
+    fn values_leave_a_column_between_them() {
+        let sum = "+--[ADD]( n, m, 1 )--+";
+        let beside = placed(&["", sum, ""], &[(1, 10, 2), (1, 13, 2)]);
+        assert_eq!(beside, [(Above, 10), (Above, 13)]);
+        // One that would cover another goes to the other side.
+        let covers = placed(&["", sum, ""], &[(1, 10, 5), (1, 13, 2)]);
+        assert_eq!(covers, [(Above, 10), (Below, 13)]);
+        // One of the line below is in the way, too.
+        let lines = ["# a comment #", sum, "", sum, "# a comment #"];
+        let below = placed(&lines, &[(1, 10, 5), (3, 10, 5)]);
+        assert_eq!(below, [(Below, 10), (Between, 10)]);
+    }
+}
