@@ -64,6 +64,10 @@ impl<'s> Source<'s> {
 }
 
 /// Bytes as text.
+///
+/// # Errors
+///
+/// If they are not UTF-8; the place is the first byte that is not.
 pub fn text_of(bytes: &[u8]) -> Result<&str, ReadError> {
     std::str::from_utf8(bytes).map_err(|error| {
         let good = String::from_utf8_lossy(&bytes[..error.valid_up_to()]).into_owned();
