@@ -2,10 +2,12 @@
 
 use crate::commands::{check, convert, dap, explain, fmt, lsp, render, sim, test, tree};
 #[cfg(feature = "pages")]
-use crate::commands::{completions, man};
+use crate::commands::{completions, man, pages};
 #[cfg(not(feature = "pages"))]
 use crate::features::{Feature, LeftOut};
 use crate::outcome::exit;
+#[cfg(feature = "pages")]
+use clap::CommandFactory;
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
@@ -71,13 +73,22 @@ impl Ladder {
             Command::Explain(arguments) => explain::run(&arguments),
             Command::Tree(arguments) => tree::run(&arguments),
             #[cfg(feature = "pages")]
-            Command::Completions(arguments) => completions::run(&arguments),
+            Command::Completions(arguments) => completions::run(&arguments, described),
             #[cfg(feature = "pages")]
-            Command::Man(arguments) => man::run(&arguments),
+            Command::Man(arguments) => man::run(&arguments, described),
             #[cfg(not(feature = "pages"))]
             Command::Completions(_) | Command::Man(_) => Err(Feature::Pages.left_out()),
         };
         exit(result)
+    }
+}
+
+/// The arguments of a program, as completions and manual pages describe them.
+#[cfg(feature = "pages")]
+fn described(program: pages::Program) -> clap::Command {
+    match program {
+        pages::Program::Ladder => Ladder::command(),
+        pages::Program::Ldfmt => Ldfmt::command(),
     }
 }
 

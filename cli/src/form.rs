@@ -2,8 +2,8 @@
 
 use crate::outcome::Failure;
 use clap::builder::{PossibleValue, PossibleValuesParser};
-pub(crate) use ladder_interchange::notation::Form;
-use ladder_interchange::notation::{LADDER, NOTATIONS, by_extension as notation_of, recognise};
+pub(crate) use ladder_notations::Form;
+use ladder_notations::{LADDER, NOTATIONS, by_extension as notation_of, recognise};
 use ladder_workspace::{is_program, shown};
 use std::path::Path;
 

@@ -1,10 +1,8 @@
 //! How a command ends.
 
-use crate::findings::render_settings;
 use crate::terminal;
-use annotate_snippets::Renderer;
-use ladder_interchange::notation::ReadError;
-use ladder_workspace::{FileError, SettingsError, shown};
+use ladder_notations::ReadError;
+use ladder_workspace::{FileError, shown};
 use std::fmt;
 use std::path::Path;
 use std::process::ExitCode;
@@ -58,6 +56,12 @@ impl Failure {
         }
     }
 
+    /// The same with the lines that it is about, if there are any.
+    #[must_use]
+    pub(crate) fn with_excerpt(self, excerpt: Option<String>) -> Failure {
+        Failure { excerpt, ..self }
+    }
+
     /// A file of another system that cannot be read: `motor.rung:1:7: ...`.
     pub(crate) fn broken(file: &Path, error: &ReadError) -> Failure {
         let place = error.place.map(|place| format!(":{place}")).unwrap_or_default();
@@ -82,20 +86,6 @@ impl fmt::Display for Failure {
 impl From<FileError> for Failure {
     fn from(error: FileError) -> Failure {
         Failure::new(error.to_string())
-    }
-}
-
-impl From<SettingsError> for Failure {
-    fn from(error: SettingsError) -> Failure {
-        let renderer = if terminal::stderr_has_colours() {
-            Renderer::styled()
-        } else {
-            Renderer::plain()
-        };
-        Failure {
-            message: error.to_string(),
-            excerpt: render_settings(&error, &renderer),
-        }
     }
 }
 

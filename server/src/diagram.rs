@@ -3,7 +3,7 @@
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-use ladder_interchange::picture::live::{self, Kind, Piece};
+use ladder_picture::live::{self, Kind, Piece};
 use ladder_syntax::{TextRange, TextSize};
 use serde::{Deserialize, Serialize};
 

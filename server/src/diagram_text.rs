@@ -1,7 +1,7 @@
 //! The diagram of an open program drawn with characters: only what a client shows, and, while the program runs, as it is.
 //! `docs/protocol.md` shows the messages.
 
-use ladder_interchange::picture::letters::{self, Ink, Live, Piece};
+use ladder_picture::letters::{self, Ink, Live, Piece};
 use ladder_syntax::{TextRange, TextSize};
 use serde::{Deserialize, Serialize};
 

@@ -8,7 +8,7 @@ use ladder_analysis::names::join::context;
 use ladder_analysis::networks::BlockAt;
 use ladder_ide::{Modifiers, Token, TokenKind, semantic_tokens};
 use ladder_instructions::Shape;
-use ladder_interchange::picture::{Options, Theme, scene, svg};
+use ladder_picture::{Options, Theme, scene, svg};
 use ladder_syntax::TextRange;
 use serde::{Deserialize, Serialize};
 

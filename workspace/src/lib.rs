@@ -13,7 +13,7 @@
 //! - [`is_excluded`] says of a file that was named whether a search would pass over it.
 //! - [`read`] and [`decode`] are the one gate for text: nothing that is not UTF-8, and nothing larger than
 //!   [`MAX_FILE_BYTES`], goes past it.
-//! - [`read_beside`] reads what lies beside a program of another system and belongs to it.
+//! - [`foreign_source`] is a program of another system with the files next to it that belong to it.
 //! - [`Named`] is a file that a workspace names, in its settings or scenarios: it lies inside of that, whatever links lead
 //!   to it, and is a regular file.
 //! - [`write()`] puts a new text in a file's place in one step: a reader, or a power cut, sees the old text or the
@@ -27,9 +27,9 @@
 //!
 //! Every error is a [`FileError`]: it names the file and says in plain words what is wrong with it.
 
-mod beside;
 mod error;
 mod excluded;
+mod foreign;
 mod lock;
 mod named;
 mod programs;
@@ -43,9 +43,9 @@ mod stamp;
 mod text;
 mod write;
 
-pub use beside::read_beside;
 pub use error::{FileError, Problem, Special};
 pub use excluded::is_excluded;
+pub use foreign::foreign_source;
 pub use ladder_syntax::MAX_FILE_BYTES;
 pub use named::{Named, read_own};
 pub use programs::{Source, Workspace};

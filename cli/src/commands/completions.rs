@@ -1,6 +1,6 @@
 //! `ladder completions`: what a shell reads to complete commands, options and names.
 
-use super::pages::{Program, command};
+use super::pages::{Described, Program};
 use crate::outcome::{Failure, Outcome};
 use crate::terminal::Stdout;
 use clap::Args;
@@ -34,9 +34,9 @@ pub(crate) struct Arguments {
     program: Program,
 }
 
-pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+pub(crate) fn run(arguments: &Arguments, described: Described) -> Result<Outcome, Failure> {
     let mut script = Vec::new();
-    let mut command = command(arguments.program);
+    let mut command = described(arguments.program);
     let name = command.get_name().to_owned();
     clap_complete::generate(arguments.shell, &mut command, name, &mut script);
     let mut out = Stdout::new();

@@ -1,6 +1,6 @@
 //! `ladder man`: the manual pages, made from the same texts as the help.
 
-use super::pages::{Program, command};
+use super::pages::{Described, Program};
 use crate::outcome::{Failure, Outcome};
 use crate::output::{Existing, may_write};
 use crate::terminal::{self, Stdout};
@@ -38,8 +38,8 @@ pub(crate) struct Arguments {
     force: bool,
 }
 
-pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let pages = pages();
+pub(crate) fn run(arguments: &Arguments, described: Described) -> Result<Outcome, Failure> {
+    let pages = pages(described);
     if let Some(folder) = &arguments.output {
         std::fs::create_dir_all(folder)
             .map_err(|error| Failure::new(format!("{}: cannot be made: {error}", shown::path(folder))))?;
@@ -75,11 +75,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 }
 
 /// Each program and command that a person may look up.
-fn pages() -> Vec<Command> {
-    let mut ladder = command(Program::Ladder).disable_help_subcommand(true);
+fn pages(described: Described) -> Vec<Command> {
+    let mut ladder = described(Program::Ladder).disable_help_subcommand(true);
     ladder.build();
     let commands: Vec<Command> = ladder.get_subcommands().cloned().collect();
-    let mut ldfmt = command(Program::Ldfmt);
+    let mut ldfmt = described(Program::Ldfmt);
     ldfmt.build();
     [ladder].into_iter().chain(commands).chain([ldfmt]).collect()
 }

@@ -11,7 +11,7 @@ pub(crate) mod lsp;
 #[cfg(feature = "pages")]
 pub(crate) mod man;
 #[cfg(feature = "pages")]
-mod pages;
+pub(crate) mod pages;
 pub(crate) mod render;
 pub(crate) mod sim;
 pub(crate) mod test;

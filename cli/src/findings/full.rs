@@ -5,7 +5,7 @@ use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Origin, Patch,
 use ladder_analysis::Severity;
 use ladder_analysis::findings::fix;
 use ladder_analysis::{Diagnostic, Fix, Related};
-use ladder_interchange::notation::Mark;
+use ladder_notations::Mark;
 use ladder_syntax::{TextRange, TextSize};
 use ladder_workspace::shown;
 use std::borrow::Cow;

@@ -1,6 +1,8 @@
 //! Mistakes in scenario files, shown like findings in programs.
 
 use super::source::Source;
+use crate::outcome::Failure;
+use crate::terminal;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer};
 use ladder_simulator::scenario::Mistake;
 use ladder_workspace::{SettingsError, shown};
@@ -11,8 +13,19 @@ pub(crate) const NAME: &str = "bad-scenario";
 /// The same in `ladder.toml`.
 const SETTING: &str = "bad-setting";
 
+impl From<SettingsError> for Failure {
+    fn from(error: SettingsError) -> Failure {
+        let renderer = if terminal::stderr_has_colours() {
+            Renderer::styled()
+        } else {
+            Renderer::plain()
+        };
+        Failure::new(error.to_string()).with_excerpt(render_settings(&error, &renderer))
+    }
+}
+
 /// What is wrong in a settings file, each with its excerpt; None if it is not about places in it.
-pub(crate) fn render_settings(error: &SettingsError, renderer: &Renderer) -> Option<String> {
+fn render_settings(error: &SettingsError, renderer: &Renderer) -> Option<String> {
     let SettingsError::Mistakes { file, mistakes } = error else {
         return None;
     };

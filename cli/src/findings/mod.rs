@@ -1,6 +1,5 @@
 //! What is wrong in a program, as people and as machines read it.
 
-mod beside;
 pub(crate) mod concise;
 pub(crate) mod full;
 pub(crate) mod github;
@@ -12,8 +11,6 @@ pub(crate) mod sarif;
 mod source;
 mod workspaces;
 
-pub(crate) use beside::companions;
-pub(crate) use mistake::render_settings;
 pub(crate) use problem::{FileRange, Problem, annotation};
 pub(crate) use source::{NotRead, Source, with_line_feeds};
 pub(crate) use workspaces::Workspaces;

@@ -7,7 +7,7 @@ use super::{full, mistake, sarif};
 use crate::outcome::Outcome;
 use annotate_snippets::Renderer;
 use ladder_analysis::Severity;
-use ladder_interchange::notation::Mark;
+use ladder_notations::Mark;
 use ladder_simulator::scenario::Mistake;
 use ladder_syntax::TextRange;
 use ladder_workspace::shown;

@@ -4,12 +4,11 @@
 //! which is shown and which findings have their places in, and the ladder text that it becomes, which is analysed and
 //! run.
 
-use super::beside::companions;
 use crate::form::{self, Form};
 use crate::outcome::Failure;
 use ladder_analysis::program::{Location, Program};
 use ladder_analysis::{Analysis, Diagnostic, NotWhole};
-use ladder_interchange::notation::{self, Foreign, Mark, ReadError, conversion_of_cplc_draft};
+use ladder_notations::{Foreign, Mark, ReadError, conversion_of_cplc_draft};
 use ladder_syntax::{LineColumn, LineIndex, TextRange, TextSize};
 use ladder_workspace::{Workspace, shown};
 use std::borrow::Cow;
@@ -69,15 +68,7 @@ impl Source {
             let text = ladder_workspace::decode(file, bytes).map_err(Failure::from)?;
             return Ok(Source::new(name, text));
         };
-        let stem = file
-            .file_stem()
-            .map(|stem| stem.to_string_lossy())
-            .unwrap_or_default();
-        let source = notation::Source {
-            name: &stem,
-            bytes: &bytes,
-            companions: &companions(notation, file)?,
-        };
+        let source = ladder_workspace::foreign_source(notation, file, &bytes).map_err(Failure::from)?;
         let foreign = Foreign::read(notation, &source).map_err(|error| NotRead::broken(file, &error))?;
         let mut source = Source::new(name, foreign.ladder().to_owned());
         source.index = LineIndex::new(foreign.text());
@@ -163,8 +154,9 @@ impl Source {
             return;
         }
         match conversion_of_cplc_draft(&self.text, &self.format_options()) {
-            Ok(fix) => found.fixes.push(fix),
-            Err(error) => found.help = Some(format!("it cannot be converted yet: {error}").into()),
+            Some(Ok(fix)) => found.fixes.push(fix),
+            Some(Err(error)) => found.help = Some(format!("it cannot be converted yet: {error}").into()),
+            None => {}
         }
     }
 

@@ -20,6 +20,7 @@ mod app;
 mod bands;
 mod columns;
 mod draw;
+mod fault;
 mod fold;
 #[cfg(test)]
 mod fold_tests;

@@ -10,7 +10,7 @@
 //! hints    the keys
 //! ```
 
-use super::draw::fault;
+use super::fault;
 use super::inputs;
 use super::plant::Plant;
 use ratatui::layout::Rect;

@@ -7,7 +7,7 @@ use super::{bands, operands};
 use crate::findings::Source;
 use ladder_analysis::program::{ElementKind, Location, Network, Program};
 use ladder_instructions::Instruction;
-use ladder_interchange::notation::Foreign;
+use ladder_notations::Foreign;
 use ladder_simulator::{Point, Simulation};
 use ladder_syntax::{Parse, SyntaxKind, TextRange};
 use std::collections::HashMap;

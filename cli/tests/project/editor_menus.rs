@@ -1,6 +1,6 @@
 //! The menus of VS Code know the files of other systems by their names.
 
-use ladder_interchange::notation::NOTATIONS;
+use ladder_notations::NOTATIONS;
 use ladder_tests::project;
 use std::collections::BTreeSet;
 

@@ -2,12 +2,11 @@
 
 use std::path::Path;
 
-use ladder_interchange::notation::{Notation, by_name};
+use ladder_notations::{Notation, by_language};
 use ladder_workspace::{SETTINGS_FILE, is_program, is_scenario};
 
-/// The language that a client names for a Python file that is a Click program. Files in Python are nobody's but
-/// Python's unless a person says otherwise.
-const CLICK: &str = "ladder-click";
+/// How the languages of notations begin. One that is not known is of a notation that this build leaves out.
+const NOTATION: &str = "ladder-";
 
 /// What an open text is.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -15,8 +14,9 @@ pub(crate) enum Kind {
     /// Ladder text. Whatever has another name but is not known to be something else.
     #[default]
     Program,
-    /// A Click program in Python.
-    Click,
+    /// A program of another system, of a language that a notation calls its own. Files in Python are nobody's but Python's
+    /// unless the client names such a language for them.
+    Foreign(&'static dyn Notation),
     /// `ladder.toml`.
     Settings,
     /// A file of scenarios.
@@ -29,15 +29,15 @@ impl Kind {
     /// By the address, and by the language that the client says it is.
     pub(crate) fn of(uri: &str, language: &str) -> Kind {
         let name = Path::new(uri.rsplit('/').next().unwrap_or(uri));
-        if language == CLICK {
-            Kind::Click
+        if let Some(notation) = by_language(language) {
+            Kind::Foreign(notation)
         } else if name == Path::new(SETTINGS_FILE) {
             Kind::Settings
         } else if is_program(name) {
             Kind::Program
         } else if is_scenario(name) || matches!(language, "ladder-test" | "laddertest") {
             Kind::Scenarios
-        } else if matches!(language, "toml" | "python") {
+        } else if matches!(language, "toml" | "python") || language.starts_with(NOTATION) {
             Kind::Other
         } else {
             Kind::Program
@@ -47,7 +47,7 @@ impl Kind {
     /// The notation of a program of another system.
     pub(crate) fn notation(self) -> Option<&'static dyn Notation> {
         match self {
-            Kind::Click => by_name("click"),
+            Kind::Foreign(notation) => Some(notation),
             Kind::Program | Kind::Settings | Kind::Scenarios | Kind::Other => None,
         }
     }
@@ -59,6 +59,7 @@ mod tests {
 
     #[test]
     fn what_a_text_is() {
+        let foreign = Kind::Foreign(by_language("ladder-click").expect("it is in the list"));
         for (uri, language, kind) in [
             ("file:///plant/motor.clad", "clad", Kind::Program),
             ("file:///plant/motor.clad", "", Kind::Program),
@@ -70,8 +71,9 @@ mod tests {
             ("file:///plant/motor.ladder-test", "", Kind::Scenarios),
             ("untitled:Untitled-2", "laddertest", Kind::Scenarios),
             ("file:///plant/tank.py", "python", Kind::Other),
-            ("file:///plant/tank.py", "ladder-click", Kind::Click),
-            ("untitled:Untitled-3", "ladder-click", Kind::Click),
+            ("file:///plant/tank.py", "ladder-click", foreign),
+            ("untitled:Untitled-3", "ladder-click", foreign),
+            ("untitled:Untitled-3", "ladder-unheard-of", Kind::Other),
         ] {
             assert_eq!(Kind::of(uri, language), kind, "{uri} {language}");
         }

@@ -8,7 +8,7 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use ladder_analysis::program::Program;
 use ladder_analysis::{NotWhole, Others, RuleSettings, analyze, analyze_with, link};
 use ladder_format::{Edit, Options};
-use ladder_interchange::notation::ReadError;
+use ladder_notations::ReadError;
 use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES, Parse, TextRange, TextSize, parse};
 use ropey::Rope;
 

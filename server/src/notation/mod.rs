@@ -3,7 +3,7 @@
 pub mod messages;
 mod opened;
 
-use ladder_interchange::notation::{self, Form, NOTATIONS, Remark, Source, convert};
+use ladder_notations::{Finding, Form, NOTATIONS, Remark, Report, Source, Tally, convert, remarks};
 use messages::{Converted, Element, Known, Notations};
 
 pub(crate) use opened::Opened;
@@ -11,10 +11,7 @@ pub(crate) use opened::Opened;
 /// What a program is to become, and what it is.
 #[derive(Debug)]
 pub(crate) struct Task<'t> {
-    /// The stem of its file's name.
-    pub(crate) name: &'t str,
-    pub(crate) bytes: &'t [u8],
-    pub(crate) companions: &'t [notation::Companion],
+    pub(crate) source: &'t Source<'t>,
     /// The notation that it is in.
     pub(crate) from: Form,
     /// The notation that it is to be in.
@@ -45,16 +42,11 @@ pub(crate) fn translate(
     let mut account = Account::default();
     let ladder = match task.from {
         Form::Ladder => {
-            String::from_utf8(task.bytes.to_vec()).map_err(|_| "the file is not UTF-8".to_owned())?
+            String::from_utf8(task.source.bytes.to_vec()).map_err(|_| "the file is not UTF-8".to_owned())?
         }
         Form::Foreign(notation) => {
-            let source = Source {
-                name: task.name,
-                bytes: task.bytes,
-                companions: task.companions,
-            };
             let options = ladder_format::Options::default();
-            let converted = convert(notation, &source, &options).map_err(|error| error.to_string())?;
+            let converted = convert(notation, task.source, &options).map_err(|error| error.to_string())?;
             account.add(&converted.report, &converted.findings, true);
             converted.written.text
         }
@@ -64,7 +56,7 @@ pub(crate) fn translate(
         Form::Foreign(notation) => {
             let own = || {
                 let parse = std::sync::Arc::new(ladder_syntax::parse(&ladder));
-                ladder_analysis::analyze(&parse, task.name)
+                ladder_analysis::analyze(&parse, &task.source.name)
             };
             let writing = match analysis {
                 Some(analysis) => notation.write(analysis),
@@ -97,19 +89,19 @@ pub(crate) fn translate(
 /// What became of the elements on the way.
 #[derive(Default)]
 struct Account {
-    tally: notation::Tally,
+    tally: Tally,
     remarks: Vec<Element>,
     notes: Vec<String>,
 }
 
 impl Account {
     /// `is_shown`: whether the places are those of the file that the editor shows.
-    fn add(&mut self, report: &notation::Report, findings: &[notation::Finding], is_shown: bool) {
+    fn add(&mut self, report: &Report, findings: &[Finding], is_shown: bool) {
         let tally = report.tally();
         self.tally.translated += tally.translated;
         self.tally.approximated += tally.approximated;
         self.tally.refused += tally.refused;
-        let remarks = notation::remarks(report, findings);
+        let remarks = remarks(report, findings);
         self.remarks
             .extend(remarks.iter().map(|remark| element(remark, is_shown)));
     }

@@ -4,9 +4,9 @@ use std::path::Path;
 use std::sync::Arc;
 
 use ladder_analysis::{Analysis, Diagnostic};
-use ladder_interchange::notation::{Companion, Foreign, Notation, Outcome, ReadError, Source};
+use ladder_notations::{Foreign, Notation, Outcome, ReadError, Source};
 use ladder_syntax::{LineIndex, Parse, TextRange, TextSize, line_around};
-use ladder_workspace::read_beside;
+use ladder_workspace::foreign_source;
 
 /// A hover shows no more lines of a drawing.
 const MOST_LINES: usize = 40;
@@ -29,14 +29,12 @@ impl Opened {
         file: Option<&Path>,
         analyse: impl FnOnce(&Arc<Parse>) -> Analysis,
     ) -> Result<Opened, ReadError> {
-        let companions = match file {
-            Some(file) => companions(notation, name, file)?,
-            None => Vec::new(),
-        };
-        let source = Source {
-            name,
-            bytes: text.as_bytes(),
-            companions: &companions,
+        let bytes = text.as_bytes();
+        let source = match file {
+            Some(file) => {
+                foreign_source(notation, file, bytes).map_err(|error| ReadError::whole(error.to_string()))?
+            }
+            None => Source::alone(name, bytes),
         };
         let foreign = Foreign::read(notation, &source)?;
         let analysis = analyse(&Arc::new(ladder_syntax::parse(foreign.ladder())));
@@ -77,8 +75,8 @@ impl Opened {
         (!shown.is_empty()).then(|| (trimmed(text, line), shown.join("\n\n")))
     }
 
-    /// The line, or the one where the statement begins that goes on in it, if anything was made from that. An `if True:`
-    /// has no part of its own; its rung is that of the line below.
+    /// The line, or the one where the statement begins that goes on in it, if anything was made from that. A line that
+    /// only introduces the next has no part of its own.
     fn line_with_parts(&self, lines: &LineIndex, number: usize) -> Option<TextRange> {
         let text = self.foreign.text();
         let line = lines.content(text, number);
@@ -88,7 +86,7 @@ impl Opened {
         if has_parts(line) {
             return Some(line);
         }
-        if text[line].trim_start().starts_with("if ") {
+        if self.foreign.introduces(line) {
             let below = lines.content(text, number + 1);
             return (below.start() > line.end() && has_parts(below)).then_some(below);
         }
@@ -116,16 +114,6 @@ impl Opened {
         }
         found
     }
-}
-
-/// The files beside a program that belong to it.
-fn companions(notation: &dyn Notation, name: &str, file: &Path) -> Result<Vec<Companion>, ReadError> {
-    let found = read_beside(file, &|other: &str| notation.has_companion(name, other));
-    let found = found.map_err(|error| ReadError::whole(error.to_string()))?;
-    Ok(found
-        .into_iter()
-        .map(|(name, bytes)| Companion { name, bytes })
-        .collect())
 }
 
 /// The lines of the network around an offset of ladder text in canonical layout; none in a declaration or comment.

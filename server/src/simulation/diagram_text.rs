@@ -1,6 +1,6 @@
 //! The diagram of a program that runs, drawn with characters.
 
-use ladder_interchange::picture::letters::{Gate, Live, Shown};
+use ladder_picture::letters::{Gate, Live, Shown};
 use ladder_simulator::chart;
 use ladder_syntax::{TextRange, TextSize};
 

@@ -8,7 +8,7 @@ use ladder_ide::{
     outline, prepare_rename, quick_fixes, refactorings, references, rename, selections, semantic_tokens,
     signature_help, type_definition, workspace_symbols,
 };
-use ladder_interchange::picture::live::pieces;
+use ladder_picture::live::pieces;
 use ladder_syntax::{TextRange, TextSize};
 
 /// Asks at an offset; `end` is the end of the text.

@@ -5,7 +5,7 @@
 
 use ladder_analysis::{Severity, analyze};
 use ladder_format::{Options, format_text};
-use ladder_interchange::notation::{self, Converted, LineColumn, NOTATIONS, Notation, Source};
+use ladder_notations::{Converted, LineColumn, NOTATIONS, Notation, Source};
 use ladder_syntax::parse;
 use std::ops::Range;
 use std::sync::Arc;
@@ -22,7 +22,7 @@ pub(crate) fn check(data: &[u8]) {
 fn read(notation: &dyn Notation, data: &[u8]) -> Option<Converted> {
     let source = Source::alone("program", data);
     let options = Options::default();
-    let converted = match notation::convert(notation, &source, &options) {
+    let converted = match ladder_notations::convert(notation, &source, &options) {
         Ok(converted) => converted,
         Err(error) => {
             assert!(!error.message.is_empty(), "{}", notation.name());

@@ -3,7 +3,7 @@
 use ladder_analysis::program::Program;
 use ladder_analysis::values::value::Value;
 use ladder_analysis::{Severity, analyze};
-use ladder_interchange::notation::{Companion, Converted, Source, by_name, convert};
+use ladder_notations::{Companion, Converted, Source, by_name, convert};
 use ladder_simulator::{Options, Simulation};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -47,7 +47,7 @@ fn get(simulation: &Simulation, name: &str) -> Value {
 
 /// The programs of these tests, and where there are any those of other people.
 fn programs() -> Vec<PathBuf> {
-    let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("../interchange/tests/click");
+    let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("../notations/click/tests/click");
     let mut out = vec![own.join("bottling.py"), own.join("grid/washer/main.csv")];
     let Some(corpus) = std::env::var_os("LADDER_CORPUS") else {
         eprintln!("skipped: LADDER_CORPUS names no folder of real programs");
@@ -84,9 +84,9 @@ fn whole_programs_run() {
             })
             .collect();
         let source = Source {
-            name: &name,
+            name: name.as_str().into(),
             bytes: &bytes,
-            companions: &companions,
+            companions,
         };
         let (converted, program) = program_of(notation, &source);
         let mut simulation = Simulation::new(program, Options::default())

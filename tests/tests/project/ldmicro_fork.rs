@@ -4,7 +4,7 @@
 use ladder_analysis::analyze;
 use ladder_analysis::program::Program;
 use ladder_analysis::values::value::Value;
-use ladder_interchange::notation::{Source, by_name, convert};
+use ladder_notations::{Source, by_name, convert};
 use ladder_simulator::{Options, Simulation};
 use std::sync::Arc;
 

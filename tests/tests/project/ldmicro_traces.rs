@@ -5,7 +5,7 @@ use ladder_analysis::program::{Argument, BlockKind, Expr, ExprKind, Place, Progr
 use ladder_analysis::values::value::Value;
 use ladder_analysis::{Severity, analyze};
 use ladder_instructions::Op;
-use ladder_interchange::notation::{Converted, Source, by_name, convert};
+use ladder_notations::{Converted, Source, by_name, convert};
 use ladder_simulator::{Options, Point, Simulation};
 use std::collections::BTreeMap;
 use std::fs;
@@ -60,11 +60,7 @@ fn compare(trace: &Path) -> Result<(), String> {
     };
     let expected = read("trace")?;
     let bytes = fs::read(trace.with_extension("ld")).map_err(|error| error.to_string())?;
-    let source = Source {
-        name: "test",
-        bytes: &bytes,
-        companions: &[],
-    };
+    let source = Source::alone("test", &bytes);
     let notation = by_name("ldmicro").expect("the notation is registered");
     let converted =
         convert(notation, &source, &ladder_format::Options::default()).map_err(|error| error.to_string())?;

@@ -5,6 +5,7 @@ mod book_programs;
 mod book_refactorings;
 mod click_programs;
 mod click_traces;
+mod crates;
 mod every_feature;
 mod incremental;
 mod instruction_reference;

@@ -6,9 +6,9 @@ use ladder_format::program::{
     Declaration, Drawing, Element, Item, Network, ProgramSketch, Section, SectionKind,
 };
 use ladder_format::{Circuit, Options};
-use ladder_interchange::notation::{Notation, Source, by_name, convert};
 use ladder_invariants::generator::Dice;
 use ladder_invariants::trace::{Stimulus, beside};
+use ladder_notations::{Notation, Source, by_name, convert};
 use ladder_syntax::parse;
 use std::sync::Arc;
 

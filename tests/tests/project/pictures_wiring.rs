@@ -5,8 +5,8 @@ use ladder_analysis::analyze;
 use ladder_analysis::context::Context;
 use ladder_analysis::networks::NetworkAt;
 use ladder_format::{Circuit, ElementKind};
-use ladder_interchange::picture::scene::{Form, Placed, Role};
-use ladder_interchange::picture::{Options, Scene, scene};
+use ladder_picture::scene::{Form, Placed, Role};
+use ladder_picture::{Options, Scene, scene};
 use ladder_syntax::parse;
 use ladder_syntax::wiring::PartKind;
 use ladder_tests::generator::{Dice, Mode, program};
@@ -77,8 +77,8 @@ struct Lines {
 impl Lines {
     fn of(scene: &Scene, network: usize) -> Lines {
         let mut lines = Lines::default();
-        let is_network = |block: &&ladder_interchange::picture::scene::Block| match block.kind {
-            ladder_interchange::picture::scene::BlockKind::Network { index, .. } => index == network,
+        let is_network = |block: &&ladder_picture::scene::Block| match block.kind {
+            ladder_picture::scene::BlockKind::Network { index, .. } => index == network,
             _ => false,
         };
         let block = scene.blocks.iter().find(is_network).expect("it is drawn");

@@ -5,7 +5,7 @@
 use std::path::Path;
 
 use expect_test::expect_file;
-use ladder_interchange::notation::{NOTATIONS, by_name};
+use ladder_notations::{NOTATIONS, by_name};
 use ladder_tests::book::{pages, source};
 use ladder_tests::rule_index;
 

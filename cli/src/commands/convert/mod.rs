@@ -3,13 +3,13 @@
 mod report;
 mod target;
 
-use crate::findings::{Source, companions};
+use crate::findings::Source;
 use crate::form::{self, Form};
 use crate::outcome::{Failure, Outcome};
 use crate::output::{Existing, Output};
 use crate::terminal;
 use clap::{Args, ValueEnum};
-use ladder_interchange::notation::{self, Companion, Converted, Notation};
+use ladder_notations::{Companion, Converted, Notation};
 use ladder_workspace::shown;
 use report::{Account, Side};
 use std::io::Write;
@@ -163,16 +163,8 @@ fn write(
 }
 
 fn read(notation: &'static dyn Notation, job: &Job) -> Result<Converted, Failure> {
-    let stem = job
-        .input
-        .file_stem()
-        .map(|stem| stem.to_string_lossy())
-        .unwrap_or_default();
-    let source = notation::Source {
-        name: &stem,
-        bytes: &job.bytes,
-        companions: &companions(notation, &job.input)?,
-    };
+    let source = ladder_workspace::foreign_source(notation, &job.input, &job.bytes)?;
     let options = ladder_format::Options::default();
-    notation::convert(notation, &source, &options).map_err(|error| Failure::broken(&job.input, &error))
+    ladder_notations::convert(notation, &source, &options)
+        .map_err(|error| Failure::broken(&job.input, &error))
 }

@@ -3,7 +3,7 @@
 use crate::outcome::{Failure, Outcome};
 use crate::terminal;
 use ladder_analysis::Severity;
-use ladder_interchange::notation::{self, Finding, Report, Tally};
+use ladder_notations::{Finding, LineColumn, Outcome as Became, Report, Tally};
 use ladder_workspace::shown;
 use serde::Serialize;
 use std::io::Write;
@@ -52,16 +52,16 @@ impl Account {
     pub(super) fn add(&mut self, side: Side, report: &Report, findings: &[Finding]) {
         for entry in &report.entries {
             let (outcome, reason) = match &entry.outcome {
-                notation::Outcome::Translated => ("translated", None),
-                notation::Outcome::Approximated(why) => ("approximated", Some(why.clone())),
-                notation::Outcome::Refused(why) => ("refused", Some(why.clone())),
+                Became::Translated => ("translated", None),
+                Became::Approximated(why) => ("approximated", Some(why.clone())),
+                Became::Refused(why) => ("refused", Some(why.clone())),
             };
             self.push(side, entry.place, outcome, entry.element.clone(), reason);
         }
         for found in findings {
             self.has_errors |= found.severity == Severity::Error;
-            let is_said = |entry: &notation::Entry| {
-                entry.place == found.place && matches!(entry.outcome, notation::Outcome::Refused(_))
+            let is_said = |entry: &ladder_notations::Entry| {
+                entry.place == found.place && matches!(entry.outcome, Became::Refused(_))
             };
             if report.entries.iter().any(is_said) {
                 continue;
@@ -85,7 +85,7 @@ impl Account {
     fn push(
         &mut self,
         side: Side,
-        place: notation::LineColumn,
+        place: LineColumn,
         outcome: &'static str,
         element: String,
         reason: Option<String>,

@@ -2,7 +2,7 @@
 
 use crate::form::{self, Form};
 use crate::outcome::{Failure, Outcome};
-use ladder_interchange::notation::{NOTATIONS, has_extension};
+use ladder_notations::{NOTATIONS, has_extension};
 use ladder_workspace::{find_files, is_program, read_bytes, shown};
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::path::{Path, PathBuf};

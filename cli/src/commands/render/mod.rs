@@ -17,8 +17,8 @@ use crate::terminal::{self, Stdout};
 use clap::{Args, ValueEnum};
 use ladder_analysis::values::types::Scalar;
 #[cfg(feature = "pdf")]
-use ladder_interchange::picture::sheet;
-use ladder_interchange::picture::{self, Options, Scene, Theme};
+use ladder_picture::sheet;
+use ladder_picture::{Options, Scene, Theme};
 use ladder_simulator::{Simulation, value_text};
 use ladder_workspace::shown;
 use std::io::{IsTerminal, Write};
@@ -143,12 +143,15 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         },
     };
     let bytes = match format {
-        Format::Svg => picture::svg(&scene, theme).into_bytes(),
+        Format::Svg => ladder_picture::svg(&scene, theme).into_bytes(),
         #[cfg(not(feature = "png"))]
         Format::Png => return Err(Feature::Png.left_out()),
         #[cfg(feature = "png")]
-        Format::Png => raster::png(&picture::svg(&scene, theme), arguments.scale.unwrap_or(2.0))
-            .map_err(|problem| Failure::new(format!("{}: {problem}", shown::line(&source.file))))?,
+        Format::Png => raster::png(
+            &ladder_picture::svg(&scene, theme),
+            arguments.scale.unwrap_or(2.0),
+        )
+        .map_err(|problem| Failure::new(format!("{}: {problem}", shown::line(&source.file))))?,
         Format::Pdf => pages(arguments, &source, &scene, theme)?,
         Format::Text => Vec::new(),
     };
@@ -265,7 +268,7 @@ fn pages(_: &Arguments, _: &Source, _: &Scene, _: Theme) -> Result<Vec<u8>, Fail
 
 /// The picture of the program as it is written. One with errors is drawn as well, and stderr shows them.
 fn at_rest(source: &Source) -> (Scene, Outcome) {
-    let scene = picture::scene(&source.analyze().context, &Options::default());
+    let scene = ladder_picture::scene(&source.analyze().context, &Options::default());
     (scene, rest(source))
 }
 
@@ -319,7 +322,7 @@ fn running(arguments: &Arguments, source: &Source, scans: u64) -> Result<Option<
         value: Some(&value),
         live: false,
     };
-    let scene = picture::scene(&source.analyze().context, &options);
+    let scene = ladder_picture::scene(&source.analyze().context, &options);
     Ok(Some((scene, run.outcome())))
 }
 

@@ -4,7 +4,7 @@ use super::value_of;
 use crate::findings::Source;
 use ladder_analysis::values::value::Value;
 use ladder_instructions::Op;
-use ladder_interchange::picture::letters::{self, Gate, Live, Shown};
+use ladder_picture::letters::{self, Gate, Live, Shown};
 use ladder_simulator::Simulation;
 use ladder_syntax::TextRange;
 

@@ -1,22 +1,10 @@
 //! The last fault, with its place.
 
 use super::{Scene, put};
-use crate::screen::plant::Plant;
+use crate::screen::fault::text;
 use ladder_format::display_width;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-
-/// From this height on a long message gets a second line.
-const HIGH: u16 = 20;
-
-/// How many lines it takes.
-pub(in crate::screen) fn lines(plant: &Plant, area: Rect) -> u16 {
-    match text(plant) {
-        None => 0,
-        Some(text) if area.height >= HIGH && display_width(&text) > u32::from(area.width) => 2,
-        Some(_) => 1,
-    }
-}
 
 pub(super) fn draw(buffer: &mut Buffer, pane: Rect, scene: Scene) {
     let Some(text) = text(scene.plant) else { return };
@@ -37,21 +25,4 @@ pub(super) fn draw(buffer: &mut Buffer, pane: Rect, scene: Scene) {
         put(buffer, pane, 0, line, &rest[..fits], style);
         rest = &rest[fits..];
     }
-}
-
-fn text(plant: &Plant) -> Option<String> {
-    let (fault, times) = plant.last_fault()?;
-    let place = match plant.sheet.place_name(fault.location) {
-        Some(place) => place,
-        None => {
-            let files = &plant.simulation().program().files;
-            files.get(fault.location.file as usize)?.clone()
-        }
-    };
-    let mut text = format!(" ! {place}: scan {}", fault.scan);
-    if times > 1 {
-        text.push_str(&format!(" ({times} times)"));
-    }
-    text.push_str(&format!(": {}", fault.message));
-    Some(text)
 }

@@ -2,7 +2,7 @@
 
 mod bar;
 mod diagram;
-pub(super) mod fault;
+mod fault;
 mod help;
 pub(super) mod hints;
 mod info;

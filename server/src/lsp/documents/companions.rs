@@ -94,7 +94,7 @@ pub(crate) fn diagnostics_of(shared: &Shared, revision: &Revision) -> Vec<Diagno
         return vec![diagnostics::too_large(revision)];
     }
     match revision.kind() {
-        Kind::Click => foreign::diagnostics_of(shared.agreed(), revision),
+        Kind::Foreign(_) => foreign::diagnostics_of(shared.agreed(), revision),
         Kind::Settings => settings(revision),
         Kind::Scenarios => scenarios(shared, revision),
         Kind::Program | Kind::Other => Vec::new(),

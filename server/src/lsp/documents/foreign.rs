@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use ladder_analysis::{Diagnostic as Finding, Severity};
-use ladder_interchange::notation::{Lines, Mark, ReadError};
+use ladder_notations::{Lines, Mark, ReadError};
 use ladder_syntax::{TextRange, TextSize};
 use tower_lsp::ls_types::Diagnostic;
 

@@ -74,7 +74,7 @@ pub(crate) async fn code_action(
             .filter(|place| {
                 wanted(&params.context, &name(ActionKind::QuickFix)) && place.intersect(problems).is_some()
             })
-            .map(|_| conversion::action(agreed, &revision, analysis))
+            .and_then(|_| conversion::action(agreed, &revision, analysis))
             .filter(|action| action.disabled.is_none() || agreed.disabled_actions);
         Some(
             shown

@@ -2,7 +2,7 @@
 //! to do at the command line.
 
 use ladder_analysis::cplc_draft_beginning;
-use ladder_interchange::notation::conversion_of_cplc_draft;
+use ladder_notations::conversion_of_cplc_draft;
 use ladder_syntax::TextRange;
 use tower_lsp::ls_types::{CodeAction, CodeActionDisabled, CodeActionKind};
 
@@ -19,8 +19,8 @@ pub(super) fn place(analysis: &Analysis) -> Option<TextRange> {
         .then(|| cplc_draft_beginning(&whole.context.parse))?
 }
 
-/// The action for a text in the draft, with its edit.
-pub(super) fn action(agreed: Agreed, revision: &Revision, analysis: &Analysis) -> CodeAction {
+/// The action for a text in the draft, with its edit; none in a build that does not read the draft.
+pub(super) fn action(agreed: Agreed, revision: &Revision, analysis: &Analysis) -> Option<CodeAction> {
     let mut findings = Findings::of(agreed, revision);
     let found = analysis.findings().iter();
     let action = CodeAction {
@@ -33,7 +33,8 @@ pub(super) fn action(agreed: Agreed, revision: &Revision, analysis: &Analysis) -
         ),
         ..CodeAction::default()
     };
-    match conversion_of_cplc_draft(&revision.text(), &revision.format_options()) {
+    let conversion = conversion_of_cplc_draft(&revision.text(), &revision.format_options())?;
+    Some(match conversion {
         Ok(fix) => CodeAction {
             is_preferred: Some(fix.is_safe()),
             edit: convert::workspace_edit(agreed, revision, &fix.edits),
@@ -45,5 +46,5 @@ pub(super) fn action(agreed: Agreed, revision: &Revision, analysis: &Analysis) -
             }),
             ..action
         },
-    }
+    })
 }

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use ladder_interchange::notation::{Companion, Form};
-use ladder_workspace::{Named, is_program, read_beside};
+use ladder_notations::{Form, Source};
+use ladder_workspace::{Named, foreign_source, is_program};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
@@ -44,9 +44,7 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
         let kind = open.as_ref().map_or(Kind::Program, |revision| revision.kind());
         let program = Program::of(&wanted, text, kind)?;
         let task = Task {
-            name: &program.name,
-            bytes: &program.bytes,
-            companions: &program.companions,
+            source: &program.source()?,
             from: program.from,
             to: program.to,
         };
@@ -60,9 +58,9 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
 struct Program {
     /// The file as messages name it.
     file: String,
-    name: String,
+    path: PathBuf,
+    is_on_disk: bool,
     bytes: Vec<u8>,
-    companions: Vec<Companion>,
     from: Form,
     to: Form,
 }
@@ -79,7 +77,7 @@ impl Program {
                 return Err(failed(format!("{} is no file; send its text", wanted.uri)));
             }
         };
-        let on_disk = path.is_some();
+        let is_on_disk = path.is_some();
         let path = path.unwrap_or_else(|| PathBuf::from(wanted.uri.rsplit('/').next().unwrap_or_default()));
         let file = path
             .file_name()
@@ -108,32 +106,24 @@ impl Program {
                 "{file}: this is ladder text already; name the notation to write it in"
             )));
         }
-        let companions = match from {
-            Form::Foreign(notation) if on_disk => {
-                let stem = path
-                    .file_stem()
-                    .unwrap_or_default()
-                    .to_string_lossy()
-                    .into_owned();
-                let wanted = |name: &str| notation.has_companion(&stem, name);
-                let found = read_beside(&path, &wanted).map_err(|error| failed(error.to_string()))?;
-                let found = found.into_iter();
-                found.map(|(name, bytes)| Companion { name, bytes }).collect()
-            }
-            _ => Vec::new(),
-        };
         Ok(Program {
-            name: path
-                .file_stem()
-                .unwrap_or_default()
-                .to_string_lossy()
-                .into_owned(),
             file,
+            path,
+            is_on_disk,
             bytes,
-            companions,
             from,
             to,
         })
+    }
+
+    /// The program with what belongs to it.
+    fn source(&self) -> std::result::Result<Source<'_>, Failure> {
+        if let (Form::Foreign(notation), true) = (self.from, self.is_on_disk) {
+            return foreign_source(notation, &self.path, &self.bytes)
+                .map_err(|error| Failure::Failed(error.to_string()));
+        }
+        let name = self.path.file_stem().and_then(|stem| stem.to_str());
+        Ok(Source::alone(name.unwrap_or_default(), &self.bytes))
     }
 
     /// `motor.rung:1:7: ...`

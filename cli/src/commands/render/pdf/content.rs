@@ -1,9 +1,9 @@
 //! What is drawn on a page.
 
 use super::font::Fonts;
-use ladder_interchange::picture::scene::{Anchor, At, Form, PathStep, Shape};
-use ladder_interchange::picture::sheet::{Piece, Sheet};
-use ladder_interchange::picture::style::{Cap, Colour, DOT, Hue, Look, Theme};
+use ladder_picture::scene::{Anchor, At, Form, PathStep, Shape};
+use ladder_picture::sheet::{Piece, Sheet};
+use ladder_picture::style::{Cap, Colour, DOT, Hue, Look, Theme};
 use pdf_writer::types::LineCapStyle;
 use pdf_writer::{Content, Name, Str, TextStr};
 

@@ -1,7 +1,7 @@
 //! The built-in fonts, as far as a document uses them.
 
 use super::compressed;
-use ladder_interchange::picture::style;
+use ladder_picture::style;
 use pdf_writer::types::{CidFontType, FontFlags, SystemInfo, UnicodeCmap};
 use pdf_writer::{Filter, Name, Pdf, Rect, Ref, Str};
 use skrifa::instance::{LocationRef, Size};

@@ -10,8 +10,8 @@ use content::content;
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
 use font::Fonts;
-use ladder_interchange::picture::sheet::Sheet;
-use ladder_interchange::picture::style::Theme;
+use ladder_picture::sheet::Sheet;
+use ladder_picture::style::Theme;
 use pdf_writer::{Filter, Finish, Pdf, Rect, Ref, TextStr};
 use std::io::Write;
 

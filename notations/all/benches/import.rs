@@ -1,0 +1,112 @@
+//! How fast programs of other systems become ladder text, in bytes of the foreign file a second; beside it how fast its
+//! lines can be read at all.
+
+use divan::Bencher;
+use divan::counter::BytesCount;
+use ladder_format::Options;
+use ladder_notations::{Source, by_name, convert};
+
+fn main() {
+    divan::main();
+}
+
+const RUNGS: usize = 10_000;
+
+/// A notation's name, and what writes a program in it.
+type Program = (&'static str, fn() -> String);
+
+/// A program of 10,000 rungs in each notation.
+const PROGRAMS: [Program; 5] = [
+    ("ldmicro", ldmicro),
+    ("ldmicro-text", ldmicro_text),
+    ("iot", iot),
+    ("textbook", textbook),
+    ("cplc-draft", cplc_draft),
+];
+
+fn named(name: &str) -> String {
+    let (_, program) = PROGRAMS
+        .iter()
+        .find(|(own, _)| *own == name)
+        .expect("it is there");
+    program()
+}
+
+/// From the file to ladder text.
+#[divan::bench(args = ["ldmicro", "ldmicro-text", "iot", "textbook", "cplc-draft"], sample_count = 10)]
+fn import(bencher: Bencher<'_, '_>, name: &str) {
+    let text = named(name);
+    let notation = by_name(name).expect("the notation is registered");
+    let source = Source::alone("bench", text.as_bytes());
+    bencher.counter(BytesCount::of_str(&text)).bench(|| {
+        convert(notation, &source, &Options::default())
+            .expect("it can be read")
+            .written
+            .text
+            .len()
+    });
+}
+
+/// Its lines, split into words.
+#[divan::bench(args = ["ldmicro", "ldmicro-text", "iot", "textbook", "cplc-draft"])]
+fn words_of_lines(bencher: Bencher<'_, '_>, name: &str) {
+    let text = named(name);
+    bencher.counter(BytesCount::of_str(&text)).bench(|| {
+        text.lines()
+            .flat_map(str::split_whitespace)
+            .map(str::len)
+            .sum::<usize>()
+    });
+}
+
+fn ldmicro() -> String {
+    let mut text = "LDmicro0.1\nCYCLE=10000\n\nIO LIST\nEND\n\nPROGRAM\n".to_owned();
+    for n in 0..RUNGS {
+        text.push_str(&format!(
+            "RUNG\n    PARALLEL\n        CONTACTS Xa{n} 0\n        CONTACTS Yrun{n} 0\n    END\n    CONTACTS Xstop 1\n    \
+             TON Tdelay{n} 500000\n    COIL Yrun{n} 0 0 0\nEND\n"
+        ));
+    }
+    text
+}
+
+fn ldmicro_text() -> String {
+    let mut text = "LDmicro export text\nno MCU assigned, 4.000000 MHz crystal, 10.0 ms cycle time\n\nLADDER DIAGRAM:\n\n".to_owned();
+    let blank = format!("   ||{:51}||\n", "");
+    text.push_str(&blank);
+    for n in 0..RUNGS {
+        text.push_str(&format!("   ||{:^17}{:^17}{:^17}||\n", "Xa", "Ta", "Ya"));
+        let wire = "-------] [--------[TON 500.0 ms]---------( )-------";
+        text.push_str(&format!("{:>2} ||{wire}||\n", n % 99 + 1));
+        text.push_str(&blank);
+    }
+    text.push_str(&format!("   ||{:-<51}||\n", "------[END]"));
+    text
+}
+
+fn iot() -> String {
+    rows(|n| format!("NO I{n} | NO Q{n} ; NC I1 ; TON T{n} 3 100 ; OUT Q{n} | ADD MI01 MI01 1\n"))
+}
+
+fn textbook() -> String {
+    rows(|n| {
+        format!(
+            "start (open contact I{n}.0 V open contact Q{n}) & closed contact I{n}.0 & active coil Q{n} end\n"
+        )
+    })
+}
+
+/// A row for each rung.
+fn rows(row: impl Fn(usize) -> String) -> String {
+    (0..RUNGS).map(row).collect()
+}
+
+fn cplc_draft() -> String {
+    let mut text = "IN = {DI start, DI stop}\nOUT = {DO run}\nVAR = {INT n}\n".to_owned();
+    for _ in 0..RUNGS {
+        text.push_str(
+            "\n+---\\---[ ]<start>---\\---[/]<stop>---( )<run>---+\n    |                |\n    /---[ ]<run>-----/\n",
+        );
+    }
+    text
+}

@@ -1,0 +1,62 @@
+//! The notations of other systems that this build knows: the one place that names them.
+#![forbid(unsafe_code)]
+
+mod conversion;
+mod form;
+
+pub use conversion::conversion_of_cplc_draft;
+pub use form::Form;
+pub use ladder_notation::{
+    Companion, Converted, Entry, Finding, Foreign, LineColumn, Lines, Mark, Notation, Outcome, ReadError,
+    Remark, Report, Source, Tally, WriteError, Writing, convert, has_extension, remarks,
+};
+
+/// All of them, in the order in which they are asked whether a text is theirs.
+pub const NOTATIONS: &[&dyn Notation] = &[
+    #[cfg(feature = "textbook")]
+    &ladder_notation_textbook::Textbook,
+    #[cfg(feature = "cplc-draft")]
+    &ladder_notation_cplc_draft::CplcDraft,
+    #[cfg(feature = "ldmicro")]
+    &ladder_notation_ldmicro::Ldmicro,
+    #[cfg(feature = "ldmicro")]
+    &ladder_notation_ldmicro::LdmicroText,
+    #[cfg(feature = "iot")]
+    &ladder_notation_iot::Iot,
+    #[cfg(feature = "click")]
+    &ladder_notation_click::Click,
+    #[cfg(feature = "click")]
+    &ladder_notation_click::ClickGrid,
+];
+
+/// The name of this project's own notation, next to those of [`NOTATIONS`].
+pub const LADDER: &str = "clad";
+
+/// The notation with this name.
+pub fn by_name(name: &str) -> Option<&'static dyn Notation> {
+    NOTATIONS.iter().copied().find(|notation| notation.name() == name)
+}
+
+/// The notation that a file is in, by its content.
+pub fn recognise(bytes: &[u8]) -> Option<&'static dyn Notation> {
+    NOTATIONS
+        .iter()
+        .copied()
+        .find(|notation| notation.recognises(bytes))
+}
+
+/// The notation that a file's name asks for when it is written: the only one, or the first, whose names end so.
+pub fn by_extension(extension: &str) -> Option<&'static dyn Notation> {
+    NOTATIONS
+        .iter()
+        .copied()
+        .find(|notation| has_extension(*notation, extension))
+}
+
+/// The notation whose programs an editor opens under the name of this language.
+pub fn by_language(language: &str) -> Option<&'static dyn Notation> {
+    NOTATIONS
+        .iter()
+        .copied()
+        .find(|notation| notation.editor_language() == Some(language))
+}

@@ -1,0 +1,162 @@
+//! Files that were made to break what reads them: all of them are refused, or read within bounds of size and depth.
+
+use ladder_format::Options;
+use ladder_notations::{NOTATIONS, Source, by_name, convert};
+
+/// The reason for which a notation refuses a file; or how long the ladder text is.
+#[track_caller]
+fn read(notation: &str, bytes: &[u8]) -> Result<usize, String> {
+    let notation = by_name(notation).expect("the notation is registered");
+    let source = Source::alone("test", bytes);
+    match convert(notation, &source, &Options::default()) {
+        Ok(converted) => Ok(converted.written.text.len()),
+        Err(error) => Err(error.to_string()),
+    }
+}
+
+fn ldmicro(rungs: &str) -> Result<usize, String> {
+    read("ldmicro", format!("LDmicro0.1\nPROGRAM\n{rungs}").as_bytes())
+}
+
+/// A text of LDmicro's with these lines between its rails.
+fn drawing(lines: &[String]) -> Result<usize, String> {
+    let mut text = "LDmicro export text\nno MCU assigned, 4.000000 MHz crystal, 10.0 ms cycle time\n\nLADDER DIAGRAM:\n\n".to_owned();
+    for (number, line) in lines.iter().enumerate() {
+        let before = if number == 1 { " 1 " } else { "   " };
+        text.push_str(&format!("{before}||{line}||\n"));
+    }
+    read("ldmicro-text", text.as_bytes())
+}
+
+#[test]
+fn branches_nested_a_hundred_thousand_deep() {
+    let nested = 100_000;
+    let error = "67:1: branches are nested deeper than 64";
+    assert_eq!(
+        ldmicro(&format!("RUNG\n{}", "PARALLEL\n".repeat(nested))),
+        Err(error.to_owned())
+    );
+    let error = "1:65: parentheses are nested more than 64 deep";
+    let text = format!("{}NO I1", "(".repeat(60_000));
+    assert_eq!(read("iot", text.as_bytes()), Err(error.to_owned()));
+    let error = "1:107: parentheses are nested more than 100 deep";
+    let text = format!("start {}open contact I0.1", "(".repeat(nested));
+    assert_eq!(read("textbook", text.as_bytes()), Err(error.to_owned()));
+    // Each branch begins and ends within the one above it.
+    let mut lines = vec![" ".repeat(17 * 200)];
+    let ends = |depth: usize| [17 * depth - 1, 17 * (191 - depth) - 1];
+    for depth in 0..90 {
+        let (mut wire, mut below) = (vec![' '; 3400], vec![' '; 3400]);
+        let [start, end] = if depth == 0 { [0, 3399] } else { ends(depth) };
+        wire[start..=end].fill('-');
+        let first = start.next_multiple_of(17);
+        wire.splice(first + 4..first + 12, "+------+".chars());
+        for end in ends(depth + 1) {
+            (wire[end], below[end]) = ('+', '|');
+        }
+        if depth > 0 {
+            (wire[start], wire[end]) = ('+', '+');
+        }
+        lines.extend([
+            wire.iter().collect(),
+            below.iter().collect(),
+            below.iter().collect::<String>(),
+        ]);
+    }
+    lines.push(format!("{:-<3400}", "------[END]"));
+    let error = "7:1: the rung is not made of series and branches, or branches are nested too deep";
+    assert_eq!(drawing(&lines), Err(error.to_owned()));
+}
+
+#[test]
+fn a_line_of_fifty_megabytes() {
+    let line = vec![b'A'; 50 << 20];
+    for notation in NOTATIONS {
+        for first in [
+            &b""[..],
+            b"LDmicro0.1\n",
+            b"LDmicro export text\n",
+            b"start ",
+            b"NO I1 ; ",
+            b"IN = { DI ",
+        ] {
+            let bytes = [first, &line[..]].concat();
+            assert!(read(notation.name(), &bytes).is_err(), "{}", notation.name());
+        }
+    }
+}
+
+#[test]
+fn a_long_line_of_short_words() {
+    for (name, first, word) in [
+        ("textbook", "start ", "( "),
+        ("textbook", "start open contact I0.1 ", "& open contact I0.1 "),
+        ("cplc-draft", "+", "--[ ]<a>"),
+        ("cplc-draft", "IN = { ", "DI a, "),
+        ("iot", "NO I1 ", "; NO I1 "),
+        ("ldmicro", "LDmicro0.1\nPROGRAM\nRUNG\n", "CONTACTS "),
+    ] {
+        let text = first.to_owned() + &word.repeat(1_000_000 / word.len());
+        // That it ends is what counts.
+        drop(read(name, text.as_bytes()));
+    }
+}
+
+#[test]
+fn nothing_and_zeros() {
+    for notation in NOTATIONS {
+        for bytes in [
+            &b""[..],
+            b"\0",
+            b"\0\0\n\0",
+            b"\xff\xfe",
+            b"\xef\xbb\xbf",
+            b"\n\n\n",
+            b"\r",
+        ] {
+            assert!(
+                read(notation.name(), bytes).is_err(),
+                "{}: {bytes:?}",
+                notation.name()
+            );
+        }
+    }
+    assert_eq!(
+        ldmicro("RUNG\n CONTACTS X\0a 0\nEND\n").map(|length| length > 0),
+        Ok(true)
+    );
+}
+
+#[test]
+fn a_million_rungs() {
+    let many = 1_000_000;
+    let large = Err("the file is larger than 4 MiB; programs are not".to_owned());
+    assert_eq!(ldmicro(&"RUNG\nEND\n".repeat(many)), large);
+    assert_eq!(read("iot", "NO I1\n".repeat(many).as_bytes()), large);
+    let text = "start open contact I0.1 & active coil Q0 end\n";
+    assert_eq!(read("textbook", text.repeat(many).as_bytes()), large);
+    assert_eq!(
+        read("cplc-draft", "+--( )<a>--+\n".repeat(many).as_bytes()),
+        large
+    );
+    // As many as fit: what is made of them grows with them.
+    let text = "RUNG\nCOIL Y 0 0 0\nEND\n".repeat(5_000);
+    assert!(ldmicro(&text).expect("it can be read") < 5_000 * 100);
+}
+
+#[test]
+fn wide_rungs_are_refused() {
+    let refused = |read: Result<usize, String>| read.expect_err("it is too wide");
+    let ended = |n: usize| format!("RUNG\n{}END\n", "OSR\n".repeat(n));
+    assert!(refused(ldmicro(&ended(70))).contains("more than 64 parts"));
+    let branches = format!("{}END\n", "PARALLEL\n".to_owned() + &"OSR\n".repeat(60) + "END\n");
+    let wide = format!(
+        "RUNG\n{}",
+        branches.trim_end_matches("END\n").to_owned().repeat(5)
+    );
+    assert!(refused(ldmicro(&(wide + "END\n"))).len() > 10);
+    let text = vec!["NO I1"; 70].join(" ; ");
+    assert!(refused(read("iot", text.as_bytes())).contains("more than 64 parts"));
+    let text = vec![format!("( {} )", vec!["NO I1"; 60].join(" ; ")); 60].join(" | ");
+    assert!(refused(read("iot", text.as_bytes())).contains("more than 256 elements"));
+}

@@ -1,0 +1,121 @@
+//! Which contacts of a rung would be looked at too late: Click looks at all of them before the rung acts, and in ladder
+//! text each is looked at where it is.
+
+use super::address::Which;
+use super::bank::Bank;
+use super::dsl::spell;
+use super::grid;
+use super::model::{Condition, Program, Rung};
+use super::tags::Tags;
+use super::uses::{self, Access, What};
+use ladder_notation::Report;
+
+/// The conditions of a rung, and of those that go on in it, that read what one of its instructions before them writes.
+pub(super) fn late<'p>(tags: &Tags<'_>, rungs: &'p [Rung]) -> Vec<&'p Condition> {
+    let mut written: Vec<What<'p>> = Vec::new();
+    let mut out = Vec::new();
+    for (number, rung) in rungs.iter().enumerate() {
+        let is_late = |condition: &'p Condition, written: &[What<'p>]| {
+            let reads = uses::of_condition(condition);
+            reads
+                .iter()
+                .any(|read| written.iter().any(|what| overlap(tags, &read.what, what)))
+        };
+        if number > 0 && is_late(&rung.condition, &written) {
+            out.push(&rung.condition);
+        }
+        for action in &rung.actions {
+            if is_late(&action.condition, &written) && !out.contains(&&action.condition) {
+                out.push(&action.condition);
+            }
+            let writes = uses::of_instruction(&action.what).into_iter();
+            written.extend(
+                writes
+                    .filter(|one| one.access != Access::Read)
+                    .map(|one| one.what),
+            );
+        }
+    }
+    out
+}
+
+/// How a notation looks at the conditions of branches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Look {
+    /// Before the rung acts: they are a part of it.
+    Before,
+    /// Where they are: each is a rung of its own.
+    InPlace,
+}
+
+/// Says of the conditions of branches that a notation looks at otherwise than the ladder text does.
+pub(super) fn remarks(program: &Program, look: Look, report: &mut Report) {
+    let tags = Tags::of(program);
+    for routine in program.routines() {
+        for rungs in routine.rungs.chunk_by(|_, next| goes_on(next)) {
+            for condition in late(&tags, rungs) {
+                let why = match (look, program.seen_first.contains(condition)) {
+                    (Look::Before, false) => {
+                        "Click looks at it before its rung acts, and here something has acted"
+                    }
+                    (Look::InPlace, true) => {
+                        "it is looked at before its rung acts, and is a rung of its own behind it here"
+                    }
+                    _ => continue,
+                };
+                report.approximated(rungs[0].place, spell::condition(condition), why);
+            }
+        }
+    }
+}
+
+/// Whether a rung of the model is a part of the one before it.
+pub(super) fn goes_on(rung: &Rung) -> bool {
+    rung.comments.iter().any(|comment| comment == grid::CONTINUES)
+}
+
+/// Addresses of one bank: some numbers, or a nickname without one.
+#[derive(PartialEq)]
+enum Addresses<'t> {
+    Numbers(u16, u16),
+    Nickname(&'t str),
+}
+
+fn place<'t>(tags: &Tags<'_>, what: &What<'t>) -> (Bank, Addresses<'t>) {
+    let (bank, place) = match *what {
+        What::One(tag) | What::From(tag, _) => {
+            let count = match *what {
+                What::From(_, count) => u16::try_from(count).unwrap_or(u16::MAX),
+                _ => 1,
+            };
+            let place = match (tags.address(tag), &tag.which) {
+                (Some(address), _) => {
+                    Addresses::Numbers(address.number, address.number.saturating_add(count.max(1) - 1))
+                }
+                (None, Which::Nickname(name)) => Addresses::Nickname(name),
+                (None, Which::Number(number)) => Addresses::Numbers(*number, *number),
+            };
+            (tag.bank, place)
+        }
+        What::Many(span) => (span.bank, Addresses::Numbers(span.bounds().0, span.bounds().1)),
+        What::Somewhere(pointer) => (pointer.bank, Addresses::Numbers(0, u16::MAX)),
+    };
+    // A timer's bit and its value change together.
+    let bank = match bank {
+        Bank::Td => Bank::T,
+        Bank::Ctd => Bank::Ct,
+        other => other,
+    };
+    (bank, place)
+}
+
+fn overlap(tags: &Tags<'_>, one: &What<'_>, other: &What<'_>) -> bool {
+    let ((bank, one), (other_bank, other)) = (place(tags, one), place(tags, other));
+    bank == other_bank
+        && match (one, other) {
+            (Addresses::Numbers(low, high), Addresses::Numbers(other_low, other_high)) => {
+                low <= other_high && other_low <= high
+            }
+            (one, other) => one == other,
+        }
+}

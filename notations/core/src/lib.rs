@@ -1,0 +1,39 @@
+//! What a notation of ladder programs is, and what all of them share.
+//!
+//! ```text
+//! foreign bytes --Notation::read--> ProgramSketch + Report --convert--> ladder text, places, report
+//! ladder text   --analysis--------> Analysis --Notation::write-------> foreign text + Report
+//! ```
+//!
+//! A notation is one crate next to this one and one line in the list, `ladder-notations`. It knows no files and no
+//! layout: what it reads is a sketch, which the one writer of `ladder-format` draws; what it writes comes from an analysed
+//! program. Nothing is dropped silently: the [`Report`] says of each element what became of it.
+#![forbid(unsafe_code)]
+
+pub mod circuit;
+pub mod comments;
+mod convert;
+mod error;
+mod finding;
+mod foreign;
+pub mod names;
+mod notation;
+mod place;
+mod reading;
+mod remark;
+mod report;
+mod source;
+pub mod stand_in;
+
+pub use convert::{Converted, convert};
+pub use error::{ReadError, WriteError};
+pub use finding::Finding;
+pub use foreign::{Foreign, Mark};
+pub use ladder_syntax::LineColumn;
+pub use names::Names;
+pub use notation::{Notation, has_extension};
+pub use place::Lines;
+pub use reading::{Reading, Writing};
+pub use remark::{Remark, remarks};
+pub use report::{Entry, Outcome, Report, Tally};
+pub use source::{Companion, Source, text_of};

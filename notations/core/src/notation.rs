@@ -1,0 +1,77 @@
+//! The one trait of a notation.
+
+use super::{ReadError, Reading, Source, WriteError, Writing};
+use ladder_analysis::Analysis;
+use std::fmt;
+
+/// A way to write ladder programs that is not this project's own.
+pub trait Notation: Sync {
+    /// What a command line calls it: `ldmicro`.
+    fn name(&self) -> &'static str;
+
+    /// What a person calls it: `LDmicro program`.
+    fn title(&self) -> &'static str;
+
+    /// How its files' names end, without the dot, the usual one first. Other systems may use the same; none: the
+    /// names show nothing.
+    fn extensions(&self) -> &'static [&'static str];
+
+    /// Whether a file is in this notation, from its content alone. No more than the first lines are looked at.
+    fn recognises(&self, bytes: &[u8]) -> bool;
+
+    /// Whether a run of such a program is about its coils, and nothing else is shown of it unless asked for.
+    fn shows_coils(&self) -> bool {
+        false
+    }
+
+    /// What an editor calls the language of such a file, if it can be opened as it is: then it is checked and drawn
+    /// while it is typed. Only a client that names this language has its files read so.
+    fn editor_language(&self) -> Option<&'static str> {
+        None
+    }
+
+    /// Whether a line of a file only introduces what is on the line below, and means nothing by itself.
+    fn introduces(&self, _line: &str) -> bool {
+        false
+    }
+
+    /// Whether a file next to a program belongs to it: `program` is the stem of the program's name, `file` the whole name
+    /// of the other. The caller that reads the program from a folder hands such files in as [`Source::companions`].
+    fn has_companion(&self, _program: &str, _file: &str) -> bool {
+        false
+    }
+
+    /// Reads a program.
+    ///
+    /// # Errors
+    ///
+    /// If the file is not in this notation, is broken, or larger than what is read.
+    fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError>;
+
+    /// Writes a program that has no errors.
+    ///
+    /// # Errors
+    ///
+    /// If nothing of it can be expressed in this notation. A part that cannot be is an entry of the report.
+    fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError>;
+}
+
+impl PartialEq for dyn Notation {
+    fn eq(&self, other: &dyn Notation) -> bool {
+        self.name() == other.name()
+    }
+}
+
+impl Eq for dyn Notation {}
+
+impl fmt::Debug for dyn Notation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// Whether the names of a notation's files may end so.
+pub fn has_extension(notation: &dyn Notation, extension: &str) -> bool {
+    let mut own = notation.extensions().iter();
+    own.any(|own| own.eq_ignore_ascii_case(extension))
+}

@@ -1,0 +1,36 @@
+//! What a notation makes of a file, and of a program.
+
+use super::{Companion, Finding, LineColumn, Report};
+use ladder_format::program::ProgramSketch;
+
+/// What was read.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Reading {
+    /// The program, ready to be written.
+    pub program: ProgramSketch,
+    /// Where in the foreign file things are: the origins in the sketch are indices into this.
+    pub places: Vec<LineColumn>,
+    /// What became of each element.
+    pub report: Report,
+    /// What the other system itself would complain about.
+    pub findings: Vec<Finding>,
+}
+
+impl Reading {
+    /// Notes a place of the foreign file; what is made from it gets the number that comes back.
+    pub fn origin(&mut self, place: LineColumn) -> u32 {
+        self.places.push(place);
+        self.places.len() as u32 - 1
+    }
+}
+
+/// What was written.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Writing {
+    /// The foreign file.
+    pub bytes: Vec<u8>,
+    /// What belongs beside it, each under its own name.
+    pub companions: Vec<Companion>,
+    /// What became of each element; places are those of the ladder text.
+    pub report: Report,
+}

@@ -1,0 +1,55 @@
+//! Elements without a counterpart, which are in ladder text as comments, on their way back.
+
+use super::{Lines, WriteError};
+use ladder_analysis::Analysis;
+use ladder_syntax::{NodeOrToken, SyntaxKind};
+use std::borrow::Cow;
+
+/// What holds the place of a comment; a parenthesis closes it.
+const STAND_IN: &str = "[ ](SYS.ON";
+
+/// The analysis of a text in which each comment on a rung that is an element has a contact in its place, so that it has
+/// a place in the circuit. Every byte stays where it is: what is at the contact's place in the text is the comment.
+///
+/// # Errors
+///
+/// If the program has errors.
+pub fn analysis<'a>(
+    analysis: &'a Analysis,
+    text: &str,
+    is_element: impl Fn(&str) -> bool,
+) -> Result<Cow<'a, Analysis>, WriteError> {
+    let parse = &analysis.context.parse;
+    let mut aside = text.to_owned();
+    for line in 0..parse.lines().len() {
+        let start = usize::from(parse.line_start(line));
+        if !text[start..].starts_with(['+', '|', '/', '\\']) {
+            continue;
+        }
+        let tokens = parse.lines()[line].syntax().descendants_with_tokens();
+        let tokens = tokens.filter_map(NodeOrToken::into_token);
+        for token in tokens.filter(|token| token.kind() == SyntaxKind::COMMENT) {
+            let comment = token.text();
+            if comment.len() > STAND_IN.len() && is_element(comment) {
+                let blanks = comment.len() - STAND_IN.len() - 1;
+                let at = start + usize::from(token.text_range().start());
+                aside.replace_range(at..at + comment.len(), &format!("{STAND_IN}{:blanks$})", ""));
+            }
+        }
+    }
+    let analysis = if aside == text {
+        Cow::Borrowed(analysis)
+    } else {
+        let parse = ladder_syntax::parse(&aside).into();
+        Cow::Owned(ladder_analysis::analyze(&parse, &analysis.context.name))
+    };
+    if analysis.program().is_some() {
+        return Ok(analysis);
+    }
+    let first = analysis.errors().next().map(|error| {
+        let place = Lines::of(text).place(text, error.range.start().into());
+        format!(": {place}: {}", error.message)
+    });
+    let why = first.unwrap_or_else(|| ", or needs another file of its workspace".to_owned());
+    Err(WriteError::new(format!("the program has errors{why}")))
+}

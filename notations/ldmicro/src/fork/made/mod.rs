@@ -1,0 +1,293 @@
+//! Blocks that a program brings along for what no single instruction says: each is an element of the fork, written in
+//! ordinary blocks. Export knows them by their name and their text.
+
+mod definition;
+
+use crate::model::Dialect;
+use ladder_format::Circuit;
+use ladder_format::program::{Declaration, Drawing, Element, Item, Network, Section, SectionKind};
+
+/// An element of the fork that becomes a block of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Made {
+    /// `COIL y 0 0 0 1`: a coil that changes over.
+    Toggle,
+    /// `OSL`: low for one scan.
+    OneShotLow,
+    /// `OSC`
+    Oscillator,
+    /// `SHR y a n`
+    ShiftRight,
+    /// `BIN2BCD y a`
+    ToBcd,
+    /// `BCD2BIN y a`
+    FromBcd,
+    /// `RTL t delay adjust` and the like, counted in scans.
+    Timer(MadeTimer),
+    /// `CTU c max init kind` and the like.
+    Counter(MadeCounter),
+}
+
+/// A timer that is not among those of LDmicro 2.2, or whose delay is a variable.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum MadeTimer {
+    /// `TON` whose delay is a variable.
+    On,
+    /// `RTL`
+    RetentiveLow,
+    /// `TCY`
+    Cyclic,
+    /// `THI`
+    High,
+    /// `TLO`
+    Low,
+}
+
+/// A counter of the fork.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct MadeCounter {
+    pub(crate) count: Count,
+    pub(crate) kind: Kind,
+    /// It begins at the value of a variable.
+    pub(crate) from_variable: bool,
+}
+
+/// Which way a counter counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Count {
+    /// `CTU`
+    Up,
+    /// `CTD`
+    Down,
+    /// `CTC`
+    Round,
+    /// `CTR`
+    Reverse,
+}
+
+/// In which scans a counter counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Kind {
+    /// `/`
+    Rising,
+    /// `\`
+    Falling,
+    /// `-`
+    High,
+    /// `o`
+    Low,
+}
+
+impl Kind {
+    const ALL: [Kind; 4] = [Kind::Rising, Kind::Falling, Kind::High, Kind::Low];
+
+    /// As the last field of a counter has it.
+    const fn sign(self) -> &'static str {
+        match self {
+            Kind::Rising => "/",
+            Kind::Falling => "\\",
+            Kind::High => "-",
+            Kind::Low => "o",
+        }
+    }
+
+    pub(crate) fn of(sign: &str) -> Option<Kind> {
+        Kind::ALL.into_iter().find(|kind| kind.sign() == sign)
+    }
+
+    const fn suffix(self) -> &'static str {
+        match self {
+            Kind::Rising => "",
+            Kind::Falling => "fall",
+            Kind::High => "high",
+            Kind::Low => "low",
+        }
+    }
+}
+
+impl Count {
+    const ALL: [Count; 4] = [Count::Up, Count::Down, Count::Round, Count::Reverse];
+
+    const fn word(self) -> &'static str {
+        match self {
+            Count::Up => "CTU",
+            Count::Down => "CTD",
+            Count::Round => "CTC",
+            Count::Reverse => "CTR",
+        }
+    }
+
+    pub(crate) fn of(word: &str) -> Option<Count> {
+        Count::ALL.into_iter().find(|count| count.word() == word)
+    }
+
+    /// Whether it begins anew at its first value, so that it needs it all the time.
+    pub(crate) const fn returns(self) -> bool {
+        matches!(self, Count::Round | Count::Reverse)
+    }
+}
+
+impl MadeTimer {
+    const ALL: [MadeTimer; 5] = [
+        MadeTimer::On,
+        MadeTimer::RetentiveLow,
+        MadeTimer::Cyclic,
+        MadeTimer::High,
+        MadeTimer::Low,
+    ];
+
+    const fn word(self) -> &'static str {
+        match self {
+            MadeTimer::On => "TON",
+            MadeTimer::RetentiveLow => "RTL",
+            MadeTimer::Cyclic => "TCY",
+            MadeTimer::High => "THI",
+            MadeTimer::Low => "TLO",
+        }
+    }
+}
+
+impl Made {
+    fn all() -> impl Iterator<Item = Made> {
+        let plain = [
+            Made::Toggle,
+            Made::OneShotLow,
+            Made::Oscillator,
+            Made::ShiftRight,
+            Made::ToBcd,
+            Made::FromBcd,
+        ];
+        let counters = Count::ALL.into_iter().flat_map(|count| {
+            Kind::ALL.into_iter().flat_map(move |kind| {
+                [false, true].map(|from_variable| {
+                    Made::Counter(MadeCounter {
+                        count,
+                        kind,
+                        from_variable,
+                    })
+                })
+            })
+        });
+        let timers = MadeTimer::ALL.into_iter().map(Made::Timer);
+        plain.into_iter().chain(timers).chain(counters)
+    }
+
+    /// The block with this name, whatever its case.
+    pub(crate) fn named(name: &str) -> Option<Made> {
+        Made::all().find(|made| made.name().eq_ignore_ascii_case(name))
+    }
+
+    /// `$CTUfall`
+    fn name(self) -> String {
+        let word = match self {
+            Made::Toggle => "T",
+            Made::OneShotLow => "OSL",
+            Made::Oscillator => "OSC",
+            Made::ShiftRight => "SHR",
+            Made::ToBcd => "BIN2BCD",
+            Made::FromBcd => "BCD2BIN",
+            Made::Timer(timer) => timer.word(),
+            Made::Counter(counter) => {
+                let from = if counter.from_variable { "from" } else { "" };
+                return format!("${}{}{from}", counter.count.word(), counter.kind.suffix());
+            }
+        };
+        format!("${word}")
+    }
+
+    /// As it is on a rung, without its operands.
+    pub(crate) fn head(self) -> String {
+        match self {
+            Made::Toggle => format!("({})", self.name()),
+            _ => format!("[{}]", self.name()),
+        }
+    }
+
+    /// The definition that the program brings along.
+    pub(crate) fn item(self) -> Item {
+        let definition = self.definition();
+        let mut items = vec![Item::Comment(definition.says.to_owned())];
+        let mut section = |kind, declared: &[&str]| {
+            let mut section = Section::new(kind);
+            for declared in declared {
+                let (name, ty) = declared.split_once(" : ").unwrap_or((declared, "INT"));
+                section.declarations.push(Declaration::new(name, ty));
+            }
+            items.push(Item::Section(section));
+        };
+        let changed = [definition.changed];
+        let changed: &[&str] = if definition.changed.is_empty() {
+            &[]
+        } else {
+            &changed
+        };
+        section(SectionKind::VarInOut, changed);
+        section(SectionKind::VarInput, definition.inputs);
+        section(SectionKind::Var, definition.own);
+        items.extend(definition.networks.iter().map(|network| {
+            let elements = network.split("--").map(|block| Element::block(block, None));
+            Item::Network(Network {
+                comments: Vec::new(),
+                drawing: Drawing::Circuit(Circuit::Series(elements.map(Circuit::Element).collect())),
+            })
+        }));
+        let header = self.head();
+        Item::Block { header, items }
+    }
+
+    /// The line of the element. `given` are its operands in LDmicro's spelling, `initial` the first value of what it
+    /// changes.
+    pub(crate) fn line(self, given: &[String], initial: i64, dialect: Dialect) -> String {
+        let first = given.first().map_or("", String::as_str);
+        match self {
+            Made::Toggle => format!("COIL {first} 0 0 0 1"),
+            Made::OneShotLow => "OSL".to_owned(),
+            Made::Oscillator => "OSC".to_owned(),
+            Made::ShiftRight => format!("SHR {}", given.join(" ")),
+            Made::ToBcd => format!("BIN2BCD {}", given.join(" ")),
+            Made::FromBcd => format!("BCD2BIN {}", given.join(" ")),
+            Made::Timer(timer) => {
+                let period = given.get(1).map_or("0", String::as_str);
+                match period.parse::<u64>() {
+                    Ok(scans) => {
+                        let delay = scans.saturating_mul(dialect.cycle);
+                        format!("{} {first} {delay} 0", timer.word())
+                    }
+                    Err(_) => format!("{} {first} {period} 0", timer.word()),
+                }
+            }
+            Made::Counter(counter) => {
+                let max = given.get(1).map_or("0", String::as_str);
+                let init = match given.get(2) {
+                    Some(init) => init.clone(),
+                    None => initial.to_string(),
+                };
+                let sign = counter.kind.sign();
+                format!("{} {first} {max} {init} {sign}", counter.count.word())
+            }
+        }
+    }
+
+    /// Whether a text that defines a block of this name is this definition.
+    pub(crate) fn is_defined_by(self, text: &str) -> bool {
+        let program = ladder_format::program::ProgramSketch {
+            items: vec![self.item()],
+        };
+        let own = program.write(&ladder_format::Options::default()).text;
+        essence(&own) == essence(text)
+    }
+}
+
+/// A text without its layout and its comments.
+fn essence(text: &str) -> String {
+    let said: String = text.split('#').step_by(2).collect();
+    let lines = said
+        .lines()
+        .map(|line| line.trim().trim_matches(['+', '|', '-']).replace("--", ""));
+    let lines: String = lines.collect();
+    lines
+        .chars()
+        .filter(|c| !c.is_whitespace())
+        .flat_map(char::to_uppercase)
+        .collect()
+}

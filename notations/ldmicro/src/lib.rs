@@ -1,0 +1,84 @@
+//! LDmicro's programs (`.ld`): the text files of LDmicro 2.2 (`LDmicro0.1`) and of its fork (`LDmicro0.2`).
+//!
+//! ```text
+//! bytes --parse--> File --sketch--> sketch of a ladder program, report, findings
+//!                    |
+//!                  save --> bytes as LDmicro saves them
+//!                    |
+//! analysed program --export--> File
+//! ```
+//!
+//! What ladder text cannot say stays in comments of three forms, so that export gives the file back:
+//! `# ldmicro: MICRO=.. #` above the declarations (header, renamed names), `# ldmicro: GOSUB init #` in a wire (an
+//! element without a counterpart), and `# was: MOVE ch 'A' #` behind a block (the same element, in other words).
+
+mod drawn;
+mod element;
+mod export;
+mod field;
+mod fork;
+mod kept;
+mod model;
+mod parse;
+mod rules;
+mod save;
+mod sketch;
+mod tags;
+mod text;
+
+pub use drawn::LdmicroText;
+
+use ladder_analysis::Analysis;
+use ladder_notation::{Notation, ReadError, Reading, Source, WriteError, Writing};
+
+/// See the module.
+#[derive(Debug)]
+pub struct Ldmicro;
+
+impl Notation for Ldmicro {
+    fn name(&self) -> &'static str {
+        "ldmicro"
+    }
+
+    fn title(&self) -> &'static str {
+        "LDmicro program"
+    }
+
+    fn extensions(&self) -> &'static [&'static str] {
+        &["ld"]
+    }
+
+    fn recognises(&self, bytes: &[u8]) -> bool {
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        let first = bytes.split(|byte| matches!(byte, b'\r' | b'\n')).next();
+        first.is_some_and(|line| matches!(line.trim_ascii(), b"LDmicro0.1" | b"LDmicro0.2"))
+    }
+
+    fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
+        source.bounded()?;
+        let file = parse::parse(source.bytes)?;
+        let mut reading = sketch::sketch(&file);
+        reading.findings.extend(rules::findings(&file));
+        reading.findings.sort_by_key(|finding| finding.place);
+        Ok(reading)
+    }
+
+    fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
+        let (file, report) = export::file(analysis)?;
+        let bytes = save::save(&file);
+        Ok(Writing {
+            bytes,
+            companions: Vec::new(),
+            report,
+        })
+    }
+}
+
+/// An LDmicro file as LDmicro itself would save it.
+///
+/// # Errors
+///
+/// If it is no LDmicro program, or a broken one.
+pub fn resaved(bytes: &[u8]) -> Result<Vec<u8>, ReadError> {
+    parse::parse(bytes).map(|file| save::save(&file))
+}

@@ -1,0 +1,262 @@
+//! One element as a block.
+
+use super::Importer;
+use super::head::plain_duration;
+use crate::element::{self, Form};
+use crate::field::{self, Coil, Slot};
+use crate::fork::{self, Given, Read, What};
+use crate::model::{Leaf, Version};
+use crate::tags::MOST_STAGES;
+use crate::text;
+use ladder_instructions::{Op, by_op};
+
+/// The relay that the fork sets when the result of a calculation does not fit.
+const OVERFLOW: &str = "ROverflowFlagV";
+
+/// A block and what there is to say about it.
+pub(super) struct Translation {
+    pub(super) text: String,
+    /// Why it is not quite the same.
+    pub(super) remark: Option<String>,
+}
+
+impl From<String> for Translation {
+    fn from(text: String) -> Translation {
+        Translation { text, remark: None }
+    }
+}
+
+impl<'f> Importer<'f> {
+    /// Whether export makes the same line of a block.
+    pub(super) fn comes_back(&self, leaf: &Leaf, block: &str) -> bool {
+        if self.jumps.block(leaf).is_some() {
+            let label = leaf.text.split(' ').nth(1);
+            return label
+                .is_none_or(|label| !field::is_literal(label) && block.split(' ').nth(1) == Some(label));
+        }
+        // RES of a variable is a MOV here.
+        let variable = leaf.text.strip_prefix("RES ");
+        let is_reset = variable.is_some_and(|name| self.tags.any_state(name).is_none());
+        let plain = element::plain(&leaf.text, self.file.dialect());
+        !is_reset && plain.as_deref() == Some(leaf.text.as_str())
+    }
+
+    pub(super) fn translated(&mut self, leaf: &'f Leaf) -> Result<Translation, String> {
+        if let Some(block) = self.jumps.block(leaf) {
+            return block.clone().map(Translation::from);
+        }
+        let fields = field::fields(&leaf.text);
+        let dialect = self.file.dialect();
+        if let Some(read) = fork::read(&leaf.text, dialect) {
+            let mut translation = self.forks(&read?)?;
+            translation.remark = translation.remark.or(register(&fields));
+            return Ok(translation);
+        }
+        let row = element::row_of(&leaf.text).ok_or("there is no such instruction here")?;
+        if element::plain(&leaf.text, dialect).is_none() && row.form != Form::Comment {
+            return Err("its fields are not numbers, or are those of the fork".to_owned());
+        }
+        let name = fields.first().copied().unwrap_or_default();
+        Ok(match row.form {
+            Form::Contact => {
+                let head = if fields[1] == "0" { "[ ]" } else { "[/]" };
+                let overflow =
+                    "LDmicro's fork makes it high when a sum or difference does not fit; here nothing does";
+                let is_overflow = name == OVERFLOW && dialect.version == Version::V02;
+                Translation {
+                    text: format!("{head}( {} )", self.tags.bit(name)),
+                    remark: is_overflow.then(|| overflow.to_owned()),
+                }
+            }
+            Form::Constant(on) => format!("[ ]( SYS.{} )", if on { "ON" } else { "OFF" }).into(),
+            Form::Coil => {
+                let head = match Coil::of(&fields) {
+                    Coil::Plain => "( )",
+                    Coil::Negated => "(/)",
+                    Coil::Set => "(S)",
+                    Coil::Reset => "(R)",
+                };
+                format!("{head}( {} )", self.tags.bit(name)).into()
+            }
+            Form::Timer(op) => {
+                let tag = self.state(op, name)?;
+                let delay = element::preset(&fields, dialect).ok_or("its delay is no number")?;
+                format!("{}( {tag}, {} )", by_op(op).block(), duration(delay)).into()
+            }
+            Form::Counter(op) => {
+                let tag = self.state(op, name)?;
+                let most = field::literal(fields[1]).unwrap_or(0);
+                format!("{}( {tag}, {most} )", by_op(op).block()).into()
+            }
+            Form::Reset => match self.tags.any_state(name) {
+                Some(tag) => format!("(RES)( {tag} )").into(),
+                None if self.tags.is_pulses(name) => {
+                    return Err("there is no block here that ends pulses".to_owned());
+                }
+                None => {
+                    let mut remark = None;
+                    let value = self.operand(self.tags.reset(name), &mut remark)?;
+                    let text = format!("[MOV]( {}, {value} )", self.tags.variable(name));
+                    Translation { text, remark }
+                }
+            },
+            Form::Adc => {
+                let channel = self
+                    .channels
+                    .get(name)
+                    .ok_or("there are no more analog inputs here")?;
+                format!("[ADC]( {}, {channel} )", self.tags.variable(name)).into()
+            }
+            Form::Shift => {
+                let stages: u32 = fields[1].parse().unwrap_or(0);
+                let register = self.tags.registers.get(name);
+                match register {
+                    Some((tag, _)) if stages > 0 && stages <= MOST_STAGES => {
+                        format!("[SHIFT]( {tag}[0..{}], {tag}[0] )", stages - 1).into()
+                    }
+                    _ => return Err(format!("a shift register has 1 to {MOST_STAGES} stages")),
+                }
+            }
+            Form::Values(op, slots) => {
+                let mut translation = self.values(op, &fields, slots)?;
+                translation.remark = translation.remark.or(register(&fields));
+                translation
+            }
+            Form::Table | Form::Curve => self.listed_values(row.form, &fields)?,
+            Form::Text => self.text(&fields)?,
+            Form::Comment => return Err("a comment is alone in its rung".to_owned()),
+            Form::Placeholder => return Err("the rung is empty: delete it, or add instructions".to_owned()),
+        })
+    }
+
+    /// The tag of a timer or counter.
+    fn state(&self, op: Op, name: &str) -> Result<&'f str, String> {
+        let other = || format!("`{name}` is a timer and a counter at once");
+        self.tags.state(name, op).ok_or_else(other)
+    }
+
+    fn operand(&self, text: &str, remark: &mut Option<String>) -> Result<String, String> {
+        if !field::is_literal(text) {
+            return Ok(self.tags.variable(text));
+        }
+        let value = field::literal(text).ok_or("its literal is no number")?;
+        let wrapped = field::wrapped(value);
+        if wrapped != value {
+            *remark = Some(format!("{text} is {wrapped} in 16 bits"));
+        }
+        Ok(wrapped.to_string())
+    }
+
+    fn values(&self, op: Op, fields: &[&str], slots: &[Slot]) -> Result<Translation, String> {
+        let head = by_op(op).block();
+        if slots.is_empty() {
+            return Ok(head.into());
+        }
+        let mut remark = None;
+        let mut operands = Vec::new();
+        for (field, slot) in fields.iter().zip(slots) {
+            operands.push(match slot {
+                Slot::Place if field::is_literal(field) => {
+                    return Err(format!("{field} is a number and cannot be written"));
+                }
+                Slot::Place => self.tags.variable(field),
+                Slot::Value => self.operand(field, &mut remark)?,
+                Slot::Number => field::literal(field).unwrap_or(0).to_string(),
+            });
+        }
+        let text = format!("{head}( {} )", operands.join(", "));
+        Ok(Translation { text, remark })
+    }
+
+    /// An element of the fork.
+    fn forks(&self, read: &Read<'_>) -> Result<Translation, String> {
+        let mut remark = read.remark.map(str::to_owned);
+        let mut operands = Vec::with_capacity(read.given.len());
+        for given in &read.given {
+            operands.push(match given {
+                Given::Place(name) => self.tags.variable(name),
+                Given::Value(field) => self.operand(field, &mut remark)?,
+                Given::Scans(scans) => scans.to_string(),
+                Given::Relay(name) => self.tags.bit(name).to_owned(),
+                Given::Bit(name, bit) => format!("{}.{bit}", self.tags.variable(name)),
+                Given::Pulses(name) => {
+                    let number = self.tags.pulses.get(*name);
+                    format!("CH := {}", number.ok_or("there are no more pulse outputs here")?)
+                }
+            });
+        }
+        // A count of a timer is a number only where it is read.
+        let counts = |given: &Given<'_>| match given {
+            Given::Bit(name, _) => self.tags.any_state(name).is_some(),
+            Given::Place(name) => matches!(read.what, What::Made(_)) && self.tags.any_state(name).is_some(),
+            _ => false,
+        };
+        if read.given.iter().any(counts) {
+            return Err("what it changes is a timer or counter of another kind".to_owned());
+        }
+        let head = match read.what {
+            What::Instruction(op) => by_op(op).block(),
+            What::Made(made) => made.head(),
+        };
+        let text = if operands.is_empty() {
+            head
+        } else {
+            format!("{head}( {} )", operands.join(", "))
+        };
+        Ok(Translation { text, remark })
+    }
+
+    fn listed_values(&self, form: Form, fields: &[&str]) -> Result<Translation, String> {
+        let mut remark = None;
+        let to = self.tags.variable(fields[0]);
+        let index = self.operand(fields[1], &mut remark)?;
+        let (head, first, each) = match form {
+            Form::Table => ("[LUT]", 4, 1),
+            _ => ("[PWL]", 3, 2),
+        };
+        let values = element::numbers(element::values(&fields[first..])).unwrap_or_default();
+        if fields[2].parse() != Ok(values.len() / each) || !values.len().is_multiple_of(each) {
+            return Err("the number of its values is not the one that it gives".to_owned());
+        }
+        if values.is_empty() {
+            return Err("it has no entries".to_owned());
+        }
+        let values: Vec<String> = values
+            .iter()
+            .map(|value| field::wrapped(*value).to_string())
+            .collect();
+        let text = format!("{head}( {to}, {index}, {} )", values.join(", "));
+        Ok(Translation { text, remark })
+    }
+
+    fn text(&self, fields: &[&str]) -> Result<Translation, String> {
+        let version = self.file.version;
+        let text = text::read(fields, version).ok_or("its text is not what LDmicro writes")?;
+        let mut operands = vec![text::literal(&text)];
+        match (fields[0], text::numbers(&text)) {
+            ("(none)", 0) => {}
+            ("(none)", _) => return Err("its text wants a number, and it has no variable".to_owned()),
+            (_, 0) => return Err("it has a variable, and its text has no place for it".to_owned()),
+            (name, 1) => operands.push(self.tags.variable(name)),
+            (_, _) => return Err("LDmicro sends one number in a text".to_owned()),
+        }
+        let once = "here it is also sent once at the start; the fork waits until power comes";
+        Ok(Translation {
+            text: format!("[FMT]( {} )", operands.join(", ")),
+            remark: (version == Version::V02).then(|| once.to_owned()),
+        })
+    }
+}
+
+/// What there is to say of a register of the controller such as `#PORTA` among an element's fields.
+fn register(fields: &[&str]) -> Option<String> {
+    let name = fields.iter().find(|field| field.starts_with('#'))?;
+    Some(format!(
+        "{name} is a register of the controller; here it is a tag"
+    ))
+}
+
+/// A delay in microseconds.
+fn duration(microseconds: u64) -> String {
+    format!("T#{}", plain_duration(microseconds))
+}

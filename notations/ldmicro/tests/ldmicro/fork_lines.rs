@@ -1,0 +1,544 @@
+//! What becomes of single lines that only LDmicro's fork has, and how they come back.
+
+use crate::programs::{Numbers, converted, read, there_and_back, write};
+use expect_test::{Expect, expect};
+use ladder_notation::{Notation, Outcome};
+use ladder_notation_ldmicro::{LdmicroText, resaved};
+
+#[track_caller]
+fn check(text: &str, expected: Expect) {
+    expected.assert_eq(&read(text));
+}
+
+/// A program with these rungs, each given by its elements.
+fn program(rungs: &[&str]) -> String {
+    let mut text =
+        "LDmicro0.2\nCYCLE=10000\nCRYSTAL=4000000\nBAUD=2400\n\nIO LIST\nEND\n\nPROGRAM\n".to_owned();
+    for (index, rung) in rungs.iter().enumerate() {
+        text.push_str(&format!("RUNG {}\n", index + 1));
+        for line in rung.lines() {
+            text.push_str(&format!("  {line}\n"));
+        }
+        text.push_str("END\n");
+    }
+    text
+}
+
+/// What becomes of one element, and that it comes back.
+#[test]
+fn one_by_one() {
+    let elements = [
+        "TON Ta 100000 0",
+        "TON Ta 100000 -1",
+        "TON Ta 100000",
+        "TON Ta 5000 0",
+        "TON Ta v 0",
+        "TOF Ta v 0",
+        "RTO Ta 20000 3",
+        "TCY Ta 20000",
+        "THI Ta 25000 0",
+        "TLO Ta 1000 0",
+        "RTL Ta v 0",
+        "CTU Ca 5",
+        "CTU Ca 5 2",
+        "CTU Ca v 0 o",
+        "CTD Ca 5 v \\",
+        "CTC Ca 5 0 -",
+        "CTR Ca 0 5 /",
+        "CTR Ca 0 5 x",
+        "CTU Ca 70000 0 /",
+        "COIL Ya 0 0 0 1",
+        "COIL Ya 1 0 0 1",
+        "CONTACTS Xa 1 1",
+        "CONTACTS ROverflowFlagV 0 0",
+        "SHL n m 17",
+        "SHL n m -1",
+        "SET_BIT n 16",
+        "SET_BIT n v",
+        "SET_BIT 5 1",
+        "AND 5 n m",
+        "MOD n m 0x1F",
+        "NOT n 'A'",
+        "OSL",
+        "ODF",
+        "UART_SEND n",
+        "UART_SEND n 1 1",
+        "UART_RECV n 1 1",
+        "SET_PWM d 1000 P1 8",
+        "SET_PWM d f P1 8",
+        "SET_PWM d 1000 Pled 0-100%",
+        "READ_ADC Aa",
+        "READ_ADC Aa 2",
+        "PIECEWISE_LINEAR n m 2 0 0 5 9 tab",
+        "FORMATTED_STRING (none) a\\x20b\\?",
+        "RETURN",
+        "GOSUB 2",
+    ];
+    let mut out = String::new();
+    for element in elements {
+        let text = program(&[element]);
+        let converted = converted(text.as_bytes()).expect("it can be read");
+        let ladder = converted.written.text;
+        let networks = ladder
+            .lines()
+            .filter(|line| line.starts_with('+') && line.contains("--"));
+        let network = networks.take(1).collect::<String>();
+        let network = network.trim_matches(['+', '-', ' ']).to_owned();
+        out.push_str(&format!("{element}: {network}\n"));
+        for entry in &converted.report.entries {
+            match &entry.outcome {
+                Outcome::Translated => {}
+                Outcome::Approximated(why) => out.push_str(&format!("    nearly: {why}\n")),
+                Outcome::Refused(why) => out.push_str(&format!("    not: {why}\n")),
+            }
+        }
+        assert_eq!(write(&ladder), Ok(text), "{ladder}");
+    }
+    expect![[r#"
+        TON Ta 100000 0: [TON]( Ta, T#110ms )
+        TON Ta 100000 -1: [TON]( Ta, T#100ms )--# was: TON Ta 100000 -1 #
+        TON Ta 100000: [TON]( Ta, T#110ms )--# was: TON Ta 100000 #
+        TON Ta 5000 0: [TON]( Ta, T#15ms )
+        TON Ta v 0: [$TON]( Ta, v )
+        TOF Ta v 0: # ldmicro: TOF Ta v 0 #
+            not: what it begins with is not documented where its delay is a variable
+        RTO Ta 20000 3: [RTO]( Ta, T#60ms )--# was: RTO Ta 20000 3 #
+        TCY Ta 20000: [$TCY]( Ta, 2 )--# was: TCY Ta 20000 #
+        THI Ta 25000 0: [$THI]( Ta, 2 )--# was: THI Ta 25000 0 #
+        TLO Ta 1000 0: # ldmicro: TLO Ta 1000 0 #
+            not: its delay is 0 cycles: 1 to 32767 are possible
+        RTL Ta v 0: # ldmicro: RTL Ta v 0 #
+            not: its delay is no number
+        CTU Ca 5: [$CTU]( Ca, 5 )--# was: CTU Ca 5 #
+        CTU Ca 5 2: [$CTU]( Ca, 5 )--# was: CTU Ca 5 2 #
+        CTU Ca v 0 o: [$CTUlow]( Ca, v )
+        CTD Ca 5 v \: [$CTDfallfrom]( Ca, 5, v )
+        CTC Ca 5 0 -: [$CTChigh]( Ca, 5, 0 )
+        CTR Ca 0 5 /: [$CTR]( Ca, 0, 5 )
+        CTR Ca 0 5 x: # ldmicro: CTR Ca 0 5 x #
+            not: its last field is none of `/`, `\`, `-` and `o`
+        CTU Ca 70000 0 /: # ldmicro: CTU Ca 70000 0 / #
+            not: 70000 does not fit 16 bits
+        COIL Ya 0 0 0 1: ($T)( Ya )
+        COIL Ya 1 0 0 1: (/)( Ya )--# was: COIL Ya 1 0 0 1 #
+        CONTACTS Xa 1 1: [/]( Xa )--# was: CONTACTS Xa 1 1 #
+        CONTACTS ROverflowFlagV 0 0: [ ]( ROverflowFlagV )
+            nearly: LDmicro's fork makes it high when a sum or difference does not fit; here nothing does
+        SHL n m 17: # ldmicro: SHL n m 17 #
+            not: 17 is no number of bits to shift 16 bits by: 0 to 16
+        SHL n m -1: # ldmicro: SHL n m -1 #
+            not: -1 is no number of bits to shift 16 bits by: 0 to 16
+        SET_BIT n 16: # ldmicro: SET_BIT n 16 #
+            not: bit 16 is outside of 16 bits
+        SET_BIT n v: # ldmicro: SET_BIT n v #
+            not: which bit it is, is a variable
+        SET_BIT 5 1: # ldmicro: SET_BIT 5 1 #
+            not: 5 is a number and has no bits to change
+        AND 5 n m: # ldmicro: AND 5 n m #
+            not: 5 is a number and cannot be written
+        MOD n m 0x1F: [MOD]( n, m, 31 )--# was: MOD n m 0x1F #
+        NOT n 'A': [NOT]( n, 65 )--# was: NOT n 'A' #
+        OSL: [$OSL]
+        ODF: [$OSL]--# was: ODF #
+        UART_SEND n: [USND]( n )--# was: UART_SEND n #
+        UART_SEND n 1 1: # ldmicro: UART_SEND n 1 1 #
+            not: it waits within the cycle until the line is free
+        UART_RECV n 1 1: [URCV]( n )--# was: UART_RECV n 1 1 #
+        SET_PWM d 1000 P1 8: [PWM]( d, 1000, CH := 1 )--# was: SET_PWM d 1000 P1 8 #
+            nearly: its duty is not in percent in LDmicro; here it is
+        SET_PWM d f P1 8: # ldmicro: SET_PWM d f P1 8 #
+            not: its frequency is a variable
+        SET_PWM d 1000 Pled 0-100%: [PWM]( d, 1000, CH := 0 )
+        READ_ADC Aa: [ADC]( Aa, 0 )--# was: READ_ADC Aa #
+        READ_ADC Aa 2: [ADC]( Aa, 0 )--# was: READ_ADC Aa 2 #
+        PIECEWISE_LINEAR n m 2 0 0 5 9 tab: [PWL]( n, m, 0, 0, 5, 9 )--# was: PIECEWISE_LINEAR n m 2 0 0 5 9 tab #
+        FORMATTED_STRING (none) a\x20b\?: [FMT]( 'a b?' )--# was: FORMATTED_STRING (none) a\x20b\? #
+            nearly: here it is also sent once at the start; the fork waits until power comes
+        RETURN: # ldmicro: RETURN #
+            not: it is in no subprogram
+        GOSUB 2: # ldmicro: GOSUB 2 #
+            not: there is no subprogram `2` that could be made a function
+    "#]].assert_eq(&out);
+}
+
+#[test]
+fn what_has_no_counterpart_stays() {
+    let elements = [
+        "ODR",
+        "TIME2COUNT n 5000",
+        "DELAY d",
+        "SLEEP",
+        "CLRWDT",
+        "LOCK",
+        "OPPOSITE n m",
+        "SWAP n m",
+        "BUS n m 7 6 5 4 3 2 1 0",
+        "7SEGMENTS n m C",
+        "RSFR n 5",
+        "RANDOM n",
+        "SEED_RANDOM n 5",
+        "NPULSE n 5 Ya",
+        "PULSER 1 1 1 n Ya",
+        "STEPPER s 5 1 1 1 Ya",
+        "QUAD_ENCOD n 0 Xa Xb Xz Ya / 5",
+        "SPI a b c d e f g h",
+        "I2C_RD a b c d e f g h",
+        "UART_RECV_AVAIL",
+        "STRING s n 3 97 98 99",
+    ];
+    let mut out = String::new();
+    for element in elements {
+        let text = program(&[&format!(
+            "CONTACTS Xa 0 0\nTON Ta 100000 0\n{element}\nCOIL Yb 0 0 0 0"
+        )]);
+        let converted = converted(text.as_bytes()).expect("it can be read");
+        let refused = converted
+            .report
+            .entries
+            .iter()
+            .find_map(|entry| match &entry.outcome {
+                Outcome::Refused(why) => Some(why.clone()),
+                _ => None,
+            });
+        out.push_str(&format!("{element}: {}\n", refused.expect("it is refused")));
+        assert_eq!(write(&converted.written.text), Ok(text));
+    }
+    expect![[r#"
+        ODR: when its power is low for one scan is not documented
+        TIME2COUNT n 5000: how many scans or loops it counts is not documented
+        DELAY d: it is about the hardware of the controller, and there is no such port here
+        SLEEP: it is about the hardware of the controller, and there is no such port here
+        CLRWDT: it is about the hardware of the controller, and there is no such port here
+        LOCK: it is about the hardware of the controller, and there is no such port here
+        OPPOSITE n m: which bit goes where is not documented
+        SWAP n m: which bit goes where is not documented
+        BUS n m 7 6 5 4 3 2 1 0: which bit goes where is not documented
+        7SEGMENTS n m C: which segments each character lights is not documented
+        RSFR n 5: it is about a register of the controller
+        RANDOM n: there are no random numbers here
+        SEED_RANDOM n 5: there are no random numbers here
+        NPULSE n 5 Ya: it is about the hardware of the controller, and there is no such port here
+        PULSER 1 1 1 n Ya: it is about the hardware of the controller, and there is no such port here
+        STEPPER s 5 1 1 1 Ya: it is about the hardware of the controller, and there is no such port here
+        QUAD_ENCOD n 0 Xa Xb Xz Ya / 5: it is about the hardware of the controller, and there is no such port here
+        SPI a b c d e f g h: it is about the hardware of the controller, and there is no such port here
+        I2C_RD a b c d e f g h: it is about the hardware of the controller, and there is no such port here
+        UART_RECV_AVAIL: there is no port here that shows whether the line is free or a byte has come
+        STRING s n 3 97 98 99: LDmicro writes a number into a text as C does, and there is no such instruction here
+    "#]].assert_eq(&out);
+}
+
+#[test]
+fn jumps_that_lead_nowhere() {
+    let rungs = [
+        "GOTO nowhere\nGOTO inside\nGOTO 4\nGOTO 0",
+        "LABEL twice\nGOTO twice",
+        "SUBPROG sub",
+        "LABEL inside\nGOTO twice\nGOTO 1\nGOTO 5",
+        "ENDSUB sub",
+        "LABEL twice\nGOSUB other",
+        "SUBPROG outer",
+        "SUBPROG inner",
+        "ENDSUB inner",
+        "ENDSUB outer",
+        "SUBPROG beside\nOSR",
+        "ENDSUB beside",
+        "MASTER_RELAY",
+    ];
+    let text = program(&rungs);
+    check(
+        &text,
+        expect![[r#"
+            # ldmicro: LDmicro0.2 #
+            # ldmicro: CYCLE=10000 #
+            # ldmicro: CRYSTAL=4000000 #
+            # ldmicro: BAUD=2400 #
+            # ladder: profile ldmicro #
+
+            +--# ldmicro: GOTO nowhere #--# ldmicro: GOTO inside #--# ldmicro: GOTO 4 #--# ldmicro: GOTO 0 #---+
+
+            +--<LBL>( twice )----------------------------------------------<JMP>( twice )--+
+
+            # ldmicro: SUBPROG sub #
+
+            +--# ldmicro: LABEL twice #--# ldmicro: GOSUB other #--------------------------+
+
+            +--# ldmicro: SUBPROG outer #--------------------------------------------------+
+
+            # ldmicro: SUBPROG inner #
+
+            +--# ldmicro: ENDSUB outer #---------------------------------------------------+
+
+            +--# ldmicro: SUBPROG beside #--[OSR]------------------------------------------+
+
+            +--# ldmicro: ENDSUB beside #--------------------------------------------------+
+
+            +-----------------------------------------------------------------------<MCR>--+
+
+            +--<FUN>( sub )----------------------------------------------------------------+
+
+            +--<LBL>( inside )--# ldmicro: GOTO twice #--# ldmicro: GOTO 1 #-----------<RET>--# was: GOTO 5 #--+
+
+            +--<FUN>( inner )--------------------------------------------------------------+
+            11:1 GOTO nowhere: refused: there is no label `nowhere`
+            12:1 GOTO inside: refused: it leads out of its subprogram, or into one, to `inside`
+            13:1 GOTO 4: refused: rung 4 is in another subprogram, or in none
+            14:1 GOTO 0: refused: rungs are counted from 1
+            25:1 GOTO twice: refused: it leads out of its subprogram, or into one, to `twice`
+            26:1 GOTO 1: refused: rung 1 is in another subprogram, or in none
+            33:1 LABEL twice: refused: there is another label `twice`, which the jumps lead to
+            34:1 GOSUB other: refused: there is no subprogram `other` that could be made a function
+            37:1 SUBPROG outer: refused: a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, with no other between them
+            46:1 ENDSUB outer: refused: a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, with no other between them
+            49:1 SUBPROG beside: refused: a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, with no other between them
+            53:1 ENDSUB beside: refused: a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, with no other between them
+            11:1 ldmicro-element: `GOTO nowhere` stays as a comment: there is no label `nowhere`
+            11:1 ldmicro-jump: GOTO 'nowhere': there is no LABEL 'nowhere'
+            12:1 ldmicro-element: `GOTO inside` stays as a comment: it leads out of its subprogram, or into one, to `inside`
+            13:1 ldmicro-element: `GOTO 4` stays as a comment: rung 4 is in another subprogram, or in none
+            14:1 ldmicro-element: `GOTO 0` stays as a comment: rungs are counted from 1
+            14:1 ldmicro-jump: GOTO '0': there is no LABEL '0'
+            25:1 ldmicro-element: `GOTO twice` stays as a comment: it leads out of its subprogram, or into one, to `twice`
+            26:1 ldmicro-element: `GOTO 1` stays as a comment: rung 1 is in another subprogram, or in none
+            33:1 ldmicro-element: `LABEL twice` stays as a comment: there is another label `twice`, which the jumps lead to
+            33:1 ldmicro-jump: LABEL 'twice' is there already, on line 17
+            34:1 ldmicro-element: `GOSUB other` stays as a comment: there is no subprogram `other` that could be made a function
+            34:1 ldmicro-jump: GOSUB 'other': there is no SUBPROG 'other'
+            37:1 ldmicro-element: `SUBPROG outer` stays as a comment: a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, with no other between them
+            46:1 ldmicro-element: `ENDSUB outer` stays as a comment: a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, with no other between them
+            49:1 ldmicro-element: `SUBPROG beside` stays as a comment: a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, with no other between them
+            49:1 ldmicro-jump: SUBPROG must be alone in its rung
+            53:1 ldmicro-element: `ENDSUB beside` stays as a comment: a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, with no other between them
+        "#]],
+    );
+    assert_eq!(there_and_back(text.as_bytes()), Ok(text));
+}
+
+#[test]
+fn a_relay_in_a_subprogram_and_branches_that_go_on() {
+    let rungs = [
+        "SUBPROG sub",
+        "CONTACTS Xa 0 0\nMASTER_RELAY",
+        "ENDSUB sub",
+        "PARALLEL\nCOIL Ya 0 0 0 0\nCOIL Yb 0 0 0 0\nEND\nCOIL Yc 0 0 0 0",
+    ];
+    check(
+        &program(&rungs),
+        expect![[r#"
+            # ldmicro: LDmicro0.2 #
+            # ldmicro: CYCLE=10000 #
+            # ldmicro: CRYSTAL=4000000 #
+            # ldmicro: BAUD=2400 #
+            # ladder: profile ldmicro #
+
+            VAR_INPUT
+                Xa : BOOL;
+            END_VAR
+            VAR_OUTPUT
+                Ya : BOOL;
+                Yb : BOOL;
+                Yc : BOOL;
+            END_VAR
+
+            # ldmicro: SUBPROG sub #
+
+            +--\--------------------------------------------------( )( Ya )--\--( )( Yc )--+
+            |  /--------------------------------------------------( )( Yb )--/             |
+
+            +--<FUN>( sub )----------------------------------------------------------------+
+
+            +--[ ]( Xa )------------------------------------------------------------<MCR>--+
+            11:1 SUBPROG sub: approximated: what its MASTER_RELAY does ends with the function here
+            22:1 PARALLEL: approximated: what is behind these branches has the power that comes out of any of them here; in LDmicro's fork it has what goes in
+            22:1 ldmicro-rightmost: COIL must be the rightmost element of its rung
+            23:1 ldmicro-rightmost: COIL must be the rightmost element of its rung
+        "#]],
+    );
+}
+
+#[test]
+fn only_its_own_definitions_are_elements() {
+    let text = program(&["CONTACTS Xa 0 0\nTCY Ta 30000 0\nCOIL Ya 0 0 0 0"]);
+    let ladder = converted(text.as_bytes()).expect("it can be read").written.text;
+    assert_eq!(write(&ladder), Ok(text));
+    let other = ladder.replace("[ADD]( t, t, 1 )", "[ADD]( t, t, 2 )");
+    assert_ne!(other, ladder);
+    let written = write(&other).expect("it can be written");
+    assert!(written.contains("COMMENT +--[ ]( Xa )--"), "{written}");
+}
+
+#[test]
+fn a_line_says_what_it_was_only_while_it_is() {
+    let text = program(&[
+        "CONTACTS Xa 0 0\nTON Ta 100000 -1\nRES Ca",
+        "GOTO 1",
+        "CTU Ca 5 2 /",
+    ]);
+    let ladder = converted(text.as_bytes()).expect("it can be read").written.text;
+    assert_eq!(write(&ladder), Ok(text));
+    let changed = ladder
+        .replace("T#100ms", "T#200ms")
+        .replace("INT := 2", "INT := 3")
+        .replace("+--<JMP>", "+--[ ]( Xa )--( )( Ya )--+\n\n+--<JMP>");
+    let written = write(&changed).expect("it can be written");
+    let rungs = written.split("PROGRAM\n").nth(1).unwrap_or_default();
+    expect![[r#"
+        RUNG 1
+          CONTACTS Xa 0 0
+          TON Ta 190000 0
+          MOVE Ca 2
+        END
+        RUNG 2
+          GOTO 1
+        END
+        RUNG 3
+          CTU Ca 5 3 /
+        END
+    "#]]
+    .assert_eq(rungs);
+}
+
+#[test]
+fn ladder_programs_become_programs_of_the_fork() {
+    let rungs = "VAR\n    n : INT;\nEND_VAR\n+--[ ]( Xa )--[AND]( n, n, 15 )--(S)( n.3 )--<CALL>( part )--+\n\n\
+                 +--[ ]( Xa )--[TON]( Ta, T#1s )--( )( Ya )--<JMP>( over )--+\n\n+--<LBL>( over )--<RET>--+\n\n\
+                 +--<FUN>( part )--+\n+--[ ]( Xa )--<RET>--+\n";
+    let fork = write(&format!(
+        "# ldmicro: LDmicro0.2 #\n# ladder: profile ldmicro #\n{rungs}"
+    ));
+    expect![[r#"
+        LDmicro0.2
+        CYCLE=10000
+        CRYSTAL=4000000
+        BAUD=2400
+
+        IO LIST
+        END
+
+        PROGRAM
+        RUNG 1
+          CONTACTS Xa 0 0
+          AND n n 15
+          SET_BIT n 3
+          GOSUB part
+        END
+        RUNG 2
+          CONTACTS Xa 0 0
+          TON Ta 990000 0
+          COIL Ya 0 0 0 0
+          GOTO over
+        END
+        RUNG 3
+          LABEL over
+          GOTO 7
+        END
+        RUNG 4
+          SUBPROG part
+        END
+        RUNG 5
+          CONTACTS Xa 0 0
+          RETURN
+        END
+        RUNG 6
+          ENDSUB part
+        END
+    "#]]
+    .assert_eq(&fork.expect("it can be written"));
+    let older = write(&format!("# ladder: profile ldmicro #\n{rungs}")).expect("it can be written");
+    assert!(older.contains("COMMENT +--[ ]( Xa )--[AND]"), "{older}");
+}
+
+/// What is between rungs' ends; `#` is a number of a name, so that some are met twice.
+const ELEMENTS: &[&str] = &[
+    "CONTACTS Xa 0 0",
+    "CONTACTS Xa 1 1",
+    "OSL",
+    "OSC",
+    "OSR",
+    "IF_BIT_SET n# 3",
+    "IF_BIT_CLEAR n# 15",
+    "EQU n# 0x1F",
+    "TON Ta# 100000 0",
+    "TON Tb# n# 0",
+    "RTL Tc# 40000 0",
+    "TCY Td# 30000 1",
+    "THI Te# n# 0",
+    "TLO Tf# 50000 0",
+    "CTU Ca# 5 # /",
+    "CTD Ca# -5 # \\",
+    "CTC Cb# n# # -",
+    "CTR Cc# 0 n# o",
+    "GOTO here",
+    "GOTO #",
+    "GOTO 99",
+    "GOSUB part#",
+    "GOSUB no",
+    "RETURN",
+    "SWAP n# n1",
+    "PARALLEL\nCOIL Ya 0 0 0 1\nSERIES\nOSR\nSET_BIT n# 2\nEND\nGOTO #\nEND",
+    "SET_PWM n# 1000 P# 8",
+    "RES Ca#",
+    "RES P1",
+    "MOD n# n1 7",
+    "SHL n# n1 3",
+    "SHR n# n# 1",
+    "BIN2BCD n1 n#",
+    "COIL Ya# 0 0 0 0",
+    "COIL Yb 0 1 0 0",
+    "MASTER_RELAY",
+];
+
+#[test]
+fn any_program_comes_back() {
+    for seed in 0..200 {
+        let mut numbers = Numbers(seed);
+        let mut rungs: Vec<String> = Vec::new();
+        for part in 0..4 {
+            let is_sub = numbers.below(3) == 0;
+            let (begin, end) = (format!("SUBPROG part{part}"), format!("ENDSUB part{part}"));
+            rungs.extend(is_sub.then_some(begin));
+            for _ in 0..numbers.below(4) {
+                let mut elements: Vec<String> = Vec::new();
+                for _ in 0..=numbers.below(4) {
+                    let element = ELEMENTS[numbers.below(ELEMENTS.len())];
+                    elements.push(element.replace('#', &(1 + numbers.below(9)).to_string()));
+                }
+                rungs.push(elements.join("\n"));
+            }
+            rungs.extend((numbers.below(4) == 0).then(|| format!("COMMENT Part {part}.")));
+            rungs.extend(is_sub.then_some(end));
+            rungs.extend((part == numbers.below(4)).then(|| "LABEL here".to_owned()));
+        }
+        let rungs: Vec<&str> = rungs.iter().map(String::as_str).collect();
+        let text = resaved(program(&rungs).as_bytes()).expect("it can be read");
+        let shown = String::from_utf8_lossy(&text).into_owned();
+        let converted = converted(&text).expect("it can be read");
+        let ladder = converted.written.text;
+        let analysis = ladder_analysis::analyze(&ladder_syntax::parse(&ladder).into(), "test.clad");
+        let errors: Vec<String> = analysis.errors().map(|error| error.message.clone()).collect();
+        assert!(errors.is_empty(), "{errors:?}\n{ladder}");
+        assert_eq!(write(&ladder), Ok(shown), "{ladder}");
+    }
+}
+
+#[test]
+fn the_drawing_is_that_of_ldmicro_without_the_fork() {
+    let text = program(&[
+        "CONTACTS Xa 0 0\nTON Ta 100000 0\nTON Tb 100000 -1\nTCY Tc 100000 0\nCTU Ca 5 0 /\nCOIL Ya 0 0 0 1",
+    ]);
+    let ladder = converted(text.as_bytes()).expect("it can be read").written.text;
+    let analysis = ladder_analysis::analyze(&ladder_syntax::parse(&ladder).into(), "test.clad");
+    let written = LdmicroText.write(&analysis).expect("it can be written");
+    let remarks: Vec<String> = written
+        .report
+        .remarks()
+        .map(|entry| format!("{}: {:?}\n", entry.element, entry.outcome))
+        .collect();
+    expect![[r#"
+        TON Ta 100000 0: Approximated("the drawing does not hold how many cycles are added to its delay")
+        TCY Tc 100000 0: Approximated("LDmicro 2.2 has no such element")
+        CTU Ca 5 0 /: Approximated("LDmicro 2.2 has no such element")
+        COIL Ya 0 0 0 1: Approximated("LDmicro 2.2 has no such element")
+    "#]]
+    .assert_eq(&remarks.concat());
+}

@@ -1,0 +1,6 @@
+//! Programs of LDmicro, of its fork, and the text that it exports.
+
+mod fork;
+mod fork_lines;
+mod programs;
+mod text;

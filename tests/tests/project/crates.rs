@@ -1,0 +1,122 @@
+//! What each crate may use of the others: text flows one way, and a notation is known to the list of notations alone.
+
+use ladder_tests::project;
+use std::collections::BTreeSet;
+
+/// The crates of the language itself.
+const LANGUAGE: [&str; 4] = ["syntax", "instructions", "format", "analysis"];
+
+/// What a crate may use: those of the language only what is here, the others also all of the language.
+const RULES: [(&str, &[&str]); 11] = [
+    ("syntax", &[]),
+    ("instructions", &[]),
+    ("format", &["syntax", "instructions"]),
+    ("analysis", &["syntax", "instructions", "format"]),
+    ("simulator", &[]),
+    ("picture", &[]),
+    ("notation", &[]),
+    ("ide", &["simulator"]),
+    ("workspace", &["simulator", "notation"]),
+    (
+        "server",
+        &["simulator", "ide", "picture", "notations", "workspace"],
+    ),
+    (
+        "cli",
+        &["simulator", "picture", "notations", "workspace", "server"],
+    ),
+];
+
+/// A crate as its manifest has it.
+struct Manifest {
+    name: String,
+    /// What it uses when it is built, not when it is tested.
+    uses: BTreeSet<String>,
+}
+
+/// All crates of the project.
+fn manifests() -> Vec<Manifest> {
+    let files = project::files(&project::root(), "toml").into_iter();
+    let files = files.filter(|path| path.ends_with("Cargo.toml"));
+    let read = files.map(|path| project::read(&path));
+    read.filter_map(|text| manifest(&text)).collect()
+}
+
+/// None: it is not one of a crate.
+fn manifest(text: &str) -> Option<Manifest> {
+    let name = text
+        .lines()
+        .find_map(|line| line.strip_prefix("name = \"ladder-"))?;
+    let mut uses = BTreeSet::new();
+    let mut section = "";
+    for line in text.lines() {
+        if line.starts_with('[') {
+            section = line;
+        } else if section.ends_with("dependencies]") && !section.contains("dev-") {
+            let used = line.split(['.', ' ']).next().unwrap_or_default();
+            uses.insert(used.to_owned());
+        }
+    }
+    Some(Manifest {
+        name: name.trim_end_matches('"').to_owned(),
+        uses,
+    })
+}
+
+/// Whether a crate may use another of the project.
+fn may_use(name: &str, used: &str) -> bool {
+    match name {
+        // Tests use what they test; the fuzzer does nothing else.
+        "tests" | "invariants" | "fuzz" => true,
+        "notations" => LANGUAGE.contains(&used) || used == "notation" || used.starts_with("notation-"),
+        _ if name.starts_with("notation-") => LANGUAGE.contains(&used) || used == "notation",
+        _ => {
+            let (_, own) = RULES.iter().find(|(other, _)| *other == name).expect(name);
+            own.contains(&used) || (!LANGUAGE.contains(&name) && LANGUAGE.contains(&used))
+        }
+    }
+}
+
+/// What is used that may not be.
+fn wrong(manifests: &[Manifest]) -> Vec<String> {
+    let mut wrong = Vec::new();
+    for Manifest { name, uses } in manifests {
+        for used in uses {
+            let allowed = match used.strip_prefix("ladder-") {
+                Some(used) => may_use(name, used),
+                // The parser of Python is larger than everything else together.
+                None => !used.contains("ruff") || name == "notation-click",
+            };
+            if !allowed {
+                wrong.push(format!("{name} uses {used}"));
+            }
+        }
+    }
+    wrong
+}
+
+#[test]
+fn crates_use_only_what_is_above_them() {
+    let manifests = manifests();
+    assert!(manifests.len() > 15, "only {} were found", manifests.len());
+    assert_eq!(wrong(&manifests), Vec::<String>::new());
+}
+
+#[test]
+fn what_may_not_be_used_is_found() {
+    let planted = [
+        "name = \"ladder-syntax\"\n[dependencies]\nladder-format.workspace = true\n",
+        "name = \"ladder-cli\"\n[dependencies]\nladder-notation-iot = { workspace = true, optional = true }\n",
+        "name = \"ladder-picture\"\n[dependencies]\nlittrs-ruff-python-ast.workspace = true\n",
+        "name = \"ladder-notation-iot\"\n[dev-dependencies]\nladder-cli.workspace = true\n",
+    ];
+    let planted: Vec<Manifest> = planted.iter().filter_map(|text| manifest(text)).collect();
+    assert_eq!(
+        wrong(&planted),
+        [
+            "syntax uses ladder-format",
+            "cli uses ladder-notation-iot",
+            "picture uses littrs-ruff-python-ast",
+        ]
+    );
+}
