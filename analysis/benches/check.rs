@@ -1,4 +1,4 @@
-//! What a check costs behind the parser: names, types, the program model and all rules.
+//! What a check costs after the parser: names, types, the program model and all rules.
 
 use divan::{Bencher, counter::BytesCount};
 use ladder_analysis::analyze;
@@ -15,9 +15,9 @@ fn main() {
 enum Kind {
     /// Every tag is declared.
     Declared,
-    /// No tag is declared: every type is inferred, and every name looked at for slips.
+    /// No tag is declared: every type is inferred, and every name checked for slips.
     Undeclared,
-    /// Every tenth rung has a mistake.
+    /// Every tenth rung has an error.
     Mistaken,
     /// As `Declared`, and every network asks for a tag twice: its boolean function is worked out.
     AskedTwice,

@@ -1,11 +1,11 @@
-//! What a directive, a comment for the tools, asks for: `# ladder: profile ldmicro #`. Whoever looks for one kind of it
+//! What a directive, a comment for the tools, asks for: `# ladder: profile ldmicro #`. A caller that looks for one kind of it
 //! reads it here.
 
-/// A word, and what is behind it without the blanks around it.
+/// A word, and what is after it without the blanks around it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Asked<'c> {
     pub(crate) word: &'c str,
-    pub(crate) behind: &'c str,
+    pub(crate) after: &'c str,
 }
 
 /// What is before the word.
@@ -20,10 +20,10 @@ pub(crate) fn may_ask(text: &str) -> bool {
 pub(crate) fn asked(comment: &str) -> Option<Asked<'_>> {
     let words = comment.trim_matches('#').trim().strip_prefix(PREFIX)?.trim();
     let end = words.find(|c: char| !is_word(c)).unwrap_or(words.len());
-    let (word, behind) = words.split_at(end);
+    let (word, after) = words.split_at(end);
     Some(Asked {
         word,
-        behind: behind.trim(),
+        after: after.trim(),
     })
 }
 
@@ -47,7 +47,7 @@ mod tests {
             ("# ladder: #", Some(("", ""))),
             ("# the ladder: it leans #", None),
         ] {
-            let found = asked(comment).map(|asked| (asked.word, asked.behind));
+            let found = asked(comment).map(|asked| (asked.word, asked.after));
             assert_eq!(found, expected, "{comment}");
         }
     }

@@ -133,10 +133,10 @@ impl Context {
 
     /// Whether a logical line is a rung of a network all of whose connectors have their partners.
     fn is_drawn(&self, line: usize) -> bool {
-        let behind = self
+        let after = self
             .networks
             .partition_point(|network| network.first_line <= line);
-        let Some(network) = behind.checked_sub(1).map(|index| self.networks.at(index)) else {
+        let Some(network) = after.checked_sub(1).map(|index| self.networks.at(index)) else {
             return false;
         };
         let offset = line - network.first_line;
@@ -145,7 +145,7 @@ impl Context {
 
     /// Where a tag is declared, or first used.
     pub fn place_of(&self, tag: &TagFacts) -> TextRange {
-        if let Some((scope, target)) = self.leads_to(tag).filter(|_| !tag.is_declared()) {
+        if let Some((scope, target)) = self.alias_of(tag).filter(|_| !tag.is_declared()) {
             return self.place_of(&self.scopes[scope].tags[target]);
         }
         let first = || self.uses(tag).next();
@@ -165,7 +165,7 @@ impl Context {
 
     /// The tag in whose scope more is known of one that several scopes share; else the tag itself.
     pub fn shared<'c>(&'c self, tag: &'c TagFacts) -> &'c TagFacts {
-        self.leads_to(tag)
+        self.alias_of(tag)
             .map_or(tag, |(scope, tag)| &self.scopes[scope].tags[tag])
     }
 
@@ -180,8 +180,8 @@ impl Context {
     }
 
     /// The scope of the tag that an entry leads to, and which of its tags it is.
-    pub fn leads_to(&self, entry: &TagFacts) -> Option<Entry> {
-        entry.rare.lead
+    pub fn alias_of(&self, entry: &TagFacts) -> Option<Entry> {
+        entry.cold.lead
     }
 
     /// Where a tag is written, from top to bottom.
@@ -205,7 +205,7 @@ impl Context {
     /// The tags that have a direct address.
     pub(crate) fn addressed(&self) -> impl Iterator<Item = &TagFacts> {
         let all = self.scopes.iter().flat_map(|scope| &scope.tags);
-        all.filter(|tag| tag.rare.address.is_some() && !tag.leads_elsewhere())
+        all.filter(|tag| tag.cold.address.is_some() && !tag.is_alias())
     }
 
     /// The other tags of the file that are at the same direct address: together they are one tag.
@@ -230,7 +230,7 @@ impl Context {
         all.first().copied().unwrap_or((scope, tag))
     }
 
-    /// The network that a jump from `network` to a label goes to: the nearest behind it, else the nearest
+    /// The network that a jump from `network` to a label goes to: the nearest after it, else the nearest
     /// before it or itself (LANGUAGE §5.5).
     pub fn jump_target(&self, network: usize, label: &Name) -> Option<usize> {
         self.jump_label(network, label).map(|(target, _)| target)
@@ -240,8 +240,8 @@ impl Context {
     pub(crate) fn jump_label(&self, network: usize, label: &Name) -> Option<(usize, &Name)> {
         let key = (self.bodies[network], label.clone());
         let (key, labels) = self.labels_by_name.get_key_value(&key)?;
-        let behind = labels.partition_point(|&label| self.labels[label].network <= network);
-        let label = labels.get(behind).or_else(|| labels.last())?;
+        let after = labels.partition_point(|&label| self.labels[label].network <= network);
+        let label = labels.get(after).or_else(|| labels.last())?;
         Some((self.labels[*label].network, &key.1))
     }
 

@@ -4,7 +4,7 @@
 use ladder_instructions::{Shape, lookup};
 use ladder_syntax::{LineKind, Parse, TextRange, TextSize};
 
-/// This many lines are looked at.
+/// This many lines are checked.
 const LINES: usize = 200;
 
 /// Whether a text is in the draft: it has a header of the draft, or draws a contact with `[ ]<tag>`.
@@ -47,14 +47,14 @@ fn is_line(line: &str) -> bool {
 /// `IN = {`
 fn is_header(line: &str) -> bool {
     let word = line.len() - line.trim_start_matches(|c: char| c.is_ascii_alphabetic()).len();
-    let (word, behind) = line.split_at(word);
+    let (word, after) = line.split_at(word);
     ["IN", "OUT", "VAR"]
         .iter()
         .any(|name| name.eq_ignore_ascii_case(word))
-        && behind
+        && after
             .trim_start()
             .strip_prefix('=')
-            .is_some_and(|behind| behind.trim_start().starts_with('{'))
+            .is_some_and(|after| after.trim_start().starts_with('{'))
 }
 
 /// `[ ]<a>`, `()<a>`: in ladder text a function block `<..>` is never followed by nothing but wire, and its name is one
@@ -75,9 +75,9 @@ fn has_draft_block(line: &str) -> bool {
     false
 }
 
-/// Whether what is behind a `<` begins a block of ladder text, which may touch the one before it.
-fn is_function_block(behind: &str) -> bool {
-    let word = behind.split('>').next().unwrap_or_default().trim();
+/// Whether what is after a `<` begins a block of ladder text, which may touch the one before it.
+fn is_function_block(after: &str) -> bool {
+    let word = after.split('>').next().unwrap_or_default().trim();
     word.starts_with('$') || lookup(Shape::Function, word).next().is_some()
 }
 

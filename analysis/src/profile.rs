@@ -44,7 +44,7 @@ fn said<T>(parse: &Parse, word: &str, answer: impl Fn(&str) -> Option<T>) -> Opt
                     continue;
                 };
                 let asked = asked(token.text()).filter(|asked| asked.word == word);
-                if let Some(found) = asked.and_then(|asked| answer(asked.behind)) {
+                if let Some(found) = asked.and_then(|asked| answer(asked.after)) {
                     return Some(found);
                 }
             }

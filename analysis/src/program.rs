@@ -7,7 +7,7 @@
 pub use crate::names::system_tag::{Clock, SystemTag};
 use crate::values::types::{Scalar, Type};
 use crate::values::value::Value;
-use ladder_instructions::{Instruction, Law, Op, Operand, Profile, Shape, Timing};
+use ladder_instructions::{Instruction, Op, Operand, Profile, Semantics, Shape, Timing};
 use ladder_syntax::{Name, TextRange};
 use std::ops::Range;
 
@@ -59,8 +59,8 @@ impl Program {
     }
 
     /// What they do otherwise.
-    pub fn law(&self, place: Location) -> &'static Law {
-        self.profile(place).law()
+    pub fn semantics(&self, place: Location) -> &'static Semantics {
+        self.profile(place).semantics()
     }
 
     /// The names that tags have besides their own: those that are seen everywhere, or in the body of a block.
@@ -71,7 +71,7 @@ impl Program {
 
     /// The type of a member of a tag.
     pub fn member_type(&self, tag: &Tag, member: Member) -> Scalar {
-        member.ty(self.law(tag.location))
+        member.ty(self.semantics(tag.location))
     }
 }
 
@@ -106,7 +106,7 @@ pub struct UserBlock {
 pub enum ParameterKind {
     /// Copied in before the body runs.
     Input,
-    /// Copied out behind it.
+    /// Copied out after it.
     Output,
     /// The caller's tag itself.
     InOut,
@@ -452,11 +452,11 @@ pub enum Member {
 
 impl Member {
     /// The member's type where blocks have these differences: what a timer counts is TIME, or scans and steps.
-    pub const fn ty(self, law: &Law) -> Scalar {
-        match (self, law.timing) {
+    pub const fn ty(self, semantics: &Semantics) -> Scalar {
+        match (self, semantics.timing) {
             (Member::Pt | Member::Et, Timing::Clock) => Scalar::Time,
             (Member::Pt | Member::Et, Timing::Units) => Scalar::Int,
-            (Member::Pt | Member::Et | Member::Pv | Member::Cv, _) => Scalar::integer_of(law),
+            (Member::Pt | Member::Et | Member::Pv | Member::Cv, _) => Scalar::integer_of(semantics),
             _ => Scalar::Bool,
         }
     }

@@ -1,14 +1,14 @@
-//! Whether somebody waits for what is being read or looked for: what takes long is given up when a newer text is there.
+//! Whether a user waits for what is being read or looked for: what takes long is given up when a newer text is there.
 
 use std::cell::Cell;
 
-/// This many networks, tags or declarations are looked at between two questions. What an edit usually concerns is less, and is never given up.
+/// This many networks, tags or declarations are checked between two questions. What an edit usually concerns is less, and is never given up.
 pub const BETWEEN: usize = 256;
 
 /// Asks again and again while something is being read or looked for.
 pub(crate) struct StillWanted<'a> {
     ask: &'a dyn Fn() -> bool,
-    /// This many more are looked at before the next question.
+    /// This many more are checked before the next question.
     left: Cell<usize>,
 }
 
@@ -20,7 +20,7 @@ impl<'a> StillWanted<'a> {
         }
     }
 
-    /// A network, a tag or a declaration is about to be looked at; none if nobody wants that any longer.
+    /// A network, a tag or a declaration is about to be checked; none if nobody wants that any longer.
     pub(crate) fn one_more(&self) -> Option<()> {
         let left = self.left.get();
         if left > 0 {

@@ -13,7 +13,7 @@ use std::process::ExitCode;
 
 const EXAMPLES: &str = "\
 Examples:
-  ladder check motor.clad         look for mistakes
+  ladder check motor.clad         look for errors
   ladder fmt .                    align all diagrams in this folder
   ladder sim motor.clad           run it, live, on this terminal
   ladder sim motor.clad --scans 100 --set start=1

@@ -11,7 +11,7 @@ const NAME: &str = "<stdin>";
 /// Whether the text comes from stdin: the paths are `-`. `name` is what `--stdin-filename` says.
 ///
 /// # Errors
-/// `-` is beside other paths, or a name is given and no text that it is for.
+/// `-` is next to other paths, or a name is given and no text that it is for.
 pub(crate) fn is_meant(paths: &[PathBuf], name: Option<&Path>) -> Result<bool, Failure> {
     let meant = paths.iter().any(|path| path == Path::new("-"));
     if meant && paths.len() > 1 {
@@ -40,7 +40,7 @@ pub(crate) fn read(name: &Path) -> Result<String, FileError> {
     ladder_workspace::decode(name, read_bytes(name)?)
 }
 
-/// Reads what need not be text. One byte too many is kept, for whoever takes it for a text to complain of.
+/// Reads what need not be text. One byte too many is kept, for a caller that takes it for a text to complain of.
 ///
 /// # Errors
 /// The operating system refuses.

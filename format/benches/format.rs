@@ -117,7 +117,7 @@ fn program(size: usize) -> String {
             0 => text.push_str(&format!("VAR\nlevel_{number} :INT:=5; start_{number},stop_{number} : bool;\nEND_VAR\n\n")),
             1 => text.push_str(&format!("# what the rung below does, number {number} #\n")),
             2..=4 => text.push_str(&format!("+--{a}-{b}--{coil}--+\n\n")),
-            5 => text.push_str(&format!("+--{a}--{b}--{c}----{coil}--+ # behind #\n")),
+            5 => text.push_str(&format!("+--{a}--{b}--{c}----{coil}--+ # after #\n")),
             6 | 7 => text.push_str(&format!("+--\\--{a}--\\--{b}---{coil}--+\n|  /--{c}--/\n\n")),
             8 => text.push_str(&format!("+--\\--{a}--\\--\\--{b}--\\--{coil}--+\n|  /--{c}--/  /--{a}--/      |\n\n")),
             _ => text.push_str(&format!(

@@ -18,7 +18,7 @@ pub(crate) struct Block<'s> {
     head: Option<(SyntaxKind, &'s str)>,
 }
 
-/// A stretch of the canonical forms that were put behind each other; empty for a block that is in its own.
+/// A stretch of the canonical forms that were put after each other; empty for a block that is in its own.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Form {
     pub(crate) start: u32,
@@ -93,7 +93,7 @@ impl<'s> Block<'s> {
         }
     }
 
-    /// Its width in its canonical form, and that form, put behind `forms`, if it is in another.
+    /// Its width in its canonical form, and that form, put after `forms`, if it is in another.
     pub(crate) fn measure(self, in_body: bool, forms: &mut String) -> Result<(u32, Form), Stays> {
         let (text, place) = (self.text, self.node.range());
         let bytes = &text.as_bytes()[place.clone()];

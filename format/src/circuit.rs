@@ -8,7 +8,7 @@ use crate::{ElementKind, Options, Sketch};
 pub enum Circuit<T> {
     /// One block, or a comment in the wire.
     Element(T),
-    /// One behind the other; none is a bare wire.
+    /// One after the other; none is a bare wire.
     Series(Vec<Circuit<T>>),
     /// Branches between the same two points, from the upper one to the lowest.
     Parallel(Vec<Circuit<T>>),

@@ -31,7 +31,7 @@ pub(crate) type Spacing = u32;
 pub(crate) struct Placer {
     /// For each rung the element that is next.
     cursor: Vec<u32>,
-    /// For each rung the column where what was placed on it ends: from the left behind its last element, from the
+    /// For each rung the column where what was placed on it ends: from the left after its last element, from the
     /// right where the next one may end.
     edge: Vec<u32>,
     /// Rungs that wait for the one below to reach a connector; the last one is being followed.

@@ -59,7 +59,7 @@ struct File<'f, S> {
     pen: Pen<'f, S>,
     /// The rails of the network above.
     above: Option<Rails>,
-    /// Blank and rail lines behind the last thing of the part.
+    /// Blank and rail lines after the last thing of the part.
     between: Vec<usize>,
     /// Something was written.
     begun: bool,
@@ -148,7 +148,7 @@ impl<S: Sink> File<'_, S> {
             Item::BlockHeader(_) | Item::BlockEnd(_) => {
                 self.begin(part);
                 self.above = None;
-                if !part.source.has_mistake(line) && !has_leading_comment(part.source, line) {
+                if !part.source.has_error(line) && !has_leading_comment(part.source, line) {
                     section::words(part.source, line, &mut self.pen);
                     self.keep_line_end(part, line);
                 } else {

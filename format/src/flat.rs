@@ -10,7 +10,7 @@ use std::ops::Range;
 /// A node or token. A node's entries follow it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Entry {
-    /// Where it begins in the text. It ends where the entry behind it and its own begins.
+    /// Where it begins in the text. It ends where the entry after it and its own begins.
     pub(crate) start: u32,
     /// How many entries it has, itself among them.
     pub(crate) size: u32,
@@ -51,7 +51,7 @@ pub(crate) struct FlatLine {
     has_comment: bool,
 }
 
-/// Lays nodes and tokens behind each other as the grammar meets them.
+/// Lays nodes and tokens after each other as the grammar meets them.
 struct FlatBuilder {
     /// The last one is that of the line that is being read; at the end it marks where the text ends.
     entries: Vec<Entry>,
@@ -211,8 +211,8 @@ impl<'s> Source<'s> {
         self.lines.lines()[line].kind
     }
 
-    /// Whether the parser found a mistake on a line.
-    pub(crate) fn has_mistake(&self, line: usize) -> bool {
+    /// Whether the parser found an error on a line.
+    pub(crate) fn has_error(&self, line: usize) -> bool {
         !self.lines.lines()[line].errors.is_empty()
     }
 
@@ -226,7 +226,7 @@ impl<'s> Source<'s> {
         self.lines.line_range(line).into()
     }
 
-    /// Where the line end begins that a line has behind it, if it has one.
+    /// Where the line end begins that a line has after it, if it has one.
     pub(crate) fn line_end(&self, line: usize) -> Option<usize> {
         let range = self.range(line);
         let line = &self.text.as_bytes()[range.clone()];
@@ -286,7 +286,7 @@ impl<'f> Node<'f> {
         self.entry().is_node()
     }
 
-    /// Its own entry and those of all that it holds, in the order of the text, and behind them the one that says where
+    /// Its own entry and those of all that it holds, in the order of the text, and after them the one that says where
     /// it ends.
     pub(crate) fn entries(self) -> &'f [Entry] {
         let first = self.index as usize;

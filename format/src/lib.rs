@@ -6,7 +6,7 @@
 //!
 //! ```text
 //! text --flat---> nodes and tokens as a list, straight from the grammar
-//!      --stays--> which lines keep their form (mistakes, fmt off)
+//!      --stays--> which lines keep their form (errors, fmt off)
 //!      --read---> Sketch: elements with widths, joined or not, rung by rung
 //!                    --columns--> a column for each element, first left, then what acts to the right
 //!                                     --draw--> rungs, rails, verticals
@@ -17,7 +17,7 @@
 //!
 //! What holds for every text: formatting twice gives the same text; nothing is lost but blanks, dashes, `|` and
 //! line ends; the wiring, and with it what the program does, stays the same. The [`Sketch`] and its columns
-//! know nothing of text, so that whoever makes new networks draws them with the same writer. A whole program is written
+//! know nothing of text, so that a caller that makes new networks draws them with the same writer. A whole program is written
 //! from a [`program::ProgramSketch`].
 
 mod block;

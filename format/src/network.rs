@@ -1,4 +1,4 @@
-//! Writing a network over its old text: rungs, the lines between them, comments beside them (LANGUAGE §8
+//! Writing a network over its old text: rungs, the lines between them, comments next to them (LANGUAGE §8
 //! rules 2, 5 and 7).
 
 use crate::block::Block;
@@ -8,7 +8,7 @@ use crate::edit::Sink;
 use crate::flat::{Node, Source};
 use crate::pen::Pen;
 use crate::read::Reader;
-use crate::section::{comments_behind, write_piece};
+use crate::section::{comments_after, write_piece};
 use crate::width::display_width;
 use ladder_syntax::SyntaxKind::COMMENT;
 use ladder_syntax::{LineKind, Network};
@@ -110,7 +110,7 @@ impl Drawing<'_> {
         }
         let mut surface = OldText { drawing: self, pen };
         draw::rung(&self.reader.sketch, rung, self.columns, self.rails, &mut surface);
-        comments_behind(self.source, line, self.source.node(last.node).end(), pen);
+        comments_after(self.source, line, self.source.node(last.node).end(), pen);
         self.keep_line_end(line, pen);
     }
 

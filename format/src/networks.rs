@@ -11,7 +11,7 @@ use std::ops::Range;
 /// The right rail of a network that is wider than the setting is in a multiple of this many columns, counted from 1.
 const RAIL_STEP: u32 = 20;
 
-/// A network that is drawn anew: its rungs in the sketch, and its outline.
+/// A network that is drawn again: its rungs in the sketch, and its outline.
 #[derive(Clone)]
 pub(crate) struct Placed {
     pub(crate) rungs: Range<usize>,
@@ -49,7 +49,7 @@ impl Networks {
         }
     }
 
-    /// Begins to count anew how much is drawn.
+    /// Begins to count again how much is drawn.
     pub(crate) fn begin_file(&mut self) {
         self.drawn = 0;
     }

@@ -11,7 +11,7 @@ pub(crate) struct Pen<'t, S> {
     text: &'t str,
     /// Up to here the old text is dealt with.
     at: usize,
-    /// What is in the new text behind `at` so far.
+    /// What is in the new text after `at` so far.
     gap: String,
     sink: S,
     /// A range of places on one physical line, and the line end that belongs there.

@@ -18,7 +18,7 @@ pub(crate) struct Piece {
     pub(crate) capitals: bool,
 }
 
-/// What a token asks of the space beside it. `Tight` and `Blank` are rules; `Free` takes what the neighbour says.
+/// What a token asks of the space next to it. `Tight` and `Blank` are rules; `Free` takes what the neighbour says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Space {
     Tight,
@@ -30,7 +30,7 @@ enum Space {
 pub(crate) struct Pieces<'t, F> {
     text: &'t str,
     give: F,
-    behind: Space,
+    after: Space,
     /// The kind of the last piece.
     last: SyntaxKind,
     /// Where the last piece ends.
@@ -40,8 +40,8 @@ pub(crate) struct Pieces<'t, F> {
     in_calc: bool,
     in_user_block: bool,
     in_search: bool,
-    /// The point of a member that is behind a number: without blanks the two would read as one number.
-    point_behind_number: bool,
+    /// The point of a member that is after a number: without blanks the two would read as one number.
+    point_after_number: bool,
 }
 
 impl<'t, F: FnMut(Piece)> Pieces<'t, F> {
@@ -50,14 +50,14 @@ impl<'t, F: FnMut(Piece)> Pieces<'t, F> {
         Pieces {
             text,
             give,
-            behind: Space::Tight,
+            after: Space::Tight,
             last: EOF,
             end: 0,
             in_body,
             in_calc: false,
             in_user_block: false,
             in_search: false,
-            point_behind_number: false,
+            point_after_number: false,
         }
     }
 
@@ -144,12 +144,12 @@ impl<'t, F: FnMut(Piece)> Pieces<'t, F> {
         let token = &entries[n];
         let end = entries[n + 1].start;
         let (kind, inside) = (token.kind, token.inside);
-        let (before, behind) = match kind {
+        let (before, after) = match kind {
             L_BRACKET | L_PAREN | L_ANGLE if inside == BLOCK_HEAD => (Space::Free, in_head),
             R_BRACKET | R_PAREN | R_ANGLE if inside == BLOCK_HEAD => (in_head, Space::Free),
             COMMA | SEMICOLON => (Space::Tight, Space::Blank),
             ASSIGN | ARROW | COLON => (Space::Blank, Space::Blank),
-            // A `#` directly behind a letter or digit would belong to a literal.
+            // A `#` directly after a letter or digit would belong to a literal.
             COMMENT => (Space::Blank, Space::Blank),
             DOT => return self.point(token, end),
             DOT_DOT => (Space::Tight, Space::Tight),
@@ -176,31 +176,31 @@ impl<'t, F: FnMut(Piece)> Pieces<'t, F> {
             LITERAL => is_one_of(word(), &["TRUE", "FALSE"]),
             _ => false,
         };
-        self.piece(token, end, before, behind, capitals);
+        self.piece(token, end, before, after, capitals);
     }
 
     /// The point of a member. No blanks around it, unless two tokens would become one: `word.3 . 5`, `a. .b`.
     fn point(&mut self, token: &Entry, end: u32) {
-        let behind_number = matches!(self.last, LITERAL | ADDRESS);
-        let before = if behind_number || self.last == DOT {
+        let after_number = matches!(self.last, LITERAL | ADDRESS);
+        let before = if after_number || self.last == DOT {
             Space::Free
         } else {
             Space::Tight
         };
         self.piece(token, end, before, Space::Tight, false);
-        self.point_behind_number = behind_number;
+        self.point_after_number = after_number;
     }
 
     #[inline]
-    fn piece(&mut self, entry: &Entry, end: u32, before: Space, behind: Space, capitals: bool) {
+    fn piece(&mut self, entry: &Entry, end: u32, before: Space, after: Space, capitals: bool) {
         let (kind, start, end) = (entry.kind, entry.start as usize, end as usize);
-        let blanks = if kind == DOT && before == Space::Free || self.point_behind_number {
+        let blanks = if kind == DOT && before == Space::Free || self.point_after_number {
             u32::from(start > self.end)
         } else if kind == COMMENT && self.last == MINUS {
             // `--# c #` would be a wire.
             1
         } else {
-            match (self.behind, before) {
+            match (self.after, before) {
                 (Space::Tight, _) | (_, Space::Tight) => 0,
                 _ => 1,
             }
@@ -212,8 +212,8 @@ impl<'t, F: FnMut(Piece)> Pieces<'t, F> {
             blanks,
             capitals,
         });
-        self.point_behind_number = false;
-        self.behind = behind;
+        self.point_after_number = false;
+        self.after = after;
         self.last = kind;
         self.end = end;
     }

@@ -9,7 +9,7 @@ use ladder_syntax::SyntaxKind::COIL_BLOCK;
 use ladder_syntax::wiring::{self, PartKind, RungPart};
 use ladder_syntax::{Network, ReadLine};
 
-/// A rung cannot be drawn anew without changing what it says (LANGUAGE §8 rule 10, and the few texts whose
+/// A rung cannot be drawn again without changing what it says (LANGUAGE §8 rule 10, and the few texts whose
 /// canonical form would read differently), so its network stays as it is.
 pub(crate) struct Stays;
 
@@ -36,12 +36,12 @@ pub(crate) struct Reader {
     /// For each element of the sketch its text.
     pub(crate) atoms: Vec<Atom>,
     drawing: wiring::Rung,
-    /// The canonical forms of the blocks that are in another, one behind the other.
+    /// The canonical forms of the blocks that are in another, one after the other.
     forms: String,
 }
 
 impl Reader {
-    /// Puts the rungs of a network behind those that are there. On `Err` none of them is there.
+    /// Puts the rungs of a network after those that are there. On `Err` none of them is there.
     pub(crate) fn network(&mut self, source: Source<'_>, network: &Network) -> Result<(), Stays> {
         let first = self.sketch.rungs.len();
         let in_body = network.block.is_some();
@@ -74,7 +74,7 @@ impl Reader {
         self.atoms.truncate(self.sketch.elements.len());
     }
 
-    /// Puts a rung behind those that are there. Comments before its first and behind its last element are no
+    /// Puts a rung after those that are there. Comments before its first and after its last element are no
     /// elements.
     fn rung(&mut self, source: Source<'_>, index: usize, in_body: bool) -> Result<(), Stays> {
         let text = source.text;
@@ -105,7 +105,7 @@ impl Reader {
                 form,
             });
         };
-        // The segment of the last element; none behind a bar that the wire reaches to.
+        // The segment of the last element; none after a bar that the wire reaches to.
         let mut segment = None;
         let mut at_bar = false;
         if begins_at_bar(parts, first) {
@@ -143,7 +143,7 @@ impl Reader {
                         return Err(Stays);
                     }
                     block_before = Some(block);
-                    let width = if has_mistake(line, part) {
+                    let width = if has_error(line, part) {
                         one_line_width(&text[node.range()])?
                     } else {
                         let width;
@@ -165,7 +165,7 @@ impl Reader {
     }
 }
 
-/// What is beside the drawing: bars and comments that join nothing.
+/// What is next to the drawing: bars and comments that join nothing.
 fn is_aside(part: &RungPart) -> bool {
     part.kind == PartKind::Bar || (part.kind == PartKind::Comment && part.segment.is_none())
 }
@@ -214,8 +214,8 @@ fn is_between(drawing: &wiring::Rung, index: usize, first: usize, last: usize) -
     left && right
 }
 
-/// Whether a block has a mistake that formatting does not stop at; it is moved, but not touched.
-fn has_mistake<N>(line: &ReadLine<N>, block: &RungPart) -> bool {
+/// Whether a block has an error that formatting does not stop at; it is moved, but not touched.
+fn has_error<N>(line: &ReadLine<N>, block: &RungPart) -> bool {
     let place = block.range;
     line.errors
         .iter()

@@ -31,9 +31,9 @@ struct Columns {
     assign: u32,
 }
 
-/// Writes a section that is whole and without mistakes.
+/// Writes a section that is whole and without errors.
 pub(crate) fn write<S: Sink>(source: Source<'_>, lines: Range<usize>, pen: &mut Pen<'_, S>) {
-    // The first of the blank lines behind the last declaration or comment, which wait for the next one.
+    // The first of the blank lines after the last declaration or comment, which wait for the next one.
     let mut blank = None;
     let mut columns = None;
     let mut is_within = false;
@@ -64,7 +64,7 @@ pub(crate) fn write<S: Sink>(source: Source<'_>, lines: Range<usize>, pen: &mut 
     }
 }
 
-/// Ends a line of a section: with its own line end, or with a new one where more of the section is behind it.
+/// Ends a line of a section: with its own line end, or with a new one where more of the section is after it.
 fn end_line<S: Sink>(source: Source<'_>, line: usize, section_end: usize, pen: &mut Pen<'_, S>) {
     let end = source.range(line).end;
     match source.line_end(line) {
@@ -74,22 +74,22 @@ fn end_line<S: Sink>(source: Source<'_>, line: usize, section_end: usize, pen: &
     }
 }
 
-/// A line of words with comments behind it: the first or last line of a section or of a block definition.
+/// A line of words with comments after it: the first or last line of a section or of a block definition.
 pub(crate) fn words<S: Sink>(source: Source<'_>, line: usize, pen: &mut Pen<'_, S>) {
     let node = source.line(line);
     let is_word = |child: &Node<'_>| !child.kind().is_trivia();
-    let behind = node
+    let after = node
         .children()
         .filter(is_word)
         .last()
         .map_or(node.start(), Node::end);
     let mut pieces = Pieces::new(source.text, false, |piece| write_piece(pen, piece));
-    for child in node.children().take_while(|child| child.start() < behind) {
+    for child in node.children().take_while(|child| child.start() < after) {
         if is_word(&child) || child.kind() == COMMENT {
             pieces.node(child);
         }
     }
-    comments_behind(source, line, behind, pen);
+    comments_after(source, line, after, pen);
 }
 
 /// A line that holds nothing but comments, from where the pen is.
@@ -106,13 +106,13 @@ pub(crate) fn comment_line<S: Sink>(source: Source<'_>, line: usize, pen: &mut P
     }
 }
 
-/// The comments of a line that are behind a place, two blanks before each.
-pub(crate) fn comments_behind<S: Sink>(source: Source<'_>, line: usize, behind: usize, pen: &mut Pen<'_, S>) {
+/// The comments of a line that are after a place, two blanks before each.
+pub(crate) fn comments_after<S: Sink>(source: Source<'_>, line: usize, after: usize, pen: &mut Pen<'_, S>) {
     if !source.has_comment(line) {
         return;
     }
     for child in source.line(line).children() {
-        if child.kind() == COMMENT && child.start() >= behind {
+        if child.kind() == COMMENT && child.start() >= after {
             pen.blanks(2);
             pen.keep(child.start(), child.end());
         }
@@ -179,7 +179,7 @@ fn declaration<S: Sink>(source: Source<'_>, line: usize, columns: Columns, pen: 
     let text = source.text;
     let node = source.line(line);
     let mut column = 0;
-    let mut behind = node.start();
+    let mut after = node.start();
     for part in node.children() {
         let place = match part.kind() {
             NAME_LIST => INDENT,
@@ -202,7 +202,7 @@ fn declaration<S: Sink>(source: Source<'_>, line: usize, columns: Columns, pen: 
             pen.keep(part.start(), part.end());
             column += 1;
         }
-        behind = part.end();
+        after = part.end();
     }
-    comments_behind(source, line, behind, pen);
+    comments_after(source, line, after, pen);
 }

@@ -1,6 +1,6 @@
 //! A network as a drawing without columns: what is on its rungs, in which order, and how it is joined.
 //!
-//! The formatter makes a sketch of every network that it reads; whoever makes new networks (an importer, a
+//! The formatter makes a sketch of every network that it reads; a caller that makes new networks (an importer, a
 //! refactoring) makes one of what it wants drawn. Columns are worked out from the sketch alone.
 
 use std::ops::Range;
@@ -16,7 +16,7 @@ pub enum ElementKind {
     LeftBar,
     /// A `|` at the right end of a rung that its wire reaches to.
     RightBar,
-    /// A `|` between two wires, or a `+` in the middle of a rung: mistakes that formatting keeps.
+    /// A `|` between two wires, or a `+` in the middle of a rung: errors that formatting keeps.
     Stray,
     /// `\`
     Down,
@@ -28,7 +28,7 @@ pub enum ElementKind {
     Acting,
     /// A comment: a piece of wire if it is joined, else only text between two segments.
     Comment,
-    /// Two dashes where a wire ends at nothing: directly beside the element that the wire comes from or leads to.
+    /// Two dashes where a wire ends at nothing: directly next to the element that the wire comes from or leads to.
     Stub,
 }
 
@@ -68,7 +68,7 @@ impl Sketch {
         self.rungs.push(at..at);
     }
 
-    /// Puts an element behind the others of the last rung.
+    /// Puts an element after the others of the last rung.
     pub fn push(&mut self, kind: ElementKind, joined: bool, width: u32) {
         if self.rungs.is_empty() {
             self.begin_rung();

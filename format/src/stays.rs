@@ -12,7 +12,7 @@ pub(crate) struct Stays {
 
 impl Stays {
     /// What is known without looking into the rungs. `off`: `fmt off` is before the first line, and afterwards
-    /// whether it does behind the last.
+    /// whether it does after the last.
     pub(crate) fn find(source: Source<'_>, off: &mut bool) -> Stays {
         let lines = source.lines;
         let mut stays = Stays {
@@ -65,7 +65,7 @@ impl Stays {
         }
     }
 
-    /// Two things on one physical line, which is a mistake: a new line end between them would take it away.
+    /// Two things on one physical line, which is an error: a new line end between them would take it away.
     fn split_lines(&mut self, source: Source<'_>) {
         let mut before: Option<Range<usize>> = None;
         for item in &source.lines.structure().items {
@@ -88,7 +88,7 @@ impl Stays {
             let section = &structure.sections[number];
             let lines = section.lines.clone();
             let stays = |line: usize| {
-                source.has_mistake(line)
+                source.has_error(line)
                     || has_comment_inside(source, line)
                     || directive_line(source, line).is_some()
             };
@@ -99,7 +99,7 @@ impl Stays {
                 continue;
             }
             // A section without END_VAR ends where the drawing begins. What does it must go on doing so: the
-            // lines behind it, and a network that need not begin with a rail.
+            // lines after it, and a network that need not begin with a rail.
             for item in &structure.items[index + 1..] {
                 match item {
                     Item::Decoration(line) => self.keep(*line..*line + 1),
@@ -136,8 +136,8 @@ impl Stays {
     fn barred_branches(&mut self, source: Source<'_>) {
         let networks = &source.lines.structure().networks;
         let mut join = |own: &Network, neighbour: &Network| {
-            let is_beside = own.lines.start == neighbour.lines.end || own.lines.end == neighbour.lines.start;
-            if is_beside
+            let is_next_to = own.lines.start == neighbour.lines.end || own.lines.end == neighbour.lines.start;
+            if is_next_to
                 && self.line(neighbour.lines.start)
                 && !self.line(own.lines.start)
                 && is_barred(source, own)
@@ -169,7 +169,7 @@ pub(crate) fn item_lines(lines: &Lines<FlatLine>, item: Item) -> Range<usize> {
     }
 }
 
-/// Whether a network has a mistake that makes its drawing uncertain.
+/// Whether a network has an error that makes its drawing uncertain.
 fn is_broken(source: Source<'_>, network: &Network) -> bool {
     let mut downs_above = 0;
     for rung in source.rungs(network) {

@@ -4,7 +4,7 @@
 //! | --- | --- | --- | --- | --- |
 //! | a tag | its declaration; of a VAR_EXTERNAL tag the VAR_GLOBAL line | the VAR_EXTERNAL line of this file, else as definition | of a timer or counter the block that it belongs to | the places that write it |
 //! | an undeclared tag | the places that write it, else where it is first | as definition | | as definition |
-//! | a direct address | the declaration with this address behind AT, else as an undeclared tag | as definition | | the places that write it |
+//! | a direct address | the declaration with this address after AT, else as an undeclared tag | as definition | | the places that write it |
 //! | a member or bit | as its tag | as its tag | as its tag | as its tag |
 //! | a parameter | its declaration in the block | as definition | | the places in the body that write it |
 //! | a label | its `<LBL>` | as definition | | its `<LBL>` |
@@ -36,7 +36,7 @@ pub fn declaration(context: &Context, offset: TextSize, workspace: &dyn Workspac
     let Some(Found { symbol, .. }) = find(own, offset) else {
         return Vec::new();
     };
-    let symbol = tag_behind(symbol);
+    let symbol = tag_after(symbol);
     let external = of_file(own, &symbol, |usage| usage == Usage::Declaration);
     if external.is_empty() {
         return defined(context, &symbol, workspace);
@@ -51,7 +51,7 @@ pub fn type_definition(context: &Context, offset: TextSize, workspace: &dyn Work
     let Some(Found { symbol, .. }) = find(own, offset) else {
         return Vec::new();
     };
-    match tag_behind(symbol) {
+    match tag_after(symbol) {
         symbol @ Symbol::Block { .. } => defined(context, &symbol, workspace),
         symbol @ (Symbol::Tag { .. } | Symbol::Global(_)) => {
             each_file(context, &symbol, workspace, |file| states(file, &symbol))
@@ -65,7 +65,7 @@ pub fn implementation(context: &Context, offset: TextSize, workspace: &dyn Works
     let Some(Found { symbol, .. }) = find(context, offset) else {
         return Vec::new();
     };
-    let symbol = tag_behind(symbol);
+    let symbol = tag_after(symbol);
     match &symbol {
         Symbol::Function { .. } | Symbol::Block { .. } | Symbol::Label { .. } => {
             defined(context, &symbol, workspace)
@@ -83,7 +83,7 @@ pub fn implementation(context: &Context, offset: TextSize, workspace: &dyn Works
 }
 
 /// A member leads to its tag.
-fn tag_behind(symbol: Symbol) -> Symbol {
+fn tag_after(symbol: Symbol) -> Symbol {
     match symbol {
         Symbol::Member { of, .. } => *of,
         other => other,
@@ -91,7 +91,7 @@ fn tag_behind(symbol: Symbol) -> Symbol {
 }
 
 pub(crate) fn defined(context: &Context, symbol: &Symbol, workspace: &dyn Workspace) -> Vec<Target> {
-    let symbol = &tag_behind(symbol.clone());
+    let symbol = &tag_after(symbol.clone());
     if matches!(symbol, Symbol::Instruction(_) | Symbol::System(_)) {
         return Vec::new();
     }
@@ -187,7 +187,7 @@ fn at_address(file: &Context, address: &Name) -> Vec<Target> {
     let tags = file.scopes.iter().flat_map(|scope| &scope.tags);
     tags.filter(|tag| tag.is_declared() && tag.origin != Origin::Declared(SectionKind::External))
         .filter(|tag| {
-            tag.rare
+            tag.cold
                 .address
                 .as_ref()
                 .is_some_and(|it| Name::new(it) == *address)

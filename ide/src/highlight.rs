@@ -93,7 +93,7 @@ fn rails(context: &Context, network: usize) -> Vec<TextRange> {
     rails
 }
 
-/// A `<FOR>` and the next `<NEXT>` behind it in the same body (LANGUAGE §5.5).
+/// A `<FOR>` and the next `<NEXT>` after it in the same body (LANGUAGE §5.5).
 fn loops(context: &Context, op: Op, at: TextRange) -> Vec<Highlight> {
     let blocks = context
         .networks

@@ -1,6 +1,6 @@
 //! Inlay hints: what a coil computes, at the end of its line.
 //!
-//! A hint within a rung would shift the columns of everything right of it, so they are behind the last character of
+//! A hint within a rung would shift the columns of everything right of it, so they are after the last character of
 //! a line and nowhere else.
 
 use crate::body::line_text;
@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn only_where_somebody_looks() {
+    fn only_where_a_user_looks() {
         let text = "+--[ ]( a )--( )( b )--+\n".repeat(10);
         let analysis = ladder_analysis::analyze(&Arc::new(ladder_syntax::parse(&text)), "test.clad");
         let line = TextRange::at(TextSize::new(25 * 4 + 3), TextSize::new(5));

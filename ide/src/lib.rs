@@ -1,7 +1,7 @@
 //! What an editor asks of ladder text: one file for each feature.
 //!
 //! Plain types in and out, byte offsets, no protocol: the language server turns them into its messages. All of it reads
-//! the [`Context`](ladder_analysis::context::Context) of a file: its names, networks and blocks. Only what mends findings
+//! the [`Context`](ladder_analysis::context::Context) of a file: its names, networks and blocks. Only what fixes findings
 //! asks for an [`Analysis`](ladder_analysis::Analysis), which takes longer to make.
 
 mod body;
@@ -43,7 +43,7 @@ pub use completion::{
 pub use definition::{declaration, definition, implementation, type_definition};
 pub use folding::{Fold, folds};
 pub use highlight::{Highlight, highlights};
-pub use hover::{Hover, hover, used_elsewhere};
+pub use hover::{Hover, hover, used_in_other_files};
 pub use inlay::{Inlay, inlays};
 pub use ladder_instructions::Profile;
 pub use lens::{Lens, LensKind, lenses};

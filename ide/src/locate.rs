@@ -22,7 +22,7 @@ pub(crate) struct OnRung<'c> {
 }
 
 /// The part of the drawing at an offset. Between two parts that touch the right one wins, unless it is wire:
-/// with the cursor behind a block's last parenthesis the block is meant.
+/// with the cursor after a block's last parenthesis the block is meant.
 pub(crate) fn on_rung(context: &Context, offset: TextSize) -> Option<OnRung<'_>> {
     let parse = &context.parse;
     let line = parse.line_at(offset)?;

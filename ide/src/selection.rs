@@ -22,7 +22,7 @@ pub fn selections(context: &Context, offset: TextSize) -> Vec<TextRange> {
                     drawing(context, &place, &mut grown);
                 }
                 grown.add(without_line_end(context, parse.line_range(line)));
-                // A cursor behind what is half-written is on blanks.
+                // A cursor after what is half-written is on blanks.
                 grown.add(line_text(context, line));
                 network(context, line, &mut grown);
             }

@@ -132,7 +132,7 @@ fn of_row(row: &'static Instruction, operand: &Operand, profile: Profile) -> Sig
         };
         label.add(&text, format!("{}{way}", formal.doc));
     }
-    // Behind those by place comes the first of those by name that is not given yet.
+    // After those by place comes the first of those by name that is not given yet.
     if active.is_none() && operand.name.is_none() {
         let free = |formal: &&ladder_instructions::Operand| {
             formal.presence == Presence::Named

@@ -9,7 +9,7 @@ use ladder_analysis::values::callable::is_callable;
 use ladder_analysis::values::types::{Scalar, Type, are_comparable, passes};
 use ladder_analysis::{in_class, state_member};
 use ladder_instructions::{
-    Accepts, Direction, Instruction, Law, Shape, StateType, States, Truth, TypeClass, lookup,
+    Accepts, Direction, Instruction, Semantics, Shape, StateType, States, Truth, TypeClass, lookup,
 };
 use ladder_syntax::Name;
 
@@ -229,7 +229,7 @@ pub(crate) fn type_of(context: &Context, scope: usize, text: &str) -> Option<Sca
             return Some(SystemTag::from_name(member)?.ty());
         }
         if let Some(Type::State(state)) = whole_type(context, scope, base) {
-            return Some(state_member(state, member)?.ty(context.profile.law()));
+            return Some(state_member(state, member)?.ty(context.profile.semantics()));
         }
         if type_of(context, scope, base).is_some() {
             return Some(Scalar::Bool);
@@ -259,12 +259,12 @@ pub(crate) fn whole_type(context: &Context, scope: usize, text: &str) -> Option<
 
 /// How well a tag of a type fits, in a profile with these differences: 0 as it is, 1 it passes, 2 an element or member
 /// of it does. None: not at all.
-pub(crate) fn rank(law: &Law, wanted: &Wanted, ty: Type) -> Option<u8> {
+pub(crate) fn rank(semantics: &Semantics, wanted: &Wanted, ty: Type) -> Option<u8> {
     let bits = |ty: Scalar| ty.is_bits() || ty.is_integer();
     match (wanted.kind, ty) {
         (Kind::Bool | Kind::BoolOrRange | Kind::BoolRangeOrState, _) => match ty {
             Type::Scalar(Scalar::Bool) => Some(0),
-            Type::Scalar(ty) if law.truth == Truth::NotZero && ty.is_number() => Some(1),
+            Type::Scalar(ty) if semantics.truth == Truth::NotZero && ty.is_number() => Some(1),
             Type::Array {
                 element: Scalar::Bool,
                 ..
@@ -280,7 +280,7 @@ pub(crate) fn rank(law: &Law, wanted: &Wanted, ty: Type) -> Option<u8> {
         },
         (Kind::State(wanted), Type::State(state)) if state == wanted => Some(0),
         (Kind::State(wanted), Type::State(state)) => {
-            (law.states == States::Shared && state.is_of_one_sort_with(wanted)).then_some(1)
+            (semantics.states == States::Shared && state.is_of_one_sort_with(wanted)).then_some(1)
         }
         (Kind::TimerOrCounter, Type::State(state)) => (state.is_timer() || state.is_counter()).then_some(0),
         (Kind::State(_) | Kind::TimerOrCounter, _) => None,
@@ -294,7 +294,8 @@ pub(crate) fn rank(law: &Law, wanted: &Wanted, ty: Type) -> Option<u8> {
         (_, Type::State(state)) => {
             let members = ["ET", "PT", "CV", "PV", "Q"];
             let fits = |word: &&str| {
-                state_member(state, word).is_some_and(|member| scalar_rank(wanted, member.ty(law)).is_some())
+                state_member(state, word)
+                    .is_some_and(|member| scalar_rank(wanted, member.ty(semantics)).is_some())
             };
             (!wanted.writes && members.iter().any(fits)).then_some(2)
         }

@@ -25,7 +25,7 @@ pub struct Named {
 const MOST: usize = 500;
 
 /// The names that have the letters of `query` in their order, the likeliest first; all names for an empty query. They
-/// are those of `own` and of the files beside it.
+/// are those of `own` and of the files next to it.
 pub fn workspace_symbols(query: &str, own: &Context, workspace: &dyn Workspace) -> Vec<Named> {
     let wanted: Vec<char> = Name::new(query)
         .as_str()

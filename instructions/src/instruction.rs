@@ -228,7 +228,7 @@ impl Instruction {
         self.doc.split_once("\n\n").map_or(self.doc, |(first, _)| first)
     }
 
-    /// What there is to say of it in a profile beside the rest: how it differs there, or that it is not there.
+    /// What there is to say of it in a profile next to the rest: how it differs there, or that it is not there.
     pub fn in_profile(&self, profile: Profile) -> Option<&'static str> {
         if !self.profiles.contain(profile) {
             return Some("The system has no such instruction.");
@@ -261,7 +261,7 @@ impl Instruction {
         if self.operands.is_empty() {
             return self.block();
         }
-        let repeats_behind = self
+        let repeats_after = self
             .operands
             .iter()
             .rposition(|o| matches!(o.presence, Presence::Repeated { .. }));
@@ -273,7 +273,7 @@ impl Instruction {
             .map(|(index, operand)| match (operand.presence, operand.direction) {
                 (Presence::Named, Direction::Out) => format!("{} =>", operand.name),
                 (Presence::Named, _) => format!("{} :=", operand.name),
-                _ if repeats_behind == Some(index) => format!("{}, ...", operand.name),
+                _ if repeats_after == Some(index) => format!("{}, ...", operand.name),
                 _ => operand.name.to_owned(),
             })
             .collect();

@@ -25,7 +25,6 @@
 //! one without the other), one function in the simulator (refused likewise) and one scenario.
 
 mod instruction;
-mod law;
 mod likeness;
 mod lookup;
 mod op;
@@ -34,14 +33,11 @@ mod origin;
 mod power;
 mod profile;
 mod purpose;
+mod semantics;
 mod spelling;
 mod table;
 
 pub use instruction::{Acts, Group, Instruction, Role, Shape};
-pub use law::{
-    Arithmetic, Controller, Conversion, Counting, Division, Edges, Law, Relay, Remainder, Serial, SetPower,
-    States, Tables, Timing, Truth, Width,
-};
 pub use lookup::{by_op, closest, in_other_shape, lookup};
 pub use op::Op;
 pub use operand::{Accepts, Direction, Operand, Presence, StateType, TypeClass};
@@ -49,4 +45,8 @@ pub use origin::{Origin, origin};
 pub use power::{Coil, Edge, Power};
 pub use profile::{Profile, Profiles};
 pub use purpose::{Purpose, purpose};
+pub use semantics::{
+    Arithmetic, Controller, Conversion, Counting, Division, Edges, Relay, Remainder, Semantics, Serial,
+    SetPower, States, Tables, Timing, Truth, Width,
+};
 pub use table::TABLE;

@@ -120,7 +120,7 @@ pub enum Presence {
     Required,
     /// By place, may be left out from the right (`[SCANTIME]`).
     Trailing,
-    /// By place, again and again behind the required ones (`...` in LANGUAGE §5, which repeats the last).
+    /// By place, again and again after the required ones (`...` in LANGUAGE §5, which repeats the last).
     /// `group` operands come and go together (`[PWL]` takes pairs); every operand of the group has this
     /// presence.
     Repeated {
@@ -183,7 +183,7 @@ impl StateType {
         }
     }
 
-    /// The member that is its output, and the power behind its block.
+    /// The member that is its output, and the power after its block.
     pub const fn output(self) -> &'static str {
         match self {
             StateType::Sr | StateType::Rs => "Q1",

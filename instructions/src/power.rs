@@ -22,7 +22,7 @@ pub enum Power {
     EnEdge(Edge),
     /// The output of the timer, counter or bistable, whatever EN is.
     Output,
-    /// The tag that the coil sets, or EN: [`Law::set_power`](crate::Law::set_power).
+    /// The tag that the coil sets, or EN: [`Semantics::set_power`](crate::Semantics::set_power).
     SetTag,
 }
 

@@ -67,7 +67,7 @@ pub(crate) struct Entry {
 
 impl Entry {
     /// Rows of the same spelling keep the order of the table.
-    const fn stands_before(self, other: Self) -> bool {
+    const fn is_before(self, other: Self) -> bool {
         if self.shape != other.shape {
             return self.shape < other.shape;
         }
@@ -112,7 +112,7 @@ const fn sorted() -> [Entry; count()] {
             };
             // Insertion keeps the list sorted; it is short, and made once, by the compiler.
             let mut place = length;
-            while place > 0 && entry.stands_before(entries[place - 1]) {
+            while place > 0 && entry.is_before(entries[place - 1]) {
                 entries[place] = entries[place - 1];
                 place -= 1;
             }

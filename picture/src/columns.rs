@@ -59,8 +59,8 @@ impl Layout {
         let still = find_still(grid);
         let moves = |thing: &Thing| thing.slots.iter().all(|&(rung, slot)| slot >= still[rung]);
         let moving: Vec<bool> = grid.things.iter().map(moves).collect();
-        // The column behind each thing, spacing aside.
-        let mut behind = vec![rail.saturating_sub(SPACING); grid.things.len()];
+        // The column after each thing, spacing aside.
+        let mut after = vec![rail.saturating_sub(SPACING); grid.things.len()];
         let mut waits: Vec<usize> = Vec::with_capacity(grid.things.len());
         for thing in &grid.things {
             let has_next = |&&(rung, slot): &&(usize, usize)| slot + 1 < grid.rungs[rung].len();
@@ -73,7 +73,7 @@ impl Layout {
             let thing = &grid.things[index];
             let column = match thing.kind {
                 Kind::RightRail => rail,
-                _ => behind[index].saturating_sub(thing.columns),
+                _ => after[index].saturating_sub(thing.columns),
             };
             self.columns[index] = column;
             for &(rung, slot) in &thing.slots {
@@ -81,7 +81,7 @@ impl Layout {
                     continue;
                 };
                 let before = grid.rungs[rung][before].thing;
-                behind[before] = behind[before].min(column.saturating_sub(SPACING));
+                after[before] = after[before].min(column.saturating_sub(SPACING));
                 waits[before] -= 1;
                 if moving[before] && waits[before] == 0 {
                     ready.push(before);

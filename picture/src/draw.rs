@@ -29,7 +29,7 @@ pub(super) struct Drawing<'d> {
     /// The column of the right rail, where the network ends at one.
     pub(super) rail: Option<u32>,
     pub(super) power: Option<&'d HashMap<TextRange, bool>>,
-    /// Somebody will show the power of a running program on it.
+    /// A user will show the power of a running program on it.
     pub(super) live: bool,
 }
 
@@ -43,8 +43,8 @@ pub(super) struct Power {
 
 impl Power {
     /// What is not joined to anything has none, as far as power is shown.
-    fn none(beside: Flow) -> Power {
-        let flow = match beside {
+    fn none(next_to: Flow) -> Power {
+        let flow = match next_to {
             Flow::Unknown => Flow::Unknown,
             _ => Flow::Dead,
         };
@@ -248,7 +248,7 @@ impl Drawing<'_> {
         }
         paper.of(None);
         paper.powered_by(&[]);
-        let comment = &self.figure.behind[rung];
+        let comment = &self.figure.after[rung];
         let right = match self.rail {
             Some(column) => MARGIN + (column as i32 + 1) * UNIT,
             None => slots.last().map_or(MARGIN, |last| self.ends(last).1),

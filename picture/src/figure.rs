@@ -16,8 +16,8 @@ pub(super) struct Figure {
     pub(super) rungs: Vec<Vec<Item>>,
     /// Comments that are above each rung.
     pub(super) above: Vec<Vec<String>>,
-    /// Comments behind each rung.
-    pub(super) behind: Vec<String>,
+    /// Comments after each rung.
+    pub(super) after: Vec<String>,
     /// The room of each rung over and under its wire.
     pub(super) rooms: Vec<Room>,
 }
@@ -61,7 +61,7 @@ pub(super) fn figure(network: NetworkAt<'_>, words: &Words<'_>) -> Figure {
     let mut figure = Figure {
         rungs: Vec::new(),
         above: Vec::new(),
-        behind: Vec::new(),
+        after: Vec::new(),
         rooms: Vec::new(),
     };
     let blocks = network.blocks();
@@ -103,7 +103,7 @@ impl Figure {
             over: 6,
             under: 6,
         };
-        let mut behind = Vec::new();
+        let mut after = Vec::new();
         let mut segment = None;
         let mut wire = None;
         let first = rung.parts.iter().position(|part| part.segment.is_some());
@@ -131,7 +131,7 @@ impl Figure {
                     let text = words.text_of(network.part_range(&words.context.parse, number, index));
                     let text = comment::on_one_line(&text);
                     if part.segment.is_none() && Some(index) > last {
-                        behind.push(text);
+                        after.push(text);
                         continue;
                     }
                     if part.segment.is_none() && Some(index) < first {
@@ -164,14 +164,14 @@ impl Figure {
         }
         room.over += self.above[number].len() as i32 * LINE;
         self.rungs.push(items);
-        self.behind.push(behind.join("  "));
+        self.after.push(after.join("  "));
         self.rooms.push(room);
     }
 }
 
 impl Drawn {
     fn room(&self) -> Room {
-        // What takes no room beside the wire.
+        // What takes no room next to the wire.
         let thin = |columns| Room {
             columns,
             over: 0,

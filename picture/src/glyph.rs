@@ -175,7 +175,7 @@ enum Side {
     Under,
 }
 
-/// A tag, with its value behind it, or room for it.
+/// A tag, with its value after it, or room for it.
 fn draw_label(paper: &mut Paper, label: &Label, middle: i32, base: i32, side: Side) {
     paper.operand(Some(label.operand));
     write_label(paper, label, middle, base);

@@ -42,15 +42,15 @@ use ladder_analysis::context::Context;
 use ladder_syntax::TextRange;
 use std::collections::HashMap;
 
-/// What is shown beside the program itself.
+/// What is shown next to the program itself.
 #[derive(Default)]
 pub struct Options<'o> {
     /// For each part of the drawing, by its place in the text, whether power leaves it. Without it the picture
     /// shows the program at rest, in one weight of line.
     pub power: Option<HashMap<TextRange, bool>>,
-    /// The value of an operand, by its text, where there is one worth showing beside it.
+    /// The value of an operand, by its text, where there is one worth showing next to it.
     pub value: Option<&'o Values<'o>>,
-    /// There is room for values above operands, and each shape knows whose power it shows: somebody will write the
+    /// There is room for values above operands, and each shape knows whose power it shows: a user will write the
     /// state of a running program on the drawing.
     pub live: bool,
 }
@@ -58,7 +58,7 @@ pub struct Options<'o> {
 /// The value of an operand by its text; none if it is not shown.
 pub type Values<'v> = dyn Fn(&str) -> Option<String> + 'v;
 
-/// Draws a file's networks with their comments. A network with a mistake in its drawing is shown as text.
+/// Draws a file's networks with their comments. A network with an error in its drawing is shown as text.
 pub fn scene(context: &Context, options: &Options<'_>) -> Scene {
     page::draw(context, options)
 }

@@ -5,7 +5,7 @@
 //! <svg class="drawing">
 //!   <line data-power="0:1"/>                     a wire: it is live if one of these parts has power
 //!   <g class="element contact" data-at="0:3" data-end="0:15" data-name="Open contact">
-//!     <rect class="hit"/>                        where somebody points at it
+//!     <rect class="hit"/>                        where a user points at it
 //!     <path class="gate"/>                       the gap, filled when power can pass
 //!     <text data-operand="0:8">start</text>      the name of an operand
 //!     <text class="value" data-operand="0:8"/>   where its value belongs
@@ -50,7 +50,7 @@ pub enum Kind {
     Heading,
     /// A network.
     Network,
-    /// A network with a mistake in its drawing, shown as text, and whatever is behind a comment that is never closed.
+    /// A network with an error in its drawing, shown as text, and whatever is after a comment that is never closed.
     Broken,
 }
 
@@ -124,7 +124,7 @@ pub(super) fn lines_of(context: &Context, structure: &Structure, item: Item) -> 
 impl Piece {
     /// What it is.
     pub fn kind(&self, context: &Context) -> Kind {
-        // What is behind a comment that is never closed is not what it seems to be.
+        // What is after a comment that is never closed is not what it seems to be.
         let unclosed = context.parse.unclosed_comment();
         if unclosed.is_some_and(|place| place.start() < self.range.end()) {
             return Kind::Broken;

@@ -180,12 +180,12 @@ impl<'f> Separation<'f> {
             open.extend(gaps.map(|(index, _)| (rung, index)));
         }
         while let Some((rung, index)) = open.pop() {
-            // On this rung a line ends between two `\`, and between two `/`: so it does on the rungs beside.
+            // On this rung a line ends between two `\`, and between two `/`: so it does on the rungs next to it.
             for side in [0, 1] {
                 let Some(point) = self.before[rung][index][side].filter(|&point| !self.parted[point]) else {
                     continue;
                 };
-                let Some((from, to)) = self.beside(point, 1 - side) else {
+                let Some((from, to)) = self.next_to(point, 1 - side) else {
                     continue;
                 };
                 self.parted[point] = true;
@@ -196,7 +196,7 @@ impl<'f> Separation<'f> {
     }
 
     /// Where a point and the next one are on their upper (0) or lower (1) rung.
-    fn beside(&self, point: usize, side: usize) -> Option<((usize, usize), (usize, usize))> {
+    fn next_to(&self, point: usize, side: usize) -> Option<((usize, usize), (usize, usize))> {
         let next = self.next[point]?;
         Some((self.ends[point]?[side], self.ends[next]?[side]))
     }

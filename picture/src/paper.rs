@@ -9,7 +9,7 @@ pub(super) struct Paper {
     scene: Scene,
     /// The part of the program that is drawn at present.
     element: Option<Element>,
-    /// Whether somebody will show the state of a running program on it.
+    /// Whether a user will show the state of a running program on it.
     live: bool,
     /// The parts whose power the shapes drawn at present show.
     power: Vec<Element>,

@@ -18,7 +18,7 @@ pub struct Scene {
     pub shapes: Vec<Shape>,
     /// The networks, comments and headings from top to bottom.
     pub blocks: Vec<Block>,
-    /// The elements of the networks and where they are: what somebody points at.
+    /// The elements of the networks and where they are: what a user points at.
     pub placed: Vec<Placed>,
 }
 
@@ -49,7 +49,7 @@ pub enum BlockKind {
         /// The comment before it is right above it, and so about it.
         noted: bool,
     },
-    /// A network by its index, and the line of the file where it begins, from 1. One with a mistake in its drawing
+    /// A network by its index, and the line of the file where it begins, from 1. One with an error in its drawing
     /// is shown as text.
     Network {
         /// As in [`Context::networks`](ladder_analysis::context::Context).

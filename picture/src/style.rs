@@ -68,7 +68,7 @@ pub enum Hue {
     Paper,
     /// Lines and text.
     Ink,
-    /// Lines without power, beside live ones.
+    /// Lines without power, next to live ones.
     Faint,
     /// Lines with power.
     Live,
@@ -107,7 +107,7 @@ pub struct Stroke {
 pub enum Cap {
     /// At its point.
     Butt,
-    /// Half its width behind its point.
+    /// Half its width after its point.
     Square,
     /// The same, round.
     Round,

@@ -21,7 +21,7 @@ pub(super) struct Label {
     pub(super) value: Option<String>,
     /// Which operand of its block it is.
     pub(super) operand: usize,
-    /// There is room for the value that somebody will write there.
+    /// There is room for the value that a user will write there.
     pub(super) room: bool,
 }
 
@@ -37,7 +37,7 @@ impl Label {
         (columns(&self.text) + value).max(room)
     }
 
-    /// What it takes beside its own line.
+    /// What it takes next to its own line.
     pub(super) fn height(&self) -> i32 {
         if self.text.is_empty() {
             return 0;
@@ -168,7 +168,7 @@ pub(super) fn width(text: &str) -> i32 {
 pub(super) struct Words<'c> {
     pub(super) context: &'c Context,
     pub(super) value: Option<&'c Values<'c>>,
-    /// There is room for values that somebody will write.
+    /// There is room for values that a user will write.
     pub(super) room: bool,
 }
 

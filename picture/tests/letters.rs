@@ -1,4 +1,4 @@
-//! Diagrams drawn with characters. `UPDATE_EXPECT=1 cargo test -p ladder-picture` draws them anew; look at them before
+//! Diagrams drawn with characters. `UPDATE_EXPECT=1 cargo test -p ladder-picture` draws them again; look at them before
 //! you keep them.
 
 use expect_test::{expect, expect_file};
@@ -179,9 +179,9 @@ fn every_block_has_its_place() {
     assert_eq!(places, [0, 0, 1, 1, 2, 2, 2, 2, 2]);
 }
 
-/// A comment above a rung is beside the lines that come down there.
+/// A comment above a rung is next to the lines that come down there.
 #[test]
-fn comments_are_beside_the_lines() {
+fn comments_are_next_to_the_lines() {
     let text = "+--\\--[ ]( a )--\\--( )( x )--+\n# b, too #\n|  /--[ ]( b )--/            |\n";
     expect![[r#"
         │       a                x    │
@@ -222,7 +222,7 @@ fn odd_texts() {
         "+--[ ]( a )--\\\n  /--( )( b )--+",
         "+--[MOV]( s, '<&\u{1}>' )--+",
         "+--[$]( x )--[NONE]( )--<JMP>( )--+",
-        "+--[CTUD]( c, 1 )--# in between #--(S)( 液位 )--+ # behind #",
+        "+--[CTUD]( c, 1 )--# in between #--(S)( 液位 )--+ # after #",
         "FUNCTION_BLOCK [$B]\n+--[ ]( a )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n",
     ] {
         for live in [None, Some(&Live::default())] {

@@ -1,5 +1,5 @@
 //! Networks drawn one by one for a page that shows a running program. `UPDATE_EXPECT=1 cargo test -p ladder-picture`
-//! draws them anew; look at them before you keep them.
+//! draws them again; look at them before you keep them.
 
 use expect_test::expect_file;
 use ladder_analysis::analyze;
@@ -72,7 +72,7 @@ fn only_what_is_asked_for_is_drawn() {
 }
 
 #[test]
-fn a_drawing_does_not_depend_on_what_stands_above() {
+fn a_drawing_does_not_depend_on_what_is_above() {
     let below = format!("# something #\n\n+--( )( on )--+\n\n{PROGRAM}");
     let svgs = |text: &str| -> Vec<String> { drawn(text).into_iter().map(|(_, _, svg)| svg).collect() };
     assert_eq!(svgs(&below)[2..], svgs(PROGRAM)[..]);

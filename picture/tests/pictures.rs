@@ -1,4 +1,4 @@
-//! Pictures of programs, compared to the byte. `UPDATE_EXPECT=1 cargo test -p ladder-picture` draws them anew;
+//! Pictures of programs, compared to the byte. `UPDATE_EXPECT=1 cargo test -p ladder-picture` draws them again;
 //! look at them before you keep them.
 
 use expect_test::expect_file;

@@ -1,4 +1,4 @@
-//! Pages of programs. `UPDATE_EXPECT=1 cargo test -p ladder-picture` writes them anew; look at them, as
+//! Pages of programs. `UPDATE_EXPECT=1 cargo test -p ladder-picture` writes them again; look at them, as
 //! `ladder render -o x.pdf` draws them, before you keep them.
 
 use expect_test::{expect, expect_file};
@@ -227,7 +227,7 @@ fn a_high_network_is_made_smaller_as_long_as_it_can_be_read() {
 }
 
 #[test]
-fn a_network_with_a_mistake_is_text_on_paper_too() {
+fn a_network_with_an_error_is_text_on_paper_too() {
     let sheets = pages("+--[ ]( a --( )( b )--+\n", &A4);
     check(&sheets);
     assert_eq!(seen(&sheets, "+--[ ]( a --( )( b )--+"), 1);

@@ -1,4 +1,4 @@
-//! The diagram of an open program, drawn for a page beside the text: only what the page shows, and only what it does not
+//! The diagram of an open program, drawn for a page next to the text: only what the page shows, and only what it does not
 //! have yet. `docs/protocol.md` shows the messages.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -80,7 +80,7 @@ pub enum PieceKind {
     Heading,
     /// A network.
     Network,
-    /// A network with a mistake in its drawing, shown as text, and whatever is behind a comment that is never closed.
+    /// A network with an error in its drawing, shown as text, and whatever is after a comment that is never closed.
     Broken,
 }
 

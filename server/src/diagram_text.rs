@@ -66,9 +66,9 @@ pub struct DrawnLine {
 pub struct DrawnBlock {
     /// The block in the text.
     pub range: Range,
-    /// The first of the lines that it is drawn in, and the one behind the last.
+    /// The first of the lines that it is drawn in, and the one after the last.
     pub lines: (usize, usize),
-    /// Its first column, and the one behind the last.
+    /// Its first column, and the one after the last.
     pub columns: (usize, usize),
     /// In a simulation the tags that its operands name, the most telling one first.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -103,7 +103,7 @@ pub enum InkName {
     Forced,
     /// A comment.
     Comment,
-    /// A network with a mistake in its drawing, as it is written.
+    /// A network with an error in its drawing, as it is written.
     Text,
 }
 

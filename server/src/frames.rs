@@ -2,7 +2,7 @@
 //!
 //! A header counts wherever it is, because no message can hold one: inside a JSON text a line end is written `\n`, and
 //! outside of one there are no such words. So a body ends where the next header begins, if that is before the end
-//! that its own header announces; and behind a body that was too short everything up to the next header is skipped.
+//! that its own header announces; and after a body that was too short everything up to the next header is skipped.
 
 use std::io;
 
@@ -37,7 +37,7 @@ pub(crate) enum Frame {
 /// The frames of a stream.
 pub(crate) struct Frames<R> {
     input: R,
-    /// What was read and not looked at yet, from `at` on.
+    /// What was read and not checked yet, from `at` on.
     buffer: Vec<u8>,
     at: usize,
     /// That bytes are being skipped was reported already.
@@ -190,7 +190,7 @@ impl<R: AsyncRead + Unpin> Frames<R> {
     }
 }
 
-/// The header field at the end of some bytes: where it begins, and the length. Behind stray bytes without a line end
+/// The header field at the end of some bytes: where it begins, and the length. After stray bytes without a line end
 /// it is at the end of their line.
 fn field_at_end(bytes: &[u8]) -> Option<(usize, u64)> {
     let bytes = bytes.trim_ascii_end();
@@ -208,7 +208,7 @@ fn field_at_end(bytes: &[u8]) -> Option<(usize, u64)> {
         .then_some((start, length))
 }
 
-/// Where a header begins whose line ends behind `looked`.
+/// Where a header begins whose line ends after `looked`.
 fn header_in(body: &[u8], looked: usize) -> Option<usize> {
     memchr_iter(b'\n', &body[looked..]).find_map(|end| {
         let end = looked + end;
@@ -217,7 +217,7 @@ fn header_in(body: &[u8], looked: usize) -> Option<usize> {
     })
 }
 
-/// Whether bytes are the beginning of the field, with nothing behind it.
+/// Whether bytes are the beginning of the field, with nothing after it.
 fn may_begin_field(bytes: &[u8]) -> bool {
     let name = bytes.len().min(FIELD.len());
     if !bytes[..name].eq_ignore_ascii_case(&FIELD[..name]) {

@@ -15,7 +15,7 @@ use ladder_ide::{
 use ladder_ide::{Inlay, Lens};
 use ladder_syntax::{Parse, TextRange, TextSize};
 
-/// What one text says: its names, networks and blocks. Enough for most that is asked while somebody types.
+/// What one text says: its names, networks and blocks. Enough for most that is asked while a user types.
 #[derive(Debug, Clone)]
 pub(crate) struct Names {
     context: Arc<Context>,
@@ -23,7 +23,7 @@ pub(crate) struct Names {
 
 impl Names {
     /// Reads a text of at most 24 MiB. Messages of a running program call the file by this name. What an earlier text of
-    /// the document has in common with it is not looked at again. What concerns the whole file is given up once it is no
+    /// the document has in common with it is not checked again. What concerns the whole file is given up once it is no
     /// longer wanted.
     pub(crate) fn of(
         parse: &Arc<Parse>,
@@ -95,7 +95,7 @@ pub(crate) struct Analysis {
 }
 
 impl Analysis {
-    /// Looks for what is wrong. What an earlier text of the document has in common with it is not looked at again. What
+    /// Looks for what is wrong. What an earlier text of the document has in common with it is not checked again. What
     /// concerns a large part of the file is given up once it is no longer wanted.
     pub(crate) fn of(
         names: &Names,
@@ -120,7 +120,7 @@ impl Analysis {
         &self.whole
     }
 
-    /// The edits of an action, with the drawing around them put straight. `text` is the text that was looked at.
+    /// The edits of an action, with the drawing around them put straight. `text` is the text that was checked.
     pub(crate) fn aligned(&self, action: &Action, text: &str, options: &Options) -> Vec<Edit> {
         action.aligned(&self.whole, text, options)
     }

@@ -11,11 +11,11 @@
 //! ```
 //!
 //! - `document` holds the editor's texts in ropes. A change makes a new `Revision`, which never changes again:
-//!   whoever works on one works in peace, and whether it is still shown is asked at the end. A revision computes
+//!   a caller that works on one works in peace, and whether it is still shown is asked at the end. A revision computes
 //!   two layers, each once, when first asked: the names of its text, and what is found in it. Most features ask
 //!   for names only, and wait for no rule.
 //! - `language` is where the server asks about a text: findings, hovers, layout, in bytes.
-//! - `diagram` draws programs for a page beside their text, `diagram_text` with characters.
+//! - `diagram` draws programs for a page next to their text, `diagram_text` with characters.
 //! - `simulation` runs programs for the editor, on the scan engine. It knows the custom messages, but nothing of
 //!   the framework.
 //! - `notation` translates programs of other systems for the editor, and reads those that are open; it knows the custom

@@ -27,7 +27,7 @@ pub(crate) struct Mirror<R> {
 }
 
 impl<R> Mirror<R> {
-    /// Records into a file, which is made anew. One that holds something else than a recording stays.
+    /// Records into a file, which is made again. One that holds something else than a recording stays.
     pub(crate) fn new(input: R, file: &Path) -> io::Result<Mirror<R>> {
         if holds_something_else(file)? {
             return Err(io::Error::other(

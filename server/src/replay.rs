@@ -29,7 +29,7 @@ const QUESTION: Duration = Duration::from_millis(500);
 /// What an answer of the client brings about begins within this time.
 const MOMENT: Duration = Duration::from_millis(5);
 
-/// The method of the player's own requests. Nobody knows it, so it is answered at once, behind all before it. (One that begins
+/// The method of the player's own requests. Nobody knows it, so it is answered at once, after all before it. (One that begins
 /// with `$/` the framework would leave unanswered.)
 const BARRIER: &str = "ladder/barrier";
 
@@ -115,7 +115,7 @@ async fn in_steps(pieces: Vec<Piece>, to_server: &mut (impl AsyncWrite + Unpin),
         }
         heard.wait(&heard.answered, &barrier.to_string(), PATIENCE).await;
         if method.is_none() {
-            // Whoever waits for a client's answer goes on a moment later.
+            // A caller that waits for a client's answer goes on a moment later.
             tokio::time::sleep(MOMENT).await;
         }
         busy.rest(PATIENCE).await;
@@ -182,7 +182,7 @@ fn header(bytes: &[u8]) -> Option<usize> {
     Some(at + end.len())
 }
 
-/// What is behind the header, if that is one message.
+/// What is after the header, if that is one message.
 fn body(message: &[u8]) -> Option<&[u8]> {
     (length(message)? == message.len()).then_some(())?;
     Some(&message[header(message)?..])

@@ -3,7 +3,7 @@
 //! A thread keeps the pages of memory that it worked with, also empty ones, and the allocator gives pages back to the
 //! system a second after they became free at the earliest, and only when some thread asks it for more or ends. Nobody
 //! does when the person stops typing: what a large answer took would stay until the next one. So threads that have waited
-//! in vain for [`PATIENCE`] end, and behind the last of them one is started only to end: with it goes what the others left.
+//! in vain for [`PATIENCE`] end, and after the last of them one is started only to end: with it goes what the others left.
 
 use std::hint::black_box;
 use std::sync::Arc;

@@ -25,7 +25,7 @@ pub(crate) struct StandardInput {
 }
 
 impl StandardInput {
-    /// Begins to read. A read cannot be interrupted, so that the thread may be left behind at the end.
+    /// Begins to read. A read cannot be interrupted, so that the thread may be left after at the end.
     ///
     /// # Errors
     /// The system gives no thread.
@@ -34,7 +34,7 @@ impl StandardInput {
     }
 
     fn of(mut input: impl Read + Send + 'static) -> io::Result<StandardInput> {
-        // One is read while the one before it is looked at.
+        // One is read while the one before it is checked.
         let (sender, pieces) = mpsc::channel(1);
         thread::Builder::new()
             .name("standard input".into())
@@ -88,7 +88,7 @@ mod tests {
 
     use super::*;
 
-    /// Gives three bytes at a time, now and then an interruption, and an error at the end.
+    /// Yields three bytes at a time, now and then an interruption, and an error at the end.
     struct Slow(Vec<u8>, usize);
 
     impl Read for Slow {

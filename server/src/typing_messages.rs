@@ -45,7 +45,7 @@ pub enum EditKind {
     Invert,
     /// A block changes places with what is before it.
     Left,
-    /// With what is behind it.
+    /// With what is after it.
     Right,
     /// A block goes to the rung above.
     Up,

@@ -1,4 +1,4 @@
-//! What remembering costs: scans with a history beside the same scans without, and how long it takes to go back and to
+//! What remembering costs: scans with a history next to the same scans without, and how long it takes to go back and to
 //! say why.
 //!
 //! `cargo bench -p ladder-simulator --bench history`
@@ -10,7 +10,7 @@ use std::fmt::Write;
 use std::sync::Arc;
 use std::time::Instant;
 
-/// Seal-in rungs, every tenth with a timer behind it.
+/// Seal-in rungs, every tenth with a timer after it.
 fn program(rungs: usize) -> String {
     let mut text = String::new();
     for n in 0..rungs {
@@ -80,7 +80,7 @@ fn chain(rungs: usize) -> String {
     text
 }
 
-/// How long it takes to say why, with a full history behind, of the last rung and of one in the middle, on and off.
+/// How long it takes to say why, with a full history after, of the last rung and of one in the middle, on and off.
 fn reasons(rungs: usize, scans: usize) {
     let text = chain(rungs);
     let mut session = session(&text, HistoryLimits::default());

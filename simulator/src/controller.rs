@@ -40,7 +40,7 @@ impl Relay {
     }
 }
 
-/// The relay that stops the controller behind a scan that leaves it on; the program may set it.
+/// The relay that stops the controller after a scan that leaves it on; the program may set it.
 pub(crate) const STOP: u32 = 50;
 
 /// Where the relays of a program are, as far as it has them.
@@ -65,7 +65,7 @@ impl Relays {
         }
     }
 
-    /// Whether the controller stops behind the scan that has just run.
+    /// Whether the controller stops after the scan that has just run.
     pub(crate) fn stops(&self, memory: &Memory) -> bool {
         self.stop.is_some_and(|stop| memory.bit(stop))
     }

@@ -20,7 +20,7 @@ pub struct Fault {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Trouble {
     DivisionByZero,
-    /// The same, where it ends the program behind this scan.
+    /// The same, where it ends the program after this scan.
     DivisionEnds,
     NegativeExponent(i64),
     NegativeShift(i64),
@@ -59,9 +59,9 @@ pub(crate) enum Trouble {
     /// What counts are elements of arrays and characters of texts.
     Elements(u64),
     CallDepth,
-    /// Whoever runs the program wanted this scan to stop.
+    /// A caller that runs the program wanted this scan to stop.
     Braked,
-    /// Whoever runs the program allows no more blocks.
+    /// A caller that runs the program allows no more blocks.
     Exhausted(u64),
 }
 

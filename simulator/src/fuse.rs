@@ -48,7 +48,7 @@ pub(crate) fn fuse(plain: &Code, mut temporary: Vec<bool>, memory: &mut Memory) 
     for block in &plain.blocks {
         let instrs = &plain.instrs[block.start as usize..block.end as usize];
         if instrs.iter().any(Instr::can_fault) {
-            // A fault goes on behind the block: what the block would have written must not be found there.
+            // A fault goes on after the block: what the block would have written must not be found there.
             is_target[block.end as usize] = true;
             // It takes the block's power back, in its slot.
             if let Some(temporary) = temporary.get_mut(block.out.0 as usize) {
@@ -125,7 +125,7 @@ struct Fuser<'c> {
     reaches: Vec<u32>,
     powers: Vec<Power>,
     group: Group,
-    /// Whether the last instruction is a run of records that more may join: nothing jumps to behind it.
+    /// Whether the last instruction is a run of records that more may join: nothing jumps to after it.
     may_extend: bool,
 }
 

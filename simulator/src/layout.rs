@@ -34,12 +34,12 @@ pub(crate) enum Home {
         words: Word,
     },
     /// A tag without memory of its own.
-    Elsewhere(Elsewhere),
+    Borrowed(Borrowed),
 }
 
 /// What a tag of a block's body is that has no memory of its own: an in-out parameter stands for a place of the caller.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Elsewhere {
+pub(crate) enum Borrowed {
     /// It stands for an element of an array: the word holds the element's slot.
     Element { at: Word, ty: Scalar },
     /// It stands for one bit of a word.
@@ -52,7 +52,7 @@ pub(crate) enum Elsewhere {
     Unbound,
 }
 
-/// Where parts of a timer's state lie behind its first bit and word.
+/// Where parts of a timer's state lie after its first bit and word.
 pub(crate) mod timer {
     pub(crate) const IN: u32 = 0;
     pub(crate) const Q: u32 = 1;
@@ -68,7 +68,7 @@ pub(crate) mod timer {
     pub(crate) const WORDS: u32 = 3;
 }
 
-/// Where parts of a counter's state lie behind its first bit and word.
+/// Where parts of a counter's state lie after its first bit and word.
 pub(crate) mod counter {
     pub(crate) const CU: u32 = 0;
     pub(crate) const CD: u32 = 1;

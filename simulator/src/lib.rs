@@ -16,7 +16,7 @@
 //! - Forces cost nothing while there are none: the scan is compiled twice, once with the looks at them.
 //! - Nor does looking into a scan. [`Simulation::step_block`] and [`Simulation::step_network`] run the
 //!   plain code and halt in front of the next block or network, where tags and power can be seen; `scan()` runs fused
-//!   code, in which such places are gone. Both leave the same state behind.
+//!   code, in which such places are gone. Both leave the same state after.
 //! - [`Simulation::state`] is all that a scan can change, within one too; [`Simulation::restore`] goes on from it
 //!   as if nothing had happened since.
 //!

@@ -29,7 +29,7 @@ impl Bit {
     /// How many bits are the engine's own.
     pub(crate) const RESERVED: usize = 4 + Clock::ALL.len();
 
-    /// The slot this many behind this one.
+    /// The slot this many after this one.
     pub(crate) const fn offset(self, by: u32) -> Bit {
         Bit(self.0 + by)
     }
@@ -45,7 +45,7 @@ impl Word {
     /// How many words are the engine's own.
     pub(crate) const RESERVED: usize = 3;
 
-    /// The slot this many behind this one.
+    /// The slot this many after this one.
     pub(crate) const fn offset(self, by: u32) -> Word {
         Word(self.0 + by)
     }

@@ -154,7 +154,7 @@ pub(crate) enum IntegerOp {
     Ror,
     Min,
     Max,
-    /// The absolute value of a; b is not looked at.
+    /// The absolute value of a; b is not checked.
     Abs,
 }
 

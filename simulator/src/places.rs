@@ -31,7 +31,7 @@ pub(crate) enum EdgeOf {
 /// What a block remembers.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Remembered {
-    /// The block, behind those in whose bodies it is.
+    /// The block, after those in whose bodies it is.
     pub(crate) path: Vec<BlockAt>,
     pub(crate) cell: Cell,
 }

@@ -1,4 +1,4 @@
-//! Routines: the work that is too rare or too long to be an instruction of its own. Each takes its operands, slots
+//! Routines: the work that is too uncommon or too long to be an instruction of its own. Each takes its operands, slots
 //! and numbers, from the code's operand pool.
 
 mod controller;
@@ -26,7 +26,7 @@ use crate::timers::Clock;
 use crate::work;
 use ladder_analysis::values::types::Scalar;
 
-/// Which routine; behind each what its operands are. A range is two words: the slot of its first element, and how
+/// Which routine; after each what its operands are. A range is two words: the slot of its first element, and how
 /// many there are. A list is its length and its members.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Routine {
@@ -160,7 +160,7 @@ pub(crate) enum Routine {
     OpenTable,
     /// A point on a curve that goes on below its first point: to, whether there is one, type, x, list.
     OpenCurve,
-    /// Ends the program behind this scan if a bit is high.
+    /// Ends the program after this scan if a bit is high.
     EndOnDivision,
 }
 

@@ -208,7 +208,7 @@ pub fn parse(text: &str, ty: Scalar) -> Result<Value, String> {
     let value = match literal(magnitude) {
         Ok(value) => value,
         Err(problem) => {
-            // `2026-11-21` and `13:45:00` are literals behind their prefix only.
+            // `2026-11-21` and `13:45:00` are literals after their prefix only.
             let prefixed = match ty {
                 Scalar::Date => literal(&format!("D#{magnitude}")),
                 Scalar::Tod => literal(&format!("TOD#{magnitude}")),

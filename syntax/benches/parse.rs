@@ -1,4 +1,4 @@
-//! Parsing to a tree, beside the bare tree builder fed with the same nodes and tokens: what the lexer and the
+//! Parsing to a tree, next to the bare tree builder fed with the same nodes and tokens: what the lexer and the
 //! grammar cost on top of building the tree.
 
 use divan::{Bencher, counter::BytesCount};

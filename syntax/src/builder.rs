@@ -10,21 +10,21 @@ use std::ops::Range;
 pub trait Builder {
     /// What is left of a line when it ends.
     type Line;
-    /// A place behind what was added last, from which a node may be begun later.
+    /// A place after what was added last, from which a node may be begun later.
     type Checkpoint: Copy;
 
     /// Whether [`Builder::plain_block`] may stand for all that a block holds.
     const TAKES_PLAIN_BLOCKS: bool = false;
 
     /// Whether nobody needs the tokens of a plain declaration: names and the name of a type, blanks, but no comments; all of it
-    /// ASCII; no mistakes. Then none of them is added.
+    /// ASCII; no errors. Then none of them is added.
     const SKIPS_PLAIN_DECLARATIONS: bool = false;
 
     /// Adds a token: what is at a place of the text, which begins where the token before it ends.
     fn token(&mut self, kind: SyntaxKind, text: &str, place: Range<usize>);
 
     /// Adds a block without what it holds: at most a mnemonic in capitals, and names, members, numbers and typed
-    /// literals, parted by commas; blanks, but no comments; all of it ASCII; no mistakes. It begins where the token
+    /// literals, parted by commas; blanks, but no comments; all of it ASCII; no errors. It begins where the token
     /// before it ends. Only called of a builder that takes it.
     fn plain_block(&mut self, kind: SyntaxKind, place: Range<usize>) {
         let _ = (kind, place);

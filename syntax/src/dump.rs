@@ -7,7 +7,7 @@ use rowan::WalkEvent;
 use std::fmt::Write as _;
 
 /// The tree of a parse: one line for each node and token with its kind, its range and, for tokens, its text
-/// with control characters escaped; behind the tree the mistakes.
+/// with control characters escaped; after the tree the errors.
 pub fn dump(parse: &Parse) -> String {
     let mut out = String::new();
     let mut depth = 0usize;

@@ -1,25 +1,25 @@
 //! Parsing again what an edit touches.
 //!
 //! A line's parse depends on its text and its entry state alone. So parsing starts at the line that holds the
-//! beginning of the edit and stops as soon as a new line begins where an old one did, behind the edit and in
+//! beginning of the edit and stops as soon as a new line begins where an old one did, after the edit and in
 //! the same state: from there on everything is as it was.
 
 use crate::grammar::Entry;
 use crate::line::{LineKind, Mode, ReadLine};
 use crate::line_tree::{BEFORE, Line, with_text};
-use crate::lines::{entry_behind, line_at};
+use crate::lines::{entry_after, line_at};
 use crate::parse::{Parse, parse};
 use crate::summary::Summary;
 use crate::unclosed_comment::unclosed_comment;
 use rowan::{TextRange, TextSize};
 use std::ops::Range;
 
-/// This many lines behind an edit are looked at first.
+/// This many lines after an edit are checked first.
 const FEW_LINES: usize = 8;
 
-/// Some of a text's lines: from the first that an edit touches to one behind it.
+/// Some of a text's lines: from the first that an edit touches to one after it.
 struct Window {
-    /// Behind a line end, unless it is the beginning of the text.
+    /// After a line end, unless it is the beginning of the text.
     text: String,
     /// Where the first of the lines begins in it.
     start: usize,
@@ -39,7 +39,7 @@ impl Parse {
     /// The parse of a text that came from this one's by one edit: `old_range` of the old text was replaced by
     /// `new_len` bytes, which gave `text`. The result is that of [`parse`](crate::parse()) on `text`, but lines that
     /// the edit does not touch are kept, and only the others cost time that grows with their length.
-    /// If the lengths do not agree, the text is parsed anew.
+    /// If the lengths do not agree, the text is parsed again.
     #[must_use]
     pub fn edited(&self, text: &str, old_range: TextRange, new_len: TextSize) -> Parse {
         self.edited_in(text.len(), |range| text[range].to_owned(), old_range, new_len)
@@ -93,7 +93,7 @@ impl Parse {
     }
 
     /// Reads a window's lines until one begins where a line of the text before the edit does, in the same state. None if
-    /// what is behind the window may have a say in how they are read.
+    /// what is after the window may have a say in how they are read.
     fn read_again(&self, window: &Window, begin: Entry, old_end: usize) -> Option<ReadAgain> {
         let text = &*window.text;
         let whole = window.last == self.lines.len();
@@ -116,7 +116,7 @@ impl Parse {
             }
             let line = line_at(text, at, entry, &mut Summary);
             at += line.len as usize;
-            entry = entry_behind(&line);
+            entry = entry_after(&line);
             lines.push(line);
         }
         if whole {
@@ -125,9 +125,9 @@ impl Parse {
         }
         // Comments end at a `#`, declarations look past blanks and comments, and all else ends with its physical line.
         let resume = resume?;
-        let mut behind = self.lines.range(resume..window.last);
+        let mut after = self.lines.range(resume..window.last);
         let is_stop = |line: &Line| !matches!(line.kind, LineKind::Blank | LineKind::Comment);
-        behind.any(is_stop).then_some(ReadAgain { lines, resume })
+        after.any(is_stop).then_some(ReadAgain { lines, resume })
     }
 
     /// The first line from this one on that begins a physical line; at most the number of lines.
@@ -155,7 +155,7 @@ impl Parse {
     }
 
     /// The line to start again from: one that begins a physical line before the edit, and that no line before it
-    /// has looked at.
+    /// has checked.
     fn first_touched(&self, edit: usize) -> usize {
         // Of a line that ends where the edit begins the last token may go on, unless that is the end of a physical line. The last
         // one of all may be an open comment.
@@ -175,7 +175,7 @@ impl Parse {
     /// The state in which a line begins.
     fn entry(&self, line: usize) -> Entry {
         line.checked_sub(1)
-            .map_or(Entry::START, |before| entry_behind(&self.lines()[before]))
+            .map_or(Entry::START, |before| entry_after(&self.lines()[before]))
     }
 
     /// The line that starts at an offset.
@@ -213,7 +213,7 @@ fn common_suffix(a: &[u8], b: &[u8]) -> usize {
     same + rest.take_while(|(a, b)| a == b).count()
 }
 
-/// Whether a line's parse may have looked at lines behind it: a declaration that lacks something was read on to see
+/// Whether a line's parse may have checked lines after it: a declaration that lacks something was read on to see
 /// whether the rest follows, over blank and comment lines.
 fn looks_ahead(line: &Line) -> bool {
     line.mode_after == Mode::Section

@@ -1,9 +1,9 @@
-//! Mistakes that the parser finds. Ranges count from the start of the logical line that holds them.
+//! Errors that the parser finds. Ranges count from the start of the logical line that holds them.
 
 use crate::kind::SyntaxKind;
 use rowan::{TextRange, TextSize};
 
-/// A mistake in the text, with the place where it is.
+/// An error in the text, with the place where it is.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SyntaxError {
     /// What is wrong.
@@ -18,7 +18,7 @@ impl SyntaxError {
         SyntaxError { kind, range }
     }
 
-    /// The same mistake, counted from another origin.
+    /// The same error, counted from another origin.
     #[must_use]
     pub(crate) fn shifted(&self, by: TextSize) -> SyntaxError {
         SyntaxError {
@@ -48,8 +48,8 @@ pub enum SyntaxErrorKind {
     UnexpectedCharacter {
         /// What they are in.
         place: Surroundings,
-        /// They are right behind a comment that ended inside what looks like a literal (`T# 5s #`).
-        behind_comment: bool,
+        /// They are right after a comment that ended inside what looks like a literal (`T# 5s #`).
+        after_comment: bool,
     },
     /// A string without its closing quote.
     UnclosedString,
@@ -121,17 +121,17 @@ pub enum Surroundings {
 pub enum OperandPlace {
     /// Between two commas, or between a comma and a parenthesis, of a list.
     List,
-    /// Before or behind an operator or a sign.
+    /// Before or after an operator or a sign.
     Operator,
-    /// Before or behind `:=` or `=>`.
+    /// Before or after `:=` or `=>`.
     Named,
     /// Between the brackets of an index.
     Index,
-    /// Before or behind `..`.
+    /// Before or after `..`.
     Range,
     /// Between the parentheses of an expression.
     Parentheses,
-    /// Behind the point of a member.
+    /// After the point of a member.
     Member,
 }
 
@@ -144,9 +144,9 @@ pub enum DeclarationProblem {
     TypeExpected,
     /// `;` is missing here.
     SemicolonMissing,
-    /// An address (`%IX0.0`) is expected behind AT.
+    /// An address (`%IX0.0`) is expected after AT.
     AddressExpected,
-    /// A value is expected behind `:=`.
+    /// A value is expected after `:=`.
     ValueExpected,
     /// A bracket of an array's bounds or a string's length is missing.
     BoundsExpected,
@@ -158,7 +158,7 @@ pub enum DeclarationProblem {
     SectionNotClosed,
     /// END_VAR without a section.
     EndWithoutSection,
-    /// Something is behind END_VAR, or another keyword that ends its line, on the same line.
+    /// Something is after END_VAR, or another keyword that ends its line, on the same line.
     LineNotEnded,
     /// FUNCTION_BLOCK without a block's head such as `[$Name]`.
     BlockHeadExpected,

@@ -1,4 +1,4 @@
-//! The logical lines of a file, in parts that texts before and behind an edit share.
+//! The logical lines of a file, in parts that texts before and after an edit share.
 
 use crate::line_tree::{Line, LineTree};
 use crate::lines::LineList;
@@ -54,7 +54,7 @@ impl FileLines {
     /// These lines with `new` in the place of `old`. Parts without a changed line are taken over.
     pub(crate) fn spliced(&self, old: Range<usize>, new: Vec<Line>) -> FileLines {
         let first = self.part_of(old.start);
-        // Lines that are put in behind the last one of a part belong to the next; at the end of the text to the last.
+        // Lines that are put in after the last one of a part belong to the next; at the end of the text to the last.
         let mut last = if old.is_empty() {
             first
         } else {
@@ -173,7 +173,7 @@ impl FileLines {
         &self.parts
     }
 
-    /// The part that holds a line; the last one behind the end.
+    /// The part that holds a line; the last one after the end.
     pub fn part_of(&self, line: usize) -> usize {
         let parts = self.parts.len();
         // Parts are of about one length, so it is mostly near to where its share of the lines leads.
@@ -183,8 +183,8 @@ impl FileLines {
         let first = near.saturating_sub(1).min(parts);
         let end = (near + 2).min(parts);
         let is_before = |&start: &u32| start as usize <= line;
-        let is_behind_first = self.lines_before[first..end].first().is_some_and(is_before);
-        if is_behind_first && !is_before(&self.lines_before[end]) {
+        let is_after_first = self.lines_before[first..end].first().is_some_and(is_before);
+        if is_after_first && !is_before(&self.lines_before[end]) {
             return first + self.lines_before[first..end].partition_point(is_before) - 1;
         }
         let starts = &self.lines_before[..parts];
@@ -206,7 +206,7 @@ impl FileLines {
         self.bytes_before[self.parts.len()]
     }
 
-    /// Where a line starts, in bytes; behind the last one the length of the text.
+    /// Where a line starts, in bytes; after the last one the length of the text.
     pub(crate) fn line_start(&self, line: usize) -> u32 {
         if line == self.len() {
             return self.text_len();
@@ -217,8 +217,8 @@ impl FileLines {
 
     /// How many lines start before an offset.
     pub(crate) fn count_before(&self, offset: u32) -> usize {
-        let behind = self.bytes_before[..self.parts.len()].partition_point(|&start| start < offset);
-        let Some(part) = behind.checked_sub(1) else {
+        let after = self.bytes_before[..self.parts.len()].partition_point(|&start| start < offset);
+        let Some(part) = after.checked_sub(1) else {
             return 0;
         };
         let within = offset - self.bytes_before[part];
@@ -268,7 +268,7 @@ impl LineList for FileLines {
         let part = self.part_of(line);
         let first = self.first_line(part);
         let last = self.parts.get(part)?.declares_to.filter(|_| line == first)? as usize;
-        let behind = self.lines_before[part + 1] as usize;
-        Some((behind, (last > 0).then_some(first + last)))
+        let after = self.lines_before[part + 1] as usize;
+        Some((after, (last > 0).then_some(first + last)))
     }
 }

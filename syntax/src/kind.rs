@@ -38,7 +38,7 @@ pub enum SyntaxKind {
     R_PAREN,
     /// `<` before a function block's mnemonic.
     L_ANGLE,
-    /// `>` behind a function block's mnemonic.
+    /// `>` after a function block's mnemonic.
     R_ANGLE,
 
     // Words and values.
@@ -123,7 +123,7 @@ pub enum SyntaxKind {
     BLOCK_HEADER,
     /// `END_FUNCTION_BLOCK`
     BLOCK_END,
-    /// A line that holds nothing but mistakes.
+    /// A line that holds nothing but errors.
     STRAY_LINE,
 
     // Nodes: blocks.
@@ -275,7 +275,7 @@ impl SyntaxKind {
         ]
     };
 
-    /// The kind behind a number that came out of a green node of this language.
+    /// The kind after a number that came out of a green node of this language.
     pub fn from_raw(raw: rowan::SyntaxKind) -> SyntaxKind {
         Self::ALL.get(usize::from(raw.0)).copied().unwrap_or(SOURCE_FILE)
     }

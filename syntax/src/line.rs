@@ -24,7 +24,7 @@ pub enum LineKind {
     BlockHeader,
     /// `END_FUNCTION_BLOCK`.
     BlockEnd,
-    /// Nothing but mistakes.
+    /// Nothing but errors.
     Stray,
 }
 
@@ -61,14 +61,14 @@ pub enum Mode {
     Section,
 }
 
-/// A parsed logical line. It may begin in the middle of a physical line (behind a `;` of a declaration) and may
+/// A parsed logical line. It may begin in the middle of a physical line (after a `;` of a declaration) and may
 /// span several (a comment or a declaration that does). `N` is what its [`Builder`](crate::Builder) made of its
 /// tokens; in a [`Line`](crate::Line) what makes its tree when that is asked for.
 #[derive(Debug, Clone)]
 pub struct ReadLine<N> {
     /// What it is.
     pub kind: LineKind,
-    /// The mode of the line behind it.
+    /// The mode of the line after it.
     pub mode_after: Mode,
     /// Number of `\` on it.
     pub downs: u32,
@@ -76,7 +76,7 @@ pub struct ReadLine<N> {
     pub ups: u32,
     /// Length in bytes, line end included.
     pub len: u32,
-    /// Its mistakes, counted from its start.
+    /// Its errors, counted from its start.
     pub errors: Box<[SyntaxError]>,
     /// How many physical lines end on it: none, one, or more where a comment or a declaration spans them.
     pub line_ends: u32,

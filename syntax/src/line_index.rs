@@ -180,8 +180,8 @@ impl LineIndex {
             return (start, 0);
         };
         let columns = &self.long[long].columns;
-        let behind = columns.partition_point(|&(known, _)| known <= offset);
-        columns[behind.max(1) - 1]
+        let after = columns.partition_point(|&(known, _)| known <= offset);
+        columns[after.max(1) - 1]
     }
 }
 
@@ -237,7 +237,7 @@ mod tests {
     }
 
     /// Columns count characters, whatever their bytes, and a byte order mark is none. Places inside a character or
-    /// behind the end are moved to the nearest that exists.
+    /// after the end are moved to the nearest that exists.
     #[test]
     fn columns() {
         let text = "\u{feff}ab\näö温x\r\n";

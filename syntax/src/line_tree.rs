@@ -1,7 +1,7 @@
 //! The tree of one line: made when it is asked for, from the text that the line was read from.
 //!
 //! A tree takes some fifteen times the memory of its text, and most of what is asked about a program follows from what
-//! was read off it once. So a line holds the text, and its tree only while somebody near the cursor reads it. Whoever
+//! was read off it once. So a line holds the text, and its tree only while a user near the cursor reads it. A caller that
 //! goes over all lines makes trees with [`Trees`], one after the other, and keeps none.
 
 use crate::ast::NodeView;
@@ -70,7 +70,7 @@ const SHARED: usize = 8 << 10;
 /// Stands before a text that is not the beginning of a file, where alone a byte order mark may be.
 pub(crate) const BEFORE: &str = "\n";
 
-/// Gives lines the text that they were read from. The first one begins at `at`, in the state `entry`.
+/// Assigns to lines the text that they were read from. The first one begins at `at`, in the state `entry`.
 pub(crate) fn with_text(
     text: &str,
     at: usize,
@@ -86,7 +86,7 @@ pub(crate) fn with_text(
             && let Some(line) = lines.next()
         {
             at += line.len as usize;
-            entry = crate::lines::entry_behind(&line);
+            entry = crate::lines::entry_after(&line);
             together.push(line);
         }
         (!together.is_empty()).then(|| sharing(text, start..at, begin, together))
@@ -111,13 +111,13 @@ fn sharing(
             entry,
             made: OnceLock::new(),
         };
-        // A line with a mistake may be read so because of what is behind it.
+        // A line with an error may be read so because of what is after it.
         if !line.errors.is_empty() {
             let _ = tree.made.set(read(text, from, entry, &mut small_builder()));
         }
         within += line.len;
         from += line.len as usize;
-        entry = crate::lines::entry_behind(&line);
+        entry = crate::lines::entry_after(&line);
         line.with_node(tree)
     })
 }

@@ -22,7 +22,7 @@ pub trait LineList {
     fn start(&self, line: usize) -> u32;
 
     /// If it is known without a look at each line that nothing but declarations, comments and blank lines is from a line on
-    /// to another: that other one, and the one behind the last declaration.
+    /// to another: that other one, and the one after the last declaration.
     fn declarations_from(&self, line: usize) -> Option<(usize, Option<usize>)> {
         let _ = line;
         None
@@ -76,7 +76,7 @@ pub(crate) fn read_each<'t, B: Builder>(
         }
         let line = line_at(text, at, entry, builder);
         at += line.len as usize;
-        entry = entry_behind(&line);
+        entry = entry_after(&line);
         Some(line)
     })
 }
@@ -119,7 +119,7 @@ impl<'t> LineReader<'t> {
             let line = line_at(self.text, self.at, self.entry, builder);
             lines.starts.push(self.at as u32);
             self.at += line.len as usize;
-            self.entry = entry_behind(&line);
+            self.entry = entry_after(&line);
             match line.kind {
                 LineKind::BlockHeader => self.in_block = true,
                 LineKind::BlockEnd => self.in_block = false,
@@ -147,8 +147,8 @@ pub(crate) fn line_at<B: Builder>(text: &str, at: usize, entry: Entry, builder: 
     line
 }
 
-/// The state behind a line.
-pub(crate) fn entry_behind<N>(line: &ReadLine<N>) -> Entry {
+/// The state after a line.
+pub(crate) fn entry_after<N>(line: &ReadLine<N>) -> Entry {
     Entry {
         mode: line.mode_after,
         mid_line: !line.has_line_end,
@@ -201,8 +201,8 @@ impl<N> Lines<N> {
 
     /// The line that holds an offset; the last one for the end of the text. None for an empty text.
     pub fn line_at(&self, offset: TextSize) -> Option<usize> {
-        let behind = self.starts[..self.all.len()].partition_point(|&start| start <= u32::from(offset));
-        behind.checked_sub(1)
+        let after = self.starts[..self.all.len()].partition_point(|&start| start <= u32::from(offset));
+        after.checked_sub(1)
     }
 
     /// Networks, sections and block definitions.

@@ -39,7 +39,7 @@ pub struct Parse {
     frame: OnceLock<Frame>,
 }
 
-/// Parses a text. Every text has a tree that gives it back; mistakes are in [`Parse::errors`].
+/// Parses a text. Every text has a tree that gives it back; errors are in [`Parse::errors`].
 pub fn parse(text: &str) -> Parse {
     let mut builder = Summary;
     let lines = read_each(text, &mut builder);
@@ -118,8 +118,8 @@ impl Parse {
 
     /// The line that holds an offset; the last one for the end of the text. None for an empty text.
     pub fn line_at(&self, offset: TextSize) -> Option<usize> {
-        let behind = u32::from(offset).saturating_add(1);
-        self.lines.count_before(behind).checked_sub(1)
+        let after = u32::from(offset).saturating_add(1);
+        self.lines.count_before(after).checked_sub(1)
     }
 
     /// Networks, sections and block definitions.
@@ -152,13 +152,13 @@ impl Parse {
     }
 
     /// Where a comment that is never closed is reported: the `#` of the first comment that holds a line of a
-    /// drawing, else the last `#`. What is behind it is not to be relied on.
+    /// drawing, else the last `#`. What is after it is not to be relied on.
     pub fn unclosed_comment(&self) -> Option<TextRange> {
         self.unclosed_comment
     }
 
-    /// All mistakes that the parser found, in the order of their places, counted from the start of the text.
-    /// Behind [`Parse::unclosed_comment`] there are none.
+    /// All errors that the parser found, in the order of their places, counted from the start of the text.
+    /// After [`Parse::unclosed_comment`] there are none.
     pub fn errors(&self) -> Vec<SyntaxError> {
         let mut errors: Vec<SyntaxError> = self
             .lines()

@@ -1,4 +1,4 @@
-//! A part of a file: the unit that an edit makes anew. All that it knows counts from its own start, so that what is
+//! A part of a file: the unit that an edit makes again. All that it knows counts from its own start, so that what is
 //! above and below it may change.
 
 use crate::line::LineKind;
@@ -25,15 +25,15 @@ pub struct Part {
     pub(crate) items: Vec<PartItem>,
     /// The lines at which sections and block definitions begin, and at which the latter end.
     pub(crate) frame: Box<[u32]>,
-    /// If it holds nothing but declarations, comments and blank lines: the line behind the last declaration, or 0.
+    /// If it holds nothing but declarations, comments and blank lines: the line after the last declaration, or 0.
     pub(crate) declares_to: Option<u32>,
     /// The first line of its first network.
     first_network: Option<u32>,
     /// How many physical lines end in it.
     line_ends: u32,
-    /// Whether one of them ends in each of its lines: comments that span lines are rare.
+    /// Whether one of them ends in each of its lines: comments that span lines are uncommon.
     one_end_each: bool,
-    /// Whether a line has a mistake.
+    /// Whether a line has an error.
     faulty: bool,
     /// Whether a rung begins with a `/`.
     begins_with_up: bool,
@@ -140,7 +140,7 @@ impl Part {
         self.commented
     }
 
-    /// Whether one of its lines has a mistake, or is one.
+    /// Whether one of its lines has an error, or is one.
     pub fn is_faulty(&self) -> bool {
         self.faulty
     }
@@ -176,7 +176,7 @@ fn cut_at(usual: usize, least: usize, lines: impl Iterator<Item = Line>) -> Vec<
     let mut part = Vec::with_capacity(least);
     let mut open = false;
     for line in lines {
-        open = is_open_behind(open, &line);
+        open = is_open_after(open, &line);
         let may_end = !open && line.has_line_end;
         part.push(line);
         if may_end && part.len() >= usual {
@@ -194,11 +194,11 @@ fn cut_at(usual: usize, least: usize, lines: impl Iterator<Item = Line>) -> Vec<
 pub(crate) fn can_end(lines: &[Line]) -> bool {
     lines.len() >= FEWEST_LINES
         && lines.last().is_none_or(|line| line.has_line_end)
-        && !lines.iter().fold(false, is_open_behind)
+        && !lines.iter().fold(false, is_open_after)
 }
 
-/// Whether a network is open behind a line, so that a rung below may join it.
-fn is_open_behind(open: bool, line: &Line) -> bool {
+/// Whether a network is open after a line, so that a rung below may join it.
+fn is_open_after(open: bool, line: &Line) -> bool {
     match line.kind {
         LineKind::Rung => line.downs > 0,
         LineKind::Rail | LineKind::Comment | LineKind::Blank | LineKind::Stray => open,

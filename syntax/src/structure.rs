@@ -1,6 +1,6 @@
 //! What the lines of a file form together: networks, sections, block definitions (LANGUAGE §2, §4, §5.7).
 //!
-//! All of it is read off the lines' summaries: first the networks of each part, of which an edit makes few anew, and
+//! All of it is read off the lines' summaries: first the networks of each part, of which an edit makes few again, and
 //! from these what the file holds.
 
 use crate::error::{DeclarationProblem, SyntaxErrorKind};
@@ -20,7 +20,7 @@ pub struct Structure {
     pub sections: Vec<Section>,
     /// The definitions of user-defined blocks.
     pub blocks: Vec<BlockDefinition>,
-    /// Mistakes that need more than one line to be seen, with the line that they are shown at.
+    /// Errors that need more than one line to be seen, with the line that they are shown at.
     pub(crate) problems: Vec<(usize, SyntaxErrorKind)>,
 }
 
@@ -55,12 +55,12 @@ pub enum Item {
     BlockEnd(usize),
     /// A rail, comment or blank line between the others; the number is the line's.
     Decoration(usize),
-    /// A line that holds nothing but mistakes; the number is the line's.
+    /// A line that holds nothing but errors; the number is the line's.
     Stray(usize),
 }
 
 /// A maximal chain of rungs that connectors may join. The rungs are the lines of kind [`LineKind::Rung`] in
-/// `lines`; what else is between them is decoration (or a stray line, which is a mistake).
+/// `lines`; what else is between them is decoration (or a stray line, which is an error).
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Network {
     /// From the first rung to the last.
@@ -103,7 +103,7 @@ pub struct BlockDefinition {
 /// A network, or a line between networks, of some lines that no network leaves. Lines count from their start.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum PartItem {
-    /// The first line of a network, and the one behind its last.
+    /// The first line of a network, and the one after its last.
     Network(u32, u32),
     /// Any other line.
     Line(u32),
@@ -300,16 +300,16 @@ fn bad(problem: DeclarationProblem) -> SyntaxErrorKind {
     SyntaxErrorKind::BadDeclaration(problem)
 }
 
-/// The line behind the section that begins at `header`, and whether END_VAR closes it. One that is not closed
-/// reaches to its last declaration: blank and comment lines behind that may belong to what follows.
+/// The line after the section that begins at `header`, and whether END_VAR closes it. One that is not closed
+/// reaches to its last declaration: blank and comment lines after that may belong to what follows.
 fn section_end<L: LineList + ?Sized>(lines: &L, header: usize) -> (usize, bool) {
     let mut end = header + 1;
     let mut index = header;
     while index + 1 < lines.count() {
         index += 1;
-        if let Some((behind, last)) = lines.declarations_from(index) {
+        if let Some((after, last)) = lines.declarations_from(index) {
             end = last.unwrap_or(end);
-            index = behind - 1;
+            index = after - 1;
             continue;
         }
         match lines.line(index).kind {

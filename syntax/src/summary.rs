@@ -4,7 +4,7 @@ use crate::builder::Builder;
 use crate::kind::SyntaxKind;
 use std::ops::Range;
 
-/// Takes nothing: what a line is, its connectors and its mistakes are in what the grammar returns.
+/// Takes nothing: what a line is, its connectors and its errors are in what the grammar returns.
 pub(crate) struct Summary;
 
 impl Builder for Summary {

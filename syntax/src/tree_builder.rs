@@ -18,7 +18,7 @@ const CACHED_CHILDREN: usize = 3;
 /// Runs of dashes up to this long have places of their own.
 const LONGEST_WIRE: usize = 100;
 
-/// A place behind the last element, from which a node may be begun later.
+/// A place after the last element, from which a node may be begun later.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Checkpoint(usize);
 

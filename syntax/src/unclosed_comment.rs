@@ -7,7 +7,7 @@ use crate::builder::Builder;
 use crate::error::SyntaxErrorKind;
 use crate::grammar::{self, Entry};
 use crate::kind::SyntaxKind;
-use crate::lines::{LineList, entry_behind};
+use crate::lines::{LineList, entry_after};
 use rowan::{TextRange, TextSize};
 use std::ops::Range;
 
@@ -36,7 +36,7 @@ fn comment_with_drawing<L: LineList>(text: &str, lines: &L, line: usize) -> Opti
     memchr::memchr2(b'\n', b'\r', line_text.trim_end_matches(['\n', '\r']).as_bytes())?;
     let entry = line
         .checked_sub(1)
-        .map_or(Entry::START, |before| entry_behind(lines.line(before)));
+        .map_or(Entry::START, |before| entry_after(lines.line(before)));
     let mut comments = Comments { with_drawing: None };
     grammar::line(text, start as usize, entry, &mut comments);
     comments

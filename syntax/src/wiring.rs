@@ -20,11 +20,11 @@ pub enum PartKind {
     LeftRail,
     /// The `+` that is last on its line.
     RightRail,
-    /// A `+` anywhere else. A mistake; it acts as wire.
+    /// A `+` anywhere else. An error; it acts as wire.
     StrayRail,
     /// A `|`. Breaks a wire.
     Bar,
-    /// A `|` that touches the drawing on both sides. A mistake; it breaks the wire.
+    /// A `|` that touches the drawing on both sides. An error; it breaks the wire.
     StrayBar,
     /// `\`
     Down,
@@ -34,12 +34,12 @@ pub enum PartKind {
     Block,
     /// A comment. It is wire when it joins what touches it on both sides.
     Comment,
-    /// Characters that mean nothing. A mistake; taken as wire, so that it does not bring others.
+    /// Characters that mean nothing. An error; taken as wire, so that it does not bring others.
     Junk,
 }
 
 impl PartKind {
-    /// Whether a comment beside it can join it: wires, connectors and blocks.
+    /// Whether a comment next to it can join it: wires, connectors and blocks.
     const fn joins(self) -> bool {
         !matches!(self, PartKind::Bar | PartKind::StrayBar | PartKind::Comment)
     }
@@ -262,7 +262,7 @@ fn parts(children: impl Iterator<Item = Child>, parts: &mut Vec<RungPart>) {
 }
 
 /// The first `+` of a line is the left rail's if nothing but comments and `|` are before it, the last one
-/// the right rail's likewise. Characters that mean nothing are one mistake and make no second.
+/// the right rail's likewise. Characters that mean nothing are one error and make no second.
 fn classify_rails(parts: &mut [RungPart]) {
     let aside = |part: &RungPart| matches!(part.kind, PartKind::Comment | PartKind::Bar | PartKind::Junk);
     let first = parts.iter().position(|part| !aside(part));

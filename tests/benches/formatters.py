@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""ldfmt beside `ruff format` and `taplo fmt`: bytes a second of the whole process, and peak memory.
+"""ldfmt next to `ruff format` and `taplo fmt`: bytes a second of the whole process, and peak memory.
 
     cargo build --release -p ladder-cli --bin ldfmt
     python3 -m venv /tmp/formatters && /tmp/formatters/bin/pip install ruff taplo
     python3 tests/benches/formatters.py target/release/ldfmt /tmp/formatters/bin
 
 Every formatter gets its own language, in inputs of the same size: one file, and 1,000 files; as people type it,
-and as the formatter itself leaves it. All run on one core (taskset; ruff and ldfmt are told to use one thread),
+and as the formatter itself leaves it. All run on one core (taskset; ruff and ldfmt are reported to use one thread),
 in turns, so that what else the machine does hits all alike. Shown are the medians of the runs; the time is the
 processor's, user and system, which a busy machine disturbs least. A formatter that takes over ten seconds is run once.
 
@@ -102,7 +102,7 @@ def ladder(size, rng):
         elif shape <= 4:
             piece = f"+--{a}-{b}--{d}--+\n\n"
         elif shape == 5:
-            piece = f"+--{a}--{b}--{c}----{d}--+ # behind #\n"
+            piece = f"+--{a}--{b}--{c}----{d}--+ # after #\n"
         elif shape <= 7:
             piece = f"+--\\--{a}--\\--{b}---{d}--+\n|  /--{c}--/\n\n"
         elif shape == 8:

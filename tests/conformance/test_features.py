@@ -203,7 +203,7 @@ async def execute_command(client, of):
         params = t.ExecuteCommandParams(command=f"ladder.simulate.{name}", arguments=[argument])
         return await client.workspace_execute_command_async(params)
 
-    # A program that has no mistakes.
+    # A program that has no errors.
     library = open_file(client, "library.clad", LIBRARY)
     started = await simulate("start", {"uri": library})
     session = started["session"] if isinstance(started, dict) else started.session

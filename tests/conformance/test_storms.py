@@ -92,7 +92,7 @@ PIECES = ["[ ]( a )", "( )( y )", "--", "\\", "/", "+", "|", "\n", "\r\n", "\r",
 
 
 @pytest.mark.parametrize("encoding", UNITS)
-def test_random_edits_beside_a_plain_string(encoding: str):
+def test_random_edits_next_to_a_plain_string(encoding: str):
     """After some hundred edits everything is answered as for a text that was opened as the model has it."""
     dice = random.Random(encoding)
     model = "".join(dice.choice(PIECES) for _ in range(80)) + "\n" + RUNGS[:300]
@@ -163,7 +163,7 @@ def test_a_burst_of_1000_edits_with_requests_between():
             for it in client.notifications
             if it["method"] == "textDocument/publishDiagnostics"
         ]
-        assert versions == sorted(versions), "no diagnostics of an older text behind those of a newer"
+        assert versions == sorted(versions), "no diagnostics of an older text after those of a newer"
         client.end()
 
 
@@ -257,7 +257,7 @@ def test_a_client_that_never_answers(tmp_path):
 
 
 def test_the_server_ends_with_its_parent(tmp_path):
-    """An editor that is killed leaves nobody behind, even while something else holds the pipe open."""
+    """An editor that is killed leaves nobody after, even while something else holds the pipe open."""
     import os
     import signal
     import subprocess

@@ -36,9 +36,9 @@ pub fn pages() -> Vec<Page> {
 fn with_includes(path: &Path) -> String {
     let mut text = project::read(path);
     while let Some((before, rest)) = text.split_once("{{#include ") {
-        let (file, behind) = rest.split_once("}}").expect("an include is closed");
+        let (file, after) = rest.split_once("}}").expect("an include is closed");
         let folder = path.parent().expect("a page is in a folder");
-        text = format!("{before}{}{behind}", project::read(&folder.join(file.trim())));
+        text = format!("{before}{}{after}", project::read(&folder.join(file.trim())));
     }
     text
 }

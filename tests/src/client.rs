@@ -140,7 +140,7 @@ impl Drop for Server {
     }
 }
 
-/// The release build beside this bench, unless `LADDER_BIN` names another.
+/// The release build next to this bench, unless `LADDER_BIN` names another.
 fn program() -> PathBuf {
     if let Some(path) = std::env::var_os("LADDER_BIN") {
         return path.into();

@@ -1,4 +1,4 @@
-//! Sessions at a terminal, as the book shows them: what a person types behind `$ `, and what they see.
+//! Sessions at a terminal, as the book shows them: what a person types after `$ `, and what they see.
 
 use std::fmt::Write;
 use std::path::Path;

@@ -20,7 +20,7 @@ pub struct Markdown {
 /// A fenced block.
 #[derive(Debug)]
 pub struct Fence {
-    /// The words behind the opening fence, which commas separate: the language, then what is said about it.
+    /// The words after the opening fence, which commas separate: the language, then what is said about it.
     pub words: Vec<String>,
     /// Its content.
     pub text: String,
@@ -36,7 +36,7 @@ impl Fence {
         self.words.first().map(String::as_str)
     }
 
-    /// Whether the opening fence has this word behind the language.
+    /// Whether the opening fence has this word after the language.
     pub fn says(&self, word: &str) -> bool {
         self.words.iter().skip(1).any(|there| there == word)
     }

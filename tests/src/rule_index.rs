@@ -15,7 +15,7 @@ offers a fix where there is one.
 | severity | means |
 | --- | --- |
 | error | the program does not run |
-| warning | it runs, but this is probably a mistake |
+| warning | it runs, but this is probably an error |
 | info | worth knowing |
 | off | a matter of taste: found only where it is switched on |
 ";
@@ -55,7 +55,7 @@ fn link(rule: Rule) -> String {
     }
 }
 
-/// The first sentence behind the heading of the rule's own page, as Markdown for a table.
+/// The first sentence after the heading of the rule's own page, as Markdown for a table.
 pub fn summary(rule: Rule) -> String {
     let page = page(rule);
     if !page.exists() {

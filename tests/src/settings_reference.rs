@@ -153,7 +153,7 @@ pub fn extension_settings() -> String {
                 "markdownDescription".into(),
                 about(setting.about, setting.place).into(),
             );
-            // Whoever may write a workspace's settings must not say which program runs.
+            // A caller that may write a workspace's settings must not say which program runs.
             let scope = if setting.kind == Kind::Text {
                 // Not for a workspace to say, trusted or not.
                 "machine"
@@ -205,7 +205,7 @@ fn rules(takes: &Value) -> Map<String, Value> {
             "{} Without a setting: {level}.",
             summary(*rule).replace("\\|", "|")
         );
-        // Beside a reference a description is not looked at.
+        // Next to a reference a description is not checked.
         if let Some(reference) = entry.as_object_mut().and_then(|it| it.remove("$ref")) {
             entry = json!({ "allOf": [{ "$ref": reference }] });
         }

@@ -1,4 +1,4 @@
-//! Programs of any size that somebody types into, and where: what an edit costs is measured and counted with them.
+//! Programs of any size that a user types into, and where: what an edit costs is measured and counted with them.
 
 use std::fmt::Write as _;
 
@@ -60,8 +60,8 @@ pub const KINDS: [(&str, Kind); 15] = [
 pub struct Program {
     /// Its text, laid out.
     pub text: String,
-    /// The text of a file beside it, if there is one.
-    pub beside: Option<String>,
+    /// The text of a file next to it, if there is one.
+    pub next_to: Option<String>,
 }
 
 /// A letter that comes and goes.
@@ -88,7 +88,7 @@ impl Program {
     /// About this many rungs, aligned.
     pub fn new(kind: Kind, rungs: usize) -> Program {
         let mut sections: [String; 5] = Default::default();
-        let mut beside = String::new();
+        let mut next_to = String::new();
         let mut drawn = String::new();
         let mut calls = String::new();
         let networks = rungs / 2;
@@ -116,7 +116,7 @@ impl Program {
                 let _ = writeln!(inner, "    drive_{n} : BOOL;");
             }
             if kind == Kind::Globals {
-                let here = if n % 2 == 0 { &mut *globals } else { &mut beside };
+                let here = if n % 2 == 0 { &mut *globals } else { &mut next_to };
                 let _ = writeln!(here, "    enable_{n} : BOOL;");
                 if n % 4 == 1 {
                     let _ = writeln!(external, "    enable_{n} : BOOL;");
@@ -223,9 +223,9 @@ impl Program {
         let text = format!(
             "{blocks}{globals}VAR_INPUT\n{inputs}END_VAR\nVAR_OUTPUT\n{outputs}END_VAR\nVAR\n{inner}END_VAR\n\n{calls}{drawn}"
         );
-        let globals = format!("VAR_GLOBAL\n{beside}END_VAR\n\n+--[ ]( enable_0 )--( )( enable_1 )--+\n");
+        let globals = format!("VAR_GLOBAL\n{next_to}END_VAR\n\n+--[ ]( enable_0 )--( )( enable_1 )--+\n");
         Program {
-            beside: match kind {
+            next_to: match kind {
                 Kind::Globals => Some(globals),
                 Kind::Library => Some(LATCH.to_owned()),
                 _ => None,
@@ -234,8 +234,8 @@ impl Program {
         }
     }
 
-    /// Behind a word on the line in the middle of those that hold it.
-    fn behind(&self, word: &str, wanted: impl Fn(&str) -> bool) -> Spot {
+    /// After a word on the line in the middle of those that hold it.
+    fn after(&self, word: &str, wanted: impl Fn(&str) -> bool) -> Spot {
         let lines = self.text.lines().enumerate();
         let all: Vec<(usize, &str)> = lines.filter(|(_, line)| wanted(line)).collect();
         let (line, row) = all[all.len() / 2];
@@ -252,9 +252,9 @@ impl Program {
         let with_member = |line: &str| line.contains("( timer_") && line.contains(".Q");
         let compared = |line: &str| line.contains("( last_");
         if self.text.lines().any(with_member) {
-            self.behind("( timer_", with_member)
+            self.after("( timer_", with_member)
         } else if self.text.lines().any(compared) {
-            self.behind("( last_", compared)
+            self.after("( last_", compared)
         } else {
             self.in_a_name()
         }
@@ -263,14 +263,14 @@ impl Program {
     /// In the name of a tag for all files, which then is another tag.
     pub fn in_a_global(&self) -> Spot {
         let is_it = |line: &str| line.starts_with('+') && line.contains("( enable_");
-        self.behind("( enable_", is_it)
+        self.after("( enable_", is_it)
     }
 
     /// In the name of a declaration for all files.
     pub fn in_a_declaration_for_all(&self) -> Spot {
         // Every other one is declared here.
         let is_here = |name: &str| name.ends_with(['0', '2', '4', '6', '8']);
-        self.behind("    enable_", |line| {
+        self.after("    enable_", |line| {
             let name = line.trim_start().split([' ', ':']).next();
             line.starts_with("    enable_") && name.is_some_and(is_here)
         })
@@ -278,17 +278,17 @@ impl Program {
 
     /// In the number of a preset: the program stays clean.
     pub fn in_a_number(&self) -> Spot {
-        self.behind("T#5", |line| line.contains("T#5"))
+        self.after("T#5", |line| line.contains("T#5"))
     }
 
-    /// In the number of a preset in a block's body, beside names of tags that the file declares.
+    /// In the number of a preset in a block's body, next to names of tags that the file declares.
     pub fn in_a_body(&self) -> Spot {
-        self.behind("T#7", |line| line.contains("T#7"))
+        self.after("T#7", |line| line.contains("T#7"))
     }
 
     /// In the name of an operand, which then is not declared.
     pub fn in_a_name(&self) -> Spot {
-        self.behind("( start", |line| {
+        self.after("( start", |line| {
             line.starts_with('+') && line.contains("( start")
         })
     }
@@ -318,7 +318,7 @@ impl Program {
 
     /// A network with a label, between two networks.
     pub fn with_a_label(&self) -> Spot {
-        let spot = self.behind("", str::is_empty);
+        let spot = self.after("", str::is_empty);
         Spot {
             letter: "+--<LBL>( here )--[ ]( start_0 )--( )( run_1 )--+\n\n",
             ..spot
@@ -327,7 +327,7 @@ impl Program {
 
     /// A line of declarations.
     pub fn with_a_declaration(&self) -> Spot {
-        let spot = self.behind("", |line| line.starts_with("    start"));
+        let spot = self.after("", |line| line.starts_with("    start"));
         Spot {
             letter: "    fresh : BOOL;\n",
             ..spot
@@ -336,7 +336,7 @@ impl Program {
 
     /// In the address of a declaration, which then is another one, if there are addresses.
     pub fn in_an_address(&self) -> Spot {
-        let spot = self.behind("AT %IX", |line| line.starts_with("    start"));
+        let spot = self.after("AT %IX", |line| line.starts_with("    start"));
         Spot { letter: "9", ..spot }
     }
 
@@ -352,7 +352,7 @@ impl Program {
     /// In the name of a declaration, which then is that of another one.
     pub fn in_a_name_declared_twice(&self) -> Spot {
         let is_it = |line: &str| line.starts_with("    start_1,") || line.starts_with("    start_1 ");
-        let spot = self.behind("    start_1", is_it);
+        let spot = self.after("    start_1", is_it);
         Spot { letter: "0", ..spot }
     }
 
@@ -367,7 +367,7 @@ impl Program {
     /// In the type of a declaration, which then is none.
     pub fn in_a_type(&self) -> Spot {
         let line = |line: &str| line.starts_with("    start") && line.contains("BOOL");
-        self.behind("BOO", line)
+        self.after("BOO", line)
     }
 
     /// The beginning of a line of declarations.
@@ -381,6 +381,6 @@ impl Program {
 
     /// In the name of a declaration.
     pub fn in_a_declaration(&self) -> Spot {
-        self.behind("    start", |line| line.starts_with("    start"))
+        self.after("    start", |line| line.starts_with("    start"))
     }
 }

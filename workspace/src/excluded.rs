@@ -1,4 +1,4 @@
-//! Whether a file that somebody named is one that a search would pass over.
+//! Whether a file that a user named is one that a search would pass over.
 
 use crate::root::SETTINGS_FILE;
 use crate::search::ignore_files;
@@ -8,7 +8,7 @@ use ignore::gitignore::Gitignore;
 use std::path::Path;
 
 /// Whether the settings of its workspace exclude a file, or a `.gitignore` or `.ignore` in a folder above it does, up to
-/// the repository it lies in. The file need not exist. Settings that cannot be used exclude nothing: whoever needs
+/// the repository it lies in. The file need not exist. Settings that cannot be used exclude nothing: a caller that needs
 /// them says what is wrong with them.
 pub fn is_excluded(file: &Path) -> bool {
     let Ok(file) = std::path::absolute(file) else {

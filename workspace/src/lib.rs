@@ -55,7 +55,9 @@ pub use search::{
     SCENARIO_EXTENSION, Survey, find_files, find_programs, find_scenarios, is_program, is_scenario, survey,
 };
 pub use settings::table;
-pub use settings::{EditorSettings, Files, Levels, Lint, Mistake, Settings, SettingsError, Simulate, Tree};
+pub use settings::{
+    EditorSettings, Files, Levels, Lint, SettingError, Settings, SettingsError, Simulate, Tree,
+};
 pub use stamp::Stamp;
 pub use text::{decode, read, read_bytes};
 pub use write::{Replacement, write};

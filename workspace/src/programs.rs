@@ -35,7 +35,7 @@ pub struct Source {
 
 impl Workspace {
     /// The workspace that a program belongs to. Programs that cannot be read are left out: each must be usable
-    /// beside one that is not.
+    /// next to one that is not.
     ///
     /// # Errors
     /// The settings file cannot be read, or something in it is wrong.

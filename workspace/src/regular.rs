@@ -30,7 +30,7 @@ pub(crate) fn open_regular(path: &Path, options: &mut OpenOptions) -> Result<(Fi
     Ok((file, metadata))
 }
 
-/// As [`open_regular`], for what somebody else named: the system's own files, which only look like files, are none
+/// As [`open_regular`], for what another user named: the system's own files, which only look like files, are none
 /// either.
 pub(crate) fn open_plain(path: &Path, options: &mut OpenOptions) -> Result<(File, Metadata), FileError> {
     let opened = open_regular(path, options)?;

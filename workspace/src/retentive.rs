@@ -10,7 +10,7 @@
 //! end 5e3f90b1
 //! ```
 //!
-//! The parts of a line are separated by tabs. The number behind `end` is the CRC-32 of all that is before it.
+//! The parts of a line are separated by tabs. The number after `end` is the CRC-32 of all that is before it.
 
 use crate::error::{FileError, Problem};
 use crate::lock::Lock;
@@ -62,8 +62,8 @@ impl RetentiveFile {
         RetentiveFile::open(&file.locate()?, program)
     }
 
-    /// Opens the file for a program and reads what it kept. A file that is not there yet is no mistake. A damaged one
-    /// is put aside beside it, as `NAME.damaged`, and the program starts cold. Until the value is dropped nobody else
+    /// Opens the file for a program and reads what it kept. A file that is not there yet is no error. A damaged one
+    /// is put aside next to it, as `NAME.damaged`, and the program starts cold. Until the value is dropped nobody else
     /// can open it.
     ///
     /// # Errors
@@ -128,7 +128,7 @@ impl RetentiveFile {
         now.saturating_duration_since(self.saved) >= PAUSE
     }
 
-    /// Writes the values, in one step: whoever looks sees the old file or the new one. Nothing is written if they
+    /// Writes the values, in one step: a caller that looks sees the old file or the new one. Nothing is written if they
     /// are those that are there already.
     ///
     /// # Errors
@@ -230,7 +230,7 @@ fn understand(bytes: &[u8]) -> Result<Content, String> {
     })
 }
 
-/// Renames a file to `NAME.damaged`, or with a number behind it where that is taken.
+/// Renames a file to `NAME.damaged`, or with a number after it where that is taken.
 fn put_aside(path: &Path) -> Result<PathBuf, FileError> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     for number in 1.. {

@@ -17,7 +17,7 @@ pub fn text(text: &str) -> Cow<'_, str> {
     escaped(text, is_obeyed_in_text)
 }
 
-/// Whether a character of a text of several lines is such a command; `next` is the one behind it.
+/// Whether a character of a text of several lines is such a command; `next` is the one after it.
 pub fn is_obeyed_in_text(c: char, next: Option<char>) -> bool {
     match c {
         '\n' | '\t' => false,

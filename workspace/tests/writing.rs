@@ -25,7 +25,7 @@ fn is_root(folder: &Path) -> bool {
     fs::metadata(folder).unwrap().uid() == 0
 }
 
-/// Runs a test as somebody whom permissions bind: where root runs the tests, once more in a process of `nobody`. True:
+/// Runs a test as a user whom permissions bind: where root runs the tests, once more in a process of `nobody`. True:
 /// this is that process, or nobody is root.
 fn bound_by_permissions(test: &str) -> bool {
     let folder = tempfile::tempdir().unwrap();
@@ -76,7 +76,7 @@ fn all_names_of_a_file_show_the_new_content() {
 fn the_owner_stays() {
     let folder = tempfile::tempdir().unwrap();
     if !is_root(folder.path()) {
-        eprintln!("skipped: only root can give a file to somebody else");
+        eprintln!("skipped: only root can give a file to another user");
         return;
     }
     let path = folder.path().join("a.clad");
@@ -113,11 +113,11 @@ fn a_folder_that_takes_no_new_file() {
 }
 
 #[test]
-fn a_file_of_somebody_else_in_a_folder_of_ours() {
-    // Only root can make such a file; only somebody else is bound by it.
+fn a_file_of_another_user_in_a_folder_of_ours() {
+    // Only root can make such a file; only another user is bound by it.
     let folder = tempfile::tempdir().unwrap();
     if !is_root(folder.path()) {
-        eprintln!("skipped: only root can give a file to somebody else");
+        eprintln!("skipped: only root can give a file to another user");
         return;
     }
     fs::set_permissions(folder.path(), fs::Permissions::from_mode(0o777)).unwrap();
@@ -126,7 +126,7 @@ fn a_file_of_somebody_else_in_a_folder_of_ours() {
     fs::set_permissions(&path, fs::Permissions::from_mode(0o666)).unwrap();
     let program = std::env::current_exe().unwrap();
     let run = Command::new(program)
-        .args(["writes_as_told", "--exact", "--ignored"])
+        .args(["writes_as_reported", "--exact", "--ignored"])
         .current_dir("/")
         .env("LADDER_TEST_FILE", &path)
         .uid(NOBODY)
@@ -148,13 +148,13 @@ fn a_file_of_somebody_else_in_a_folder_of_ours() {
 
 #[test]
 #[ignore = "run by another test, as another user"]
-fn writes_as_told() {
+fn writes_as_reported() {
     let path = std::env::var_os("LADDER_TEST_FILE").unwrap();
     write(Path::new(&path), b"written").unwrap();
 }
 
 #[test]
-fn a_process_that_is_killed_leaves_nothing_behind() {
+fn a_process_that_is_killed_leaves_nothing_after() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.clad");
     fs::write(&path, "old").unwrap();

@@ -43,7 +43,7 @@ pub struct Formulas<'c> {
     steps: Vec<Option<Formula>>,
 }
 
-/// The formulas of a network. None if its drawing has a mistake, or it is too large.
+/// The formulas of a network. None if its drawing has an error, or it is too large.
 pub fn formulas(context: &Context, network: usize) -> Option<Formulas<'_>> {
     let facts = context.networks.at(network);
     let order = &facts.order.steps;
@@ -64,7 +64,7 @@ pub fn formulas(context: &Context, network: usize) -> Option<Formulas<'_>> {
                 (Some(upper), Some(lower)) => Some(or(upper.clone(), lower.clone())),
                 _ => None,
             },
-            Step::Block { block, en } => behind(context, facts, facts.block(block), steps[en].as_ref()),
+            Step::Block { block, en } => after(context, facts, facts.block(block), steps[en].as_ref()),
         };
         steps.push(formula.filter(|formula| formula.size() <= MOST));
     }
@@ -155,7 +155,7 @@ impl Formulas<'_> {
 }
 
 /// When power leaves a block.
-fn behind(
+fn after(
     context: &Context,
     network: NetworkAt<'_>,
     bound: BlockAt<'_>,
@@ -178,7 +178,7 @@ fn behind(
         Meaning::User(_) => return Some(Formula::Name(format!("{}.ENO", bound.facts.head.text()))),
         Meaning::Unknown | Meaning::UnknownUser => return None,
     };
-    let law = context.profile.law();
+    let semantics = context.profile.semantics();
     let condition = match row.power {
         Power::Level { high: true } if is_range => Formula::Name(format!("ALL({})", text(0)?)),
         Power::Level { high: true } => Formula::Name(text(0)?),
@@ -195,12 +195,12 @@ fn behind(
         }
         Power::Inverts => return Some(not(en?.clone())),
         Power::EnEdge(edge) => return Some(Formula::Name(format!("{}({})", change(edge), en?))),
-        Power::SetTag if law.set_power == SetPower::Tag => return text(0).map(Formula::Name),
+        Power::SetTag if semantics.set_power == SetPower::Tag => return text(0).map(Formula::Name),
         Power::Output => {
             let state = row.state()?;
             let output = Formula::Name(format!("{}.{}", text(0)?, state.output()));
             let is_bistable = !state.is_timer() && !state.is_counter();
-            if is_bistable || law.timing != Timing::Ticks {
+            if is_bistable || semantics.timing != Timing::Ticks {
                 return Some(output);
             }
             // There the output means that the time is over or the count reached, also while EN is low.

@@ -13,7 +13,7 @@ pub(crate) enum Variable {
     Number(String, Regions),
     /// Two values that are compared: less, equal, greater.
     Pair(String, String),
-    /// What nobody can name: the memory of an edge, the output of a timer, the rail behind an `<MCR>`.
+    /// What nobody can name: the memory of an edge, the output of a timer, the rail after an `<MCR>`.
     Unknown,
 }
 

@@ -9,7 +9,7 @@
 //! For people there is the [`formula`] of a network, as they would write it.
 //!
 //! All of it is exact: a table holds the answer for every combination, so rules decide and do not guess. A
-//! network with more combinations than [`space::MOST_POINTS`] is not looked at. What cannot be known (an edge, a
+//! network with more combinations than [`space::MOST_POINTS`] is not checked. What cannot be known (an edge, a
 //! timer's output, a value that another block has written) is a variable of its own.
 
 mod comparison;

@@ -26,7 +26,7 @@ pub(crate) struct Question {
     pub(crate) read_first: bool,
     /// This block is a bare wire, or a gap.
     pub(crate) replaced: Option<(usize, Replacement)>,
-    /// `SYS.ON` is on and `SYS.OFF` is off. Otherwise they are contacts like others, which somebody has put there
+    /// `SYS.ON` is on and `SYS.OFF` is off. Otherwise they are contacts like others, which a user has put there
     /// on purpose.
     pub(crate) fixed: bool,
 }
@@ -43,7 +43,7 @@ pub(crate) enum Replacement {
 pub(crate) struct Powers {
     /// For each step when it has power.
     pub(crate) of_step: Vec<Set>,
-    /// For each block what it does: for a coil whose tag is read, when its tag is on behind it; for others when
+    /// For each block what it does: for a coil whose tag is read, when its tag is on after it; for others when
     /// power enters them.
     pub(crate) effects: Vec<Option<Set>>,
 }

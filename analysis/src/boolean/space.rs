@@ -2,7 +2,7 @@
 
 use std::ops::{BitAnd, BitOr, Not};
 
-/// How many combinations are looked at: as many as 14 contacts have.
+/// How many combinations are checked: as many as 14 contacts have.
 pub(crate) const MOST_POINTS: usize = 1 << 14;
 
 /// All combinations of the values of some variables.

@@ -86,7 +86,7 @@ impl Reader<'_> {
             self.epoch += 1;
             return Draft::Done(self.output(consumed));
         };
-        let law = self.context.profile.law();
+        let semantics = self.context.profile.semantics();
         let gate = match row.power {
             Power::Level { high } => match operand(0) {
                 Some(node) => Gate::If(vec![self.contact(node, !high)]),
@@ -108,7 +108,7 @@ impl Reader<'_> {
                 let gate = self.output(consumed);
                 if let (Gate::Gives(ask), Some(node)) = (&gate, operand(0))
                     // There the power is not the output.
-                    && law.timing != Timing::Ticks
+                    && semantics.timing != Timing::Ticks
                     && let Some(state) = row.state()
                     && let Some((key, tags)) = self.key(node)
                 {
@@ -148,7 +148,7 @@ impl Reader<'_> {
             bound.facts.operands.first().map(|operand| &operand.value),
             consumed,
         );
-        if kind == CoilKind::Set && self.context.profile.law().set_power == SetPower::En {
+        if kind == CoilKind::Set && self.context.profile.semantics().set_power == SetPower::En {
             return Gate::Pass;
         }
         gate

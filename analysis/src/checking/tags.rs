@@ -19,7 +19,7 @@ pub(super) fn check(
     let around = AroundTags::of(context, any);
     let mut found = Vec::new();
     for (scope, facts) in context.scopes.iter().enumerate() {
-        for tag in facts.tags.iter().filter(|tag| !tag.leads_elsewhere()) {
+        for tag in facts.tags.iter().filter(|tag| !tag.is_alias()) {
             wanted.one_more()?;
             let view = TagView::new(scope, tag, &around);
             rules.iter().for_each(|check| check(&view, &mut found));

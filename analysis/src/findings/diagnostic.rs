@@ -26,7 +26,7 @@ pub struct Diagnostic {
     pub related: Vec<Related>,
     /// How many more there are.
     pub more_related: usize,
-    /// Ways to mend it; the best first.
+    /// Ways to fix it; the best first.
     pub fixes: Vec<Fix>,
 }
 
@@ -41,7 +41,7 @@ pub struct Related {
     pub message: Cow<'static, str>,
 }
 
-/// A way to mend a finding.
+/// A way to fix a finding.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fix {
     /// What it does, in a few words: "Insert `]`".

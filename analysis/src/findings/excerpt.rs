@@ -67,7 +67,7 @@ pub(crate) fn trimmed_line(parse: &Parse, line: usize) -> TextRange {
     )
 }
 
-/// The length of the blanks that a rest of a line begins with, if the line goes on behind them.
+/// The length of the blanks that a rest of a line begins with, if the line goes on after them.
 pub(crate) fn blanks_before_drawing(rest: &str) -> TextSize {
     let blanks = rest.len() - rest.trim_start_matches([' ', '\t']).len();
     let goes_on = !rest[blanks..].is_empty() && !rest[blanks..].starts_with(['\n', '\r', '|']);

@@ -77,18 +77,18 @@ fn difference(old: &str, new: &str) -> Vec<Edit> {
         }
         start += a.len();
     }
-    // Both rests begin at the same line start, so lines of theirs can be compared from behind.
-    let mut behind = 0;
+    // Both rests begin at the same line start, so lines of theirs can be compared from after.
+    let mut after = 0;
     let (old_rest, new_rest) = (&old[start..], &new[start..]);
     let (old_lines, new_lines) = (old_rest.split_inclusive('\n'), new_rest.split_inclusive('\n'));
     for (a, b) in old_lines.rev().zip(new_lines.rev()) {
         if a != b {
             break;
         }
-        behind += a.len();
+        after += a.len();
     }
-    let old = &old[start..old.len() - behind];
-    let new = &new[start..new.len() - behind];
+    let old = &old[start..old.len() - after];
+    let new = &new[start..new.len() - after];
     if old.split_inclusive('\n').count() != new.split_inclusive('\n').count() {
         return replacement(start, old, new).into_iter().collect();
     }
@@ -114,14 +114,14 @@ fn replacement(start: usize, old: &str, new: &str) -> Option<Edit> {
     };
     let before = length(&mut old.chars().zip(new.chars()));
     let (old, new) = (&old[before..], &new[before..]);
-    let behind = length(&mut old.chars().rev().zip(new.chars().rev()));
+    let after = length(&mut old.chars().rev().zip(new.chars().rev()));
     let range = TextRange::at(
         TextSize::new((start + before) as u32),
-        TextSize::new((old.len() - behind) as u32),
+        TextSize::new((old.len() - after) as u32),
     );
     Some(Edit {
         range,
-        text: new[..new.len() - behind].to_owned(),
+        text: new[..new.len() - after].to_owned(),
     })
 }
 
@@ -190,7 +190,7 @@ mod tests {
             ["first", "third"]
         );
         assert_eq!(all(&[(3, 3, "first"), (3, 3, "same place")]), ["first"]);
-        assert_eq!(all(&[(0, 3, "first"), (3, 5, "right behind")]), ["first"]);
+        assert_eq!(all(&[(0, 3, "first"), (3, 5, "right after")]), ["first"]);
         assert_eq!(all(&[]), Vec::<String>::new());
     }
 

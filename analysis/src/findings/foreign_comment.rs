@@ -1,7 +1,7 @@
 //! Comments as other languages write them: `// text`, `(* text *)`, `/* text */`, `; text`.
 //!
 //! The parser reads them as drawing or declarations, and stumbles over and over. Here they are found before that: at
-//! the start of a line, and where the first mistake of a line is.
+//! the start of a line, and where the first error of a line is.
 
 use ladder_syntax::{DeclarationProblem, LineKind, NodeOrToken, Parse, SyntaxErrorKind, TextRange, TextSize};
 use std::ops::Range;
@@ -51,7 +51,7 @@ impl ForeignComments {
         before.lines.contains(&line).then_some(before)
     }
 
-    /// Whether what is found at a place only follows from one: it lies in it, or behind it on its last line.
+    /// Whether what is found at a place only follows from one: it lies in it, or after it on its last line.
     pub(crate) fn explain(&self, parse: &Parse, at: TextSize) -> bool {
         let line = (!self.0.is_empty()).then(|| parse.line_at(at)).flatten();
         line.and_then(|line| self.on_line(line))
@@ -59,7 +59,7 @@ impl ForeignComments {
     }
 }
 
-/// Cheap: most lines have no mistake and begin with a rail.
+/// Cheap: most lines have no error and begin with a rail.
 fn may_hold_one(parse: &Parse, number: usize, is_drawn: impl Fn(usize) -> bool) -> bool {
     let line = &parse.lines()[number];
     if !line.errors.is_empty() || line.kind == LineKind::Stray {
@@ -83,11 +83,11 @@ fn on_line(parse: &Parse, line: usize) -> Option<ForeignComment> {
     let parsed = &parse.lines()[line];
     let text = parsed.text();
     let first = text.len() - text.trim_start().len();
-    let mistake = parsed.errors.iter().map(|error| error.range.start()).min();
-    let mistake = mistake.map(|at| usize::from(at).min(text.len()));
+    let error = parsed.errors.iter().map(|error| error.range.start()).min();
+    let error = error.map(|at| usize::from(at).min(text.len()));
     let (at, opening) = opening(text, first)
         .map(|opening| (first, opening))
-        .or_else(|| behind(text, mistake?))?;
+        .or_else(|| after(text, error?))?;
     let closing = match opening {
         "(*" => Some("*)"),
         "/*" => Some("*/"),
@@ -103,7 +103,7 @@ fn on_line(parse: &Parse, line: usize) -> Option<ForeignComment> {
         })
         .or_else(|| up_to(parse, line, from, |text| Some((text.find(['\n', '\r'])?, 0))))
         .unwrap_or_else(|| (text.len() - from, text[from..].to_owned(), line));
-    if opening == ";" && (mistake.is_none() || !is_note(&says, parsed.kind, &text[..at])) {
+    if opening == ";" && (error.is_none() || !is_note(&says, parsed.kind, &text[..at])) {
         return None;
     }
     let section_ends = SyntaxErrorKind::BadDeclaration(DeclarationProblem::SectionNotClosed);
@@ -125,7 +125,7 @@ fn on_line(parse: &Parse, line: usize) -> Option<ForeignComment> {
     })
 }
 
-/// Whether what is behind a `;` is no declaration, and the `;` ends none.
+/// Whether what is after a `;` is no declaration, and the `;` ends none.
 fn is_note(says: &str, kind: LineKind, before: &str) -> bool {
     let ends_declaration = kind == LineKind::Declaration && (says.contains(':') || !before.trim().is_empty());
     let says = says.trim_start_matches([';', ' ', '\t']);
@@ -170,27 +170,27 @@ fn opening(text: &str, at: usize) -> Option<&'static str> {
         .find(|opening| rest.starts_with(opening))
 }
 
-/// A comment behind a rung or a declaration: where it begins, and with what. `mistake` is what the parser stumbled
+/// A comment after a rung or a declaration: where it begins, and with what. `mistake` is what the parser stumbled
 /// over.
-fn behind(text: &str, mistake: usize) -> Option<(usize, &'static str)> {
-    let ahead = text.get(mistake..)?;
-    let before = text[..mistake].trim_end_matches([' ', '\t']);
+fn after(text: &str, error: usize) -> Option<(usize, &'static str)> {
+    let ahead = text.get(error..)?;
+    let before = text[..error].trim_end_matches([' ', '\t']);
     // The parser takes what a comment begins with for drawing, as far as it can.
     let at = if ["//", "/*", "(*", ";"]
         .iter()
         .any(|opening| ahead.starts_with(opening))
     {
-        mistake
+        error
     } else if before.ends_with("//") {
         before.len() - 2
-    } else if before.len() == mistake && before.ends_with(['/', '(']) && ahead.starts_with('*') {
-        mistake - 1
+    } else if before.len() == error && before.ends_with(['/', '(']) && ahead.starts_with('*') {
+        error - 1
     } else {
         return None;
     };
     let opening = opening(text, at)?;
     // The rung or the declaration is whole: a character too many in it begins no comment.
     let ahead = text[..at].trim_end_matches([' ', '\t']);
-    let stands_apart = ahead.len() < at && ahead.len() > 1 && ahead.ends_with(['+', '|', ';']);
-    stands_apart.then_some((at, opening))
+    let is_apart = ahead.len() < at && ahead.len() > 1 && ahead.ends_with(['+', '|', ';']);
+    is_apart.then_some((at, opening))
 }

@@ -9,7 +9,7 @@ use std::fmt;
 pub enum Severity {
     /// Worth knowing.
     Info,
-    /// Probably a mistake.
+    /// Probably an error.
     Warning,
     /// The program is not simulated.
     Error,

@@ -18,7 +18,7 @@ pub(crate) fn of_network(context: &Context, network: NetworkAt<'_>) -> u64 {
         number.hash(&mut hasher);
         let mut facts = &scope.tags[tag];
         // A tag of another scope adds both what it is here and what it is there.
-        while let Some((scope, tag)) = context.leads_to(facts) {
+        while let Some((scope, tag)) = context.alias_of(facts) {
             stamp(facts, &mut hasher);
             facts = &context.scopes[scope].tags[tag];
         }
@@ -36,7 +36,7 @@ fn stamp(tag: &TagFacts, hasher: &mut FxHasher) {
     let undeclared = tag.origin == Origin::Undeclared;
     (&tag.name, tag.ty, tag.constant, tag.mistyped, undeclared).hash(hasher);
     if tag.constant {
-        for value in &tag.rare.initial {
+        for value in &tag.cold.initial {
             match value {
                 Value::Bool(on) => on.hash(hasher),
                 Value::Int(n) => n.hash(hasher),

@@ -17,7 +17,7 @@ impl AtAddress {
         let mut all: FxHashMap<Name, Vec<Entry>> = FxHashMap::default();
         let mut enter = |tag: &TagFacts, entry: Entry| {
             // What another file declares at an address is the tag of that file.
-            let is_own = !tag.leads_elsewhere() && tag.rare.foreign.is_none();
+            let is_own = !tag.is_alias() && tag.cold.foreign.is_none();
             if let Some(address) = tag.address().filter(|_| is_own) {
                 all.entry(address).or_default().push(entry);
             }

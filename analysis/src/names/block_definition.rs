@@ -46,7 +46,7 @@ pub(crate) fn user_block(parse: &Parse, definition: &BlockDefinition, scope: &Sc
                 ty: facts.ty.filter(|_| !facts.mistyped),
                 tag,
                 kind,
-                has_default: !facts.rare.initial.is_empty(),
+                has_default: !facts.cold.initial.is_empty(),
             })
         })
         .collect();

@@ -1,8 +1,8 @@
 //! Declarations: from sections to the tags of a scope (LANGUAGE §4).
 
 use super::problem::NameProblem;
+use crate::names::cold::{Cold, ColdFacts};
 use crate::names::did_you_mean;
-use crate::names::rare::{Rare, RareFacts};
 use crate::names::scope::{Origin, Scope, SectionKind, TagFacts, type_by_form};
 use crate::networks::facts;
 use crate::networks::reading::TOGETHER;
@@ -194,10 +194,10 @@ fn declaration(
             origin: Origin::Declared(context.kind),
             retain: context.retain,
             constant: context.constant,
-            rare: Rare::from(RareFacts {
+            cold: Cold::from(ColdFacts {
                 initial: initial.clone(),
                 address: address.as_ref().map(|token| token.text().into()),
-                ..RareFacts::NONE
+                ..ColdFacts::NONE
             }),
             declared_at: range + start,
             uses: Uses::default(),
@@ -223,7 +223,7 @@ fn refused_address(context: Around) -> Option<&'static str> {
     let is_parameter = matches!(context.kind, SectionKind::Input | SectionKind::Output) && context.in_block;
     if is_parameter || context.kind == SectionKind::InOut {
         return Some(
-            "an operand of a block is given where the block stands: take AT away, or declare the tag in VAR",
+            "an operand of a block is given where the block is: take AT away, or declare the tag in VAR",
         );
     }
     (context.kind == SectionKind::External)

@@ -15,7 +15,7 @@ pub struct Places {
     /// Where a new section goes, what must be before it, and whether a blank line follows it.
     new: TextSize,
     before_new: &'static str,
-    blank_behind: bool,
+    blank_after: bool,
     line_end: &'static str,
     /// A section is not closed: nobody knows where it ends.
     open: bool,
@@ -34,12 +34,12 @@ impl Places {
                 .iter()
                 .filter(|section| section.block == block)
         };
-        let (new, before_new, blank_behind) = match sections().next_back() {
+        let (new, before_new, blank_after) = match sections().next_back() {
             Some(last) => {
-                let behind = last.lines.end;
-                let at = parse.line_range(behind - 1).end();
-                // END_VAR on the last line of the text, or with something behind it.
-                let before = if begins_line(parse, behind) { "" } else { line_end };
+                let after = last.lines.end;
+                let at = parse.line_range(after - 1).end();
+                // END_VAR on the last line of the text, or with something after it.
+                let before = if begins_line(parse, after) { "" } else { line_end };
                 (at, before, false)
             }
             None => (first_place(parse, block), "", true),
@@ -56,7 +56,7 @@ impl Places {
                 .collect(),
             new,
             before_new,
-            blank_behind,
+            blank_after,
             line_end,
             open: sections().any(|section| !section.closed),
         }
@@ -107,7 +107,7 @@ impl Places {
             }
         }
         if !new.is_empty() {
-            let blank = if self.blank_behind { line_end } else { "" };
+            let blank = if self.blank_after { line_end } else { "" };
             edits.push(Edit {
                 range: TextRange::empty(self.new),
                 text: format!("{}{new}{blank}", self.before_new),
@@ -135,7 +135,7 @@ fn begins_line(parse: &Parse, line: usize) -> bool {
     })
 }
 
-/// Where the first section goes: before the first rung with the comments right above it; in a body behind the
+/// Where the first section goes: before the first rung with the comments right above it; in a body after the
 /// block's header.
 fn first_place(parse: &Parse, block: Option<usize>) -> TextSize {
     if let Some(block) = block {
@@ -143,7 +143,7 @@ fn first_place(parse: &Parse, block: Option<usize>) -> TextSize {
         return parse.line_range(header).end();
     }
     let lines = parse.lines();
-    let behind_mark = |offset: TextSize| {
+    let after_mark = |offset: TextSize| {
         let marked = parse.text_len() > TextSize::new(0) && parse.lines()[0].text().contains('\u{feff}');
         if marked {
             offset.max(TextSize::of('\u{feff}'))
@@ -161,9 +161,9 @@ fn first_place(parse: &Parse, block: Option<usize>) -> TextSize {
         .count();
     if above == first {
         // Nothing parts the comments at the head of the file from those of the rung.
-        return behind_mark(parse.line_start(first));
+        return after_mark(parse.line_start(first));
     }
-    behind_mark(parse.line_start(first - above))
+    after_mark(parse.line_start(first - above))
 }
 
 /// The line end that the text uses.

@@ -2,7 +2,7 @@
 
 use ladder_syntax::Name;
 
-/// How many names are looked at: a file that consists of mistakes must not cost the square of its length.
+/// How many names are checked: a file that consists of errors must not cost the square of its length.
 pub(crate) const MOST: usize = 500;
 /// Nobody has seen a longer name; to compare two costs the product of their lengths.
 const LONGEST: usize = 100;

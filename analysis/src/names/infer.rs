@@ -15,14 +15,14 @@ use crate::program::{Member, Role, SystemTag};
 use crate::still_wanted::StillWanted;
 use crate::values::constant::{natural_type, signed_literal};
 use crate::values::types::{Scalar, Type};
-use ladder_instructions::{Accepts, Law, StateType, States, Timing, TypeClass};
+use ladder_instructions::{Accepts, Semantics, StateType, States, Timing, TypeClass};
 use ladder_syntax::{Name, TextRange};
 
-/// Gives every tag its type. None if that is not wanted any longer.
+/// Infers the type of every tag. None if that is not wanted any longer.
 pub(crate) fn infer(context: &mut Context, wanted: &StillWanted<'_>) -> Option<()> {
     let untyped = by_place(context, wanted)?;
     by_other_values(context, &untyped);
-    let integer = Type::Scalar(Scalar::integer_of(context.profile.law()));
+    let integer = Type::Scalar(Scalar::integer_of(context.profile.semantics()));
     for (scope, tag) in untyped {
         context.scopes[scope].tags[tag].ty.get_or_insert(integer);
     }
@@ -43,13 +43,13 @@ fn internal_unless_bool(context: &mut Context) {
 
 /// The one type that an operand's place asks for.
 fn asked(context: &Context, bound: BlockAt<'_>, formal: Formal) -> Option<Type> {
-    let law = context.profile.law();
-    let counted = Type::Scalar(Scalar::integer_of(law));
+    let semantics = context.profile.semantics();
+    let counted = Type::Scalar(Scalar::integer_of(semantics));
     match formal {
         Formal::Operand(operand) => match operand.accepts {
             Accepts::Bool | Accepts::BoolOrRange => Some(Type::BOOL),
             Accepts::State(state) => Some(Type::State(state)),
-            Accepts::Duration if matches!(law.timing, Timing::Ticks | Timing::Units) => Some(counted),
+            Accepts::Duration if matches!(semantics.timing, Timing::Ticks | Timing::Units) => Some(counted),
             Accepts::Duration | Accepts::Time => Some(Type::Scalar(Scalar::Time)),
             Accepts::Count => Some(counted),
             Accepts::String | Accepts::Result(TypeClass::String) => {
@@ -67,7 +67,7 @@ fn asked(context: &Context, bound: BlockAt<'_>, formal: Formal) -> Option<Type> 
     }
 }
 
-/// Rule 1. Only the places of tags without a type count. Gives the tags that have none behind it; nothing if that is not
+/// Rule 1. Only the places of tags without a type count. Gives the tags that have none after it; nothing if that is not
 /// wanted any longer.
 fn by_place(context: &mut Context, wanted: &StillWanted<'_>) -> Option<Vec<Entry>> {
     let mut answers: Vec<(Entry, Type)> = Vec::new();
@@ -94,7 +94,7 @@ fn by_place(context: &mut Context, wanted: &StillWanted<'_>) -> Option<Vec<Entry
 fn answer(context: &Context, tag: &TagFacts) -> Option<Type> {
     let readable = |place: Use| !context.networks.at(place.network).block(place.block).faulty;
     let unread = || !context.uses(tag).any(readable);
-    let unknown = Type::Scalar(Scalar::integer_of(context.profile.law()));
+    let unknown = Type::Scalar(Scalar::integer_of(context.profile.semantics()));
     let asked = asked_by_places(context, tag).next().map(|(ty, _)| ty);
     asked
         .or_else(|| is_reset(context, tag).then_some(Type::BOOL))
@@ -135,15 +135,15 @@ pub(crate) fn disagreeing(context: &Context, tag: &TagFacts) -> Vec<((Type, Text
     let Some(first) = asked.next() else {
         return Vec::new();
     };
-    let law = context.profile.law();
-    let others = asked.filter(|(ty, _)| !agree(law, first.0, *ty));
+    let semantics = context.profile.semantics();
+    let others = asked.filter(|(ty, _)| !agree(semantics, first.0, *ty));
     others.map(|other| (first, other)).collect()
 }
 
 /// Whether a tag can be what two places ask for.
-fn agree(law: &Law, first: Type, second: Type) -> bool {
+fn agree(semantics: &Semantics, first: Type, second: Type) -> bool {
     match (first, second) {
-        (Type::State(first), Type::State(second)) if law.states == States::Shared => {
+        (Type::State(first), Type::State(second)) if semantics.states == States::Shared => {
             first.is_of_one_sort_with(second)
         }
         _ => first == second,
@@ -162,7 +162,7 @@ fn untyped(scope: &Scope, node: &Node) -> Option<usize> {
 /// Rule 2, until no type changes: a type that is found here may give another. After the first round only blocks
 /// that name a tag whose type has just been found can say more.
 fn by_other_values(context: &mut Context, untyped: &[Entry]) {
-    let law = context.profile.law();
+    let semantics = context.profile.semantics();
     let tags = untyped
         .iter()
         .map(|&(scope, tag)| &context.scopes[scope].tags[tag]);
@@ -176,7 +176,7 @@ fn by_other_values(context: &mut Context, untyped: &[Entry]) {
         for &(network, block) in &blocks {
             let network = context.networks.at(network);
             let scope = &context.scopes[network.scope];
-            of_block(law, scope, network.block(block), |tag, ty| {
+            of_block(semantics, scope, network.block(block), |tag, ty| {
                 found.push((network.scope, tag, ty));
             });
         }
@@ -195,7 +195,7 @@ fn by_other_values(context: &mut Context, untyped: &[Entry]) {
 }
 
 /// The types that the operands of a block give each other.
-fn of_block(law: &Law, scope: &Scope, bound: BlockAt<'_>, mut give: impl FnMut(usize, Scalar)) {
+fn of_block(semantics: &Semantics, scope: &Scope, bound: BlockAt<'_>, mut give: impl FnMut(usize, Scalar)) {
     if bound.faulty {
         return;
     }
@@ -203,7 +203,7 @@ fn of_block(law: &Law, scope: &Scope, bound: BlockAt<'_>, mut give: impl FnMut(u
     let type_among = |asked: fn(Accepts) -> bool| {
         operands()
             .filter(|(_, formal)| matches!(formal, Formal::Operand(o) if asked(o.accepts)))
-            .find_map(|(other, _)| type_given_by(law, scope, &other.value))
+            .find_map(|(other, _)| type_given_by(semantics, scope, &other.value))
     };
     // All compared operands are compared with the same values: those are asked once.
     let mut compared = None;
@@ -216,7 +216,7 @@ fn of_block(law: &Law, scope: &Scope, bound: BlockAt<'_>, mut give: impl FnMut(u
             continue;
         };
         let given = match row.accepts {
-            Accepts::Result(TypeClass::Real) => Some(Scalar::real_of(law)),
+            Accepts::Result(TypeClass::Real) => Some(Scalar::real_of(semantics)),
             Accepts::Result(_) => {
                 type_among(|accepts| matches!(accepts, Accepts::Value | Accepts::Expression))
             }
@@ -229,19 +229,19 @@ fn of_block(law: &Law, scope: &Scope, bound: BlockAt<'_>, mut give: impl FnMut(u
 }
 
 /// The type that a value gives the others of its block, if it gives one: TIME, STRING, a date, a real.
-fn type_given_by(law: &Law, scope: &Scope, node: &Node) -> Option<Scalar> {
+fn type_given_by(semantics: &Semantics, scope: &Scope, node: &Node) -> Option<Scalar> {
     if let Some((literal, negative)) = signed_literal(node) {
         return literal
             .as_ref()
             .ok()
             .map(|l| natural_type(l, negative))
-            .and_then(|ty| given_type(law, ty));
+            .and_then(|ty| given_type(semantics, ty));
     }
     match &node.kind {
         NodeKind::Name(_) | NodeKind::Address(_) | NodeKind::Member(..) | NodeKind::Index(..) => {
-            node_type(law, scope, node).and_then(|ty| given_type(law, ty))
+            node_type(semantics, scope, node).and_then(|ty| given_type(semantics, ty))
         }
-        NodeKind::Paren(inner) | NodeKind::Unary(_, inner) => type_given_by(law, scope, inner),
+        NodeKind::Paren(inner) | NodeKind::Unary(_, inner) => type_given_by(semantics, scope, inner),
         // A comparison gives BOOL, whatever it compares.
         NodeKind::Binary(
             Operator::Equal
@@ -253,18 +253,18 @@ fn type_given_by(law: &Law, scope: &Scope, node: &Node) -> Option<Scalar> {
             ..,
         ) => None,
         NodeKind::Binary(_, left, right) => {
-            type_given_by(law, scope, left).or_else(|| type_given_by(law, scope, right))
+            type_given_by(semantics, scope, left).or_else(|| type_given_by(semantics, scope, right))
         }
         NodeKind::Call(_, arguments) => arguments
             .iter()
-            .find_map(|argument| type_given_by(law, scope, argument)),
+            .find_map(|argument| type_given_by(semantics, scope, argument)),
         _ => None,
     }
 }
 
-fn given_type(law: &Law, ty: Scalar) -> Option<Scalar> {
+fn given_type(semantics: &Semantics, ty: Scalar) -> Option<Scalar> {
     match ty {
-        Scalar::Real | Scalar::Lreal => Some(Scalar::real_of(law)),
+        Scalar::Real | Scalar::Lreal => Some(Scalar::real_of(semantics)),
         Scalar::String(_) => Some(Scalar::String(crate::values::types::DEFAULT_STRING)),
         Scalar::Time => Some(ty),
         ty if ty.is_date() => Some(ty),
@@ -273,7 +273,7 @@ fn given_type(law: &Law, ty: Scalar) -> Option<Scalar> {
 }
 
 /// The type of a place, as far as it is known.
-fn node_type(law: &Law, scope: &Scope, node: &Node) -> Option<Scalar> {
+fn node_type(semantics: &Semantics, scope: &Scope, node: &Node) -> Option<Scalar> {
     match &node.kind {
         NodeKind::Name(name) | NodeKind::Address(name) => scope.tags[scope.find(&Name::new(name))?]
             .ty
@@ -284,7 +284,7 @@ fn node_type(law: &Law, scope: &Scope, node: &Node) -> Option<Scalar> {
                     return SystemTag::from_name(&word.text).map(SystemTag::ty);
                 }
                 if let Some(Type::State(state)) = scope.tags[scope.find(&Name::new(name))?].ty {
-                    return member(state, &word.text).map(|member| member.ty(law));
+                    return member(state, &word.text).map(|member| member.ty(semantics));
                 }
             }
             Some(Scalar::Bool)
@@ -302,7 +302,7 @@ fn node_type(law: &Law, scope: &Scope, node: &Node) -> Option<Scalar> {
     }
 }
 
-/// The member that a word behind the point of a state tag means (LANGUAGE §4, Members), if it has it.
+/// The member that a word after the point of a state tag means (LANGUAGE §4, Members), if it has it.
 pub fn member(state: StateType, word: &str) -> Option<Member> {
     let upper = word.to_ascii_uppercase();
     if state.is_timer() {

@@ -226,15 +226,15 @@ fn expressions() {
 }
 
 #[test]
-fn parentheses_behind_no_function() {
+fn parentheses_after_no_function() {
     check(
         "VAR a : ARRAY[1..3] OF DINT; END_VAR\n+--[CALC]( y, (a[1]( 2 ) * 10) + 1 )--+\n+--[ ]( a.b( 2 ) )--( )( z )--+\n",
         expect![[r#"
             a : ARRAY[1..3] OF DINT, Internal
             y : DINT, Internal
             z : BOOL, Output
-            bad-operand: parentheses belong behind the name of a function only: this is none `a[1]( 2 )`
-            bad-operand: parentheses belong behind the name of a function only: this is none `a.b( 2 )`
+            bad-operand: parentheses belong after the name of a function only: this is none `a[1]( 2 )`
+            bad-operand: parentheses belong after the name of a function only: this is none `a.b( 2 )`
         "#]],
     );
 }

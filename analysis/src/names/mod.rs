@@ -8,6 +8,7 @@
 
 pub(crate) mod at_address;
 mod block_definition;
+pub mod cold;
 pub(crate) mod declare;
 pub mod declaring;
 pub(crate) mod did_you_mean;
@@ -18,7 +19,6 @@ pub mod join;
 pub(crate) mod joined;
 pub(crate) mod operand_value;
 pub(crate) mod problem;
-pub mod rare;
 pub mod scope;
 pub(crate) mod shared;
 pub(crate) mod skeleton;

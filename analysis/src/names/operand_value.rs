@@ -41,11 +41,11 @@ pub(crate) fn tag<'c>(
 ) -> Option<((usize, usize), &'c TagFacts)> {
     let index = context.scopes[scope].find(&Name::new(name))?;
     let facts = &context.scopes[scope].tags[index];
-    let place = context.leads_to(facts).unwrap_or((scope, index));
+    let place = context.alias_of(facts).unwrap_or((scope, index));
     Some((place, &context.scopes[place.0].tags[place.1]))
 }
 
-/// The number that a node is: a literal, one behind a minus, or a constant of the program.
+/// The number that a node is: a literal, one after a minus, or a constant of the program.
 pub(crate) fn number(context: &Context, scope: usize, node: &Node) -> Option<Number> {
     match &node.kind {
         NodeKind::Literal(_) => of_literal(node.literal()?),
@@ -56,7 +56,7 @@ pub(crate) fn number(context: &Context, scope: usize, node: &Node) -> Option<Num
         }),
         NodeKind::Name(name) => {
             let (_, facts) = tag(context, scope, name)?;
-            match &*facts.rare.initial {
+            match &*facts.cold.initial {
                 [Value::Int(n)] if facts.constant => match facts.ty {
                     Some(Type::Scalar(Scalar::Ulint | Scalar::Lword)) => {
                         Some(Number::Int(i128::from(*n as u64)))

@@ -6,7 +6,7 @@
 use super::problem::{Differs, InFile, NameProblem};
 use super::scope::{Entry, Origin, SectionKind, TagFacts};
 use crate::context::Context;
-use crate::names::rare::{Rare, RareFacts};
+use crate::names::cold::{Cold, ColdFacts};
 use crate::networks::use_place::Uses;
 use crate::other_files::exports::{Exports, Global, is_one_address};
 use crate::values::types::Type;
@@ -62,7 +62,7 @@ fn share_tag(
     let external = is_external.then(|| facts.clone());
     let target = match facts.origin {
         // An address is one tag for the whole file.
-        Origin::Form if facts.rare.address.is_some() => (scope > 0).then(|| of_file(context, scope, tag)),
+        Origin::Form if facts.cold.address.is_some() => (scope > 0).then(|| of_file(context, scope, tag)),
         // A block may introduce a tag that the file declares as well.
         Origin::Declared(SectionKind::Global) => globals.get(&key).copied(),
         Origin::Undeclared | Origin::Form | Origin::Declared(SectionKind::External) => {
@@ -109,7 +109,7 @@ fn declared_otherwise(
     let tag = &context.scopes[entry.0].tags[entry.1];
     if let Some(&first) = first {
         let other = &context.scopes[first.0].tags[first.1];
-        let differs = difference(tag, other.ty, &other.rare.initial, other.rare.address.as_deref());
+        let differs = difference(tag, other.ty, &other.cold.initial, other.cold.address.as_deref());
         if let Some(differs) = differs.filter(|_| !other.mistyped) {
             problems.push(NameProblem::GlobalOtherwise {
                 tag: entry,
@@ -147,10 +147,10 @@ fn difference(tag: &TagFacts, ty: Option<Type>, initial: &[Value], address: Opti
     if tag.ty != ty {
         return Some(Differs::Type);
     }
-    if *tag.rare.initial != *initial {
+    if *tag.cold.initial != *initial {
         return Some(Differs::Value);
     }
-    (!is_one_address(tag.rare.address.as_deref(), address)).then_some(Differs::Address)
+    (!is_one_address(tag.cold.address.as_deref(), address)).then_some(Differs::Address)
 }
 
 /// A VAR_EXTERNAL declaration that does not agree in type with its global.
@@ -218,11 +218,11 @@ fn imported_tag(file: &Exports, global: &Global) -> TagFacts {
         mistyped: global.ty.is_none(),
         retain: global.retain,
         constant: global.constant,
-        rare: Rare::from(RareFacts {
+        cold: Cold::from(ColdFacts {
             initial: global.initial.clone(),
             address: global.address.clone(),
             foreign: Some(Arc::clone(&file.file)),
-            ..RareFacts::NONE
+            ..ColdFacts::NONE
         }),
         declared_at: TextRange::default(),
         uses: Uses::default(),
@@ -251,9 +251,9 @@ fn lead(context: &mut Context, from: Entry, to: Entry) {
         target.retain,
         target.mistyped,
     );
-    let foreign = target.rare.foreign.clone();
+    let foreign = target.cold.foreign.clone();
     let entry = &mut context.scopes[from.0].tags[from.1];
-    entry.rare.lead = Some(to);
+    entry.cold.lead = Some(to);
     if !entry.is_declared() {
         entry.origin = Origin::Shared;
     }
@@ -263,7 +263,7 @@ fn lead(context: &mut Context, from: Entry, to: Entry) {
         entry.constant,
         entry.retain,
         entry.mistyped,
-        entry.rare.foreign,
+        entry.cold.foreign,
     ) = (ty, role, constant, retain, mistyped, foreign);
     let uses = entry.uses.clone();
     context.scopes[to.0].tags[to.1].uses.0.extend(uses.0);

@@ -1,12 +1,12 @@
-//! From the lines of a text to what is known before any use of a tag is looked at: declared tags, blocks, networks, and the
+//! From the lines of a text to what is known before any use of a tag is checked: declared tags, blocks, networks, and the
 //! bodies that these belong to.
 
 use super::at_address::AtAddress;
 use super::block_definition;
+use super::cold::Cold;
 use super::declare;
 use super::joined::Joined;
 use super::problem::NameProblem;
-use super::rare::Rare;
 use super::scope::{Origin, Scope, TagFacts};
 use crate::context::{Body, Context, FunctionFacts, LabelFacts};
 use crate::networks::control_flow::ControlFlow;
@@ -29,7 +29,7 @@ use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use std::sync::{Arc, OnceLock};
 
-/// The context before any use of a tag is looked at: declarations, blocks, networks, functions and labels. None if that is not
+/// The context before any use of a tag is checked: declarations, blocks, networks, functions and labels. None if that is not
 /// wanted any longer.
 pub(crate) fn skeleton(
     parse: &Arc<Parse>,
@@ -134,7 +134,7 @@ fn implicit(name: &str, at: TextRange) -> TagFacts {
         origin: Origin::Implicit,
         retain: false,
         constant: false,
-        rare: Rare::default(),
+        cold: Cold::default(),
         declared_at: at,
         uses: Uses::default(),
         mistyped: false,

@@ -71,13 +71,13 @@ impl SystemTag {
         SystemTag::Clock(Clock::Hour),
     ];
 
-    /// The tag that a word behind `SYS.` means.
+    /// The tag that a word after `SYS.` means.
     pub fn from_name(name: &str) -> Option<SystemTag> {
         let named = |tag: &SystemTag| tag.name().eq_ignore_ascii_case(name);
         SystemTag::ALL.into_iter().find(named)
     }
 
-    /// Its name behind `SYS.`.
+    /// Its name after `SYS.`.
     pub const fn name(self) -> &'static str {
         match self {
             SystemTag::FirstScan => "FIRST_SCAN",

@@ -1,6 +1,6 @@
 //! A tag: what its declaration says of it, and where it is used.
 
-use crate::names::rare::Rare;
+use crate::names::cold::Cold;
 use crate::names::scope::type_by_form;
 use crate::networks::use_place::Uses;
 use crate::program::Role;
@@ -85,7 +85,7 @@ pub struct TagFacts {
     /// Where it is used. A shared tag counts the uses in all scopes.
     pub uses: Uses,
     /// Initial values, an address, where it leads to.
-    pub rare: Rare,
+    pub cold: Cold,
 }
 
 impl TagFacts {
@@ -111,22 +111,22 @@ impl TagFacts {
 
     /// Its direct address, as it is compared.
     pub(crate) fn address(&self) -> Option<Name> {
-        self.rare.address.as_deref().map(Name::new)
+        self.cold.address.as_deref().map(Name::new)
     }
 
-    /// Whether it is an entry for a tag of another scope, of which more is known there; see [`Context::leads_to`](crate::context::Context::leads_to).
-    pub fn leads_elsewhere(&self) -> bool {
-        self.rare.lead.is_some()
+    /// Whether it is an entry for a tag of another scope, of which more is known there; see [`Context::alias_of`](crate::context::Context::alias_of).
+    pub fn is_alias(&self) -> bool {
+        self.cold.lead.is_some()
     }
 
     /// Of a declared tag, whether it may be shared with other scopes or files, or has no type by its declaration.
     pub(super) fn is_unusual(&self) -> bool {
-        self.is_outward() || self.mistyped || self.ty.is_none() || self.leads_elsewhere()
+        self.is_outward() || self.mistyped || self.ty.is_none() || self.is_alias()
     }
 
     /// Whether it is a tag of another file that this file names without a declaration: then it is where it is first used.
     pub(crate) fn is_imported_by_use(&self) -> bool {
-        self.rare.foreign.is_some() && !self.leads_elsewhere() && self.declared_at == TextRange::default()
+        self.cold.foreign.is_some() && !self.is_alias() && self.declared_at == TextRange::default()
     }
 
     /// Whether it has a declaration.

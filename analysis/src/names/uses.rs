@@ -1,8 +1,8 @@
 //! Which tags the operands of all blocks name, and how they use them. Tags that are nowhere declared come into
 //! their scope here.
 
+use super::cold::{Cold, ColdFacts};
 use super::joined::Joined;
-use super::rare::{Rare, RareFacts};
 use super::scope::{Origin, Scope, TagFacts, type_by_form};
 use crate::context::Context;
 use crate::networks::NetworkAt;
@@ -13,12 +13,12 @@ use crate::networks::use_place::{UseRef, Uses};
 use crate::program::Role;
 use crate::still_wanted::StillWanted;
 use crate::values::types::{Scalar, Type};
-use ladder_instructions::Law;
+use ladder_instructions::Semantics;
 use ladder_syntax::TextRange;
 
 /// Enters every use of every tag into its scope. None if that is not wanted any longer.
 pub(crate) fn collect(context: &mut Context, wanted: &StillWanted<'_>) -> Option<()> {
-    let law = context.profile.law();
+    let semantics = context.profile.semantics();
     let mut joined = Joined::with_networks(context.networks.len());
     let mut known = Vec::new();
     for first in (0..context.networks.len()).step_by(TOGETHER) {
@@ -35,7 +35,7 @@ pub(crate) fn collect(context: &mut Context, wanted: &StillWanted<'_>) -> Option
             enter(
                 network,
                 known,
-                law,
+                semantics,
                 &mut context.scopes[network.scope],
                 &mut joined,
             );
@@ -50,14 +50,14 @@ pub(crate) fn collect(context: &mut Context, wanted: &StillWanted<'_>) -> Option
 fn enter(
     network: NetworkAt<'_>,
     known: impl Iterator<Item = Option<usize>>,
-    law: &Law,
+    semantics: &Semantics,
     scope: &mut Scope,
     joined: &mut Joined,
 ) {
     for ((number, named), known) in (0..).zip(network.named.iter()).zip(known) {
         let index = known
             .or_else(|| scope.find(&named.key))
-            .unwrap_or_else(|| scope.add(undeclared(spelling(network.facts(), named), law)));
+            .unwrap_or_else(|| scope.add(undeclared(spelling(network.facts(), named), semantics)));
         scope.tags[index]
             .uses
             .0
@@ -68,9 +68,9 @@ fn enter(
 }
 
 /// A tag that is first met in an operand.
-pub(crate) fn undeclared(name: &str, law: &Law) -> TagFacts {
+pub(crate) fn undeclared(name: &str, semantics: &Semantics) -> TagFacts {
     let form = type_by_form(name).map(|(scalar, role)| match scalar {
-        Scalar::Lreal => (Scalar::real_of(law), role),
+        Scalar::Lreal => (Scalar::real_of(semantics), role),
         other => (other, role),
     });
     let is_address = name.starts_with('%');
@@ -86,9 +86,9 @@ pub(crate) fn undeclared(name: &str, law: &Law) -> TagFacts {
         },
         retain: false,
         constant: false,
-        rare: Rare::from(RareFacts {
+        cold: Cold::from(ColdFacts {
             address: is_address.then(|| name.into()),
-            ..RareFacts::NONE
+            ..ColdFacts::NONE
         }),
         declared_at: TextRange::default(),
         uses: Uses::default(),
@@ -109,7 +109,7 @@ fn roles(scope: &mut Scope) {
 fn role(uses: &Uses) -> Role {
     let read = uses.accesses().any(Access::reads);
     let written = uses.accesses().any(Access::writes);
-    let by_coils = || uses.writers().all(|place| place.deed().is_coil());
+    let by_coils = || uses.writers().all(|place| place.effect().is_coil());
     match (read, written) {
         (true, false) => Role::Input,
         (false, true) if by_coils() => Role::Output,

@@ -171,7 +171,7 @@ pub enum NodeKind {
     Array(Box<[Node]>),
     /// `4(0)` in an initial value.
     Repeat(Box<Node>, Box<[Node]>),
-    /// Parentheses behind something that is no function's name: `a[1]( 2 )`. It reads well and means nothing.
+    /// Parentheses after something that is no function's name: `a[1]( 2 )`. It reads well and means nothing.
     NoFunction,
     /// Nothing, or nothing that can be read; the parser said so.
     Missing,
@@ -240,7 +240,7 @@ fn block_facts(block: &Block<'_>, rung: usize, part: usize) -> Option<BlockFacts
 }
 
 fn operands(list: &OperandList<'_>) -> Box<[OperandFacts]> {
-    // Just so many as there are: nothing is to be moved behind.
+    // Just so many as there are: nothing is to be moved after.
     let mut operands = Vec::with_capacity(list.operands().count());
     operands.extend(list.operands().map(|operand| operand_facts(&operand)));
     operands.into_boxed_slice()

@@ -35,7 +35,7 @@ impl<'o> KnownBlocks<'o> {
             if self.list[index].shape == shape {
                 return Some(index);
             }
-            // Defined twice, in two shapes: a mistake, of which each use takes its side.
+            // Defined twice, in two shapes: an error, of which each use takes its side.
             let mut all = self.list.iter();
             return all.position(|block| block.key == key && block.shape == shape);
         }

@@ -125,7 +125,7 @@ impl Networks {
         range.map(|index| self.at(index))
     }
 
-    /// How many are at the top of the file for which this holds, of a condition that does not hold any more behind
+    /// How many are at the top of the file for which this holds, of a condition that does not hold any more after
     /// the first for which it does not.
     pub fn partition_point(&self, mut holds: impl FnMut(NetworkAt<'_>) -> bool) -> usize {
         let (mut low, mut high) = (0, self.len());
@@ -201,7 +201,7 @@ pub struct NetworkAt<'c> {
     pub range: TextRange,
     /// The scope of its tags: 0 the file's, else that of block definition `scope - 1`.
     pub scope: usize,
-    /// Its text, or that of the rung which should be joined to it, has a mistake in the drawing (an unclosed
+    /// Its text, or that of the rung which should be joined to it, has an error in the drawing (an unclosed
     /// block, a stray character, a connector without its partner), so that wiring says little about what is meant.
     pub broken: bool,
 }

@@ -3,7 +3,7 @@
 use super::access::Access;
 use super::facts::{Node, NodeKind};
 use super::network::{BoundBlock, Formal, Meaning, NetworkFacts};
-use super::use_kind::{Deed, Extent, UseKind};
+use super::use_kind::{Effect, Extent, UseKind};
 use super::use_place::Use;
 use super::user_block::UserBlockFacts;
 use crate::program::ParameterKind;
@@ -77,7 +77,7 @@ pub(crate) fn named(
     let mut names = Names {
         block: 0,
         operand: 0,
-        deed: Deed::Other,
+        effect: Effect::Other,
         found: room,
     };
     for (block, bound) in blocks.iter().enumerate() {
@@ -86,7 +86,7 @@ pub(crate) fn named(
         {
             if let Some(access) = access(bound, *formal, user_blocks) {
                 names.operand = operand as u16;
-                names.deed = Deed::of(bound, *formal);
+                names.effect = Effect::of(bound, *formal);
                 names.walk(&written.value, access, true);
             }
         }
@@ -99,7 +99,7 @@ struct Names<'r> {
     block: u32,
     operand: u16,
     /// What the block does with the operand.
-    deed: Deed,
+    effect: Effect,
     found: &'r mut Vec<Named>,
 }
 
@@ -156,7 +156,7 @@ impl Names<'_> {
             range,
             block: self.block,
             operand: self.operand,
-            kind: UseKind::new(access, extent, self.deed),
+            kind: UseKind::new(access, extent, self.effect),
         });
     }
 }

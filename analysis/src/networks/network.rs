@@ -26,7 +26,7 @@ pub struct NetworkFacts {
     pub blocks: Box<[BoundBlock]>,
     /// From the start of the first rung to the end of the last, in bytes, line ends included.
     pub(crate) len: TextSize,
-    /// Its own text has a mistake in the drawing.
+    /// Its own text has an error in the drawing.
     pub(crate) broken_by_itself: bool,
     /// Its operands name tags, and neither labels nor functions, and its blocks are instructions or the file's own: what
     /// is found in it depends on its lines, its tags and the signatures of those blocks.
@@ -65,7 +65,7 @@ pub struct BoundBlock {
     pub meaning: Meaning,
     /// For each operand, as they are, what it is given for.
     pub formals: Box<[Formal]>,
-    /// The parser found a mistake in it: rules about its operands would only repeat it.
+    /// The parser found an error in it: rules about its operands would only repeat it.
     pub faulty: bool,
 }
 
@@ -163,24 +163,24 @@ pub(crate) fn network(
     let mut blocks = Vec::with_capacity(rungs.map(|rung| rung.connectors(PartKind::Block).count()).sum());
     let mut base = TextSize::default();
     let mut trees = reading.rungs().iter().enumerate();
-    let mut syntax_mistake = false;
+    let mut syntax_error = false;
     for line in parse.lines().range(network.lines.clone()) {
         let errors = line.errors.iter();
-        syntax_mistake |= errors.clone().any(breaks_drawing);
+        syntax_error |= errors.clone().any(breaks_drawing);
         if line.kind == LineKind::Rung
             && let Some((rung, tree)) = trees.next()
         {
             let parts = wiring.rungs[rung].connectors(PartKind::Block);
-            let mut mistakes: Vec<TextRange> = errors.map(|error| error.range).collect();
-            mistakes.sort_unstable_by_key(|range| range.start());
+            let mut errors: Vec<TextRange> = errors.map(|error| error.range).collect();
+            errors.sort_unstable_by_key(|range| range.start());
             for facts in facts::blocks(tree, rung, parts) {
-                let faulty = is_mistake_in(&mistakes, facts.range);
+                let faulty = is_error_in(&errors, facts.range);
                 blocks.push(bind(facts, base, known, faulty));
             }
         }
         base += TextSize::new(line.len);
     }
-    let broken = syntax_mistake || !wiring.unpaired.is_empty();
+    let broken = syntax_error || !wiring.unpaired.is_empty();
     let user_blocks = user_blocks(&blocks, known);
     let names_tag = |formal: &Formal| match formal {
         Formal::Operand(row) => !matches!(row.accepts, Accepts::Label | Accepts::Function),
@@ -232,7 +232,7 @@ fn user_blocks(blocks: &[BoundBlock], known: &KnownBlocks<'_>) -> UserBlocks {
     found
 }
 
-/// Whether a mistake may have changed what is drawn behind it.
+/// Whether an error may have changed what is drawn after it.
 pub(crate) fn breaks_drawing(error: &SyntaxError) -> bool {
     matches!(
         error.kind,
@@ -249,10 +249,10 @@ pub(crate) fn breaks_drawing(error: &SyntaxError) -> bool {
     )
 }
 
-/// Whether a mistake begins in a block, or right behind it where something is missing.
-fn is_mistake_in(mistakes: &[TextRange], block: TextRange) -> bool {
-    let first = mistakes.partition_point(|range| range.start() < block.start());
-    let rest = mistakes[first..].iter();
+/// Whether an error begins in a block, or right after it where something is missing.
+fn is_error_in(errors: &[TextRange], block: TextRange) -> bool {
+    let first = errors.partition_point(|range| range.start() < block.start());
+    let rest = errors[first..].iter();
     rest.take_while(|range| range.start() <= block.end())
         .any(|range| range.start() < block.end() || range.is_empty())
 }
@@ -273,7 +273,7 @@ fn bind(facts: BlockFacts, base: TextSize, known: &mut KnownBlocks<'_>, faulty: 
             // NOT has two rows: the inverter without operands, and the bitwise one.
             let row = if rows.len() > 1 {
                 let fits = rows.clone().find(|row| row.takes(positional));
-                // With a wrong number of operands it is a mistake of the one that has some.
+                // With a wrong number of operands it is an error of the one that has some.
                 fits.or_else(|| if positional > 0 { rows.last() } else { rows.next() })
             } else {
                 rows.next()

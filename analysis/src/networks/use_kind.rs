@@ -19,7 +19,7 @@ pub(crate) enum Extent {
 
 /// What a block does with its operand, as far as it matters to the whole program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Deed {
+pub(crate) enum Effect {
     /// None of the others.
     Other,
     /// A coil that follows its power, plain or negated.
@@ -40,18 +40,18 @@ impl UseKind {
 
     const ACCESSES: [Access; 3] = [Access::Read, Access::Write, Access::ReadWrite];
     const EXTENTS: [Extent; 3] = [Extent::Whole, Extent::Member, Extent::Elements];
-    const DEEDS: [Deed; 6] = [
-        Deed::Other,
-        Deed::Follows,
-        Deed::Sets,
-        Deed::Resets,
-        Deed::OnEdge,
-        Deed::KeepsState,
+    const EFFECTS: [Effect; 6] = [
+        Effect::Other,
+        Effect::Follows,
+        Effect::Sets,
+        Effect::Resets,
+        Effect::OnEdge,
+        Effect::KeepsState,
     ];
 
     /// From its parts.
-    pub(crate) const fn new(access: Access, extent: Extent, deed: Deed) -> UseKind {
-        UseKind(access as u8 | (extent as u8) << 2 | (deed as u8) << 4)
+    pub(crate) const fn new(access: Access, extent: Extent, effect: Effect) -> UseKind {
+        UseKind(access as u8 | (extent as u8) << 2 | (effect as u8) << 4)
     }
 
     /// The one that these bits hold.
@@ -75,27 +75,30 @@ impl UseKind {
     }
 
     /// What the block does.
-    pub(crate) const fn deed(self) -> Deed {
-        UseKind::DEEDS[(self.0 >> 4) as usize]
+    pub(crate) const fn effect(self) -> Effect {
+        UseKind::EFFECTS[(self.0 >> 4) as usize]
     }
 }
 
-impl Deed {
+impl Effect {
     /// Of a block with an operand that is given for this.
-    pub(crate) fn of(bound: &BoundBlock, formal: Formal) -> Deed {
+    pub(crate) fn of(bound: &BoundBlock, formal: Formal) -> Effect {
         match (bound.coil(), formal) {
-            (Some(Coil::Follows | Coil::Negated), _) => Deed::Follows,
-            (Some(Coil::Sets), _) => Deed::Sets,
-            (Some(Coil::Resets), _) => Deed::Resets,
-            (Some(Coil::OnEdge(_)), _) => Deed::OnEdge,
-            (None, Formal::Operand(row)) if matches!(row.accepts, Accepts::State(_)) => Deed::KeepsState,
-            (None, _) => Deed::Other,
+            (Some(Coil::Follows | Coil::Negated), _) => Effect::Follows,
+            (Some(Coil::Sets), _) => Effect::Sets,
+            (Some(Coil::Resets), _) => Effect::Resets,
+            (Some(Coil::OnEdge(_)), _) => Effect::OnEdge,
+            (None, Formal::Operand(row)) if matches!(row.accepts, Accepts::State(_)) => Effect::KeepsState,
+            (None, _) => Effect::Other,
         }
     }
 
     /// Whether it is that of a coil.
     pub(crate) const fn is_coil(self) -> bool {
-        matches!(self, Deed::Follows | Deed::Sets | Deed::Resets | Deed::OnEdge)
+        matches!(
+            self,
+            Effect::Follows | Effect::Sets | Effect::Resets | Effect::OnEdge
+        )
     }
 }
 
@@ -108,11 +111,11 @@ mod tests {
     fn it_gives_its_parts_back() {
         for access in UseKind::ACCESSES {
             for extent in UseKind::EXTENTS {
-                for deed in UseKind::DEEDS {
-                    let kind = UseKind::from_bits(UseKind::new(access, extent, deed).bits());
+                for effect in UseKind::EFFECTS {
+                    let kind = UseKind::from_bits(UseKind::new(access, extent, effect).bits());
                     assert_eq!(
-                        (kind.access(), kind.extent(), kind.deed()),
-                        (access, extent, deed)
+                        (kind.access(), kind.extent(), kind.effect()),
+                        (access, extent, effect)
                     );
                 }
             }

@@ -1,7 +1,7 @@
 //! The places where tags are in operands.
 
 use super::access::Access;
-use super::use_kind::{Deed, UseKind};
+use super::use_kind::{Effect, UseKind};
 use ladder_syntax::TextRange;
 use smallvec::SmallVec;
 
@@ -20,7 +20,7 @@ pub struct Use {
     pub access: Access,
     /// Whether the tag as a whole is meant, not a member, bit or element.
     pub whole: bool,
-    /// Whether an index or a range is behind it.
+    /// Whether an index or a range is after it.
     pub indexed: bool,
 }
 
@@ -54,8 +54,8 @@ impl UseRef {
     }
 
     /// What its block does with the operand.
-    pub(crate) const fn deed(self) -> Deed {
-        UseKind::from_bits(self.named).deed()
+    pub(crate) const fn effect(self) -> Effect {
+        UseKind::from_bits(self.named).effect()
     }
 }
 

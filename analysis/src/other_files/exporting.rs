@@ -101,8 +101,8 @@ fn globals(context: &Context) -> Vec<Global> {
             role: tag.role,
             constant: tag.constant,
             retain: tag.retain,
-            initial: tag.rare.initial.clone(),
-            address: tag.rare.address.clone(),
+            initial: tag.cold.initial.clone(),
+            address: tag.cold.address.clone(),
             at: tag.declared_at,
         });
     }
@@ -147,6 +147,6 @@ fn state_in(operand: &Node, formal: Formal) -> Option<&str> {
 fn may_be_shared(context: &Context, scope: &Scope, name: &Name) -> bool {
     match scope.find(name).map(|tag| &scope.tags[tag]) {
         Some(tag) if tag.is_declared() || tag.origin == Origin::Implicit => tag.is_outward(),
-        _ => uses::undeclared(name.as_str(), context.profile.law()).origin == Origin::Undeclared,
+        _ => uses::undeclared(name.as_str(), context.profile.semantics()).origin == Origin::Undeclared,
     }
 }

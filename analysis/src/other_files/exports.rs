@@ -104,7 +104,7 @@ impl Global {
     /// Whether two declarations are of one tag: they agree in type and initial value, and lie at one address if both
     /// have one.
     pub fn agrees(&self, other: &Global) -> bool {
-        // One that cannot be read is a mistake of its own.
+        // One that cannot be read is an error of its own.
         self.ty.is_none()
             || other.ty.is_none()
             || (self.ty == other.ty

@@ -64,7 +64,7 @@ impl Resolver<'_, '_> {
                 }
                 Accepts::Value => match works_in {
                     Some(ty) => self.value_of(row.op, &written.value, ty).map(Argument::Value),
-                    // The result's own mistake is enough.
+                    // The result's own error is enough.
                     None => None,
                 },
                 Accepts::Expression => match works_in {
@@ -144,7 +144,7 @@ impl Resolver<'_, '_> {
         if !self.check_writable(&place, node, access(operand.direction)) {
             return None;
         }
-        let takes_truth = self.law().truth == Truth::NotZero && ty == Scalar::Bool;
+        let takes_truth = self.semantics().truth == Truth::NotZero && ty == Scalar::Bool;
         if !in_class(ty, class) && !takes_truth {
             self.report(type_mismatch::result(ty, class, self.at(node.range)));
             return None;
@@ -259,7 +259,7 @@ impl Resolver<'_, '_> {
             Accepts::Duration => self.duration(node).map(Argument::Value),
             Accepts::Time => self.value(node, Scalar::Time).map(Argument::Value),
             Accepts::Count => self
-                .value(node, Scalar::integer_of(self.law()))
+                .value(node, Scalar::integer_of(self.semantics()))
                 .map(Argument::Value),
             Accepts::Range => {
                 let range = self.range(node, true)?;
@@ -321,7 +321,7 @@ impl Resolver<'_, '_> {
 
     /// Whether a tag of a type can hold the state of a block.
     fn is_state_for(&self, found: StateType, block: StateType) -> bool {
-        match self.law().states {
+        match self.semantics().states {
             States::OneBlock | States::Writable => found == block,
             States::Shared => found.is_of_one_sort_with(block),
         }
@@ -334,7 +334,7 @@ impl Resolver<'_, '_> {
             return None;
         }
         // A number takes 0 or 1.
-        let takes_truth = self.law().truth == Truth::NotZero && ty == Scalar::Bool && found.is_number();
+        let takes_truth = self.semantics().truth == Truth::NotZero && ty == Scalar::Bool && found.is_number();
         if found != ty && !takes_truth {
             self.report(type_mismatch::does_not_pass(ty, found, self.at(node.range)));
             return None;
@@ -357,7 +357,7 @@ impl Resolver<'_, '_> {
             _ => return self.value(node, Scalar::Time),
         };
         // There a plain number counts steps.
-        if matches!(self.law().timing, Timing::Ticks | Timing::Units) {
+        if matches!(self.semantics().timing, Timing::Ticks | Timing::Units) {
             return Some(milliseconds);
         }
         if let ExprKind::Constant(Value::Int(n)) = milliseconds.kind {

@@ -29,7 +29,7 @@ pub(super) fn compared_in_bool(compared: Compared) -> bool {
 impl Resolver<'_, '_> {
     /// Whether an instruction works in the type of its operands, not in that of its result.
     pub(super) fn is_of_operands(&self, op: Op) -> bool {
-        self.law().arithmetic == Arithmetic::OfOperands && op.is_plain_arithmetic()
+        self.semantics().arithmetic == Arithmetic::OfOperands && op.is_plain_arithmetic()
     }
 
     /// An operand of such an instruction: any number, or a BOOL.
@@ -37,7 +37,7 @@ impl Resolver<'_, '_> {
         let mut value = self.natural(node)?;
         if let ExprKind::Constant(Value::Real(real)) = &mut value.kind
             && value.ty == Scalar::Lreal
-            && Scalar::real_of(self.law()) == Scalar::Real
+            && Scalar::real_of(self.semantics()) == Scalar::Real
         {
             value.ty = Scalar::Real;
             *real = f64::from(*real as f32);
@@ -66,10 +66,10 @@ impl Resolver<'_, '_> {
             return Compared::Not;
         }
         let mut typed: Vec<Scalar> = nodes.iter().filter_map(|node| self.own_type(node)).collect();
-        if self.law().truth == Truth::NotZero {
+        if self.semantics().truth == Truth::NotZero {
             // A BOOL is a number there.
             for ty in typed.iter_mut().filter(|ty| **ty == Scalar::Bool) {
-                *ty = Scalar::integer_of(self.law());
+                *ty = Scalar::integer_of(self.semantics());
             }
         }
         let Some((&first, rest)) = typed.split_first() else {

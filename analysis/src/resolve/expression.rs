@@ -62,10 +62,10 @@ impl Resolver<'_, '_> {
         if expr.ty == ty || (expr.ty.is_string() && ty.is_string()) {
             return Some(expr);
         }
-        if self.law().truth == Truth::NotZero && ty == Scalar::Bool && expr.ty.is_number() {
+        if self.semantics().truth == Truth::NotZero && ty == Scalar::Bool && expr.ty.is_number() {
             return Some(not_zero(expr));
         }
-        let is_digit = self.law().truth == Truth::NotZero && expr.ty == Scalar::Bool && ty.is_integer();
+        let is_digit = self.semantics().truth == Truth::NotZero && expr.ty == Scalar::Bool && ty.is_integer();
         if !is_digit && !passes(expr.ty, ty) {
             self.report(type_mismatch::does_not_pass(expr.ty, ty, expr.range));
             return None;
@@ -261,7 +261,7 @@ impl Resolver<'_, '_> {
         })
     }
 
-    /// A number in its own type, beside a TIME.
+    /// A number in its own type, next to a TIME.
     pub(super) fn number(&mut self, node: &Node) -> Option<Expr> {
         let ty = self.own_type(node).unwrap_or_else(|| match signed_literal(node) {
             Some((Ok(literal), negative)) => natural_type(literal, negative),

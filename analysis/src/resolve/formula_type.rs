@@ -40,7 +40,7 @@ impl Parts {
 impl Resolver<'_, '_> {
     /// The type in which the formula of `[CALC]` is computed whose result has a type.
     pub(super) fn formula_type(&self, node: &Node, result: Scalar) -> Scalar {
-        if self.law().arithmetic != Arithmetic::OfFormula {
+        if self.semantics().arithmetic != Arithmetic::OfFormula {
             return result;
         }
         let mut parts = Parts::default();

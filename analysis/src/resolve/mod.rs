@@ -29,7 +29,7 @@ use crate::program::{
     Block, BlockKind, Element, Function, Location, Network, Place, Program, TagId, UserBlock,
 };
 use crate::values::types::Scalar;
-use ladder_instructions::{Law, Op};
+use ladder_instructions::{Op, Semantics};
 use ladder_syntax::{Name, TextRange, TextSize};
 use numbers::{Numbers, Unit};
 use rustc_hash::FxHashMap;
@@ -63,13 +63,13 @@ struct Lowering<'c> {
 /// A program as it was resolved. It is whole only if no errors were found.
 pub(crate) struct Resolved {
     pub(crate) program: Program,
-    /// The first block beside those with errors that could not be resolved whole: such a program must not run.
+    /// The first block next to those with errors that could not be resolved whole: such a program must not run.
     pub(crate) unresolved: Option<TextRange>,
     /// Everything that it uses of other files is in it.
     pub(crate) linked: bool,
 }
 
-/// Resolves a network for the sake of its mistakes, which go to `out`. Gives the first block that could not be
+/// Resolves a network for the sake of its errors, which go to `out`. Gives the first block that could not be
 /// resolved whole.
 pub(crate) fn check(context: &Context, network: usize, out: &mut Vec<Diagnostic>) -> Option<TextRange> {
     let facts = context.networks.at(network);
@@ -92,7 +92,7 @@ pub(crate) fn check(context: &Context, network: usize, out: &mut Vec<Diagnostic>
     unresolved
 }
 
-/// Resolves all networks of the units, whose mistakes are reported already.
+/// Resolves all networks of the units, whose errors are reported already.
 pub(crate) fn program(units: &[Unit<'_>]) -> Resolved {
     let numbers = Numbers::of(units);
     let mut program = Program {
@@ -266,8 +266,8 @@ fn bodies(units: &[Unit<'_>], numbers: &Numbers, ids: &[Vec<Ids>], program: &mut
 
 impl Resolver<'_, '_> {
     /// What the file's profile does otherwise.
-    fn law(&self) -> &'static Law {
-        self.context.profile.law()
+    fn semantics(&self) -> &'static Semantics {
+        self.context.profile.semantics()
     }
 
     fn report(&mut self, diagnostic: Diagnostic) {
@@ -342,7 +342,7 @@ impl Resolver<'_, '_> {
                     works_in: None,
                 })
             }
-            // The operands' own mistakes are shown all the same.
+            // The operands' own errors are shown all the same.
             Meaning::Unknown | Meaning::UnknownUser => None,
         }
     }

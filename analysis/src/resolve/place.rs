@@ -43,7 +43,7 @@ impl Resolver<'_, '_> {
                     return SystemTag::from_name(&word.text).map(SystemTag::ty);
                 }
                 if let Some(Type::State(state)) = self.named_tag(base).map(|tag| self.tag_type(tag)) {
-                    return infer::member(state, &word.text).map(|member| member.ty(self.law()));
+                    return infer::member(state, &word.text).map(|member| member.ty(self.semantics()));
                 }
                 Some(Scalar::Bool)
             }
@@ -134,7 +134,10 @@ impl Resolver<'_, '_> {
                 ));
                 return None;
             };
-            return Some((Place::Member(self.tag_id(tag), member), member.ty(self.law())));
+            return Some((
+                Place::Member(self.tag_id(tag), member),
+                member.ty(self.semantics()),
+            ));
         }
         if let Some(tag) = self.named_tag(base)
             && self.scope.tags[tag].origin == Origin::Undeclared
@@ -174,7 +177,7 @@ impl Resolver<'_, '_> {
             if !matches!(base.kind, NodeKind::Missing) {
                 self.report(bad_operand::wrong(
                     range,
-                    "an index belongs behind the name of an array",
+                    "an index belongs after the name of an array",
                 ));
             }
             return None;
@@ -276,7 +279,9 @@ impl Resolver<'_, '_> {
                 return false;
             }
             // There what they count is a variable like any other.
-            Place::Member(_, Member::Et | Member::Cv) if self.law().states.are_written() => return true,
+            Place::Member(_, Member::Et | Member::Cv) if self.semantics().states.are_written() => {
+                return true;
+            }
             Place::Member(..) => {
                 let message = "a member of a timer or counter is written by its own block only: use (RES) or R := to \
                                clear it";
@@ -293,7 +298,7 @@ impl Resolver<'_, '_> {
         };
         let tag = self.context.shared(&self.scope.tags[tag]);
         let name = Name::new(&tag.name);
-        let elsewhere = match &tag.rare.foreign {
+        let elsewhere = match &tag.cold.foreign {
             Some(_) => self.context.others.globals(&name).next(),
             None => None,
         };

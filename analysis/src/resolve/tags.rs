@@ -36,7 +36,7 @@ pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program)
                     || context
                         .uses(tag)
                         .any(|place| unit.reaches(context.bodies[place.network]));
-                if tag.leads_elsewhere() || !reached {
+                if tag.is_alias() || !reached {
                     return NOWHERE;
                 }
                 let named = Named {
@@ -54,7 +54,7 @@ pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program)
         }
         for (scope, facts) in context.scopes.iter().enumerate() {
             for (tag, facts) in facts.tags.iter().enumerate() {
-                if let Some((shared_scope, shared_tag)) = context.leads_to(facts) {
+                if let Some((shared_scope, shared_tag)) = context.alias_of(facts) {
                     ids[scope].of_tags[tag] = ids[shared_scope].of_tags[shared_tag];
                 }
             }
@@ -109,7 +109,7 @@ impl Named<'_> {
     }
 
     fn address(&self) -> Option<&str> {
-        let address = self.tag.rare.address.as_deref();
+        let address = self.tag.cold.address.as_deref();
         address.filter(|address| type_by_form(address).is_some())
     }
 
@@ -199,7 +199,7 @@ impl Common {
             tag.ty = type_of(named.tag);
         }
         if tag.initial.is_empty() {
-            tag.initial = one_address::with_same_bits(&named.tag.rare.initial, tag.ty);
+            tag.initial = one_address::with_same_bits(&named.tag.cold.initial, tag.ty);
         }
         if tag.role == Role::Internal {
             tag.role = named.tag.role;
@@ -262,7 +262,7 @@ fn stored<'t>(
 
 /// Whether it is a VAR_GLOBAL tag, of its file or another one.
 fn is_global(tag: &TagFacts) -> bool {
-    tag.rare.foreign.is_some() || tag.origin == Origin::Declared(SectionKind::Global)
+    tag.cold.foreign.is_some() || tag.origin == Origin::Declared(SectionKind::Global)
 }
 
 /// Where a tag is declared or first used; a global of another file there.
@@ -271,7 +271,7 @@ fn place(unit: &Unit<'_>, index: usize, tag: &TagFacts, program: &mut Program) -
         file: index as u32,
         range: unit.context.place_of(tag),
     };
-    if tag.rare.foreign.is_none() {
+    if tag.cold.foreign.is_none() {
         return own;
     }
     let Some((exports, global)) = unit.context.others.globals(&Name::new(&tag.name)).next() else {
@@ -301,8 +301,8 @@ fn add(program: &mut Program, named: &Named<'_>, name: String, block: Option<usi
         role: tag.role,
         retain: tag.retain,
         constant: tag.constant,
-        initial: tag.rare.initial.clone(),
-        address: tag.rare.address.as_deref().map(str::to_owned),
+        initial: tag.cold.initial.clone(),
+        address: tag.cold.address.as_deref().map(str::to_owned),
         block,
         location: named.location,
     });

@@ -26,7 +26,7 @@ impl Resolver<'_, '_> {
                 continue;
             }
             let parameter = &facts.parameters[index];
-            // One whose type cannot be read is a mistake of its own.
+            // One whose type cannot be read is an error of its own.
             let Some(ty) = parameter.ty else { continue };
             if let Some(argument) = self.user_argument(&written.value, ty, parameter.kind) {
                 let range = bound.absolute(written.range);

@@ -135,7 +135,7 @@ fn remove_excess(bound: BlockAt<'_>, excess: &[usize], mut found: Diagnostic) ->
 }
 
 fn add_missing(bound: BlockAt<'_>, row: &'static Instruction, given: usize, found: Diagnostic) -> Diagnostic {
-    // At most one group of operands lacks behind the required ones.
+    // At most one group of operands lacks after the required ones.
     let Some(needed) = (given..given + 8).find(|&count| row.takes(count)) else {
         return found;
     };

@@ -70,11 +70,11 @@ pub(crate) fn unreadable(
         ),
         AddressExpected => (
             instead("an address"),
-            "behind AT comes an address such as %IX0.0, %QW1 or %MD2",
+            "after AT comes an address such as %IX0.0, %QW1 or %MD2",
         ),
         ValueExpected => (
             instead("a value"),
-            "behind `:=` comes the value at the start: limit : INT := 80;",
+            "after `:=` comes the value at the start: limit : INT := 80;",
         ),
         BoundsExpected => (
             instead("a whole number in brackets"),
@@ -106,7 +106,7 @@ pub(crate) fn unreadable(
         ),
         BlockNotClosed => (
             "this block definition is not closed: END_FUNCTION_BLOCK is missing".to_owned(),
-            "write END_FUNCTION_BLOCK on a line of its own behind the last rung of the block",
+            "write END_FUNCTION_BLOCK on a line of its own after the last rung of the block",
         ),
         EndWithoutBlock => (
             "END_FUNCTION_BLOCK ends no definition".to_owned(),

@@ -158,7 +158,7 @@ fn unknown_name(form: &Form<'_>, bound: BlockAt<'_>, operand: &OperandFacts, nam
     }
 }
 
-/// Whether an operand is at the place that its name says, behind operands that are given by place.
+/// Whether an operand is at the place that its name says, after operands that are given by place.
 fn is_at_its_place(bound: BlockAt<'_>, operand: &OperandFacts, name: &Word) -> bool {
     let operands = &bound.facts.operands;
     let place = operands.iter().take_while(|other| other.name().is_none()).count();
@@ -184,7 +184,7 @@ pub(crate) fn expression(range: TextRange) -> Diagnostic {
 pub(crate) fn next_below_zero(array: &str, first: i64, range: TextRange) -> Diagnostic {
     wrong(
         range,
-        format!("`{array}` begins at {first}: NEXT goes on behind the index in the result, where -1 says that nothing was found"),
+        format!("`{array}` begins at {first}: NEXT goes on after the index in the result, where -1 says that nothing was found"),
     )
     .help("let the array begin at 0 or 1")
 }
@@ -224,11 +224,11 @@ pub(crate) fn state_expected(state: StateType, range: TextRange) -> Diagnostic {
     ))
 }
 
-/// Parentheses behind an element, a member, another call.
+/// Parentheses after an element, a member, another call.
 pub(crate) fn no_function(range: TextRange) -> Diagnostic {
     wrong(
         range,
-        "parentheses belong behind the name of a function only: this is none",
+        "parentheses belong after the name of a function only: this is none",
     )
 }
 
@@ -252,12 +252,12 @@ pub(crate) fn unknown_function(name: &str, range: TextRange) -> Diagnostic {
 pub(crate) fn missing(place: OperandPlace, range: TextRange) -> Diagnostic {
     let message = match place {
         OperandPlace::List => "an operand is missing here",
-        OperandPlace::Operator => "a value is missing beside this operator",
+        OperandPlace::Operator => "a value is missing next to this operator",
         OperandPlace::Named => "the value of the named operand is missing here",
         OperandPlace::Index => "the index is missing here",
         OperandPlace::Range => "a bound of the range is missing here",
         OperandPlace::Parentheses => "a value is missing between the parentheses",
-        OperandPlace::Member => "the member is missing behind the point",
+        OperandPlace::Member => "the member is missing after the point",
     };
     let found = wrong(range, message);
     match place {
@@ -281,7 +281,7 @@ pub(crate) fn missing_comma(range: TextRange) -> Diagnostic {
         )
 }
 
-/// The operands of a list behind the last one that is read.
+/// The operands of a list after the last one that is read.
 pub(crate) fn too_many(range: TextRange) -> Diagnostic {
     let most = Many::Operands.most();
     wrong(

@@ -1,6 +1,6 @@
 //! Contacts that decide nothing because a wire leads round them, whichever connectors it goes by.
 //!
-//! Behind a condition there is power only where there was some before it. So what a contact passes on changes nothing
+//! After a condition there is power only where there was some before it. So what a contact passes on changes nothing
 //! at a connector at which the wire that comes along the other line carries at least as much by itself. All of this
 //! follows from the drawing; the values of tags do not matter.
 

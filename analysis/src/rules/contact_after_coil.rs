@@ -1,4 +1,4 @@
-//! `contact-after-coil`: a contact is behind a coil on its wire.
+//! `contact-after-coil`: a contact is after a coil on its wire.
 
 use super::power_rules::is_condition;
 use super::wiring_walk::Walk;
@@ -19,7 +19,7 @@ pub(crate) const RULE: Rule = Rule(&RuleFacts::new(
 pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
     let coils = ControlFlow::COIL.with(ControlFlow::SET).with(ControlFlow::RESET);
     let has_coils = walk.network.control_flow.has(coils) && walk.network.blocks.len() > 1;
-    if !has_coils || !stands_behind(walk) {
+    if !has_coils || !is_after(walk) {
         return;
     }
     // For each step the coil that its power has passed.
@@ -49,8 +49,8 @@ fn is_coil(bound: BlockAt<'_>) -> bool {
     bound.facts.shape == Shape::Coil && bound.op().is_some_and(|op| op != Op::Res)
 }
 
-/// Whether a condition is evaluated behind a coil at all; on most networks none is.
-fn stands_behind(walk: &Walk<'_>) -> bool {
+/// Whether a condition is evaluated after a coil at all; on most networks none is.
+fn is_after(walk: &Walk<'_>) -> bool {
     let mut coils = false;
     walk.steps().iter().any(|step| match *step {
         Step::Block { block, .. } => {
@@ -68,7 +68,7 @@ fn found(walk: &Walk<'_>, coil: usize, contact: usize) -> Diagnostic {
         RULE,
         contact.range(),
         format!(
-            "{} is behind a coil: whoever looks for it looks left of the coils",
+            "{} is after a coil: readers look for it left of the coils",
             written_block(walk.context, walk.network.scope, contact)
         ),
     )

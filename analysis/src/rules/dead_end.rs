@@ -23,9 +23,9 @@ pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
                 Diagnostic::new(
                     RULE,
                     bound.range(),
-                    format!("the power of {} goes nowhere: nothing that acts is behind it", written_block(walk.context, walk.network.scope, bound)),
+                    format!("the power of {} goes nowhere: nothing that acts is after it", written_block(walk.context, walk.network.scope, bound)),
                 )
-                .help("put a coil or another block behind it, join the line to another with \\ and /, or remove it"),
+                .help("put a coil or another block after it, join the line to another with \\ and /, or remove it"),
             );
         }
     }
@@ -53,8 +53,8 @@ fn loose_wires(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
         return;
     }
     for &(rung, part, step, _) in &network.order.elements {
-        // Behind a block that acts it only lacks the rail; behind a condition that is reported already; and where no
-        // power comes the line has another mistake.
+        // After a block that acts it only lacks the rail; after a condition that is reported already; and where no
+        // power comes the line has another error.
         if loose.binary_search(&(rung, part)).is_err() || comes_from_block(walk, step) || !is_live(walk, step)
         {
             continue;

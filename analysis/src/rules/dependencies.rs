@@ -13,7 +13,7 @@ impl Circles {
         let networks = context.networks.len();
         let mut edges: Vec<Vec<usize>> = vec![Vec::new(); networks];
         let tags = context.scopes.iter().flat_map(|scope| &scope.tags);
-        for tag in tags.filter(|tag| !tag.leads_elsewhere() && links_networks(tag)) {
+        for tag in tags.filter(|tag| !tag.is_alias() && links_networks(tag)) {
             let node = edges.len();
             let mut readers = Vec::new();
             for place in &tag.uses.0 {

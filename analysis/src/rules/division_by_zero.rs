@@ -43,7 +43,7 @@ fn is_zero(place: &SurveyedBlock<'_>, node: &Node) -> bool {
 }
 
 fn found(place: &SurveyedBlock<'_>, divisor: &Node) -> Diagnostic {
-    let what = match place.context.profile.law().division {
+    let what = match place.context.profile.semantics().division {
         Division::Fault => "it is a fault, and no result is written",
         Division::ZeroAndEnd => "the result is 0, and the scan is the last one",
         Division::Zero => "the result is 0, and the controller tells of an error",

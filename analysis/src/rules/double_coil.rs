@@ -17,7 +17,7 @@ pub(crate) const RULE: Rule =
 pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
     let (context, tag, leaving) = (view.context, view.tag, &view.around.leaving);
     let mut others = context.others_at_address(tag).peekable();
-    let shared_address = tag.rare.address.as_deref().filter(|_| others.peek().is_some());
+    let shared_address = tag.cold.address.as_deref().filter(|_| others.peek().is_some());
     if tag.uses.writers().nth(1).is_none() && shared_address.is_none() {
         return;
     }
@@ -63,7 +63,7 @@ fn double(context: &Context, name: &str, coils: &[Use]) -> Option<Diagnostic> {
             coils.len()
         ),
     )
-    .help("lead all conditions to one coil, joined with \\ and /; or use (S) and (R)");
+    .help("combine all conditions into one coil, joined with \\ and /; or use (S) and (R)");
     for other in std::iter::once(first).chain(rest) {
         found = found.related(place(other), format!("`{name}` is written here as well"));
     }

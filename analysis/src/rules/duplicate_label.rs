@@ -38,7 +38,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             label.at,
             format!("the label `{}` appears more than once", label.name),
         )
-        .help("a jump takes the nearest label behind it, else the nearest before it")
+        .help("a jump takes the nearest label after it, else the nearest before it")
         .related(context.labels[first].at, "it is here first");
         // Jumps to the first label are reported with the second.
         let targets: &[usize] = if std::mem::replace(&mut reported[first], true) {

@@ -7,7 +7,7 @@ use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::names::scope::{Origin, SectionKind, TagFacts};
 use crate::networks::network::Formal;
-use crate::networks::use_kind::Deed;
+use crate::networks::use_kind::Effect;
 
 use crate::networks::use_place::{Use, UseRef};
 use crate::values::types::Type;
@@ -23,7 +23,7 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
     let Some(Type::State(state)) = tag.ty else {
         return;
     };
-    if context.profile.law().states == States::Shared {
+    if context.profile.semantics().states == States::Shared {
         return;
     }
     let rule = if state.is_timer() {
@@ -33,8 +33,8 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
     } else {
         return;
     };
-    let is_shared = tag.rare.foreign.is_some() || tag.origin == Origin::Declared(SectionKind::Global);
-    let keeps = |place: &&UseRef| place.deed() == Deed::KeepsState;
+    let is_shared = tag.cold.foreign.is_some() || tag.origin == Origin::Declared(SectionKind::Global);
+    let keeps = |place: &&UseRef| place.effect() == Effect::KeepsState;
     if !is_shared && tag.uses.0.iter().filter(keeps).nth(1).is_none() {
         return;
     }
@@ -47,7 +47,7 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
     out.extend(owners.map(|second| second_block(rule, tag, state, &first, &second)));
 }
 
-/// Whether a block keeps its state in the tag. One of another type is a mistake of its own.
+/// Whether a block keeps its state in the tag. One of another type is an error of its own.
 fn owns(context: &Context, place: UseRef, state: StateType) -> bool {
     matches!(context.networks.formal_of(place), Formal::Operand(o) if o.accepts == Accepts::State(state))
 }

@@ -53,7 +53,7 @@ fn endless(flow: &Flow<'_>, exit: &Exit, to: usize, message: String) -> Diagnost
 /// What the condition of a jump back asks for, if it asks only for tags that nothing between the label and the
 /// jump writes.
 fn waits(flow: &Flow<'_>, exit: &Exit, to: usize) -> Option<String> {
-    // The exits are in the order of their networks. This asked first, no network is looked at for two of them.
+    // The exits are in the order of their networks. This asked first, no network is checked for two of them.
     let before = |network: usize| flow.exits.partition_point(|other| other.from < network);
     if exit.always || before(exit.from + 1) - before(to) != 1 {
         return None;

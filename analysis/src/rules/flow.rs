@@ -39,7 +39,7 @@ pub(super) struct Flow<'c> {
     pub(super) survey: &'c Survey<'c>,
     /// The body's networks from top to bottom.
     pub(super) networks: Vec<usize>,
-    /// The blocks that leave, in the order of the networks and of evaluation; what is behind one that always
+    /// The blocks that leave, in the order of the networks and of evaluation; what is after one that always
     /// leaves is not among them.
     pub(super) exits: Vec<Exit>,
     /// For each network where a scan can go on; last of all the labels, for what may go to any of them.
@@ -126,7 +126,7 @@ impl<'c> Flow<'c> {
             .block(exit.block)
     }
 
-    /// For each network the first one behind it that holds a `<NEXT>`.
+    /// For each network the first one after it that holds a `<NEXT>`.
     fn loop_ends(&self) -> Vec<Option<usize>> {
         let mut ends = vec![None; self.networks.len()];
         let mut end = None;

@@ -1,6 +1,6 @@
-//! Findings that only follow from another one: a mistake is reported once.
+//! Findings that only follow from another one: an error is reported once.
 //!
-//! A slip in the text changes what is read behind it: a label that cannot be read makes its jumps lead nowhere, a
+//! A slip in the text changes what is read after it: a label that cannot be read makes its jumps lead nowhere, a
 //! section that is not recognised leaves its tags undeclared. What can be explained so is not shown; it comes back
 //! if it is still true when the slip is gone.
 
@@ -18,7 +18,7 @@ use ladder_instructions::Op;
 use ladder_syntax::{LineKind, Name, Parse, SyntaxErrorKind, TextRange};
 use rustc_hash::FxHashSet;
 
-/// Says of findings whether they follow from the mistakes of the text. Those about the mistakes themselves are not to
+/// Says of findings whether they follow from the errors of the text. Those about the errors themselves are not to
 /// be asked about.
 pub(crate) struct FollowUps<'c> {
     context: &'c Context,
@@ -38,13 +38,13 @@ impl<'c> FollowUps<'c> {
         })
     }
 
-    /// Whether a finding follows from a mistake.
+    /// Whether a finding follows from an error.
     pub(crate) fn explain(&mut self, found: &Diagnostic) -> bool {
         self.doubt.explains(self.context, found, &mut self.excerpts)
     }
 }
 
-/// What mistakes leave in doubt.
+/// What errors leave in doubt.
 #[derive(Default, PartialEq, Eq)]
 struct Doubt {
     /// Rungs on which something was misread.

@@ -10,7 +10,7 @@ use ladder_syntax::Parse;
 /// A network with what else decides about its drawing and the form of its blocks.
 pub(super) struct Form<'c> {
     pub(super) network: NetworkAt<'c>,
-    /// For the places and the text of its own lines. Beside them a rule may look at connectors that lack their partners:
+    /// For the places and the text of its own lines. Next to them a rule may look at connectors that lack their partners:
     /// where they are the network is [broken](NetworkAt::broken).
     pub(super) parse: &'c Parse,
     pub(super) profile: Profile,

@@ -27,7 +27,7 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
     } else {
         (
             "input of the block",
-            "its caller gives it anew each time the block runs",
+            "its caller gives it again each time the block runs",
         )
     };
     let mut found = Diagnostic::new(

@@ -19,7 +19,7 @@ pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
         return;
     }
     for points in network.wiring.points.chunk_by(|a, b| a.upper == b.upper) {
-        // With one pair there is nothing to mistake it for; and nearly every drawing is straight.
+        // With one pair there is nothing to error it for; and nearly every drawing is straight.
         if points.len() > 1 && points.iter().any(|point| !is_straight(network, point)) {
             out.extend(misleading(form, points));
         }

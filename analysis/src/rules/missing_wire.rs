@@ -39,7 +39,7 @@ pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
                 PartKind::Block => is_block || connects(part.kind),
                 kind => is_block && connects(kind),
             };
-            // A connector without its partner is the greater mistake.
+            // A connector without its partner is the greater error.
             let is_unpaired = |part| network.wiring.unpaired.binary_search(&(rung, part)).is_ok();
             if !lacks_wire || misread || is_unpaired(index) || is_unpaired(index - 1) {
                 continue;
@@ -66,20 +66,20 @@ fn around(seam: TextRange) -> TextRange {
     TextRange::new(seam.start() - one, seam.end() + one)
 }
 
-fn message(before: PartKind, behind: PartKind) -> String {
+fn message(before: PartKind, after: PartKind) -> String {
     let name = |kind| match kind {
         PartKind::Block => "a block",
         PartKind::Down => "`\\`",
         PartKind::Up => "`/`",
         _ => "`+`",
     };
-    if before == behind {
+    if before == after {
         return "two blocks touch without a wire between them".to_owned();
     }
     format!(
         "{} and {} touch without a wire between them",
         name(before),
-        name(behind)
+        name(after)
     )
 }
 
@@ -112,13 +112,13 @@ fn took_head(network: NetworkAt<'_>, index: usize) -> Diagnostic {
         block.absolute(list.cover(next.facts.range)),
         format!("{head} takes the next parentheses as its operands: the wire between them is missing"),
     );
-    // What is behind is no block that could run.
+    // What is after is no block that could run.
     found.severity = Severity::Error;
     found
-        .help(format!("{head} has no operands: keep a `-` behind it"))
+        .help(format!("{head} has no operands: keep a `-` after it"))
         .fix(
             Applicability::Safe,
-            format!("Insert wire behind {head}"),
+            format!("Insert wire after {head}"),
             block.absolute(between),
             "--",
         )

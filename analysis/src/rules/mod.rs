@@ -124,9 +124,9 @@ fn is_enough(before: usize, out: &mut [Diagnostic]) -> bool {
 
 /// Has the last finding say that no more is looked for.
 pub(crate) fn say_enough(last: &mut Diagnostic) {
-    let enough = format!("{MOST_FINDINGS} findings are enough: what is behind this place is not checked");
+    let enough = format!("{MOST_FINDINGS} findings are enough: what is after this place is not checked");
     last.help = Some(enough.into());
-    // What was not looked at may be wrong: such a program does not run.
+    // What was not checked may be wrong: such a program does not run.
     last.severity = Severity::Error;
 }
 

@@ -25,7 +25,7 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
         ),
         // What is retained, or lies at an address, may be read by a panel.
         Origin::Declared(SectionKind::Var | SectionKind::Global)
-            if tag.retain || tag.rare.address.is_some() =>
+            if tag.retain || tag.cold.address.is_some() =>
         {
             return;
         }
@@ -45,7 +45,7 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
             format!("`{name}` is written, and nothing reads it"),
             "read it where it is meant to act; declare it in VAR_OUTPUT if it is for the outside; or remove it",
         ),
-        Origin::Form if tag.role == Role::Internal && tag.rare.address.is_none() => (
+        Origin::Form if tag.role == Role::Internal && tag.cold.address.is_none() => (
             format!("`{name}` is an internal tag: it is written, and nothing reads it"),
             "read it where it is meant to act, or use an output (Q and a number) if it is for the outside",
         ),

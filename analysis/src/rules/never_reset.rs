@@ -4,7 +4,7 @@ use super::tag_view::TagView;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity, When};
 use crate::networks::network::Formal;
-use crate::networks::use_kind::Deed;
+use crate::networks::use_kind::Effect;
 use crate::networks::use_place::Use;
 use crate::values::types::Type;
 use ladder_instructions::StateType;
@@ -22,7 +22,7 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
     );
     // What else writes the tag or a member of it resets or loads it, or may.
     let mut writers = tag.uses.writers();
-    if !ends || !view.is_all_known() || !writers.all(|place| place.deed() == Deed::KeepsState) {
+    if !ends || !view.is_all_known() || !writers.all(|place| place.effect() == Effect::KeepsState) {
         return;
     }
     let owner = context.writers(tag).next();

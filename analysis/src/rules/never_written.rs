@@ -15,7 +15,7 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
     if !view.reports_use() {
         return;
     }
-    if view.is_written() || tag.constant || tag.role == Role::Input || !tag.rare.initial.is_empty() {
+    if view.is_written() || tag.constant || tag.role == Role::Input || !tag.cold.initial.is_empty() {
         return;
     }
     let name = &tag.name;
@@ -35,15 +35,15 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
             "put the block with this tag onto a rung",
         ),
         // A panel may write what lies at an address.
-        (Origin::Declared(SectionKind::Var), _) if tag.rare.address.is_none() => (
+        (Origin::Declared(SectionKind::Var), _) if tag.cold.address.is_none() => (
             format!("`{name}` is read, and nothing writes it: it stays {stays}"),
             "write it; declare it in VAR_INPUT if it comes from outside; or give it a value and declare it CONSTANT",
         ),
-        (Origin::Declared(SectionKind::Global), _) if tag.rare.address.is_none() => (
+        (Origin::Declared(SectionKind::Global), _) if tag.cold.address.is_none() => (
             format!("the global `{name}` is read, and no file of the workspace writes it: it stays {stays}"),
             "write it; or give it a value and declare it CONSTANT",
         ),
-        (Origin::Form, _) if tag.rare.address.is_none() => (
+        (Origin::Form, _) if tag.cold.address.is_none() => (
             format!("`{name}` is read, and nothing writes it: it stays {stays}"),
             "write it, or use an input (I and a number) if it comes from outside",
         ),

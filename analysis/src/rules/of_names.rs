@@ -57,7 +57,7 @@ pub(crate) fn diagnostic(context: &Context, problem: &NameProblem) -> Diagnostic
 fn otherwise_in_this_file(second: &TagFacts, first: &TagFacts, differs: Differs) -> Diagnostic {
     let otherwise = match differs {
         Differs::Address => {
-            let address = first.rare.address.as_deref();
+            let address = first.cold.address.as_deref();
             address.map_or_else(String::new, |at| format!("at {at}"))
         }
         Differs::Type | Differs::Value => format!("as {}", shown(first.ty)),
@@ -108,7 +108,7 @@ fn external_otherwise(name: &str, at: TextRange, ty: Option<Type>, global: &TagF
         shown(global.ty)
     );
     let found = bad_declaration::wrong(at, message).help("write the type of the global");
-    match &global.rare.foreign {
+    match &global.cold.foreign {
         Some(_) => found,
         None => found.related(global.declared_at, "the global is declared here"),
     }

@@ -16,7 +16,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let (declared, others): (Vec<&TagFacts>, Vec<&TagFacts>) =
         context.addressed().partition(|tag| tag.is_declared());
     for tag in declared.into_iter().chain(others).filter(|tag| !tag.mistyped) {
-        let Some(address) = tag.rare.address.as_deref() else {
+        let Some(address) = tag.cold.address.as_deref() else {
             continue;
         };
         let Some(names) = together.get_mut(&Name::new(address)) else {
@@ -31,7 +31,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let mut found = all.filter_map(|first| otherwise(context, first, tag, address));
         if let Some(found) = found.next() {
             out.push(found);
-        } else if names.with_value.rare.initial.is_empty() {
+        } else if names.with_value.cold.initial.is_empty() {
             names.with_value = tag;
         }
     }
@@ -78,7 +78,7 @@ impl<'t> From<&'t TagFacts> for Said<'t> {
             name: &tag.name,
             ty: tag.ty,
             constant: tag.constant,
-            initial: &tag.rare.initial,
+            initial: &tag.cold.initial,
         }
     }
 }

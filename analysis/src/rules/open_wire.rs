@@ -1,7 +1,7 @@
 //! `open-wire`: no power can reach a wire, whatever the tags are.
 //!
 //! A line that begins without power and gets it later through a connector has a dead stretch before that. What
-//! is behind it on other lines is dead as well: the finding is at the place where the power is lost.
+//! is after it on other lines is dead as well: the finding is at the place where the power is lost.
 
 use super::form::Form;
 use super::rung_not_powered;
@@ -224,7 +224,7 @@ impl<'c> Reach<'c> {
         let mut found = Diagnostic::new(
             RULE,
             gap + start,
-            "the wire is cut here: no power can reach what is behind",
+            "the wire is cut here: no power can reach what is after",
         )
         .help("a blank or a `|` breaks a wire: draw it through with `-`");
         // A single blank in a wire is a slip. Where more is missing, a connector may be missing.

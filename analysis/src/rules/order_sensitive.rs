@@ -69,7 +69,7 @@ pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
             },
         )
         .help("a contact reads what a coil of the same network has just written: give the later part a rung of its own");
-        for place in reads_behind_writes(table) {
+        for place in reads_after_writes(table) {
             found = found.related(place, "this contact sees what the network has just written");
         }
         out.push(found);
@@ -78,7 +78,7 @@ pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
 }
 
 /// The contacts that read a tag which a coil of the network has written before them.
-fn reads_behind_writes(table: &Table<'_>) -> Vec<ladder_syntax::TextRange> {
+fn reads_after_writes(table: &Table<'_>) -> Vec<ladder_syntax::TextRange> {
     use crate::boolean::gate::Gate;
     use crate::program::Step;
     let gates = &table.power.gates;

@@ -19,7 +19,7 @@ pub(super) fn check(survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
     let mut areas: Vec<Area<'_>> = context.addressed().filter_map(Area::of).collect();
     let start = |area: &Area<'_>| context.place_of(area.tag).start();
     areas.sort_by_key(|area| (area.bits, start(area)));
-    // Areas are of few sizes and begin at a multiple of their own: one is within another, or beside it.
+    // Areas are of few sizes and begin at a multiple of their own: one is within another, or next to it.
     let mut around: Vec<usize> = Vec::new();
     // For each area those that it overlaps and that come before it.
     let mut earlier: Vec<Vec<usize>> = vec![Vec::new(); areas.len()];
@@ -56,7 +56,7 @@ struct Area<'c> {
 
 impl<'c> Area<'c> {
     fn of(tag: &'c TagFacts) -> Option<Area<'c>> {
-        let address = tag.rare.address.as_deref()?;
+        let address = tag.cold.address.as_deref()?;
         let bits = AddressBits::of(address)?;
         Some(Area { bits, address, tag })
     }

@@ -83,7 +83,7 @@ pub(super) fn is_condition(bound: BlockAt<'_>) -> bool {
         .is_some_and(|row| row.role == Role::Condition && !matches!(row.op, Op::Lbl | Op::Fun))
 }
 
-/// Whether conditions of the network read one tag at two places, or behind the place where the network writes it, or
+/// Whether conditions of the network read one tag at two places, or after the place where the network writes it, or
 /// a comparison in it may have one answer only.
 fn is_worth_it(context: &Context, network: NetworkAt<'_>) -> bool {
     let compares = |bound| compares_numbers(context, network, bound);
@@ -92,7 +92,7 @@ fn is_worth_it(context: &Context, network: NetworkAt<'_>) -> bool {
     }
     let scope = &context.scopes[network.scope];
     let shared = |tag: usize| {
-        let shared = context.leads_to(&scope.tags[tag]).unwrap_or((network.scope, tag));
+        let shared = context.alias_of(&scope.tags[tag]).unwrap_or((network.scope, tag));
         context.first_at_address(shared)
     };
     let mut uses: SmallVec<[((usize, usize), &Named); 16]> = context

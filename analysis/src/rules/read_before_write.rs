@@ -31,7 +31,7 @@ pub(super) fn check(survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
         .collect();
     let circles = LazyCell::new(|| Circles::of(context));
     for tag in context.scopes.iter().flat_map(|scope| &scope.tags) {
-        let Some((read, write)) = places(context, tag).filter(|_| !tag.leads_elsewhere()) else {
+        let Some((read, write)) = places(context, tag).filter(|_| !tag.is_alias()) else {
             continue;
         };
         // One rung reads the old value in any order where each depends on the other.
@@ -51,7 +51,7 @@ fn places(context: &Context, tag: &TagFacts) -> Option<(Use, Use)> {
         tag.origin,
         Origin::Shared | Origin::Declared(SectionKind::Global | SectionKind::External | SectionKind::InOut)
     );
-    if shared || tag.role == Role::Input || tag.retain || tag.constant || !tag.rare.initial.is_empty() {
+    if shared || tag.role == Role::Input || tag.retain || tag.constant || !tag.cold.initial.is_empty() {
         return None;
     }
     // What is done by another name of its address may come first.

@@ -96,7 +96,7 @@ pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
         };
         let name = written_block(table.context, table.network.scope, bound);
         out.push(Diagnostic::new(RULE, bound.range(), format!("{name} changes nothing here")).help(help));
-        // What is redundant beside it may not be once it is gone.
+        // What is redundant next to it may not be once it is gone.
         return;
     }
 }

@@ -13,7 +13,7 @@ use crate::names::scope::TagFacts;
 use crate::networks::NetworkAt;
 use crate::networks::control_flow::ControlFlow;
 use crate::networks::facts::{Node, NodeKind};
-use crate::networks::use_kind::Deed;
+use crate::networks::use_kind::Effect;
 
 use crate::networks::use_place::{Use, UseRef};
 use crate::program::Step;
@@ -38,7 +38,7 @@ fn is_latch(tag: &TagFacts) -> bool {
     if tag.ty != Some(Type::BOOL) || tag.uses.writers().nth(1).is_none() {
         return false;
     }
-    let sets = |place: &UseRef| place.deed() == Deed::Sets;
+    let sets = |place: &UseRef| place.effect() == Effect::Sets;
     let writers = || tag.uses.writers();
     writers().take(MOST).any(|place| sets(&place)) && !writers().all(|place| sets(&place))
 }
@@ -91,7 +91,7 @@ struct Latch {
 }
 
 impl Latch {
-    /// None unless its conditions are in series behind the left rail.
+    /// None unless its conditions are in series after the left rail.
     fn new(context: &Context, place: Use, sets: bool) -> Option<Latch> {
         let network = context.networks.at(place.network);
         if network.broken {

@@ -28,7 +28,7 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
             format!("`{name}` is set, and nothing resets it: once on, it stays on"),
             format!("reset it with (R)( {name} ); or write ( )( {name} ) if it should follow the power"),
         )
-    } else if tag.rare.initial.is_empty() {
+    } else if tag.cold.initial.is_empty() {
         (
             super::reset_without_set::RULE,
             format!("`{name}` is reset, and nothing sets it: it is never on"),

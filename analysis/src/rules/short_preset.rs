@@ -46,7 +46,7 @@ pub(super) fn check(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
     let scan = place.settings.scan_interval.or(place.context.cycle);
     let scan = i128::from(scan.unwrap_or(DEFAULT_SCAN_INTERVAL));
     let at = bound.absolute(operand.value.range);
-    match place.context.profile.law().timing {
+    match place.context.profile.semantics().timing {
         Timing::Clock => {}
         Timing::Scans => return out.extend(in_scans(preset, scan, at)),
         Timing::Ticks => return out.extend(in_ticks(place, plain.then_some(value), scan, at)),

@@ -1,4 +1,4 @@
-//! `shorted-branch`: a bare wire beside contacts, which so decide nothing.
+//! `shorted-branch`: a bare wire next to contacts, which so decide nothing.
 
 use super::bypassed::Bypassed;
 use super::power_rules::is_condition;
@@ -21,7 +21,7 @@ pub(crate) const RULE: Rule = Rule(&RuleFacts::new(
 const LONGEST: usize = 64;
 
 /// `bypassed` are the contacts that decide nothing, if that is known: one of a branch that leads elsewhere too does.
-/// Gives the blocks that were reported.
+/// Returns the blocks that were reported.
 /// Also finds the contacts of `redundant-element` round which a wire leads.
 pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
     if walk.network.wiring.points.is_empty() {
@@ -32,7 +32,7 @@ pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
     redundant_element::bypassed(walk, &bypassed.unwrap_or_default(), &shorted, out);
 }
 
-/// Gives the blocks that are reported.
+/// Returns the blocks that are reported.
 fn shorted(walk: &Walk<'_>, bypassed: Option<&[Bypassed]>, out: &mut Vec<Diagnostic>) -> FxHashSet<usize> {
     let mut reported = FxHashSet::default();
     if bypassed.is_some_and(<[Bypassed]>::is_empty) {
@@ -45,7 +45,7 @@ fn shorted(walk: &Walk<'_>, bypassed: Option<&[Bypassed]>, out: &mut Vec<Diagnos
         let Step::Join { upper, lower } = *step else {
             continue;
         };
-        // The wire comes from the earlier step, the branch is behind it.
+        // The wire comes from the earlier step, the branch is after it.
         let (wire, branch) = (upper.min(lower), upper.max(lower));
         let Some(mut contacts) = conditions_between(walk, wire, branch) else {
             continue;
@@ -58,14 +58,14 @@ fn shorted(walk: &Walk<'_>, bypassed: Option<&[Bypassed]>, out: &mut Vec<Diagnos
         };
         let message = if rest.is_empty() {
             format!(
-                "a bare wire beside {} shorts it: it decides nothing",
+                "a bare wire next to {} shorts it: it decides nothing",
                 written_block(walk.context, walk.network.scope, *first)
             )
         } else {
-            "a bare wire beside these contacts shorts them: they decide nothing".to_owned()
+            "a bare wire next to these contacts shorts them: they decide nothing".to_owned()
         };
         let mut found = Diagnostic::new(RULE, first.range(), message)
-            .help("put a contact into the wire beside it, or remove the branch");
+            .help("put a contact into the wire next to it, or remove the branch");
         for other in rest {
             found = found.related(other.range(), "this is shorted as well");
         }

@@ -1,7 +1,7 @@
 //! What the parser found, as findings of the rules.
 //!
 //! One slip often makes the parser stumble more than once: a bracket that is missing leaves its partner over, a
-//! section that is not recognised leaves its END_VAR alone. What follows so from an earlier mistake is not reported.
+//! section that is not recognised leaves its END_VAR alone. What follows so from an earlier error is not reported.
 
 use super::{bad_literal, frame_keyword, is_enough, unclosed_block, unclosed_comment, unexpected_character};
 use crate::context::Context;
@@ -93,11 +93,8 @@ fn finding(parse: &Parse, error: &SyntaxError, text: &str, rest: &str) -> Diagno
         }
         SyntaxErrorKind::WrongBracket { closing } => unclosed_block::wrong(closing, text, range),
         SyntaxErrorKind::UnclosedComment => unclosed_comment::unclosed(parse, range),
-        SyntaxErrorKind::UnexpectedCharacter {
-            place,
-            behind_comment,
-        } => {
-            let mut found = unexpected_character::unexpected(place, behind_comment, text, range);
+        SyntaxErrorKind::UnexpectedCharacter { place, after_comment } => {
+            let mut found = unexpected_character::unexpected(place, after_comment, text, range);
             if let Some(fix) = unexpected_character::box_drawing::fix(parse, range.start()) {
                 found = found.help(
                     "a rung is drawn with - + | \\ / and blocks; this looks like box-drawing characters",
@@ -131,7 +128,7 @@ fn text_before(parse: &Parse, range: TextRange) -> String {
     excerpt::text(parse, TextRange::new(parse.line_start(line), range.start()))
 }
 
-/// For each mistake whether an unclosed text or comment is behind it on its line.
+/// For each error whether an unclosed text or comment is after it on its line.
 fn taken_rests(parse: &Parse, errors: &[SyntaxError]) -> Vec<bool> {
     let mut taken = vec![false; errors.len()];
     let mut line_with_open_end = None;
@@ -152,22 +149,22 @@ fn taken_rests(parse: &Parse, errors: &[SyntaxError]) -> Vec<bool> {
 #[derive(Default)]
 struct Line {
     /// A bracket is missing or something is on the rung that does not belong there: where the drawing goes on
-    /// behind it is a guess.
+    /// after it is a guess.
     misread: bool,
     /// Up to where a block that is not closed reaches.
     unclosed_to: TextSize,
-    /// The end of the last mistake in an operand list.
+    /// The end of the last error in an operand list.
     last_operand: Option<TextSize>,
 }
 
 impl Line {
-    /// Whether a mistake follows from one before it on the line. `list_ended`: a parenthesis closes between it
+    /// Whether an error follows from one before it on the line. `list_ended`: a parenthesis closes between it
     /// and the last one in an operand list.
     fn explains(&self, error: &SyntaxError, text: &str, list_ended: bool) -> bool {
         let same_list = self.last_operand.is_some() && !list_ended;
         match error.kind {
             SyntaxErrorKind::UnexpectedCharacter { place, .. } => {
-                // A drawing made of typographic characters is mended piece by piece.
+                // A drawing made of typographic characters is fixed piece by piece.
                 let typographic = unexpected_character::is_typographic(text);
                 (self.misread && !typographic)
                     || error.range.start() < self.unclosed_to
@@ -241,7 +238,7 @@ impl LostFrames {
         lost
     }
 
-    /// Whether a mistake follows from such a line.
+    /// Whether an error follows from such a line.
     fn explain(&self, parse: &Parse, error: &SyntaxError) -> bool {
         use DeclarationProblem::*;
         let Some(line) = parse.line_at(error.range.start()) else {
@@ -253,7 +250,7 @@ impl LostFrames {
             SyntaxErrorKind::BadDeclaration(BlockNotClosed | EndWithoutBlock | NestedBlock) => {
                 elsewhere(self.block)
             }
-            // A declaration behind the first line of its section.
+            // A declaration after the first line of its section.
             SyntaxErrorKind::UnexpectedCharacter { .. } => {
                 self.section.is_some_and(|section| section < line)
                     && looks_like_declaration(&parse.lines()[line])

@@ -5,7 +5,7 @@ use super::undeclared_tag::Undeclaring;
 use crate::context::Context;
 use crate::names::scope::{Origin, SectionKind, TagFacts};
 use crate::networks::control_flow::ControlFlow;
-use crate::networks::use_kind::Deed;
+use crate::networks::use_kind::Effect;
 use crate::other_files::outward::TagUse;
 use crate::program::Role;
 use crate::values::types::Type;
@@ -153,9 +153,9 @@ impl Places {
             return;
         }
         for place in tag.uses.writers() {
-            match place.deed() {
-                Deed::Sets => self.sets += 1,
-                Deed::Resets => self.resets += 1,
+            match place.effect() {
+                Effect::Sets => self.sets += 1,
+                Effect::Resets => self.resets += 1,
                 _ => {}
             }
         }

@@ -26,7 +26,7 @@ pub(super) fn check(survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
             continue;
         }
         let network = context.networks.at(index);
-        // A loop begins behind the network of its FOR and ends with that of the next NEXT.
+        // A loop begins after the network of its FOR and ends with that of the next NEXT.
         let of = |op| network.blocks().filter(move |bound| bound.op() == Some(op));
         let mut nexts = of(Op::Next);
         if let Some(first) = nexts.next() {
@@ -51,7 +51,7 @@ fn no_next(at: TextRange) -> Diagnostic {
         at,
         "this <FOR> has no <NEXT>: nobody can say where the loop ends",
     )
-    .help("end the loop with <NEXT> on a network of its own behind the rungs that are repeated")
+    .help("end the loop with <NEXT> on a network of its own after the rungs that are repeated")
 }
 
 fn no_for(at: TextRange) -> Diagnostic {

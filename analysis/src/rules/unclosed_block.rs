@@ -9,8 +9,8 @@ pub(crate) const RULE: Rule =
     Rule(&RuleFacts::new(RuleGroup::Text, "unclosed-block", Severity::Error).fixed(Applicability::Safe));
 
 /// `text` is what is from the opening bracket to the place where the closing one belongs, which is the
-/// range. The fix takes the `blanks` behind it away: the wire goes on at the bracket.
-/// `of_list`: the bracket is that of a list of operands, behind a block's first part.
+/// range. The fix takes the `blanks` after it away: the wire goes on at the bracket.
+/// `of_list`: the bracket is that of a list of operands, after a block's first part.
 pub(crate) fn missing(
     closing: SyntaxKind,
     text: &str,
@@ -41,7 +41,7 @@ pub(crate) fn missing(
 }
 
 /// Where the bracket belongs is certain in a block's first part, in an index that is one word, and in a list of
-/// operands without brackets in it. A wider gap behind it may be one between two segments.
+/// operands without brackets in it. A wider gap after it may be one between two segments.
 fn applicability(text: &str, blanks: TextRange, of_list: bool) -> Applicability {
     let inside = text.trim_start_matches(['(', '[', '<']);
     let one_bracket = text.len() - inside.len() == 1;

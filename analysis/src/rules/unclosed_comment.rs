@@ -1,8 +1,8 @@
 //! `unclosed-comment`: a `#` has no partner.
 //!
-//! The `#` that is left over at the end is seldom the wrong one: where one is missing, everything behind it
+//! The `#` that is left over at the end is seldom the wrong one: where one is missing, everything after it
 //! is read the other way round, comments as drawing and drawing as comments. So the finding is at the
-//! first comment that holds a line of drawing, and what is found behind it is not shown.
+//! first comment that holds a line of drawing, and what is found after it is not shown.
 
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
@@ -22,7 +22,7 @@ pub(crate) fn unclosed(parse: &Parse, range: TextRange) -> Diagnostic {
             range,
             "this comment holds lines of drawing: its closing `#` is probably missing",
         )
-        .help("close it behind its text; until then nothing behind this place is checked")
+        .help("close it after its text; until then nothing after this place is checked")
         .related(last, "this `#` is left without a partner"),
         _ => Diagnostic::new(
             RULE,
@@ -43,13 +43,13 @@ fn left_over(parse: &Parse) -> Option<TextRange> {
     Some(open.range + parse.line_start(last))
 }
 
-/// Drops what a comment that is not closed has made of the text behind it.
+/// Drops what a comment that is not closed has made of the text after it.
 pub(crate) fn hide_what_follows(parse: &Parse, diagnostics: &mut Vec<Diagnostic>) {
     let Some(place) = parse.unclosed_comment().map(TextRange::start) else {
         return;
     };
     diagnostics.retain(|d| {
-        // What a name stands for may be behind the place.
+        // What a name stands for may be after the place.
         let needs_the_rest = matches!(
             d.rule,
             super::undeclared_tag::RULE

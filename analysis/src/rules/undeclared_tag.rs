@@ -72,7 +72,7 @@ impl<'c> Undeclaring<'c> {
         did_you_mean::closest(name, declared.iter().map(SmolStr::as_str))
     }
 
-    /// Has a fix add the declaration of a tag. A typing mistake must not make a tag: it is not made unasked.
+    /// Has a fix add the declaration of a tag. A typing error must not make a tag: it is not made unasked.
     fn with_declaration(
         &self,
         found: Diagnostic,
@@ -121,7 +121,7 @@ fn is_clear(context: &Context, tag: &TagFacts, place: &Use) -> bool {
     let value = &bound.facts.operands[place.operand].value;
     let known = match bound.formals[place.operand] {
         Formal::Operand(operand) => {
-            // An expression where none may be is a mistake of its own.
+            // An expression where none may be is an error of its own.
             operand.accepts == Accepts::Expression
                 || !matches!(
                     value.kind,
@@ -141,7 +141,7 @@ fn is_clear(context: &Context, tag: &TagFacts, place: &Use) -> bool {
 fn is_undeclared(tag: &TagFacts, scope: usize) -> bool {
     match tag.origin {
         Origin::Undeclared => true,
-        Origin::Form => scope > 0 && tag.rare.address.is_none(),
+        Origin::Form => scope > 0 && tag.cold.address.is_none(),
         _ => false,
     }
 }
@@ -203,7 +203,7 @@ fn in_body(around: &Undeclaring<'_>, scope: usize, tag: &TagFacts, range: TextRa
     .help("a block sees its own tags and VAR_GLOBAL tags only: declare it in the block");
     if let Some(outside) = context.scopes[0].find(&Name::new(name)) {
         let outside = &context.scopes[0].tags[outside];
-        if !outside.leads_elsewhere() {
+        if !outside.is_alias() {
             found = found.related(
                 context.place_of(outside),
                 "a tag of this name is in the program: the block does not see it",
@@ -228,7 +228,7 @@ fn forgotten(around: &Undeclaring<'_>, tag: &TagFacts, range: TextRange) -> Diag
             range,
             near,
         ),
-        None => found.help("declare it, so that a typing mistake cannot make a new tag"),
+        None => found.help("declare it, so that a typing error cannot make a new tag"),
     };
     declaring(around, found, (0, tag), tag.role)
 }
@@ -298,7 +298,7 @@ fn slip(context: &Context, tag: &TagFacts, near: &NearNames) -> Option<Diagnosti
         place,
         format!("`{}` is here only, and looks like `{other}`", tag.name),
     )
-    .help("a typing mistake makes a new tag: correct it, or declare the tags of the file");
+    .help("a typing error makes a new tag: correct it, or declare the tags of the file");
     let title = format!("Replace with `{other}`");
     Some(found.fix(Applicability::Unsafe, title, place, other.as_str()))
 }

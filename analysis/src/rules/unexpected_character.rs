@@ -16,7 +16,7 @@ pub(crate) const RULE: Rule = Rule(&RuleFacts::new(
 
 pub(crate) fn unexpected(
     place: Surroundings,
-    behind_comment: bool,
+    after_comment: bool,
     text: &str,
     range: TextRange,
 ) -> Diagnostic {
@@ -29,7 +29,7 @@ pub(crate) fn unexpected(
         Surroundings::Declaration => format!("`{shown}` means nothing in a declaration"),
     };
     let found = Diagnostic::new(RULE, range, message);
-    if behind_comment {
+    if after_comment {
         return found.help(
             "the `#` before it ended a comment: a comment ends at the very next `#`, so write 5s and not T#5s in it",
         );
@@ -63,7 +63,7 @@ pub(crate) fn unexpected(
     }
 }
 
-/// What is on a line behind the last part that is read.
+/// What is on a line after the last part that is read.
 pub(crate) fn too_many(range: TextRange) -> Diagnostic {
     let most = Many::Parts.most();
     Diagnostic::new(

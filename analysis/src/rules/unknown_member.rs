@@ -1,4 +1,4 @@
-//! `unknown-member`: the word or number behind a point names no part of the tag.
+//! `unknown-member`: the word or number after a point names no part of the tag.
 
 use crate::findings::article::with_article;
 use crate::findings::diagnostic::{Applicability, Diagnostic};

@@ -19,7 +19,7 @@ pub(crate) const RULE: Rule = Rule(
         .fixed(Applicability::Unsafe),
 );
 
-/// How many connectors of one line are reported: whoever draws more of them without partners knows.
+/// How many connectors of one line are reported: a caller that draws more of them without partners knows.
 const MOST: usize = 10;
 
 /// With this many connectors on a line the columns are compared one by one.
@@ -79,7 +79,7 @@ fn unpaired(context: &Context, line: usize, kind: PartKind, out: &mut Vec<Diagno
         PartKind::Down => rung_below(parse, line),
         _ => rung_above(parse, line),
     };
-    // A mistake in the text may have swallowed the partner.
+    // An error in the text may have swallowed the partner.
     let misread = |line: usize| {
         let foreign = context.foreign_comments().on_line(line).is_some();
         foreign || parse.lines()[line].errors.iter().any(breaks_drawing)
@@ -122,7 +122,7 @@ fn unpaired(context: &Context, line: usize, kind: PartKind, out: &mut Vec<Diagno
                 ))
                 .related(
                     own.range(parse, suspect),
-                    format!("no `{partner_name}` is {} this `{name}`", beside(kind)),
+                    format!("no `{partner_name}` is {} this `{name}`", next_to(kind)),
                 )
         };
         if let Some(rung) = belongs {
@@ -186,14 +186,14 @@ fn message(context: &Context, own: &Side, other: Option<&Side>, ordinal: usize) 
         format!("the {} `{name}` on line {here} has no partner", nth(ordinal + 1))
     };
     let Some(other) = other else {
-        return format!("{which}: there is no rung {} it", beside(own.kind));
+        return format!("{which}: there is no rung {} it", next_to(own.kind));
     };
-    let (partner, beside) = (symbol(other.kind), beside(own.kind));
+    let (partner, next_to) = (symbol(other.kind), next_to(own.kind));
     let there = number(trimmed_line(parse, other.line).start());
     match other.parts.len() {
-        0 => format!("{which}: line {there} {beside} it has no `{partner}`"),
+        0 => format!("{which}: line {there} {next_to} it has no `{partner}`"),
         count => format!(
-            "{which}: line {here} has {} `{name}`, line {there} {beside} it has {count} `{partner}`",
+            "{which}: line {here} has {} `{name}`, line {there} {next_to} it has {count} `{partner}`",
             own.parts.len(),
         ),
     }
@@ -213,7 +213,7 @@ const fn symbol(kind: PartKind) -> &'static str {
     }
 }
 
-const fn beside(kind: PartKind) -> &'static str {
+const fn next_to(kind: PartKind) -> &'static str {
     match kind {
         PartKind::Down => "below",
         _ => "above",

@@ -14,7 +14,7 @@ pub(crate) const RULE: Rule =
 pub(super) fn check(flow: &Flow<'_>, out: &mut Vec<Diagnostic>) {
     let reached = flow.reached();
     for exit in flow.exits.iter().filter(|exit| exit.always && reached[exit.from]) {
-        out.extend(behind_in_network(flow, exit));
+        out.extend(after_in_network(flow, exit));
     }
     let mut exits = flow.exits.iter().peekable();
     let mut always = None;
@@ -35,12 +35,9 @@ pub(super) fn check(flow: &Flow<'_>, out: &mut Vec<Diagnostic>) {
             "no scan ever comes to this rung".to_owned()
         } else {
             let and = if more == 1 { "the network" } else { "the networks" };
-            format!("no scan ever comes to this rung, nor to {more} of {and} behind it")
+            format!("no scan ever comes to this rung, nor to {more} of {and} after it")
         };
-        let message = message.replace(
-            "nor to 1 of the network behind it",
-            "nor to the network behind it",
-        );
+        let message = message.replace("nor to 1 of the network after it", "nor to the network after it");
         let mut found = Diagnostic::new(RULE, range, message)
             .help("put a condition before what leaves above it, mark it with a <LBL> that is jumped to, or remove it");
         if let Some(exit) = always {
@@ -58,10 +55,10 @@ fn always_leaves(flow: &Flow<'_>, exit: &Exit) -> &'static str {
     }
 }
 
-/// What is behind such a block in its own network.
-fn behind_in_network(flow: &Flow<'_>, exit: &Exit) -> Option<Diagnostic> {
+/// What is after such a block in its own network.
+fn after_in_network(flow: &Flow<'_>, exit: &Exit) -> Option<Diagnostic> {
     let network = flow.context.networks.at(flow.networks[exit.from]);
-    let behind = network.order.steps[exit.step + 1..]
+    let after = network.order.steps[exit.step + 1..]
         .iter()
         .find_map(|step| match *step {
             Step::Block { block, .. } => Some(network.block(block)),
@@ -70,10 +67,10 @@ fn behind_in_network(flow: &Flow<'_>, exit: &Exit) -> Option<Diagnostic> {
     Some(
         Diagnostic::new(
             RULE,
-            behind.range(),
+            after.range(),
             format!(
                 "{} never runs: the network is left before it",
-                written_block(flow.context, network.scope, behind)
+                written_block(flow.context, network.scope, after)
             ),
         )
         .help("put it before the block that leaves, or onto a rung of its own above")

@@ -27,7 +27,7 @@ pub(super) fn check(survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
         }
     }
     for (index, function) in context.functions.iter().enumerate() {
-        // A second one of the same name is another mistake.
+        // A second one of the same name is another error.
         let is_called = called.contains(&index) || context.others.call(&function.key);
         if !is_called && context.function(&function.key) == Some(index) {
             let place = if context.others.have_files() {

@@ -1,4 +1,4 @@
-//! One walk over each network's steps, shared by the rules about what is behind what on a wire.
+//! One walk over each network's steps, shared by the rules about what is after what on a wire.
 
 use crate::context::Context;
 use crate::networks::{BlockAt, NetworkAt};

@@ -37,7 +37,7 @@ impl AddressBits {
         })
     }
 
-    /// Whether it ends before another one that is behind it in their order begins, or lies in another area.
+    /// Whether it ends before another one that is after it in their order begins, or lies in another area.
     pub(crate) fn is_above(self, other: AddressBits) -> bool {
         self.area != other.area || self.last.0 < other.first
     }

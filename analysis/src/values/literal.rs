@@ -163,7 +163,7 @@ fn number(text: &str) -> Parsed<Literal> {
     if text.starts_with(|c: char| c.is_ascii_digit()) && text.ends_with(|c: char| c.is_ascii_alphabetic()) {
         return time(text).map(Literal::Time);
     }
-    malformed("this is no number")
+    malformed("this is not a number")
 }
 
 /// The units of a duration, longest first, with their nanoseconds.
@@ -197,11 +197,11 @@ fn time(text: &str) -> Parsed<i64> {
         let number_len = rest
             .find(|c: char| !(c.is_ascii_digit() || c == '.' || c == '_'))
             .unwrap_or(rest.len());
-        let (number, behind) = rest.split_at(number_len);
-        let unit_len = behind
+        let (number, after) = rest.split_at(number_len);
+        let unit_len = after
             .find(|c: char| !c.is_ascii_alphabetic())
-            .unwrap_or(behind.len());
-        let (unit, behind) = behind.split_at(unit_len);
+            .unwrap_or(after.len());
+        let (unit, after) = after.split_at(unit_len);
         let unit = unit.to_ascii_lowercase();
         let Some(index) = UNITS.iter().position(|(name, _)| *name == unit) else {
             return malformed(format!("a duration has the units d h m s ms us ns, not `{unit}`"));
@@ -229,7 +229,7 @@ fn time(text: &str) -> Parsed<i64> {
         {
             let limit = larger / size;
             return malformed(format!(
-                "behind another unit `{unit}` stays below {limit}: only the first part of a duration may be longer"
+                "after another unit `{unit}` stays below {limit}: only the first part of a duration may be longer"
             ));
         }
         total = total.saturating_add(whole.saturating_mul(size));
@@ -247,7 +247,7 @@ fn time(text: &str) -> Parsed<i64> {
             }
             total = total.saturating_add(nanoseconds / parts);
         }
-        rest = match behind.strip_prefix('_') {
+        rest = match after.strip_prefix('_') {
             // Two parts may be held apart by one.
             Some("") => {
                 return malformed(
@@ -255,7 +255,7 @@ fn time(text: &str) -> Parsed<i64> {
                 );
             }
             Some(next) => next,
-            None => behind,
+            None => after,
         };
     }
     let signed = if negative { -total } else { total };
@@ -341,21 +341,21 @@ fn string(text: &str) -> Parsed<Box<[u8]>> {
     let mut rest = text;
     while let Some(at) = rest.find('$') {
         bytes.extend_from_slice(&rest.as_bytes()[..at]);
-        let behind = &rest[at + 1..];
-        let escape = behind.bytes().next().unwrap_or(b' ').to_ascii_uppercase();
+        let after = &rest[at + 1..];
+        let escape = after.bytes().next().unwrap_or(b' ').to_ascii_uppercase();
         let (byte, len) = match escape {
             b'\'' | b'$' => (escape, 1),
             b'L' | b'N' => (b'\n', 1),
             b'R' => (b'\r', 1),
             b'T' => (b'\t', 1),
             b'P' => (0x0c, 1),
-            _ => match behind.get(..2).and_then(|hex| u8::from_str_radix(hex, 16).ok()) {
-                Some(byte) if behind.is_char_boundary(2) => (byte, 2),
-                _ => return malformed("behind `$` comes one of $ ' L N R T P, or two hexadecimal digits"),
+            _ => match after.get(..2).and_then(|hex| u8::from_str_radix(hex, 16).ok()) {
+                Some(byte) if after.is_char_boundary(2) => (byte, 2),
+                _ => return malformed("after `$` comes one of $ ' L N R T P, or two hexadecimal digits"),
             },
         };
         bytes.push(byte);
-        rest = &behind[len..];
+        rest = &after[len..];
     }
     bytes.extend_from_slice(rest.as_bytes());
     Ok(bytes.into())
@@ -493,10 +493,10 @@ mod tests {
                 T#1h30m  Time(5400000000000)
                 T#90m  Time(5400000000000)
                 T#1h59m59s999ms  Time(7199999000000)
-                T#1h90m  malformed: behind another unit `m` stays below 60: only the first part of a duration may be longer
-                T#1d24h  malformed: behind another unit `h` stays below 24: only the first part of a duration may be longer
-                T#2s1000ms  malformed: behind another unit `ms` stays below 1000: only the first part of a duration may be longer
-                T#1h_60m  malformed: behind another unit `m` stays below 60: only the first part of a duration may be longer
+                T#1h90m  malformed: after another unit `m` stays below 60: only the first part of a duration may be longer
+                T#1d24h  malformed: after another unit `h` stays below 24: only the first part of a duration may be longer
+                T#2s1000ms  malformed: after another unit `ms` stays below 1000: only the first part of a duration may be longer
+                T#1h_60m  malformed: after another unit `m` stays below 60: only the first part of a duration may be longer
                 TIME#-250ms  Time(-250000000)
                 T#1.5s  Time(1500000000)
                 T#2d_4h  Time(187200000000000)
@@ -535,7 +535,7 @@ mod tests {
                 'text'  Text([116, 101, 120, 116])
                 'a$'b$$c'  Text([97, 39, 98, 36, 99])
                 '$N$41'  Text([10, 65])
-                '$Q'  malformed: behind `$` comes one of $ ' L N R T P, or two hexadecimal digits
+                '$Q'  malformed: after `$` comes one of $ ' L N R T P, or two hexadecimal digits
                 ''  Text([])
             "]],
         );

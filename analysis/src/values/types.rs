@@ -1,6 +1,6 @@
 //! The types of LANGUAGE §4 and how values pass between them (§5.2).
 
-use ladder_instructions::{Law, StateType, Width};
+use ladder_instructions::{Semantics, StateType, Width};
 use std::fmt;
 
 /// An elementary type.
@@ -85,8 +85,8 @@ impl Scalar {
     }
 
     /// The type of a counter, and of a tag that nothing else types.
-    pub const fn integer_of(law: &Law) -> Scalar {
-        match law.integers {
+    pub const fn integer_of(semantics: &Semantics) -> Scalar {
+        match semantics.integers {
             Width::Bits16 => Scalar::Int,
             Width::Bits32 => Scalar::Dint,
             Width::Bits64 => Scalar::Lint,
@@ -94,8 +94,8 @@ impl Scalar {
     }
 
     /// The type of a real that nothing else types.
-    pub const fn real_of(law: &Law) -> Scalar {
-        match law.reals {
+    pub const fn real_of(semantics: &Semantics) -> Scalar {
+        match semantics.reals {
             Width::Bits64 => Scalar::Lreal,
             _ => Scalar::Real,
         }

@@ -2,7 +2,7 @@
 
 use crate::values::types::Scalar;
 
-/// A value. Its type is beside it: the same `Int` is a DINT, a WORD or a TIME.
+/// A value. Its type is next to it: the same `Int` is a DINT, a WORD or a TIME.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
     /// BOOL.

@@ -259,7 +259,7 @@ fn too_many_operands() {
 }
 
 #[test]
-fn one_mistake_in_an_operand_list_is_reported_once() {
+fn one_error_in_an_operand_list_is_reported_once() {
     check(
         "+--[TON]( t, )--( )( y )--+\n",
         expect![[r#"
@@ -290,7 +290,7 @@ fn one_mistake_in_an_operand_list_is_reported_once() {
         "+--[CALC]( y, a + )--+\n",
         expect![[r#"
             > +--[CALC]( y, a + )--+
-                                ^ error[bad-operand]: a value is missing beside this operator
+                                ^ error[bad-operand]: a value is missing next to this operator
         "#]],
     );
 }

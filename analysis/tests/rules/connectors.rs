@@ -111,7 +111,7 @@ fn in_the_middle_of_three() {
 
 #[test]
 fn no_other_rule_follows() {
-    // Without its partner the branch has no power: that is the same mistake.
+    // Without its partner the branch has no power: that is the same error.
     check(
         "+--[ ]( a )--\\--( )( y )--+\n|                         |\n|            ---( )( z )--+\n",
         expect![[r#"
@@ -159,7 +159,7 @@ fn what_is_drawn_is_completed() {
                   |  --[ ]( run )--/                                                             |
         "#]],
     );
-    // The closing one is forgotten: behind wire, behind a block, too far away.
+    // The closing one is forgotten: after wire, after a block, too far away.
     check(
         "+--\\--[ ]( start )--\\--[/]( stop )--( )( run )--+\n|  /--[ ]( run )----   |\n",
         expect![[r#"

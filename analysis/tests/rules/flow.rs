@@ -13,7 +13,7 @@ fn never_reached() {
                 help: put it before the block that leaves, or onto a rung of its own above
                 at 1:4 `<JMP>( x )`: this always jumps away
             > +--( )( b )--+
-              ^^^^^^^^^^^^^^ warning[unreachable]: no scan ever comes to this rung, nor to the network behind it
+              ^^^^^^^^^^^^^^ warning[unreachable]: no scan ever comes to this rung, nor to the network after it
                 help: put a condition before what leaves above it, mark it with a <LBL> that is jumped to, or remove it
                 at 1:4 `<JMP>( x )`: this always jumps away
         "#]],
@@ -53,7 +53,7 @@ fn never_reached() {
         "#]],
     );
     clean("+--[ ]( SYS.FIRST_SCAN )--<JMP>( x )--+\n\n+--( )( b )--+\n\n+--<LBL>( x )--( )( d )--+\n");
-    // A function is behind the main program's end.
+    // A function is after the main program's end.
     clean(
         "+--<CALL>( f )--+\n\n+--<JMP>( done )--+\n\n+--<LBL>( done )--+\n\n+--<FUN>( f )--( )( y )--<RET>--+\n",
     );
@@ -128,7 +128,7 @@ fn loops() {
         expect![[r#"
         > +--<FOR>( 3 )--+
              ^^^^^^^^^^ error[unbalanced-loop]: this <FOR> has no <NEXT>: nobody can say where the loop ends
-            help: end the loop with <NEXT> on a network of its own behind the rungs that are repeated
+            help: end the loop with <NEXT> on a network of its own after the rungs that are repeated
     "#]],
     );
     check(
@@ -156,7 +156,7 @@ fn loops() {
         expect![[r#"
             > +--<FOR>( 3 )--+
                  ^^^^^^^^^^ error[unbalanced-loop]: this <FOR> has no <NEXT>: nobody can say where the loop ends
-                help: end the loop with <NEXT> on a network of its own behind the rungs that are repeated
+                help: end the loop with <NEXT> on a network of its own after the rungs that are repeated
             > +--<NEXT>--+
                  ^^^^^^ error[unbalanced-loop]: this <NEXT> ends no loop
                 help: begin the loop with <FOR>( n ) on a network before it, or remove it

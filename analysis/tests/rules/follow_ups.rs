@@ -1,4 +1,4 @@
-//! One slip is reported once, whatever it does to what is behind it.
+//! One slip is reported once, whatever it does to what is after it.
 
 use crate::check::{check, clean};
 use expect_test::expect;
@@ -346,7 +346,7 @@ fn comments_of_other_languages() {
         );
         assert_eq!(found(&program), 1, "in:\n{program}");
     }
-    // Behind a rung, and behind a declaration.
+    // After a rung, and after a declaration.
     for comment in ["// a note", "(* a note *)", "; a note", "/* a note */"] {
         let program = format!("+--[ ]( a )--( )( y )--+  {comment}\n");
         assert_eq!(found(&program), 1, "in:\n{program}");

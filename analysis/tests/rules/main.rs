@@ -1,4 +1,4 @@
-//! What each rule finds, says and mends; one table a case.
+//! What each rule finds, says and fixes; one table a case.
 
 mod blocks;
 mod check;

@@ -118,7 +118,7 @@ fn whatever_comes_of_it() {
         let places: Vec<usize> = program.char_indices().map(|(at, _)| at).collect();
         for round in 0..700 {
             let mut text = program.to_owned();
-            // From the back, so that the places stay true; one to three mistakes.
+            // From the back, so that the places stay true; one to three errors.
             let mut at: Vec<usize> = (0..=round % 3).map(|_| places[next(places.len())]).collect();
             at.sort_unstable();
             for at in at.into_iter().rev() {

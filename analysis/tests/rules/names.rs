@@ -17,7 +17,7 @@ fn in_a_file_that_declares() {
                       strat       : BOOL;
             > +--[ ]( strat )--[/]( stop )--( )( run )--+
                                                  ^^^ warning[undeclared-tag]: `run` is not declared
-                help: declare it, so that a typing mistake cannot make a new tag
+                help: declare it, so that a typing error cannot make a new tag
                 fix: Declare `run : BOOL` in VAR_OUTPUT
                   VAR_OUTPUT
                       run : BOOL;
@@ -29,27 +29,27 @@ fn in_a_file_that_declares() {
         expect![[r#"
             > +--[ ]( warm )--[TON]( t, wait )--( )( pump )--+
                       ^^^^ warning[undeclared-tag]: `warm` is not declared
-                help: declare it, so that a typing mistake cannot make a new tag
+                help: declare it, so that a typing error cannot make a new tag
                 fix: Declare `warm : BOOL` in VAR_INPUT
                   VAR_INPUT
                       warm : BOOL;
                   END_VAR
             > +--[ ]( warm )--[TON]( t, wait )--( )( pump )--+
                                         ^^^^ warning[undeclared-tag]: `wait` is not declared
-                help: declare it, so that a typing mistake cannot make a new tag
+                help: declare it, so that a typing error cannot make a new tag
                 fix: Declare `wait : TIME` in VAR
                       t    : TON;
                       wait : TIME;
             > +--[ ]( warm )--[TON]( t, wait )--( )( pump )--+
                                                      ^^^^ warning[undeclared-tag]: `pump` is not declared
-                help: declare it, so that a typing mistake cannot make a new tag
+                help: declare it, so that a typing error cannot make a new tag
                 fix: Declare `pump : BOOL` in VAR_OUTPUT
                   VAR_OUTPUT
                       pump : BOOL;
                   END_VAR
             > +--[ ]( warm )--[MOV]( n, 5 )--+
                                      ^ warning[undeclared-tag]: `n` is not declared
-                help: declare it, so that a typing mistake cannot make a new tag
+                help: declare it, so that a typing error cannot make a new tag
                 fix: Declare `n : DINT` in VAR
                       n : DINT;
         "#]],
@@ -154,13 +154,13 @@ fn slips_in_a_file_without_declarations() {
         expect![[r#"
             > |  /--[ ]( rum )----/                           |
                          ^^^ info[undeclared-tag]: `rum` is here only, and looks like `run`
-                help: a typing mistake makes a new tag: correct it, or declare the tags of the file
+                help: a typing error makes a new tag: correct it, or declare the tags of the file
                 fix: Replace with `run`
                   +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
                   |  /--[ ]( run )----/                                                          |
             > +--[ ]( run )--( )( lamp2 )--( )( lamp1 )--+
                                                 ^^^^^ warning[double-coil]: `lamp1` is written by 2 coils: the last one alone decides
-                help: lead all conditions to one coil, joined with \ and /; or use (S) and (R)
+                help: combine all conditions into one coil, joined with \ and /; or use (S) and (R)
                 at 4:35 `lamp1`: `lamp1` is written here as well
         "#]],
     );
@@ -174,14 +174,14 @@ fn the_new_section_finds_its_place() {
         expect![[r#"
             > +--[ ]( a )--[ ]( b )--[ADD]( c, c, 1 )--+
                                 ^ warning[undeclared-tag]: `b` is not declared
-                help: declare it, so that a typing mistake cannot make a new tag
+                help: declare it, so that a typing error cannot make a new tag
                 fix: Declare `b : BOOL` in VAR_INPUT
                   VAR_INPUT
                       b : BOOL;
                   END_VAR
             > +--[ ]( a )--[ ]( b )--[ADD]( c, c, 1 )--+
                                             ^ warning[undeclared-tag]: `c` is not declared
-                help: declare it, so that a typing mistake cannot make a new tag
+                help: declare it, so that a typing error cannot make a new tag
                 fix: Declare `c : DINT` in VAR
                   VAR
                       a : BOOL;
@@ -195,14 +195,14 @@ fn the_new_section_finds_its_place() {
         expect![[r#"
             > +--[GT]( n, limit )--( )( y )--+
                        ^ warning[undeclared-tag]: `n` is not declared
-                help: declare it, so that a typing mistake cannot make a new tag
+                help: declare it, so that a typing error cannot make a new tag
                 fix: Declare `n : DINT` in VAR
                   VAR
                       n : DINT;
                   END_VAR
             > +--[GT]( n, limit )--( )( y )--+
                                         ^ warning[undeclared-tag]: `y` is not declared
-                help: declare it, so that a typing mistake cannot make a new tag
+                help: declare it, so that a typing error cannot make a new tag
                 fix: Declare `y : BOOL` in VAR_OUTPUT
                   VAR_OUTPUT
                       y : BOOL;
@@ -307,7 +307,7 @@ fn operands_by_name() {
 }
 
 #[test]
-fn a_mistake_in_a_type_is_reported_once() {
+fn a_error_in_a_type_is_reported_once() {
     check(
         "+--[TON]( delay, T#5s )--[ ]( dleay.Q )--[ ]( delay.QU )--( )( y )--+\n",
         expect![[r#"
@@ -366,7 +366,7 @@ fn a_mistake_in_a_type_is_reported_once() {
 }
 
 #[test]
-fn a_mistake_in_a_declaration_brings_no_other() {
+fn a_error_in_a_declaration_brings_no_other() {
     check(
         "VAR\n    a BOOL;\n    b : BOL;\n    n : ARRAY[5..1] OF INT;\nEND_VAR\n\n+--[ ]( a )--[MOV]( n[1], 5 )--( )( b )--+\n",
         expect![[r#"

@@ -1,4 +1,4 @@
-//! Texts that consist of mistakes: each is read in a time that grows with its length. Where a rule compared
+//! Texts that consist of errors: each is read in a time that grows with its length. Where a rule compared
 //! everything with everything, this test would not come to an end.
 
 use ladder_analysis::analyze;
@@ -66,7 +66,7 @@ fn after_very_many_findings_no_more_are_looked_for() {
         .filter(|found| found.rule.name() == "missing-wire")
         .collect();
     assert!(wires.len() < 202_000, "{}", wires.len());
-    // Nobody has looked at the rest: it does not run.
+    // Nobody has checked the rest: it does not run.
     assert!(many.has_errors() && many.program().is_none());
     let help = wires
         .last()

@@ -75,7 +75,7 @@ fn a_coil_before_a_contact_decides_its_value() {
                            ^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what is before it does not
                 help: change one of the conditions; to switch a rung off on purpose use [ ]( SYS.OFF )
             > +--(/)( m )--[ ]( m )--/             |
-                           ^^^^^^^^ warning[contact-after-coil]: [ ]( m ) is behind a coil: whoever looks for it looks left of the coils
+                           ^^^^^^^^ warning[contact-after-coil]: [ ]( m ) is after a coil: readers look for it left of the coils
                 help: draw a branch before the coil: the coil on one line, this contact and what it leads to on the other
                 at 2:4 `(/)( m )`: this is the coil
         "#]],
@@ -207,16 +207,16 @@ fn branches() {
         "+--\\--[ ]( a )--\\--( )( y )--+\n|  /-----------/             |\n",
         expect![[r#"
             > +--\--[ ]( a )--\--( )( y )--+
-                    ^^^^^^^^ warning[shorted-branch]: a bare wire beside [ ]( a ) shorts it: it decides nothing
-                help: put a contact into the wire beside it, or remove the branch
+                    ^^^^^^^^ warning[shorted-branch]: a bare wire next to [ ]( a ) shorts it: it decides nothing
+                help: put a contact into the wire next to it, or remove the branch
         "#]],
     );
     check(
         "+--\\----------------------\\--( )( y )--+\n|  /--[ ]( a )--[ ]( b )--/            |\n",
         expect![[r#"
             > |  /--[ ]( a )--[ ]( b )--/            |
-                    ^^^^^^^^ warning[shorted-branch]: a bare wire beside these contacts shorts them: they decide nothing
-                help: put a contact into the wire beside it, or remove the branch
+                    ^^^^^^^^ warning[shorted-branch]: a bare wire next to these contacts shorts them: they decide nothing
+                help: put a contact into the wire next to it, or remove the branch
                 at 2:17 `[ ]( b )`: this is shorted as well
         "#]],
     );
@@ -252,7 +252,7 @@ fn order() {
                                      ^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what is before it does not
                 help: change one of the conditions; to switch a rung off on purpose use [ ]( SYS.OFF )
             > +--[ ]( a )--( )( y )--[/]( y )--( )( z )--+
-                                     ^^^^^^^^ warning[contact-after-coil]: [/]( y ) is behind a coil: whoever looks for it looks left of the coils
+                                     ^^^^^^^^ warning[contact-after-coil]: [/]( y ) is after a coil: readers look for it left of the coils
                 help: draw a branch before the coil: the coil on one line, this contact and what it leads to on the other
                 at 1:14 `( )( y )`: this is the coil
             > +--[ ]( a )--( )( y )--[/]( y )--( )( z )--+
@@ -349,11 +349,11 @@ fn a_wire_leads_round() {
                 help: put a contact into the wire, or remove what it leads round
                 at 1:31 `\`: the wire joins the line again here
             > |  /--\--[ ]( b )--\--------/            |
-                       ^^^^^^^^ warning[shorted-branch]: a bare wire beside [ ]( b ) shorts it: it decides nothing
-                help: put a contact into the wire beside it, or remove the branch
+                       ^^^^^^^^ warning[shorted-branch]: a bare wire next to [ ]( b ) shorts it: it decides nothing
+                help: put a contact into the wire next to it, or remove the branch
         "#]],
     );
-    // Behind a coil there is the same power.
+    // After a coil there is the same power.
     check(
         "+--[ ]( a )--\\--( )( x )--\\--( )( y )--+\n|            /--[ ]( b )--/            |\n",
         expect![[r#"
@@ -368,8 +368,8 @@ fn a_wire_leads_round() {
         "+--\\----------------------------\\--( )( y )--+\n|  /--[ ]( a )--\\--[ ]( b )----/            |\n|               /------------------( )( z )--+\n",
         expect![[r#"
             > |  /--[ ]( a )--\--[ ]( b )----/            |
-                                 ^^^^^^^^ warning[shorted-branch]: a bare wire beside [ ]( b ) shorts it: it decides nothing
-                help: put a contact into the wire beside it, or remove the branch
+                                 ^^^^^^^^ warning[shorted-branch]: a bare wire next to [ ]( b ) shorts it: it decides nothing
+                help: put a contact into the wire next to it, or remove the branch
         "#]],
     );
     // Power also comes in between: only what the wire leads round is reported.

@@ -10,7 +10,7 @@ fn two_coils() {
         expect![[r#"
             > +--[ ]( b )--( )( y )--+
                                 ^ warning[double-coil]: `y` is written by 2 coils: the last one alone decides
-                help: lead all conditions to one coil, joined with \ and /; or use (S) and (R)
+                help: combine all conditions into one coil, joined with \ and /; or use (S) and (R)
                 at 1:19 `y`: `y` is written here as well
         "#]],
     );
@@ -19,7 +19,7 @@ fn two_coils() {
         expect![[r#"
             > +--[ ]( b )--(/)( Y )--+
                                 ^ warning[double-coil]: `y` is written by 3 coils: the last one alone decides
-                help: lead all conditions to one coil, joined with \ and /; or use (S) and (R)
+                help: combine all conditions into one coil, joined with \ and /; or use (S) and (R)
                 at 1:19 `y`: `y` is written here as well
                 at 5:19 `y`: `y` is written here as well
         "#]],
@@ -29,7 +29,7 @@ fn two_coils() {
         expect![[r#"
         > +--[ ]( a )--( )( y )--( )( y )--+
                                       ^ warning[double-coil]: `y` is written by 2 coils: the last one alone decides
-            help: lead all conditions to one coil, joined with \ and /; or use (S) and (R)
+            help: combine all conditions into one coil, joined with \ and /; or use (S) and (R)
             at 1:19 `y`: `y` is written here as well
     "#]],
     );
@@ -42,11 +42,11 @@ fn two_coils_on_parts_of_a_tag() {
         expect![[r#"
             > +--( )( w.3 )--( )( w.4 )--( )( f[2] )--( )( w.3 )--( )( f[3] )--( )( f[2] )--+
                                                            ^^^ warning[double-coil]: `w.3` is written by 2 coils: the last one alone decides
-                help: lead all conditions to one coil, joined with \ and /; or use (S) and (R)
+                help: combine all conditions into one coil, joined with \ and /; or use (S) and (R)
                 at 6:9 `w.3`: `w.3` is written here as well
             > +--( )( w.3 )--( )( w.4 )--( )( f[2] )--( )( w.3 )--( )( f[3] )--( )( f[2] )--+
                                                                                     ^^^^ warning[double-coil]: `f[2]` is written by 2 coils: the last one alone decides
-                help: lead all conditions to one coil, joined with \ and /; or use (S) and (R)
+                help: combine all conditions into one coil, joined with \ and /; or use (S) and (R)
                 at 6:33 `f[2]`: `f[2]` is written here as well
         "#]],
     );
@@ -100,7 +100,7 @@ fn second_block_on_a_timer() {
                 at 1:21 `c`: the counter `c` belongs to this block
         "#]],
     );
-    // Another type is another mistake.
+    // Another type is another error.
     check(
         "+--[ ]( a )--[TON]( t, T#5s )--( )( x )--+\n\n+--[ ]( b )--[TOF]( t, T#5s )--( )( y )--+\n",
         expect![[r#"
@@ -122,7 +122,7 @@ fn labels() {
         expect![[r#"
             > +--<LBL>( x )--( )( q )--+
                         ^ info[duplicate-label]: the label `x` appears more than once
-                help: a jump takes the nearest label behind it, else the nearest before it
+                help: a jump takes the nearest label after it, else the nearest before it
                 at 3:11 `x`: it is here first
                 at 1:21 `x`: this jump goes to line 3
                 at 5:21 `X`: this jump goes to line 7

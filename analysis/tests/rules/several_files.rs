@@ -26,10 +26,10 @@ END_FUNCTION_BLOCK
             == library.clad
             > +--[ ]( x )--( )( y )--+
                       ^ warning[undeclared-tag]: `x` is not declared
-                help: declare it, so that a typing mistake cannot make a new tag
+                help: declare it, so that a typing error cannot make a new tag
             > +--[ ]( x )--( )( y )--+
                                 ^ warning[undeclared-tag]: `y` is not declared
-                help: declare it, so that a typing mistake cannot make a new tag
+                help: declare it, so that a typing error cannot make a new tag
         "#]],
     );
 }
@@ -49,7 +49,7 @@ VAR_OUTPUT lamp : BOOL; END_VAR
             == main.clad
             > +--[ ]( go )--( )( lamp )--+
                                  ^^^^ warning[undeclared-tag]: `lamp` is not declared
-                help: declare it, so that a typing mistake cannot make a new tag
+                help: declare it, so that a typing error cannot make a new tag
         "#]],
     );
 }

@@ -65,7 +65,7 @@ END_FUNCTION_BLOCK
             == main.clad
             > +--[$B]--( )( y )--+
                             ^ warning[undeclared-tag]: `y` is not declared
-                help: declare it, so that a typing mistake cannot make a new tag
+                help: declare it, so that a typing error cannot make a new tag
             > +--[ ]( seen )--[ ]( hidden )--( )( ENO )--+
                                    ^^^^^^ error[undeclared-tag]: `hidden` is not declared in the block `$B`
                 help: a block sees its own tags and VAR_GLOBAL tags only: declare it in the block

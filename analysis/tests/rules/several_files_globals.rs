@@ -156,14 +156,14 @@ VAR x, y : BOOL; END_VAR
             == a.clad
             > +--[ ]( x )--[TON]( t1, T#1s )--( )( y )--+
                       ^ warning[undeclared-tag]: `x` is not declared
-                help: declare it, so that a typing mistake cannot make a new tag
+                help: declare it, so that a typing error cannot make a new tag
             > +--[ ]( x )--[TON]( t1, T#1s )--( )( y )--+
                                   ^^ error[duplicate-timer]: the timer `t1` has another block in b.clad: both would work on one TON
                 help: give one of the blocks a timer of its own; to use the timer elsewhere read `t1.Q`
                 at b.clad:1:21 `t1`: this is the other block
             > +--[ ]( x )--[TON]( t1, T#1s )--( )( y )--+
                                                    ^ warning[undeclared-tag]: `y` is not declared
-                help: declare it, so that a typing mistake cannot make a new tag
+                help: declare it, so that a typing error cannot make a new tag
             == b.clad
             > +--[ ]( x )--[TON]( t1, T#1s )--( )( y )--+
                                   ^^ error[duplicate-timer]: the timer `t1` has another block in a.clad: both would work on one TON

@@ -93,7 +93,7 @@ fn an_error_that_is_hidden_still_keeps_the_program_from_running() {
 }
 
 #[test]
-fn a_comment_speaks_of_what_stands_next() {
+fn a_comment_speaks_of_what_is_next() {
     // The finding is at the second coil.
     check(
         "+--[ ]( a )--( )( y )--+\n\n# ladder: allow(double-coil): two modes #\n\n+--[ ]( b )--( )( y )--+\n",
@@ -175,8 +175,8 @@ fn comments_that_the_tools_do_not_understand() {
         (
             "profile iec #\n# ladder: cycle 5ms #  # ladder: profile click #\n\n# ladder: cycle 5ms",
             expect![[r#"
-                2 warning bad-directive: `profile` stands on line 1 already, and the first one counts: this changes nothing <# ladder: profile click #>
-                4 warning bad-directive: `cycle` stands on line 2 already, and the first one counts: this changes nothing <# ladder: cycle 5ms #>
+                2 warning bad-directive: `profile` is on line 1 already, and the first one counts: this changes nothing <# ladder: profile click #>
+                4 warning bad-directive: `cycle` is on line 2 already, and the first one counts: this changes nothing <# ladder: cycle 5ms #>
                 6 warning double-coil: `y` is written by 2 coils: the last one alone decides <y>
             "#]],
         ),
@@ -251,7 +251,7 @@ fn a_comment_that_hides_what_is_not_looked_for_is_no_finding() {
         found("+--[ ]( I2 )--( )( out )--+"),
         ["suppression-unused", "suppression-unused"]
     );
-    // Which of the two it is about: `double-coil` does not wait for the mistake to go.
+    // Which of the two it is about: `double-coil` does not wait for the error to go.
     assert_eq!(
         found("+--[ ]( I2 )--( )("),
         ["suppression-unused", "unclosed-block"]

@@ -75,7 +75,7 @@ fn read_and_written() {
                   ^ info[never-written]: the output `y` is never written: it stays off
                 help: write it with a coil or another block, or remove its declaration
             > +--[ ]( a )--( )( ENO )--(R)( a )--+
-                                            ^ warning[input-written]: `a` is an input of the block, and is written here: its caller gives it anew each time the block runs
+                                            ^ warning[input-written]: `a` is an input of the block, and is written here: its caller gives it again each time the block runs
                 help: write a tag of its own, and read that instead of the input where it is needed
                 at 3:5 `a`: `a` is declared as an input here
         "#]],
@@ -97,7 +97,7 @@ fn inputs() {
                 at 6:30 `a`: `a` is written here as well
                 at 2:5 `a`: `a` is declared as an input here
             > +--[ ]( a )--( )( b )--(S)( a )--( )( I1 )--( )( %IX0.1 )--+
-                                               ^^^^^^^^^ info[latched-power]: ( )( I1 ) is behind (S): its power is `a`, and stays on when the rung before goes off
+                                               ^^^^^^^^^ info[latched-power]: ( )( I1 ) is after (S): its power is `a`, and stays on when the rung before goes off
                 help: if that is meant, keep it; else draw a branch before the set coil
                 at 5:24 `(S)( a )`: the set coil
             > +--[ ]( a )--( )( b )--(S)( a )--( )( I1 )--( )( %IX0.1 )--+
@@ -180,7 +180,7 @@ fn one_scan_late() {
                 at 3:21 `t`: `t` is written here
         "#]],
     );
-    // A circle: somebody has to be late.
+    // A circle: a user has to be late.
     clean_program("+--[ ]( a )--[/]( y )--( )( x )--+\n\n+--[ ]( x )--[TON]( t, T#5s )--( )( y )--+\n");
     // An edge by hand.
     clean_program("+--[ ]( a )--[/]( before )--( )( rose )--+\n\n+--[ ]( a )--( )( before )--+\n");
@@ -271,13 +271,13 @@ fn names_of_one_address_are_one_tag() {
                 help: reset it with (R)( kept ); or write ( )( kept ) if it should follow the power
             > +--[ ]( I2 )--( )( flag )--[ ]( %mx0.00 )--(S)( held )--+
                                  ^^^^ warning[double-coil]: `%MX0.0` is written by 2 coils: the last one alone decides
-                help: lead all conditions to one coil, joined with \ and /; or use (S) and (R)
+                help: combine all conditions into one coil, joined with \ and /; or use (S) and (R)
                 at 5:20 `mark`: `%MX0.0` is written here as well
             > +--[ ]( I2 )--( )( flag )--[ ]( %mx0.00 )--(S)( held )--+
                                          ^^^^^^^^^^^^^^ warning[redundant-element]: [ ]( %mx0.00 ) changes nothing here
                 help: a wire in its place does the same: remove it, or correct the tag that was meant
             > +--[ ]( I2 )--( )( flag )--[ ]( %mx0.00 )--(S)( held )--+
-                                         ^^^^^^^^^^^^^^ warning[contact-after-coil]: [ ]( %mx0.00 ) is behind a coil: whoever looks for it looks left of the coils
+                                         ^^^^^^^^^^^^^^ warning[contact-after-coil]: [ ]( %mx0.00 ) is after a coil: readers look for it left of the coils
                 help: draw a branch before the coil: the coil on one line, this contact and what it leads to on the other
                 at 7:15 `( )( flag )`: this is the coil
             > +--[ ]( I2 )--( )( flag )--[ ]( %mx0.00 )--(S)( held )--+
@@ -301,11 +301,11 @@ fn names_of_one_address_are_one_tag() {
                                               ^^^^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what is before it does not
                 help: change one of the conditions; to switch a rung off on purpose use [ ]( SYS.OFF )
             > +--[/]( flag )--(S)( mark )--\--[/]( flag )--( )( Q2 )--+
-                                              ^^^^^^^^^^^ warning[contact-after-coil]: [/]( flag ) is behind a coil: whoever looks for it looks left of the coils
+                                              ^^^^^^^^^^^ warning[contact-after-coil]: [/]( flag ) is after a coil: readers look for it left of the coils
                 help: draw a branch before the coil: the coil on one line, this contact and what it leads to on the other
                 at 6:17 `(S)( mark )`: this is the coil
             > +--[/]( flag )--(S)( mark )--\--[/]( flag )--( )( Q2 )--+
-                                              ^^^^^^^^^^^ info[latched-power]: [/]( flag ) is behind (S): its power is `mark`, and stays on when the rung before goes off
+                                              ^^^^^^^^^^^ info[latched-power]: [/]( flag ) is after (S): its power is `mark`, and stays on when the rung before goes off
                 help: if that is meant, keep it; else draw a branch before the set coil
                 at 6:17 `(S)( mark )`: the set coil
             > +--[/]( flag )--(S)( mark )--\--[/]( flag )--( )( Q2 )--+
@@ -338,7 +338,7 @@ fn names_of_one_address_agree() {
                 at 2:5 `level`: `level` is declared here
             > +--[GT]( level, 1.0 )--( )( y )--+
                                           ^ warning[undeclared-tag]: `y` is not declared
-                help: declare it, so that a typing mistake cannot make a new tag
+                help: declare it, so that a typing error cannot make a new tag
                 fix: Declare `y : BOOL` in VAR_OUTPUT
                   VAR_OUTPUT
                       y : BOOL;
@@ -371,11 +371,11 @@ fn what_is_given_has_no_address() {
             >     total AT %MW3 : INT;
                            ^^^^ error[bad-declaration]: VAR_EXTERNAL names a global that is declared elsewhere, with its address: take AT away
             > VAR_INPUT p AT %IX0.0 : BOOL; END_VAR
-                             ^^^^^^ error[bad-declaration]: an operand of a block is given where the block stands: take AT away, or declare the tag in VAR
+                             ^^^^^^ error[bad-declaration]: an operand of a block is given where the block is: take AT away, or declare the tag in VAR
             > VAR_OUTPUT r AT %QX0.1 : BOOL; END_VAR
-                              ^^^^^^ error[bad-declaration]: an operand of a block is given where the block stands: take AT away, or declare the tag in VAR
+                              ^^^^^^ error[bad-declaration]: an operand of a block is given where the block is: take AT away, or declare the tag in VAR
             > VAR_IN_OUT q AT %QX0.0 : BOOL; END_VAR
-                              ^^^^^^ error[bad-declaration]: an operand of a block is given where the block stands: take AT away, or declare the tag in VAR
+                              ^^^^^^ error[bad-declaration]: an operand of a block is given where the block is: take AT away, or declare the tag in VAR
         "#]],
     );
 }

@@ -152,11 +152,11 @@ fn comment_that_is_not_closed() {
         expect![[r#"
             > # start
               ^ error[unclosed-comment]: this comment holds lines of drawing: its closing `#` is probably missing
-                help: close it behind its text; until then nothing behind this place is checked
+                help: close it after its text; until then nothing after this place is checked
                 at 3:8 `#`: this `#` is left without a partner
         "#]],
     );
-    // What is before is still found; what a name means may be behind.
+    // What is before is still found; what a name means may be after.
     check(
         "+--[TOM]( t, 5s )--<JMP>( there )--+\n# mark\n+--<LBL>( there )--( )( y )--+\n",
         expect![[r#"
@@ -309,8 +309,8 @@ fn blocks_that_touch() {
         expect![[r#"
             > +--[ ]( a )--[OSR]( )( y )--+
                                 ^^^^^^^^ error[missing-wire]: [OSR] takes the next parentheses as its operands: the wire between them is missing
-                help: [OSR] has no operands: keep a `-` behind it
-                safe fix: Insert wire behind [OSR]
+                help: [OSR] has no operands: keep a `-` after it
+                safe fix: Insert wire after [OSR]
                   +--[ ]( a )--[OSR]---------------------------------------------------( )( y )--+
         "#]],
     );
@@ -319,8 +319,8 @@ fn blocks_that_touch() {
         expect![[r#"
             > +--[ ]( a )--[NOT] (S)( y )--+
                                  ^^^^^^^^ error[missing-wire]: [NOT] takes the next parentheses as its operands: the wire between them is missing
-                help: [NOT] has no operands: keep a `-` behind it
-                safe fix: Insert wire behind [NOT]
+                help: [NOT] has no operands: keep a `-` after it
+                safe fix: Insert wire after [NOT]
                   +--[ ]( a )--[NOT]---------------------------------------------------(S)( y )--+
         "#]],
     );
@@ -357,10 +357,10 @@ fn declarations_that_cannot_be_read() {
                 help: bounds are written ARRAY[1..10] OF INT, lengths STRING[80]
             >     b AT : BOOL;
                        ^ error[bad-declaration]: expected an address, found `:`
-                help: behind AT comes an address such as %IX0.0, %QW1 or %MD2
+                help: after AT comes an address such as %IX0.0, %QW1 or %MD2
             >     c : INT := ;
                              ^ error[bad-declaration]: expected a value, found `;`
-                help: behind `:=` comes the value at the start: limit : INT := 80;
+                help: after `:=` comes the value at the start: limit : INT := 80;
         "#]],
     );
     check(

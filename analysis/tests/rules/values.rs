@@ -1,4 +1,4 @@
-//! What single blocks are given: numbers, durations, spellings; and what is behind what.
+//! What single blocks are given: numbers, durations, spellings; and what is after what.
 
 use crate::check::{check, check_program, clean};
 use expect_test::expect;
@@ -128,12 +128,12 @@ fn spellings() {
 }
 
 #[test]
-fn behind_coils() {
+fn after_coils() {
     check(
         "+--[ ]( a )--( )( y )--[ ]( b )--( )( z )--[ ]( c )--( )( q )--+\n",
         expect![[r#"
             > +--[ ]( a )--( )( y )--[ ]( b )--( )( z )--[ ]( c )--( )( q )--+
-                                     ^^^^^^^^ warning[contact-after-coil]: [ ]( b ) is behind a coil: whoever looks for it looks left of the coils
+                                     ^^^^^^^^ warning[contact-after-coil]: [ ]( b ) is after a coil: readers look for it left of the coils
                 help: draw a branch before the coil: the coil on one line, this contact and what it leads to on the other
                 at 1:14 `( )( y )`: this is the coil
         "#]],
@@ -142,7 +142,7 @@ fn behind_coils() {
         "+--[ ]( a )--(S)( y )--[TON]( t, T#5s )--( )( z )--+\n",
         expect![[r#"
             > +--[ ]( a )--(S)( y )--[TON]( t, T#5s )--( )( z )--+
-                                     ^^^^^^^^^^^^^^^^ info[latched-power]: [TON]( t, T#5s ) is behind (S): its power is `y`, and stays on when the rung before goes off
+                                     ^^^^^^^^^^^^^^^^ info[latched-power]: [TON]( t, T#5s ) is after (S): its power is `y`, and stays on when the rung before goes off
                 help: if that is meant, keep it; else draw a branch before the set coil
                 at 1:14 `(S)( y )`: the set coil
         "#]],
@@ -152,7 +152,7 @@ fn behind_coils() {
         "VAR i : INT; t : ARRAY[1..3] OF INT; END_VAR\n+--(S)( Q1 )--[search]( i, eq, 5, t[1..3], FOUND => Q2 )--+\n",
         expect![[r#"
             > +--(S)( Q1 )--[search]( i, eq, 5, t[1..3], FOUND => Q2 )--+
-                            ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ info[latched-power]: [SEARCH]( i, EQ, 5, t[1..3], Q2 ) is behind (S): its power is `Q1`, and stays on when the rung before goes off
+                            ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ info[latched-power]: [SEARCH]( i, EQ, 5, t[1..3], Q2 ) is after (S): its power is `Q1`, and stays on when the rung before goes off
                 help: if that is meant, keep it; else draw a branch before the set coil
                 at 2:4 `(S)( Q1 )`: the set coil
         "#]],
@@ -168,16 +168,16 @@ fn dead_ends() {
         "+--\\--[ ]( a )--( )( y )--+\n|  /--[ ]( b )--[ ]( c )--+\n",
         expect![[r#"
             > |  /--[ ]( b )--[ ]( c )--+
-                    ^^^^^^^^ warning[dead-end]: the power of [ ]( b ) goes nowhere: nothing that acts is behind it
-                help: put a coil or another block behind it, join the line to another with \ and /, or remove it
+                    ^^^^^^^^ warning[dead-end]: the power of [ ]( b ) goes nowhere: nothing that acts is after it
+                help: put a coil or another block after it, join the line to another with \ and /, or remove it
         "#]],
     );
     check(
         "+--[ ]( a )--( )( y )--[ ]( b )--+\n",
         expect![[r#"
             > +--[ ]( a )--( )( y )--[ ]( b )--+
-                                     ^^^^^^^^ warning[dead-end]: the power of [ ]( b ) goes nowhere: nothing that acts is behind it
-                help: put a coil or another block behind it, join the line to another with \ and /, or remove it
+                                     ^^^^^^^^ warning[dead-end]: the power of [ ]( b ) goes nowhere: nothing that acts is after it
+                help: put a coil or another block after it, join the line to another with \ and /, or remove it
         "#]],
     );
     check(
@@ -241,7 +241,7 @@ fn the_next_of_a_search_needs_an_index_that_is_free() {
         &search(-1),
         expect![[r#"
         > +--[SEARCH]( y, EQ, 1.0, r[1..3], NEXT := n )--+
-                                            ^^^^^^^^^ error[bad-operand]: `r` begins at -1: NEXT goes on behind the index in the result, where -1 says that nothing was found
+                                            ^^^^^^^^^ error[bad-operand]: `r` begins at -1: NEXT goes on after the index in the result, where -1 says that nothing was found
             help: let the array begin at 0 or 1
     "#]],
     );
@@ -362,7 +362,7 @@ fn what_a_profile_takes() {
                 help: its timers and counters are [TON] [TOF] [RTO] [CTU] [CTD] [CTC]
             > +--[CTU]( c, 2 )--[CTD]( c, 1 )--[MOV]( c.CV, 3 )--[MOV]( t.ET, 2 )--[TON]( t, 1s )--[TP]( p, 1s )--( )( y )--+
                                                                                                          ^ warning[undeclared-tag]: `p` is not declared
-                help: declare it, so that a typing mistake cannot make a new tag
+                help: declare it, so that a typing error cannot make a new tag
                 fix: Declare `p : TP` in VAR
                   VAR
                       c : CTU;
@@ -371,7 +371,7 @@ fn what_a_profile_takes() {
                   END_VAR
             > +--[CTU]( c, 2 )--[CTD]( c, 1 )--[MOV]( c.CV, 3 )--[MOV]( t.ET, 2 )--[TON]( t, 1s )--[TP]( p, 1s )--( )( y )--+
                                                                                                                        ^ warning[undeclared-tag]: `y` is not declared
-                help: declare it, so that a typing mistake cannot make a new tag
+                help: declare it, so that a typing error cannot make a new tag
                 fix: Declare `y : BOOL` in VAR_OUTPUT
                   VAR_OUTPUT
                       y : BOOL;
@@ -382,12 +382,12 @@ fn what_a_profile_takes() {
         "# ladder: profile iot #\nVAR c : CTU; END_VAR\n+--[ ]( MI01 )--[AND]( Q1, c.AC, 4 )--[ADD]( MF01, I1, 0.5 )--( )( MI02 )--[EQ]( I1, 1 )--( )( y )--+\n",
         expect![[r#"
             > +--[ ]( MI01 )--[AND]( Q1, c.AC, 4 )--[ADD]( MF01, I1, 0.5 )--( )( MI02 )--[EQ]( I1, 1 )--( )( y )--+
-                                                                                         ^^^^^^^^^^^^^ warning[contact-after-coil]: [EQ]( I1, 1 ) is behind a coil: whoever looks for it looks left of the coils
+                                                                                         ^^^^^^^^^^^^^ warning[contact-after-coil]: [EQ]( I1, 1 ) is after a coil: readers look for it left of the coils
                 help: draw a branch before the coil: the coil on one line, this contact and what it leads to on the other
                 at 3:63 `( )( MI02 )`: this is the coil
             > +--[ ]( MI01 )--[AND]( Q1, c.AC, 4 )--[ADD]( MF01, I1, 0.5 )--( )( MI02 )--[EQ]( I1, 1 )--( )( y )--+
                                                                                                              ^ warning[undeclared-tag]: `y` is not declared
-                help: declare it, so that a typing mistake cannot make a new tag
+                help: declare it, so that a typing error cannot make a new tag
                 fix: Declare `y : BOOL` in VAR_OUTPUT
                   VAR_OUTPUT
                       y : BOOL;

@@ -9,7 +9,7 @@ fn blank_cuts_the_wire() {
         "+--[ ]( a )--  --( )( y )--+\n",
         expect![[r#"
             > +--[ ]( a )--  --( )( y )--+
-                           ^^ error[open-wire]: the wire is cut here: no power can reach what is behind
+                           ^^ error[open-wire]: the wire is cut here: no power can reach what is after
                 help: a blank or a `|` breaks a wire: draw it through with `-`
                 fix: Join the wire
                   +--[ ]( a )----------------------------------------------------------( )( y )--+
@@ -19,7 +19,7 @@ fn blank_cuts_the_wire() {
         "+--[ ]( a )-- | --( )( y )--+\n",
         expect![[r#"
             > +--[ ]( a )-- | --( )( y )--+
-                           ^^^ error[open-wire]: the wire is cut here: no power can reach what is behind
+                           ^^^ error[open-wire]: the wire is cut here: no power can reach what is after
                 help: a blank or a `|` breaks a wire: draw it through with `-`
                 fix: Join the wire
                   +--[ ]( a )----------------------------------------------------------( )( y )--+
@@ -29,7 +29,7 @@ fn blank_cuts_the_wire() {
         "+--[ ]( a )-- # oil # --( )( y )--+\n",
         expect![[r#"
             > +--[ ]( a )-- # oil # --( )( y )--+
-                           ^^^^^^^^^ error[open-wire]: the wire is cut here: no power can reach what is behind
+                           ^^^^^^^^^ error[open-wire]: the wire is cut here: no power can reach what is after
                 help: a blank or a `|` breaks a wire: draw it through with `-`
                 fix: Join the wire
                   +--[ ]( a )--# oil #-------------------------------------------------( )( y )--+
@@ -39,7 +39,7 @@ fn blank_cuts_the_wire() {
         "+--[ ]( a )--( )( y ) +\n",
         expect![[r#"
             > +--[ ]( a )--( )( y ) +
-                                   ^ error[open-wire]: the wire is cut here: no power can reach what is behind
+                                   ^ error[open-wire]: the wire is cut here: no power can reach what is after
                 help: a blank or a `|` breaks a wire: draw it through with `-`
                 safe fix: Join the wire
                   +--[ ]( a )----------------------------------------------------------( )( y )--+
@@ -49,7 +49,7 @@ fn blank_cuts_the_wire() {
         "+--\\--[ ]( a )--\\-----( )( y )--+\n|  /-- [ ]( b )--/            |\n",
         expect![[r#"
             > |  /-- [ ]( b )--/            |
-                    ^ error[open-wire]: the wire is cut here: no power can reach what is behind
+                    ^ error[open-wire]: the wire is cut here: no power can reach what is after
                 help: a blank or a `|` breaks a wire: draw it through with `-`
                 safe fix: Join the wire
                   +--\--[ ]( a )--\----------------------------------------------------( )( y )--+
@@ -149,7 +149,7 @@ fn pair_that_nothing_feeds() {
         "+--[ ]( a )-- \\--( )( y )--+\n|             /--( )( z )--+\n",
         expect![[r#"
             > +--[ ]( a )-- \--( )( y )--+
-                           ^ error[open-wire]: the wire is cut here: no power can reach what is behind
+                           ^ error[open-wire]: the wire is cut here: no power can reach what is after
                 help: a blank or a `|` breaks a wire: draw it through with `-`
                 fix: Join the wire
                   +--[ ]( a )--\-------------------------------------------------------( )( y )--+
@@ -160,12 +160,12 @@ fn pair_that_nothing_feeds() {
 
 #[test]
 fn one_loss_is_reported_once() {
-    // All three lines are dead behind the cut.
+    // All three lines are dead after the cut.
     check(
         "+--[ ]( a )--  --\\--( )( x )--+\n|                /--\\--( )( y )--+\n|                   /--( )( z )--+\n",
         expect![[r#"
             > +--[ ]( a )--  --\--( )( x )--+
-                           ^^ error[open-wire]: the wire is cut here: no power can reach what is behind
+                           ^^ error[open-wire]: the wire is cut here: no power can reach what is after
                 help: a blank or a `|` breaks a wire: draw it through with `-`
                 fix: Join the wire
                   +--[ ]( a )--\-------------------------------------------------------( )( x )--+
@@ -173,7 +173,7 @@ fn one_loss_is_reported_once() {
                   |               /----------------------------------------------------( )( z )--+
         "#]],
     );
-    // The bar cuts the wire as well: one mistake.
+    // The bar cuts the wire as well: one error.
     check(
         "+--[ ]( a )--|--( )( y )--+\n",
         expect![[r#"

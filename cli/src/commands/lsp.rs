@@ -20,7 +20,7 @@ Exit status: 0 the editor said goodbye before it left, 1 it did not, 2 the argum
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
-    /// Record what the editor sends in this file, with its times: the best report of a mistake in the server
+    /// Record what the editor sends in this file, with its times: the best report of an error in the server
     #[arg(long, value_name = "FILE", conflicts_with = "replay")]
     mirror: Option<PathBuf>,
 

@@ -126,17 +126,17 @@ fn sections(below: &str) -> Roff {
         let heading = ["Examples:", "Exit status:"]
             .into_iter()
             .find_map(|heading| Some((heading, line.strip_prefix(heading)?)));
-        if let Some((heading, behind)) = heading {
+        if let Some((heading, after)) = heading {
             if open {
                 roff.control("fi", []);
             }
             roff.control("SH", [heading.trim_end_matches(':').to_uppercase().as_str()]);
             // Examples are shown as they are typed; a sentence is filled.
-            open = behind.is_empty();
+            open = after.is_empty();
             if open {
                 roff.control("nf", []);
             } else {
-                roff.text([roman(behind.trim())]);
+                roff.text([roman(after.trim())]);
             }
         } else if !line.is_empty() || !open {
             roff.text([roman(line)]);

@@ -17,7 +17,7 @@ Exit status: 0 fine, 2 the file cannot be read.";
 
 /// Print the syntax tree of a program
 ///
-/// One line for each node and token, with its range in bytes; the mistakes that the parser found are behind
+/// One line for each node and token, with its range in bytes; the errors that the parser found are after
 /// the tree. Every text has a tree, so the exit status is 0 whatever the text holds.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]

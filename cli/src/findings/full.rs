@@ -14,7 +14,7 @@ use std::ops::Range;
 /// Related places at most this many lines away are shown in one excerpt with the finding's own place.
 const NEAR: usize = 8;
 
-/// A finding with its excerpt, without a line end behind it.
+/// A finding with its excerpt, without a line end after it.
 pub(crate) fn render(source: &Source, finding: &Diagnostic, renderer: &Renderer) -> String {
     let title = level(finding.severity)
         .primary_title(shown::line(&finding.message))
@@ -145,7 +145,7 @@ pub(super) struct Excerpt<'a> {
     text: Cow<'a, str>,
     start: TextSize,
     first_line: usize,
-    /// How many bytes longer than the source the text has become, behind each character that is written out.
+    /// How many bytes longer than the source the text has become, after each character that is written out.
     grown: Vec<(usize, usize)>,
 }
 
@@ -199,8 +199,8 @@ fn written_out(text: Cow<'_, str>) -> (Cow<'_, str>, Vec<(usize, usize)>) {
     while let Some((at, c)) = rest.next() {
         if shown::is_obeyed_in_text(c, rest.clone().next().map(|(_, next)| next)) {
             out.push_str(&shown::escape(c));
-            let behind = at + c.len_utf8();
-            grown.push((behind, out.len() - behind));
+            let after = at + c.len_utf8();
+            grown.push((after, out.len() - after));
         } else {
             out.push(c);
         }

@@ -20,7 +20,7 @@ pub(crate) struct Finding<'a> {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     related: Vec<RelatedPlace<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    fix: Option<Mend<'a>>,
+    fix: Option<Fixing<'a>>,
 }
 
 #[derive(Serialize)]
@@ -32,7 +32,7 @@ struct RelatedPlace<'a> {
 }
 
 #[derive(Serialize)]
-struct Mend<'a> {
+struct Fixing<'a> {
     title: &'a str,
     applicability: &'static str,
     edits: Vec<Change<'a>>,
@@ -59,7 +59,7 @@ impl<'a> Finding<'a> {
                 .iter()
                 .map(|place| related(source, place))
                 .collect(),
-            fix: finding.fixes.first().map(|fix| mend(source, fix)),
+            fix: finding.fixes.first().map(|it| fix(source, it)),
         }
     }
 }
@@ -80,8 +80,8 @@ fn related<'a>(source: &'a Source, other: &'a Related) -> RelatedPlace<'a> {
     }
 }
 
-fn mend<'a>(source: &Source, fix: &'a Fix) -> Mend<'a> {
-    Mend {
+fn fix<'a>(source: &Source, fix: &'a Fix) -> Fixing<'a> {
+    Fixing {
         title: &fix.title,
         applicability: fix.applicability.name(),
         edits: fix

@@ -4,10 +4,10 @@ pub(crate) mod concise;
 pub(crate) mod full;
 pub(crate) mod github;
 pub(crate) mod json;
-mod mistake;
 mod place;
 mod problem;
 pub(crate) mod sarif;
+mod scenario_error;
 mod source;
 mod workspaces;
 

@@ -4,7 +4,7 @@ use super::source::Source;
 use ladder_syntax::TextRange;
 use serde::Serialize;
 
-/// Lines and columns from 1, columns in characters; the end is behind the last character.
+/// Lines and columns from 1, columns in characters; the end is after the last character.
 #[derive(Serialize)]
 pub(super) struct LineColumnRange {
     pub(super) line: u32,

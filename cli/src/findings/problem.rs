@@ -1,14 +1,14 @@
-//! What is wrong beside the findings of the rules: a mistake in a file of scenarios, a remark on a program of another
+//! What is wrong next to the findings of the rules: an error in a file of scenarios, a remark on a program of another
 //! system, or a file that cannot be read.
 
 use super::github::{self, data, property};
 use super::source::Source;
-use super::{full, mistake, sarif};
+use super::{full, sarif, scenario_error};
 use crate::outcome::Outcome;
 use annotate_snippets::Renderer;
 use ladder_analysis::Severity;
 use ladder_notations::Mark;
-use ladder_simulator::scenario::Mistake;
+use ladder_simulator::scenario::ScenarioError;
 use ladder_syntax::TextRange;
 use ladder_workspace::shown;
 use serde::Serialize;
@@ -49,7 +49,7 @@ impl FileRange {
     }
 }
 
-/// What is wrong beside the findings of the rules. As JSON it has the members of a finding.
+/// What is wrong next to the findings of the rules. As JSON it has the members of a finding.
 #[derive(Serialize)]
 pub(crate) struct Problem {
     #[serde(flatten)]
@@ -70,15 +70,15 @@ pub(crate) struct Problem {
 }
 
 impl Problem {
-    /// A mistake in a scenario file.
-    pub(crate) fn of(source: &Source, found: &Mistake, renderer: &Renderer) -> Problem {
+    /// An error in a scenario file.
+    pub(crate) fn of(source: &Source, found: &ScenarioError, renderer: &Renderer) -> Problem {
         Problem {
             place: FileRange::of(source, found.range),
-            rule: mistake::NAME,
+            rule: scenario_error::NAME,
             severity: Severity::Error,
             message: found.message.clone(),
             help: found.help.clone(),
-            shown: mistake::render(source, found, renderer),
+            shown: scenario_error::render(source, found, renderer),
             outcome: Outcome::Findings,
         }
     }
@@ -104,7 +104,7 @@ impl Problem {
         let message = error.to_string();
         Problem {
             place,
-            rule: mistake::NAME,
+            rule: scenario_error::NAME,
             severity: Severity::Error,
             shown: format!("error: {}", shown::line(&message)),
             message,

@@ -66,13 +66,13 @@ pub(crate) fn result(source: &Source, finding: &Diagnostic) -> Value {
         });
         result["relatedLocations"] = related.collect();
     }
-    if let Some(fix) = finding.fixes.first() {
-        result["fixes"] = json!([mend(source, fix)]);
+    if let Some(found) = finding.fixes.first() {
+        result["fixes"] = json!([fix(source, found)]);
     }
     result
 }
 
-fn mend(source: &Source, fix: &Fix) -> Value {
+fn fix(source: &Source, fix: &Fix) -> Value {
     let replacements = fix.edits.iter().map(|edit| {
         json!({
             "deletedRegion": region(source, edit.range),

@@ -101,7 +101,7 @@ impl Source {
             };
             match workspace.program_at(Path::new(&self.file)) {
                 Some(program) if program.text == self.text => workspace.analysis(program),
-                // Mended, or changed since it was read.
+                // Fixed, or changed since it was read.
                 Some(program) => workspace.analyze_guest(&self.text, &program.name),
                 None => workspace.analyze_guest(&self.text, &self.file),
             }
@@ -127,7 +127,7 @@ impl Source {
         self.in_file(self.analyze().diagnostics().to_vec())
     }
 
-    /// What keeps the program from being run, beside the remarks, with its places in the file.
+    /// What keeps the program from being run, next to the remarks, with its places in the file.
     pub(crate) fn errors(&self) -> Vec<Diagnostic> {
         self.in_file(self.analyze().errors().cloned().collect())
     }
@@ -234,14 +234,14 @@ impl Source {
     }
 
     /// The whole lines of the file that a range touches, and the number of the first, from 1. A range that ends with a line
-    /// end does not touch the line behind it.
+    /// end does not touch the line after it.
     pub(crate) fn lines(&self, range: TextRange) -> Lines {
         let first = self.index.line(range.start());
         let last = self.index.line(range.end()).max(first);
-        let behind_line_end = last > first && self.index.range(last).start() == range.end();
+        let after_line_end = last > first && self.index.range(last).start() == range.end();
         Lines {
             first,
-            last: if behind_line_end { last - 1 } else { last },
+            last: if after_line_end { last - 1 } else { last },
         }
     }
 

@@ -4,13 +4,13 @@ use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::Path;
 
-/// So much of a file is looked at, at its beginning and at its end.
+/// So much of a file is checked, at its beginning and at its end.
 const ENDS: u64 = 4096;
 
 /// The last line of a diagram in a file begins so.
 pub(crate) const DRAWN_BY: &str = "# drawn by ladder";
 
-/// What is in a PNG behind its header: a piece of text that names the program.
+/// What is in a PNG after its header: a piece of text that names the program.
 pub(crate) const SOFTWARE: &[u8] = b"tEXtSoftware\0ladder";
 
 /// Whether a file is a trace, a picture, a diagram or a report that a command wrote. One that cannot be read is not.

@@ -57,7 +57,7 @@ impl Run<'_> {
         }
     }
 
-    /// What is left to do behind the last scan.
+    /// What is left to do after the last scan.
     ///
     /// # Errors
     /// The retentive file cannot be written.

@@ -25,7 +25,7 @@ pub(crate) struct Stimulus {
     #[arg(long, value_name = "TAG=VALUE")]
     set: Vec<String>,
 
-    /// Hold a tag at a value during the whole run; may be given again. Alone, behind everything else: replace the output
+    /// Hold a tag at a value during the whole run; may be given again. Alone, after everything else: replace the output
     /// file, whatever it is
     #[arg(long, value_name = "TAG=VALUE", num_args = 0..=1, default_missing_value = "")]
     force: Vec<String>,

@@ -1,4 +1,4 @@
-//! The view and the program behind it: events go in, scans are run, commands are carried out.
+//! The view, and the program that it shows: events go in, scans are run, commands are carried out.
 
 use super::draw::{self, Scene};
 use super::load::{self, Request};
@@ -60,7 +60,7 @@ impl<'r> App<'r> {
                 other => next = other,
             }
             if self.plant.generation() != generation {
-                self.view.look_anew(&self.plant);
+                self.view.check_again(&self.plant);
             }
         }
         next
@@ -152,7 +152,7 @@ impl<'r> App<'r> {
         let generation = self.plant.generation();
         let ran = self.run_due(real, room);
         if self.plant.generation() != generation {
-            self.view.look_anew(&self.plant);
+            self.view.check_again(&self.plant);
         }
         ran
     }
@@ -227,7 +227,7 @@ impl<'r> App<'r> {
         self.view.say(said);
     }
 
-    /// Writes what was done so far as a file of scenarios beside the program; one that is there is left alone.
+    /// Writes what was done so far as a file of scenarios next to the program; one that is there is left alone.
     fn record(&mut self) -> Result<(), String> {
         let program = self.request.file;
         let name = program.file_name().unwrap_or_default().to_string_lossy();

@@ -60,7 +60,7 @@ pub(super) fn column(line: &str, offset: usize) -> usize {
     end
 }
 
-/// The offset in the line of what is in a column. None behind its end.
+/// The offset in the line of what is in a column. None after its end.
 pub(super) fn offset(line: &str, column: usize) -> Option<usize> {
     cells(line)
         .find(|cell| (cell.column..cell.column + cell.width).contains(&column))

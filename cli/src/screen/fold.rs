@@ -1,6 +1,6 @@
 //! Wide networks on a narrow screen.
 //!
-//! The right-hand blocks of a network are at its right rail, behind wires that may be long. Where all lines of the network
+//! The right-hand blocks of a network are at its right rail, after wires that may be long. Where all lines of the network
 //! have nothing but wire, or nothing at all, columns are left out, so that conditions and coils are seen together:
 //!
 //! ```text
@@ -19,10 +19,10 @@ use std::ops::Range;
 /// Wider drawings are only scrolled: they are no work of people.
 const WIDEST: usize = 4096;
 
-/// The left part has at least this many columns beside right-hand blocks that are held at the edge.
+/// The left part has at least this many columns next to right-hand blocks that are held at the edge.
 const LEFT_PART: usize = 16;
 
-/// Between the rail and the values behind it.
+/// Between the rail and the values after it.
 const GAP: usize = 2;
 
 /// What is brought into sight has this many columns around it.
@@ -50,7 +50,7 @@ pub(super) struct LineShape {
     pub(super) columns: Vec<Content>,
     /// The columns of its blocks.
     pub(super) blocks: Vec<Range<usize>>,
-    /// How many columns it has with all that is behind the rail.
+    /// How many columns it has with all that is after the rail.
     pub(super) full: usize,
     /// How many columns the values at its end take.
     pub(super) values: usize,
@@ -63,7 +63,7 @@ pub(super) struct Band {
     /// Its columns up to the right rail.
     width: usize,
     full: usize,
-    /// What the values behind the rail take, with the gap before them.
+    /// What the values after the rail take, with the gap before them.
     values: usize,
     /// The columns that can be left out, from left to right.
     spare: Vec<Range<usize>>,
@@ -143,8 +143,8 @@ fn runs(flags: &[bool]) -> Vec<Range<usize>> {
 fn tail(shapes: &[LineShape]) -> Option<Tail> {
     let at_the_rail = shapes.iter().filter_map(|line| {
         let last = line.blocks.last()?;
-        let (_rail, behind) = line.columns.get(last.end..)?.split_last()?;
-        behind
+        let (_rail, after) = line.columns.get(last.end..)?.split_last()?;
+        after
             .iter()
             .all(|content| *content == Content::Wire)
             .then_some(last.start)
@@ -282,7 +282,7 @@ pub(super) fn cuts(spare: &[Range<usize>], number: usize) -> Vec<Cut> {
     cuts
 }
 
-/// Right-hand blocks at the edge, with room for the values behind them if there is enough.
+/// Right-hand blocks at the edge, with room for the values after them if there is enough.
 fn split(pane: usize, tail: usize, end: usize, values: usize) -> Option<Split> {
     let at = |values: usize| pane.checked_sub(end - tail + values + 1);
     // Values are worth less than half of the pane, right-hand blocks less than two thirds.
@@ -308,7 +308,7 @@ pub(super) struct Window {
 pub(super) struct Split {
     /// The column of the screen between them.
     pub(super) at: usize,
-    /// The first column of the folded drawing behind it.
+    /// The first column of the folded drawing after it.
     tail: usize,
 }
 
@@ -324,7 +324,7 @@ pub(super) enum ColumnPlace {
     /// Between the left part and the right-hand blocks.
     Between,
     /// Right of the pane.
-    Behind,
+    After,
 }
 
 impl Window {
@@ -342,14 +342,14 @@ impl Window {
         {
             return match split.at + 1 + column - split.tail {
                 seen if seen < self.pane => ColumnPlace::Seen(seen),
-                _ => ColumnPlace::Behind,
+                _ => ColumnPlace::After,
             };
         }
         match column.checked_sub(self.left) {
             None => ColumnPlace::Before,
             Some(seen) if seen < self.left_part() => ColumnPlace::Seen(seen),
             Some(_) if self.split.is_some() => ColumnPlace::Between,
-            Some(_) => ColumnPlace::Behind,
+            Some(_) => ColumnPlace::After,
         }
     }
 
@@ -360,10 +360,10 @@ impl Window {
             Some(split) if seen > split.at => split.tail + seen - split.at - 1,
             _ => self.left + seen,
         };
-        let behind = self
+        let after = self
             .cuts
             .partition_point(|cut| cut.columns.start - cut.before <= column);
-        let left_out = behind.checked_sub(1).map_or(0, |last| {
+        let left_out = after.checked_sub(1).map_or(0, |last| {
             let cut = &self.cuts[last];
             cut.before + cut.columns.len()
         });
@@ -406,7 +406,7 @@ impl Window {
 
     /// The last cut that begins at a column or before it.
     fn cut_from(&self, column: usize) -> Option<&Cut> {
-        let behind = self.cuts.partition_point(|cut| cut.columns.start <= column);
-        self.cuts.get(behind.checked_sub(1)?)
+        let after = self.cuts.partition_point(|cut| cut.columns.start <= column);
+        self.cuts.get(after.checked_sub(1)?)
     }
 }

@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// Whether the terminal shows the screen.
 static ON: AtomicBool = AtomicBool::new(false);
 
-/// Gives the terminal back when it is dropped.
+/// Restores the terminal when it is dropped.
 pub(super) struct Guard(());
 
 impl Guard {
@@ -46,7 +46,7 @@ impl Drop for Guard {
 /// Makes the terminal as it was. A second call does nothing.
 pub(super) fn leave() {
     if ON.swap(false, Ordering::SeqCst) {
-        // Whoever has closed the terminal does not want to see it cleaned up.
+        // A caller that has closed the terminal does not want to see it cleaned up.
         let _ = execute!(raw_stdout(), DisableMouseCapture, LeaveAlternateScreen, Show);
         let _ = disable_raw_mode();
     }

@@ -36,7 +36,7 @@ pub(super) struct Entry {
     pub(super) line: u16,
     pub(super) column: u16,
     pub(super) width: u16,
-    /// What is behind its number.
+    /// What is after its number.
     pub(super) text: String,
 }
 

@@ -72,7 +72,7 @@ const REST: Duration = Duration::from_millis(200);
 /// The part of a frame that scans may take.
 const ROOM: Duration = Duration::from_millis(25);
 
-/// How often the file is looked at.
+/// How often the file is checked.
 const LOOK: Duration = Duration::from_secs(1);
 
 /// Shows the screen until the person has seen enough.

@@ -32,7 +32,7 @@ pub(super) fn update(view: &mut View, event: MouseEvent, plant: &Plant) -> Vec<C
 
 fn click(view: &mut View, at: Position, plant: &Plant) -> Vec<Command> {
     if !matches!(view.mode, Mode::Diagram) {
-        // A click beside what is open closes it.
+        // A click next to what is open closes it.
         view.mode = Mode::Diagram;
         return Vec::new();
     }

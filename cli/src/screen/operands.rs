@@ -1,4 +1,4 @@
-//! What of a block's operands can be looked at.
+//! What of a block's operands can be checked.
 
 use super::sheet::{Operand, Shown};
 use ladder_analysis::program::{Argument, Block, BlockKind, Bound, Program, TagId};
@@ -67,7 +67,7 @@ pub(super) fn shown(text: &str, block: &Block, simulation: &Simulation) -> Vec<S
         let of_state =
             matches!(block.arguments.first(), Some(first) if matches!(first.argument, Argument::State(_)));
         for (place, range) in bound.places() {
-            // The preset of a timer is beside what it has reached.
+            // The preset of a timer is next to what it has reached.
             if of_state {
                 continue;
             }

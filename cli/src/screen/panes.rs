@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! bar      file, state, speed, scan, time
-//! diagram                                  | watch (beside it if there is room for both)
+//! diagram                                  | watch (next to it if there is room for both)
 //! inputs
 //! watch (below otherwise)
 //! fault    if there is one
@@ -19,7 +19,7 @@ use ratatui::layout::Rect;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Panes {
     pub(super) bar: Rect,
-    /// Beside the diagram, for marks on its lines.
+    /// Next to the diagram, for marks on its lines.
     pub(super) gutter: Rect,
     pub(super) diagram: Rect,
     pub(super) inputs: Rect,
@@ -29,10 +29,10 @@ pub(super) struct Panes {
     pub(super) hints: Rect,
 }
 
-/// The narrowest watch list that is worth standing beside the diagram.
+/// The narrowest watch list that is worth standing next to the diagram.
 const BESIDE: u16 = 56;
 
-/// The columns that a diagram beside the watch list gets at least: those of the widest rungs that the formatter
+/// The columns that a diagram next to the watch list gets at least: those of the widest rungs that the formatter
 /// makes, and some for the values at their ends.
 const DIAGRAM: u16 = 100;
 
@@ -47,11 +47,11 @@ pub(super) fn panes(area: Rect, plant: &Plant) -> Panes {
     let info = take_bottom(&mut rest, 1);
     let fault = take_bottom(&mut rest, fault_lines);
     // The diagram keeps at least half of what is left.
-    let beside = area.width >= DIAGRAM + BESIDE;
+    let next_to = area.width >= DIAGRAM + BESIDE;
     let mut room = rest.height / 2;
     let watch_lines = match tracks {
         0 => 0,
-        _ if beside => 0,
+        _ if next_to => 0,
         tracks => (tracks + 1).min(room.saturating_sub(if input_lines == 0 { 0 } else { input_lines + 1 })),
     };
     let watch_below = take_bottom(&mut rest, if watch_lines < 2 { 0 } else { watch_lines });
@@ -63,7 +63,7 @@ pub(super) fn panes(area: Rect, plant: &Plant) -> Panes {
     let inputs = take_bottom(&mut rest, if input_lines < 2 { 0 } else { input_lines });
     let mut diagram = rest;
     let mut watch = watch_below;
-    if beside && tracks > 0 {
+    if next_to && tracks > 0 {
         let width = (area.width - DIAGRAM).min(80);
         diagram.width -= width;
         watch = Rect {

@@ -1,4 +1,4 @@
-//! What runs behind the screen: the session, with what the screen remembers of it.
+//! The program that the screen shows: the session, with what the screen remembers of it.
 
 use super::sheet::Sheet;
 use crate::findings::Source;
@@ -114,7 +114,7 @@ impl Plant {
         self.session.is_open()
     }
 
-    /// Gives up a scan that takes long when this says so: it is as if it had not been begun.
+    /// Abandons a scan that takes long when this says so: it is as if it had not been begun.
     pub(super) fn obey(&mut self, brake: &Brake) {
         self.session.set_brake(Some(brake.clone()));
     }

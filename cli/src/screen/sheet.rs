@@ -50,7 +50,7 @@ struct Line {
 pub(super) struct Mark {
     /// Its first byte in the text.
     pub(super) start: usize,
-    /// Behind its last byte.
+    /// After its last byte.
     pub(super) end: usize,
     pub(super) kind: ElementKind,
     /// Its number in the simulation's list of powers.
@@ -69,7 +69,7 @@ pub(super) struct Block {
     pub(super) network: usize,
     /// Its row of the instruction table; none for a user-defined block.
     pub(super) instruction: Option<&'static Instruction>,
-    /// Its tags that can be looked at, in the order of its operands.
+    /// Its tags that can be checked, in the order of its operands.
     pub(super) operands: Vec<Operand>,
     /// What the end of its line shows of it.
     pub(super) shown: Vec<Shown>,
@@ -122,7 +122,7 @@ impl Sheet {
             inputs: inputs(simulation),
             uses: HashMap::new(),
         };
-        // Behind the last line end there is no line.
+        // After the last line end there is no line.
         if sheet.lines.len() > 1 && sheet.lines.last().is_some_and(|last| last.text.is_empty()) {
             sheet.lines.pop();
         }
@@ -154,7 +154,7 @@ impl Sheet {
         sheet
     }
 
-    /// Gives every line its blocks and marks.
+    /// Assigns its blocks and marks to every line.
     fn share_out(&mut self) {
         let (mut block, mut mark) = (0, 0);
         for (number, line) in self.lines.iter_mut().enumerate() {
@@ -185,9 +185,9 @@ impl Sheet {
 
     /// What a line is folded and scrolled with.
     pub(super) fn band(&self, line: usize) -> &Band {
-        let behind = self.bands.partition_point(|band| band.lines.start <= line);
+        let after = self.bands.partition_point(|band| band.lines.start <= line);
         // The bands cover all lines.
-        &self.bands[behind.saturating_sub(1)]
+        &self.bands[after.saturating_sub(1)]
     }
 
     /// What is seen of a line in a pane that is scrolled by `left` columns.
@@ -197,8 +197,8 @@ impl Sheet {
 
     /// The line that a place in the text is on.
     pub(super) fn line_at(&self, offset: usize) -> usize {
-        let behind = self.lines.partition_point(|line| line.text.start <= offset);
-        behind.saturating_sub(1)
+        let after = self.lines.partition_point(|line| line.text.start <= offset);
+        after.saturating_sub(1)
     }
 
     /// How many lines it has.
@@ -228,8 +228,8 @@ impl Sheet {
 
     /// Whether a place in the text lies in a comment.
     pub(super) fn is_comment(&self, offset: usize) -> bool {
-        let behind = self.comments.partition_point(|comment| comment.start <= offset);
-        behind
+        let after = self.comments.partition_point(|comment| comment.start <= offset);
+        after
             .checked_sub(1)
             .is_some_and(|index| offset < self.comments[index].end)
     }
@@ -270,12 +270,12 @@ impl Sheet {
 
     /// The block that a place in the text belongs to.
     pub(super) fn block_at(&self, offset: usize) -> Option<usize> {
-        let behind = self.blocks.partition_point(|block| block.start <= offset);
-        let index = behind.checked_sub(1)?;
+        let after = self.blocks.partition_point(|block| block.start <= offset);
+        let index = after.checked_sub(1)?;
         (offset < self.blocks[index].end).then_some(index)
     }
 
-    /// The block at a place in the text, or the first one behind it.
+    /// The block at a place in the text, or the first one after it.
     pub(super) fn block_from(&self, offset: usize) -> usize {
         self.block_at(offset)
             .unwrap_or_else(|| self.blocks.partition_point(|block| block.start < offset))

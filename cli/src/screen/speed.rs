@@ -1,4 +1,4 @@
-//! How fast the simulation's clock goes beside the real one.
+//! How fast the simulation's clock goes next to the real one.
 
 use std::fmt;
 use std::time::Duration;

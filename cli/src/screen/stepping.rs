@@ -52,7 +52,7 @@ impl App<'_> {
         }
     }
 
-    /// Selects the block at a place, or the first one behind it.
+    /// Selects the block at a place, or the first one after it.
     fn show(&mut self, location: Location) {
         if location.file != 0 {
             self.view.say("this runs in another file");

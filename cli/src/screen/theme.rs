@@ -25,7 +25,7 @@ pub(super) fn heading() -> Style {
         .remove_modifier(Modifier::DIM)
 }
 
-/// What is written beside the program: comments, rules, explanations. Dim, not grey: that can be read on light and on
+/// What is written next to the program: comments, rules, explanations. Dim, not grey: that can be read on light and on
 /// dark ground.
 pub(super) fn quiet() -> Style {
     Style::new().add_modifier(Modifier::DIM)
@@ -88,7 +88,7 @@ impl Theme {
         }
     }
 
-    /// A fault, or a mistake in what was typed.
+    /// A fault, or an error in what was typed.
     pub(super) fn alarm(self) -> Style {
         if self.colour {
             Style::new()

@@ -222,11 +222,11 @@ impl View {
         };
         let line = block.line.saturating_add_signed(by * page);
         let found = if by < 0 {
-            let behind = sheet.blocks.partition_point(|block| block.line < line);
-            Some(behind)
+            let after = sheet.blocks.partition_point(|block| block.line < line);
+            Some(after)
         } else {
-            let behind = sheet.blocks.partition_point(|block| block.line <= line);
-            behind.checked_sub(1).filter(|&found| found > self.selected)
+            let after = sheet.blocks.partition_point(|block| block.line <= line);
+            after.checked_sub(1).filter(|&found| found > self.selected)
         };
         self.select(found.unwrap_or(usize::MAX), plant);
     }
@@ -274,7 +274,7 @@ impl View {
         }
         if plant.is_forced(point) {
             self.say(format!(
-                "{} is forced: u lets it go, f forces it anew",
+                "{} is forced: u lets it go, f forces it again",
                 point.name
             ));
             return Vec::new();
@@ -416,11 +416,11 @@ impl View {
         }
     }
 
-    /// To the first block of a tag that is behind the selected one, or to the first.
+    /// To the first block of a tag that is after the selected one, or to the first.
     pub(super) fn go_to_tag(&mut self, point: &Point, plant: &Plant) {
         let uses = plant.sheet.uses(point);
-        let behind = uses.iter().find(|&&block| block > self.selected);
-        match behind.or(uses.first()) {
+        let after = uses.iter().find(|&&block| block > self.selected);
+        match after.or(uses.first()) {
             Some(&block) => {
                 self.select(block, plant);
                 self.sought = Some(point.clone());
@@ -442,8 +442,8 @@ impl View {
             let before = uses.iter().rev().find(|&&block| block < self.selected);
             before.or(uses.last())
         } else {
-            let behind = uses.iter().find(|&&block| block > self.selected);
-            behind.or(uses.first())
+            let after = uses.iter().find(|&&block| block > self.selected);
+            after.or(uses.first())
         };
         if let Some(&block) = found {
             self.select(block, plant);

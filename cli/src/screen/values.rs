@@ -1,4 +1,4 @@
-//! Values as they are beside the diagram: short.
+//! Values as they are next to the diagram: short.
 
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;

@@ -120,11 +120,11 @@ impl View {
     pub(super) fn take_over(&mut self, plant: &Plant) {
         self.changed_on_disk = false;
         self.mode = Mode::Diagram;
-        self.look_anew(plant);
+        self.check_again(plant);
     }
 
     /// Another drawing is shown.
-    pub(super) fn look_anew(&mut self, plant: &Plant) {
+    pub(super) fn check_again(&mut self, plant: &Plant) {
         self.select(self.selected, plant);
     }
 

@@ -44,8 +44,8 @@ fn marks(track: &Track, columns: usize, per: u64, now: u64) -> Vec<Option<Mark>>
     // One that is listed is drawn up to the next.
     let drawn = track.columns(&window, 0, now);
     let at = |column: u64| {
-        let behind = drawn.partition_point(|drawn| drawn.number <= column);
-        drawn.get(behind.checked_sub(1)?).map(|drawn| drawn.mark.clone())
+        let after = drawn.partition_point(|drawn| drawn.number <= column);
+        drawn.get(after.checked_sub(1)?).map(|drawn| drawn.mark.clone())
     };
     (0..columns).map(|column| at(back(column)?)).collect()
 }

@@ -118,7 +118,7 @@ fn a_bad_file_among_good_ones_is_named_and_the_others_are_done() {
 
     let run = folder.ladder(&["check", "."]);
     assert_eq!(run.status, Some(2));
-    assert_eq!(run.stdout, "Checked 2 files: no mistakes found.\n");
+    assert_eq!(run.stdout, "Checked 2 files: no errors found.\n");
 }
 
 #[cfg(unix)]

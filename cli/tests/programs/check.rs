@@ -16,13 +16,13 @@ fn check(text: &str, expected: Expect) {
 }
 
 #[test]
-fn a_program_without_mistakes() {
+fn a_program_without_errors() {
     check(
         MOTOR,
         expect![[r#"
         exit status 0
         -- stdout
-        Checked 1 file: no mistakes found.
+        Checked 1 file: no errors found.
     "#]],
     );
 }
@@ -153,7 +153,7 @@ fn json() {
 }
 
 #[test]
-fn json_of_a_program_without_mistakes_is_an_empty_array() {
+fn json_of_a_program_without_errors_is_an_empty_array() {
     let folder = Folder::with(&[("a.clad", MOTOR)]);
     let run = folder.ladder(&["check", "--format", "json", "a.clad"]);
     assert_eq!(run.to_string(), "exit status 0\n-- stdout\n[]\n");

@@ -101,14 +101,14 @@ fn statistics() {
 }
 
 #[test]
-fn fix_mends_and_aligns() {
+fn fix_fixes_and_aligns() {
     let folder = wrong();
     expect![[r#"
         exit status 0
         -- stdout
         fixed wrong.clad:1:11 missing-wire: Insert wire
         fixed wrong.clad:3:4 unknown-instruction: Replace with [TON]
-        Checked 1 file: no mistakes found. Mended 2 findings.
+        Checked 1 file: no errors found. Fixed 2 findings.
     "#]]
     .assert_eq(
         &folder
@@ -133,7 +133,7 @@ fn only_safe_fixes_are_made_unasked() {
         -- stdout
         fixed wrong.clad:1:11 missing-wire: Insert wire
         wrong.clad:3:4: error[unknown-instruction] there is no instruction [TOM]
-        Checked 1 file: 1 error. Mended 1 finding.
+        Checked 1 file: 1 error. Fixed 1 finding.
     "#]]
     .assert_eq(&run.to_string());
     expect![[r#"
@@ -163,7 +163,7 @@ VAR_OUTPUT run : BOOL; END_VAR
         exit status 0
         -- stdout
         fixed motor.clad:4:18 unpaired-connector: Close the branch with `/`
-        Checked 1 file: no mistakes found. Mended 1 finding.
+        Checked 1 file: no errors found. Fixed 1 finding.
     "#]]
     .assert_eq(&run.to_string());
     expect![[r#"
@@ -182,7 +182,7 @@ fn without_blanks(run: &impl std::fmt::Display) -> String {
 }
 
 #[test]
-fn diff_shows_what_would_be_mended() {
+fn diff_shows_what_would_be_fixed() {
     let folder = wrong();
     let before = folder.read("wrong.clad");
     let run = folder.ladder(&["check", "--fix", "--diff", "wrong.clad"]);
@@ -197,7 +197,7 @@ fn diff_shows_what_would_be_mended() {
         ++--[ ]( a )----------------------------------------------------------( )( y )--+
 
          +--[TOM]( t, T#5s )--( )( z )--+
-        Checked 1 file: 1 error. 1 finding would be mended.
+        Checked 1 file: 1 error. 1 finding would be fixed.
     "#]]
     .assert_eq(&without_blanks(&run));
     let run = folder.ladder(&["check", "--fix", "--unsafe-fixes", "--diff", "wrong.clad"]);
@@ -214,17 +214,17 @@ fn diff_shows_what_would_be_mended() {
 
         -+--[TOM]( t, T#5s )--( )( z )--+
         ++--------------------------------------------------[TON]( t, T#5s )--( )( z )--+
-        Checked 1 file: no mistakes found. 2 findings would be mended.
+        Checked 1 file: no errors found. 2 findings would be fixed.
     "#]]
     .assert_eq(&without_blanks(&run));
     assert_eq!(folder.read("wrong.clad"), before);
-    // Nothing to mend, nothing to show.
+    // Nothing to fix, nothing to show.
     let folder = Folder::with(&[("motor.clad", MOTOR)]);
     let run = folder.ladder(&["check", "--fix", "--diff", "motor.clad"]);
     expect![[r#"
         exit status 0
         -- stdout
-        Checked 1 file: no mistakes found.
+        Checked 1 file: no errors found.
     "#]]
     .assert_eq(&without_blanks(&run));
 }
@@ -244,7 +244,7 @@ fn diff_and_unsafe_fixes_belong_to_fix() {
 
 /// What machines read stays whole: the list of fixes goes to standard error.
 #[test]
-fn fixes_are_listed_beside_what_machines_read() {
+fn fixes_are_listed_next_to_what_machines_read() {
     let run = wrong().ladder(&["check", "--fix", "--format", "json", "wrong.clad"]);
     assert!(
         run.stderr

@@ -17,7 +17,7 @@ fn a_text_without_a_name() {
     expect![[r#"
         exit status 0
         -- stdout
-        Checked 1 file: no mistakes found.
+        Checked 1 file: no errors found.
     "#]]
     .assert_eq(&check(&folder, &["-"], MOTOR).to_string());
     expect![[r#"
@@ -31,7 +31,7 @@ fn a_text_without_a_name() {
 }
 
 #[test]
-fn the_name_decides_the_workspace_and_stands_in_messages() {
+fn the_name_decides_the_workspace_and_is_in_messages() {
     let folder = Folder::with(&[
         ("plant/ladder.toml", "[lint]\nundeclared-tag = \"error\"\n"),
         (
@@ -60,14 +60,14 @@ fn the_name_decides_the_workspace_and_stands_in_messages() {
 
 /// The text may be one of the files around it, which must not meet itself there.
 #[test]
-fn a_text_without_a_name_stands_alone_under_the_settings_of_the_folder() {
+fn a_text_without_a_name_is_alone_under_the_settings_of_the_folder() {
     let text = "VAR_GLOBAL\n    t : TON;\nEND_VAR\n\n+--[ ]( go )--[TON]( t, T#5s )--( )( late )--+\n";
     let settings = "[lint]\nundeclared-tag = \"off\"\n";
     let folder = Folder::with(&[("0.clad", text), ("ladder.toml", settings)]);
     expect![[r#"
         exit status 0
         -- stdout
-        Checked 1 file: no mistakes found.
+        Checked 1 file: no errors found.
     "#]]
     .assert_eq(&check(&folder, &["-"], text).to_string());
 }
@@ -93,7 +93,7 @@ fn formats_for_machines_have_the_name() {
 }
 
 #[test]
-fn the_mended_text_goes_to_stdout_and_the_report_to_stderr() {
+fn the_fixed_text_goes_to_stdout_and_the_report_to_stderr() {
     let folder = Folder::with(&[]);
     let text = "+--[ ]( start )( )( run )--+\n";
     expect![[r#"
@@ -102,10 +102,10 @@ fn the_mended_text_goes_to_stdout_and_the_report_to_stderr() {
         +--[ ]( start )----------------------------------------------------( )( run )--+
         -- stderr
         fixed <stdin>:1:15 missing-wire: Insert wire
-        Checked 1 file: no mistakes found. Mended 1 finding.
+        Checked 1 file: no errors found. Fixed 1 finding.
     "#]]
     .assert_eq(&check(&folder, &["--fix", "-"], text).to_string());
-    // What cannot be mended, and what need not be, comes back as it is.
+    // What cannot be fixed, and what need not be, comes back as it is.
     let run = check(
         &folder,
         &["--fix", "--format", "concise", "-"],

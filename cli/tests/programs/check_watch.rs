@@ -56,7 +56,7 @@ impl Drop for Watch {
 fn every_change_is_checked() {
     let folder = Folder::with(&[("a.clad", MOTOR)]);
     let mut watch = Watch::start(&folder, &["--format", "concise", "."]);
-    assert_eq!(watch.line(), "Checked 1 file: no mistakes found.");
+    assert_eq!(watch.line(), "Checked 1 file: no errors found.");
     assert_eq!(watch.waits(), "note: watching 1 program; Ctrl-C ends this");
 
     folder.write("a.clad", ERROR.as_bytes());
@@ -72,12 +72,12 @@ fn every_change_is_checked() {
     assert_eq!(watch.line(), "Checked 2 files: 1 error.");
     assert_eq!(watch.waits(), "note: watching 2 programs; Ctrl-C ends this");
 
-    // A mistake in the settings is said, and the watch goes on.
+    // An error in the settings is said, and the watch goes on.
     folder.write("ladder.toml", b"[lint]\nunknown-label = 3\n");
     assert!(watch.waits().starts_with("error"), "the settings are refused");
     while !watch.waits().starts_with("note: watching") {}
     folder.write("ladder.toml", b"[lint]\nunknown-label = \"off\"\n");
-    assert_eq!(watch.line(), "Checked 2 files: no mistakes found.");
+    assert_eq!(watch.line(), "Checked 2 files: no errors found.");
 }
 
 #[test]

@@ -5,13 +5,13 @@
 use crate::harness::{Folder, Run};
 use expect_test::expect;
 
-/// A program with all kinds of them: in comments, strings, and where they are mistakes.
+/// A program with all kinds of them: in comments, strings, and where they are errors.
 const HOSTILE: &str = "\
 # \u{1b}]0;title\u{7} \u{9b}2J \u{202e}txt \u{2028}x\u{7f} #
 VAR s : STRING := 'a\u{1b}[31mb'; n : INT; END_VAR
 +--[ ]( a\u{1b}[2J )--[TOM\u{9b}1m]( t\u{202e} )--( )( y )--+
 ";
-/// The same, without mistakes.
+/// The same, without errors.
 const HARMLESS: &str = "\
 # \u{1b}]0;title\u{7} \u{9b}2J \u{202e}txt \u{2028}x\u{7f} #
 VAR s : STRING := 'a\u{1b}[31mb\u{9b}c'; n : INT; END_VAR

@@ -154,7 +154,7 @@ fn stdin_that_cannot_be_read_gives_no_output() {
 }
 
 #[test]
-fn a_network_with_a_mistake_stays_and_the_others_are_formatted() {
+fn a_network_with_an_error_stays_and_the_others_are_formatted() {
     let folder = Folder::with(&[]);
     let text = format!("{CROOKED}\n+-[ ]( a-+\n");
     let run = folder.ldfmt_stdin(&["-"], text.as_bytes());

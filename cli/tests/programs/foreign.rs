@@ -37,13 +37,13 @@ fn findings_stand_in_the_file_that_was_named() {
         2 | start open contact I0.1 V open contact I2.0 & inactive coil Q1 end
           |       ^^^^^^^^^^^^^^^^^
 
-        warning[dead-end]: the power of [ ]( I0 ) goes nowhere: nothing that acts is behind it
+        warning[dead-end]: the power of [ ]( I0 ) goes nowhere: nothing that acts is after it
          --> motor.rung:2:7
           |
         2 | start open contact I0.1 V open contact I2.0 & inactive coil Q1 end
           |       ^^^^^^^^^^^^^^^^^
           |
-          = help: put a coil or another block behind it, join the line to another with \ and /, or remove it
+          = help: put a coil or another block after it, join the line to another with \ and /, or remove it
 
         error[cplc-draft-block]: `[PID]<x>` stays as a comment: the draft has no such block
          --> lamp.cplc:5:15
@@ -60,7 +60,7 @@ fn findings_stand_in_the_file_that_was_named() {
             exit status 1
             -- stdout
             motor.rung:2:7: warning[textbook-precedence] the paper does not say whether `&` or `V` binds more tightly; `&` does here, put parentheses round what belongs together
-            motor.rung:2:7: warning[dead-end] the power of [ ]( I0 ) goes nowhere: nothing that acts is behind it
+            motor.rung:2:7: warning[dead-end] the power of [ ]( I0 ) goes nowhere: nothing that acts is after it
             lamp.cplc:5:15: error[cplc-draft-block] `[PID]<x>` stays as a comment: the draft has no such block
             Checked 2 files: 1 error, 2 warnings.
         "#]],
@@ -72,7 +72,7 @@ fn findings_stand_in_the_file_that_was_named() {
             -- stdout
             [
               {"file":"motor.rung","line":2,"column":7,"end_line":2,"end_column":24,"rule":"textbook-precedence","severity":"warning","message":"the paper does not say whether `&` or `V` binds more tightly; `&` does here, put parentheses round what belongs together"},
-              {"file":"motor.rung","rule":"dead-end","severity":"warning","message":"the power of [ ]( I0 ) goes nowhere: nothing that acts is behind it","line":2,"column":7,"end_line":2,"end_column":24,"help":"put a coil or another block behind it, join the line to another with \\ and /, or remove it"},
+              {"file":"motor.rung","rule":"dead-end","severity":"warning","message":"the power of [ ]( I0 ) goes nowhere: nothing that acts is after it","line":2,"column":7,"end_line":2,"end_column":24,"help":"put a coil or another block after it, join the line to another with \\ and /, or remove it"},
               {"file":"lamp.cplc","line":5,"column":15,"end_line":5,"end_column":23,"rule":"cplc-draft-block","severity":"error","message":"`[PID]<x>` stays as a comment: the draft has no such block"}
             ]
         "#]],
@@ -83,7 +83,7 @@ fn findings_stand_in_the_file_that_was_named() {
             exit status 1
             -- stdout
             ::warning file=motor.rung,line=2,col=7,endColumn=24,title=textbook-precedence::the paper does not say whether `&` or `V` binds more tightly; `&` does here, put parentheses round what belongs together
-            ::warning file=motor.rung,line=2,col=7,endColumn=24,title=dead-end::the power of [ ]( I0 ) goes nowhere: nothing that acts is behind it%0Aput a coil or another block behind it, join the line to another with \ and /, or remove it
+            ::warning file=motor.rung,line=2,col=7,endColumn=24,title=dead-end::the power of [ ]( I0 ) goes nowhere: nothing that acts is after it%0Aput a coil or another block after it, join the line to another with \ and /, or remove it
             ::error file=lamp.cplc,line=5,col=15,endColumn=23,title=cplc-draft-block::`[PID]<x>` stays as a comment: the draft has no such block
         "#]],
         ),
@@ -265,7 +265,7 @@ Q1 => -____
         exit status 2
         -- stdout
         ::error file=motor.rung,line=1,col=7,endColumn=7,title=bad-scenario::motor.rung:1:7: `open` is followed by `contact`
-        0 scenarios in 1 file: 0 passed, 0 failed, 1 file not run for mistakes
+        0 scenarios in 1 file: 0 passed, 0 failed, 1 file not run for errors
     "#]].assert_eq(&run.to_string());
     expect![[r#"
         exit status 2
@@ -319,15 +319,15 @@ fn the_notation_can_be_named() {
 }
 
 #[test]
-fn a_foreign_program_is_not_mended() {
+fn a_foreign_program_is_not_fixed() {
     let folder = Folder::with(&[("motor.rung", RUNG), ("motor.clad", MOTOR)]);
     let run = folder.ladder(&["check", "--fix", "motor.rung", "motor.clad"]);
     expect![[r#"
         exit status 2
         -- stdout
-        Checked 1 file: no mistakes found.
+        Checked 1 file: no errors found.
         -- stderr
-        error: motor.rung: --fix mends only ladder text, and this file is in the notation `textbook`; `ladder convert motor.rung -o FILE.clad` writes it as ladder text
+        error: motor.rung: --fix fixes only ladder text, and this file is in the notation `textbook`; `ladder convert motor.rung -o FILE.clad` writes it as ladder text
     "#]].assert_eq(&run.to_string());
     assert_eq!(folder.read("motor.rung"), RUNG);
 }
@@ -368,7 +368,7 @@ fn a_draft_that_is_called_ladder_text_is_reported_once() {
         exit status 0
         -- stdout
         fixed motor.clad:2:1 unexpected-character: Convert to ladder text
-        Checked 1 file: no mistakes found. Mended 1 finding.
+        Checked 1 file: no errors found. Fixed 1 finding.
     "#]]
     .assert_eq(&folder.ladder(&["check", "--fix", "motor.clad"]).to_string());
     expect![[r#"
@@ -455,7 +455,7 @@ fn only_named_files_are_foreign() {
     expect![[r#"
         exit status 0
         -- stdout
-        Checked 1 file: no mistakes found.
+        Checked 1 file: no errors found.
     "#]]
     .assert_eq(&folder.ladder(&["check", "a"]).to_string());
     expect![[r#"
@@ -488,7 +488,7 @@ fn a_text_from_stdin_may_be_foreign() {
     expect![[r#"
         exit status 2
         -- stderr
-        error: motor.rung: --fix mends only ladder text, and this file is in the notation `textbook`; `ladder convert motor.rung -o FILE.clad` writes it as ladder text
+        error: motor.rung: --fix fixes only ladder text, and this file is in the notation `textbook`; `ladder convert motor.rung -o FILE.clad` writes it as ladder text
     "#]].assert_eq(&run.to_string());
 }
 
@@ -501,7 +501,7 @@ fn the_settings_of_the_workspace_hold() {
     expect![[r#"
         exit status 0
         -- stdout
-        Checked 1 file: no mistakes found.
+        Checked 1 file: no errors found.
     "#]]
     .assert_eq(&folder.ladder(&["check", "motor.rung"]).to_string());
 }
@@ -512,7 +512,7 @@ fn every_foreign_program_that_is_at_hand() {
     let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/corpus");
     let more = std::env::var_os("LADDER_CORPUS").map(PathBuf::from);
     if more.is_none() {
-        eprintln!("LADDER_CORPUS names no folder: the programs of other people are not looked at");
+        eprintln!("LADDER_CORPUS names no folder: the programs of other people are not checked");
     }
     let folder = Folder::with(&[]);
     let mut files = Vec::new();

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::process::{Command, Stdio};
 use tempfile::TempDir;
 
-/// A small program without mistakes, in canonical layout.
+/// A small program without errors, in canonical layout.
 pub(crate) const MOTOR: &str = "\
 +--\\--[ ]( start )--\\--[/]( stop )---------------------------------( )( run )--+
 |  /--[ ]( run )----/                                                          |
@@ -71,7 +71,7 @@ impl Folder {
         self.run(env!("CARGO_BIN_EXE_ldfmt"), arguments, stdin, &[])
     }
 
-    /// Runs a program in the folder, with variables beside those of any test.
+    /// Runs a program in the folder, with variables next to those of any test.
     pub(crate) fn run(
         &self,
         program: &str,

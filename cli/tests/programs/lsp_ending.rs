@@ -86,7 +86,7 @@ impl Server {
 
 impl Drop for Server {
     fn drop(&mut self) {
-        // A test that failed leaves no server behind.
+        // A test that failed leaves no server after.
         let _ = self.child.kill();
         let _ = self.child.wait();
     }

@@ -211,7 +211,7 @@ fn github() {
             ::error file=fails.ladder-test,line=10,col=12,endColumn=13,title=stop does nothing::run is FALSE in step 3 (at 30ms), TRUE was expected; 3 of 6 steps differ%0A%0Astart            _-____%0Astop             ___-__%0Arun    expected  _-----%0A       got       _--___%0A                    ^^^%0Arun is FALSE in step 3 (at 30ms), TRUE was expected; 3 of 6 steps differ
             ::warning file=share.clad,line=3,col=4,endColumn=29,title=fault in "a"::division by zero: nothing was written; check the divisor before this block
             ::error file=wrong.ladder-test,line=2,col=1,endColumn=1,title=bad-scenario::there is no scenario in this file%0Abegin one, as in: scenario "the pump starts"
-            3 scenarios in 3 files: 2 passed, 1 failed, 1 file not run for mistakes
+            3 scenarios in 3 files: 2 passed, 1 failed, 1 file not run for errors
         "#]],
     );
 }

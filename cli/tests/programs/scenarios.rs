@@ -36,10 +36,10 @@ pub(crate) fn without_times(text: &str) -> String {
         .filter_map(|lead| Some((rest.find(lead)?, *lead)))
         .min()
     {
-        let (before, behind) = rest.split_at(at + lead.len());
+        let (before, after) = rest.split_at(at + lead.len());
         out.push_str(before);
         out.push('T');
-        rest = behind.trim_start_matches(|c: char| c.is_ascii_digit() || matches!(c, '.' | 'e' | '-'));
+        rest = after.trim_start_matches(|c: char| c.is_ascii_digit() || matches!(c, '.' | 'e' | '-'));
     }
     out + rest
 }
@@ -139,7 +139,7 @@ fn a_filter_takes_scenarios_by_their_name() {
 }
 
 #[test]
-fn mistakes_are_shown_with_their_place() {
+fn errors_are_shown_with_their_place() {
     let wrong = "program motor.clad\nscenario \"a\"\nstrat _-_\nrun => _--_\n";
     check(
         &[("a.ladder-test", wrong), ("b.ladder-test", PASSES)],
@@ -164,7 +164,7 @@ fn mistakes_are_shown_with_their_place() {
             b.ladder-test
               ok    the seal-in holds after start is let go
 
-            1 scenario in 2 files: 1 passed, 1 file not run for mistakes, in T s.
+            1 scenario in 2 files: 1 passed, 1 file not run for errors, in T s.
         "#]],
     );
     check(
@@ -208,7 +208,7 @@ fn mistakes_are_shown_with_their_place() {
         expect![[r#"
             exit status 0
             -- stdout
-            Checked 1 file: no mistakes found.
+            Checked 1 file: no errors found.
         "#]],
     );
 }
@@ -229,7 +229,7 @@ fn a_program_that_is_missing_or_has_errors() {
               |
               = help: a program is named as it is seen from the folder of the scenario file
 
-            0 scenarios in 1 file: 0 passed, 1 file not run for mistakes, in T s.
+            0 scenarios in 1 file: 0 passed, 1 file not run for errors, in T s.
         "#]],
     );
     check(
@@ -254,7 +254,7 @@ fn a_program_that_is_missing_or_has_errors() {
             1 + +--[ ]( start )------------------------------------[TON]( t, 5s )--( )( run )--+
               |
 
-            0 scenarios in 1 file: 0 passed, 1 file not run for mistakes, in T s.
+            0 scenarios in 1 file: 0 passed, 1 file not run for errors, in T s.
         "#]],
     );
     check(

@@ -80,7 +80,7 @@ fn a_check_of_one_file_knows_the_others() {
     expect![[r#"
         exit status 0
         -- stdout
-        Checked 1 file: no mistakes found.
+        Checked 1 file: no errors found.
     "#]]
     .assert_eq(&folder.ladder(&["check", "main.clad"]).to_string());
 }

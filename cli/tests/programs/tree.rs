@@ -4,7 +4,7 @@ use crate::harness::Folder;
 use expect_test::expect;
 
 #[test]
-fn the_tree_of_a_rung_and_its_mistakes() {
+fn the_tree_of_a_rung_and_its_errors() {
     let folder = Folder::with(&[("a.clad", "+--[ ]( a\n")]);
     expect![[r#"
         exit status 0

@@ -1,5 +1,5 @@
 //! The pictures of programs in the book are what `ladder render` draws. `UPDATE_EXPECT=1 cargo test -p ladder-cli`
-//! draws them anew; look at them before you keep them.
+//! draws them again; look at them before you keep them.
 
 use expect_test::expect_file;
 use ladder_tests::project;

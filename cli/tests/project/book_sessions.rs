@@ -1,6 +1,6 @@
 //! What the book shows of a terminal is what one sees there.
 //!
-//! A block that is marked `console` holds commands behind `$ ` and their output. They run in an empty folder, one for
+//! A block that is marked `console` holds commands after `$ ` and their output. They run in an empty folder, one for
 //! each page, in which every block that says `file=NAME` is a file. The folder `examples` of the project is there too.
 //!
 //! `UPDATE_EXPECT=1 cargo test -p ladder-cli` writes the output into the pages.

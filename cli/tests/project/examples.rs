@@ -1,4 +1,4 @@
-//! The programs in `examples/` hold no mistakes, are in the canonical layout, and do what their traces say.
+//! The programs in `examples/` hold no errors, are in the canonical layout, and do what their traces say.
 //!
 //! Beside `NAME.clad` are `NAME.in.csv`, what the plant does; `NAME.args`, how it is run; and `NAME.expected.csv`,
 //! what comes of it. `UPDATE_EXPECT=1 cargo test -p ladder-cli` writes the last; read it before you believe it.

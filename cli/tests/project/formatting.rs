@@ -50,15 +50,15 @@ proptest! {
     }
 }
 
-/// What a program does, run as the files beside it say; empty if it does not run.
-fn run(program: &Path, beside: &Path) -> String {
+/// What a program does, run as the files next to it say; empty if it does not run.
+fn run(program: &Path, next_to: &Path) -> String {
     let mut command = Command::new(env!("CARGO_BIN_EXE_ladder"));
     command.arg("sim").arg(program);
-    let inputs = beside.with_extension("in.csv");
+    let inputs = next_to.with_extension("in.csv");
     if inputs.exists() {
         command.arg("--inputs").arg(inputs);
     }
-    let arguments = project::read(&beside.with_extension("args"));
+    let arguments = project::read(&next_to.with_extension("args"));
     let output = command.args(arguments.split_whitespace()).output().unwrap();
     String::from_utf8(output.stdout).unwrap()
 }

@@ -59,7 +59,7 @@ fn help(command: &str) -> String {
     String::from_utf8(output.stdout).expect("help is UTF-8")
 }
 
-/// What begins with two dashes, behind a blank or a backtick: the wires of a drawing begin with `+`.
+/// What begins with two dashes, after a blank or a backtick: the wires of a drawing begin with `+`.
 fn options(text: &str) -> BTreeSet<String> {
     let named = |word: &str| {
         let name: String = word

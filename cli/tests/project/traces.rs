@@ -1,6 +1,6 @@
 //! The timing diagram in the book is what the program draws.
 //!
-//! `UPDATE_EXPECT=1 cargo test -p ladder-cli` draws it anew; look at it before you believe it.
+//! `UPDATE_EXPECT=1 cargo test -p ladder-cli` draws it again; look at it before you believe it.
 
 use expect_test::expect_file;
 use ladder_tests::{book, project};

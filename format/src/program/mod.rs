@@ -6,7 +6,7 @@ mod write;
 use crate::Circuit;
 pub use write::WrittenProgram;
 
-/// A number of the importer's that says what a written place was made from. It comes back beside the place in the
+/// A number of the importer's that says what a written place was made from. It comes back next to the place in the
 /// text, see [`WrittenProgram`].
 pub type Origin = u32;
 

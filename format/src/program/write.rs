@@ -1,6 +1,6 @@
 //! From the sketch of a program to its text, in canonical layout.
 //!
-//! The parts are first written one behind the other without columns, and the places of what has an origin are noted.
+//! The parts are first written one after the other without columns, and the places of what has an origin are noted.
 //! Then the whole is laid out like any other text; the notes move with the edits.
 
 use super::{
@@ -27,8 +27,8 @@ impl WrittenProgram {
             let line = line_around(&self.text, offset).start();
             self.nearest(offset).filter(|(range, _)| range.start() >= line)
         };
-        let behind = || self.places.get(self.begun(offset));
-        let place = before().or_else(behind).or(self.places.last());
+        let after = || self.places.get(self.begun(offset));
+        let place = before().or_else(after).or(self.places.last());
         self.origin_around(offset)
             .or_else(|| place.map(|(_, origin)| *origin))
     }
@@ -44,7 +44,7 @@ impl WrittenProgram {
         self.places.get(self.begun(offset).checked_sub(1)?)
     }
 
-    /// How many places begin at an offset or before it. Places lie one behind the other.
+    /// How many places begin at an offset or before it. Places lie one after the other.
     fn begun(&self, offset: TextSize) -> usize {
         self.places.partition_point(|(range, _)| range.start() <= offset)
     }
@@ -79,7 +79,7 @@ fn moved(places: Vec<(TextRange, Origin)>, edits: &[Edit]) -> Vec<(TextRange, Or
         .into_iter()
         .map(|(range, origin)| {
             let start = after(range.start());
-            // Not `after(range.end())`: what is inserted right behind a place does not belong to it.
+            // Not `after(range.end())`: what is inserted right after a place does not belong to it.
             let end = after(range.end() - TextSize::new(1)) + TextSize::new(1);
             (TextRange::new(start, end), origin)
         })

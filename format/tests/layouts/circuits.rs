@@ -33,7 +33,7 @@ fn check(circuit: &Drawn, expected: Expect) {
 }
 
 #[test]
-fn one_behind_the_other() {
+fn one_after_the_other() {
     check(
         &series([contact("a"), contact("b"), coil("y")]),
         expect![[r#"

@@ -68,7 +68,7 @@ fn a_rung_of_many_elements() {
 }
 
 #[test]
-fn many_mistakes_on_a_rung() {
+fn many_errors_on_a_rung() {
     let text = format!("+-{}-( )( y )-+\n", "[TON](t,)-".repeat(2_000));
     let new = format_text(&text, &Options::default());
     assert!(new.starts_with("+----"), "{new:.50}");

@@ -12,7 +12,7 @@ fn network() -> impl Strategy<Value = String> {
         2 => format!("+-[ ]({a})-\\-( )( {y} )-+\n\n|\n/-[TON]( {b},T#5s)-( )( z )--+"),
         3 => format!("+-\\-[ ]({a})-\\-\\-[ ]( x )-\\-( )( {y} )-+\n/-[ ]( {b})-/ /-[ ]( z )-/"),
         4 => format!("-[ ]({a})-( )({y})"),
-        _ => format!("+-[ ]( {a} )-\\-( )( {y} )-+\n# inside #\n+-[ ]({b})-/-( )( z )-+ # behind #"),
+        _ => format!("+-[ ]( {a} )-\\-( )( {y} )-+\n# inside #\n+-[ ]({b})-/-( )( z )-+ # after #"),
     })
 }
 

@@ -86,7 +86,7 @@ fn what_would_read_differently() {
 }
 
 #[test]
-fn a_block_with_a_mistake_stays_as_written() {
+fn a_block_with_an_error_stays_as_written() {
     becomes("[TON](t,)", "[TON](t,)");
     becomes("[ADD](a  b,c)", "[ADD](a  b,c)");
     becomes("[CALC](y,a+)", "[CALC](y,a+)");

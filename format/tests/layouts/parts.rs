@@ -36,7 +36,7 @@ fn networks_and_sections() {
             1 => "+--\\--[ ](a)--\\--( )( y )--+\n\n   /--[ ]( b )--/\n\n",
             2 => "# a comment #\n|\n|\n",
             3 => "FUNCTION_BLOCK [$B]\nVAR_INPUT a:BOOL; END_VAR\n+--[ ](en)--( )( eno )--+\n\n+--[ ]( a)--( )( eno )--+\nEND_FUNCTION_BLOCK\n",
-            4 => "+-[TON](t,T#5s)-( )(y)-+ # behind #\n",
+            4 => "+-[TON](t,T#5s)-( )(y)-+ # after #\n",
             5 => "+--[ ]( x )--\n\n\n\n",
             _ => "+--[ ( broken )--+\n+-[ ]( en )-( )( eno )-+\n",
         });

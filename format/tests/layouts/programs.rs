@@ -196,7 +196,7 @@ fn an_offset_leads_back_to_its_origin() {
     .write(&Options::default());
     let at = |what: &str| written.origin_at((written.text.find(what).unwrap() as u32).into());
     assert_eq!(at("a )"), Some(1));
-    assert_eq!(at("---------( )( y )"), Some(1), "in the wire behind it");
+    assert_eq!(at("---------( )( y )"), Some(1), "in the wire after it");
     assert_eq!(at("( )( y )"), Some(2));
     assert_eq!(at("+--[ ]( b )"), Some(3), "in the rail before it");
     assert_eq!(written.origin_at((written.text.len() as u32).into()), Some(4));

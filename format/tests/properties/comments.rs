@@ -24,7 +24,7 @@ const CONSTRUCTS: &[&str] = &[
     "FUNCTION_BLOCK [$W]\nVAR_OUTPUT q : BOOL; END_VAR\n+--[ ]( EN )--( )( q )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n",
     "FUNCTION_BLOCK <$Home>\n\n|\nEND_FUNCTION_BLOCK\nFUNCTION_BLOCK ( $Coil )\nEND_FUNCTION_BLOCK\n",
     "+--[ ]( a )--( )( y )--\n\n|      |\n|\n+--[ ]( b )--\\--( )( y )--+\n|      |\n\n   /--( )( z )--+\n",
-    // Mistakes: what stays must stay whole.
+    // Errors: what stays must stay whole.
     "+--[ ]( a b )--[UNKNOWN]( c, )--|--( )( y )--+--+\n",
     "+--[ ( broken )--+\nstray\nEND_VAR\nVAR a : ; b : INT\n+--[ ]( b )--+\n",
     "VAR_INPUT a : INT; END_VAR +--[ ]( a )--+ \nEND_FUNCTION_BLOCK x\nFUNCTION_BLOCK x\nFUNCTION_BLOCK\n",
@@ -48,8 +48,8 @@ fn at_every_gap() {
     for construct in CONSTRUCTS {
         for gap in gaps(construct) {
             for comment in COMMENTS {
-                let (before, behind) = construct.split_at(gap);
-                check(&format!("{before}{comment}{behind}"));
+                let (before, after) = construct.split_at(gap);
+                check(&format!("{before}{comment}{after}"));
             }
         }
     }

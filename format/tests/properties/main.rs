@@ -6,7 +6,7 @@ mod programs;
 
 use ladder_format::{Options, apply, format_ranges};
 use ladder_syntax::{TextRange, TextSize, parse};
-use meaning::{check_with, drawing, mistakes, words};
+use meaning::{check_with, drawing, errors, words};
 use proptest::prelude::*;
 
 /// Checks all that must hold for any text.
@@ -150,6 +150,6 @@ proptest! {
         let after = parse(&new);
         prop_assert_eq!(words(&before), words(&after));
         prop_assert_eq!(drawing(&before, &text), drawing(&after, &new));
-        prop_assert_eq!(mistakes(&before), mistakes(&after));
+        prop_assert_eq!(errors(&before), errors(&after));
     }
 }

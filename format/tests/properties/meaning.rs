@@ -24,9 +24,9 @@ pub(crate) fn check_with(text: &str, options: &Options) {
         "wiring changed\n{text}\n=>\n{new}"
     );
     assert_eq!(
-        mistakes(&before),
-        mistakes(&after),
-        "mistakes changed\n{text}\n=>\n{new}"
+        errors(&before),
+        errors(&after),
+        "errors changed\n{text}\n=>\n{new}"
     );
     let again = format_text(&new, options);
     assert_eq!(again, new, "a second time changes something\n{text}");
@@ -115,7 +115,7 @@ pub(crate) fn drawing(parse: &Parse, text: &str) -> Vec<String> {
     networks
 }
 
-pub(crate) fn mistakes(parse: &Parse) -> Vec<String> {
+pub(crate) fn errors(parse: &Parse) -> Vec<String> {
     parse
         .errors()
         .iter()

@@ -183,8 +183,8 @@ fn rung(c: &mut Choices<'_>, text: &mut String, mut ups: usize, mut downs: usize
         "",
         "|",
         "  |",
-        " # behind #",
-        "  # behind #  # more #  ",
+        " # after #",
+        "  # after #  # more #  ",
     ]));
 }
 
@@ -214,7 +214,7 @@ fn section(c: &mut Choices<'_>, text: &mut String, end: &str) {
             "",
             "d := 3",
         ]));
-        text.push_str(&c.of(&[end, end, " ", "  # behind #\n"]));
+        text.push_str(&c.of(&[end, end, " ", "  # after #\n"]));
     }
     text.push_str(&c.of(&["END_VAR", "end_var", "END_VAR", "END_VAR # c #", ""]));
     text.push_str(end);

@@ -131,12 +131,12 @@ fn propose_user(typing: &Typing<'_>, block: &UserBlockFacts, around: Around<'_>,
     });
 }
 
-/// Whether nothing is drawn behind such a block but the rail: coils, and what leaves the network.
+/// Whether nothing is drawn after such a block but the rail: coils, and what leaves the network.
 fn acts(row: &Instruction) -> bool {
     row.shape == Shape::Coil || matches!(row.op, Op::Jmp | Op::Call | Op::Ret | Op::End)
 }
 
-/// The operands that must be given, as they are until somebody writes others. None: the block has no list.
+/// The operands that must be given, as they are until a user writes others. None: the block has no list.
 fn operands_of(row: &Instruction) -> Option<Vec<String>> {
     if row.required() == 0
         && !row
@@ -155,7 +155,7 @@ fn operands_of(row: &Instruction) -> Option<Vec<String>> {
     )
 }
 
-/// What is in an operand's place until somebody writes something else.
+/// What is in an operand's place until a user writes something else.
 fn stand_in(name: &str, accepts: Accepts) -> String {
     match accepts {
         Accepts::Duration | Accepts::Time => "T#1s".to_owned(),
@@ -223,8 +223,8 @@ fn with_list(
     if let Some(operands) = operands {
         text = text.append(list(operands));
     }
-    let wire = wire_behind(typing, end, acts || shape == Shape::Coil);
-    // A block without a list takes the parenthesis behind it for its own: a wire keeps them apart.
+    let wire = wire_after(typing, end, acts || shape == Shape::Coil);
+    // A block without a list takes the parenthesis after it for its own: a wire keeps them apart.
     text = text.text(wire);
     if text.has_stops() || !wire.is_empty() {
         text = text.end();
@@ -246,8 +246,8 @@ fn wants_wire_before(typing: &Typing<'_>) -> bool {
     before.ends_with(['+', '\\', '/', ']', ')', '>'])
 }
 
-/// The wire that a block needs behind it, where none is drawn yet. One that acts reaches to the rail.
-pub(super) fn wire_behind(typing: &Typing<'_>, end: usize, acts: bool) -> &'static str {
+/// The wire that a block needs after it, where none is drawn yet. One that acts reaches to the rail.
+pub(super) fn wire_after(typing: &Typing<'_>, end: usize, acts: bool) -> &'static str {
     let rest = typing.rest(end);
     if rest.starts_with(['\\', '/', '+', '[', '(', '<']) {
         return "--";
@@ -264,7 +264,7 @@ pub(super) fn wire_behind(typing: &Typing<'_>, end: usize, acts: bool) -> &'stat
     }
 }
 
-/// What a list that is not closed yet needs behind the operand that is written: the operands that are still missing,
+/// What a list that is not closed yet needs after the operand that is written: the operands that are still missing,
 /// the parenthesis, and the wire.
 pub(super) fn rest_of_list(typing: &Typing<'_>, operand: &Operand, called: &[Called<'_>]) -> Snippet {
     let nothing = Snippet::default();
@@ -287,6 +287,6 @@ pub(super) fn rest_of_list(typing: &Typing<'_>, operand: &Operand, called: &[Cal
             text = text.text(", ").stop(operand);
         }
     }
-    text = text.text(" )").text(wire_behind(typing, typing.word.end, acts));
+    text = text.text(" )").text(wire_after(typing, typing.word.end, acts));
     text.end()
 }

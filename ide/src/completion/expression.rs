@@ -1,4 +1,4 @@
-//! Expressions: functions where a value is asked for, operators behind one.
+//! Expressions: functions where a value is asked for, operators after one.
 
 use super::item::{Completion, CompletionKind, Snippet, Topic};
 use super::proposals::{Order, Proposals};
@@ -64,7 +64,7 @@ pub(super) fn values(typing: &Typing<'_>, out: &mut Proposals<'_>) {
     );
 }
 
-/// The operators that are words. `missing`: what is behind one that is accepted, where nothing is yet.
+/// The operators that are words. `missing`: what is after one that is accepted, where nothing is yet.
 pub(super) fn operators(missing: &str, out: &mut Proposals<'_>) {
     for (word, doc) in [
         ("AND", "Both; of numbers, bit by bit."),

@@ -17,7 +17,7 @@ pub struct Completions {
 pub struct Completion {
     /// What the list shows.
     pub label: String,
-    /// A few words behind it.
+    /// A few words after it.
     pub detail: String,
     /// What kind of thing it is.
     pub kind: CompletionKind,
@@ -50,7 +50,7 @@ pub enum CompletionKind {
     Drawing,
 }
 
-/// Where the documentation of a proposal is found, when somebody asks for it.
+/// Where the documentation of a proposal is found, when a user asks for it.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub enum Topic {
     /// There is none.
@@ -100,19 +100,19 @@ impl Snippet {
         self
     }
 
-    /// A stop with what is there until somebody writes something else.
+    /// A stop with what is there until a user writes something else.
     pub(crate) fn stop(mut self, text: &str) -> Snippet {
         self.0.push(Piece::Stop(text.to_owned()));
         self
     }
 
-    /// Where the cursor is in the end; without it that is behind the text.
+    /// Where the cursor is in the end; without it that is after the text.
     pub(crate) fn end(mut self) -> Snippet {
         self.0.push(Piece::End);
         self
     }
 
-    /// Behind it another one, in which the cursor ends if it says where.
+    /// After it another one, in which the cursor ends if it says where.
     pub(crate) fn append(mut self, other: Snippet) -> Snippet {
         if other.0.contains(&Piece::End) {
             self.0.retain(|piece| *piece != Piece::End);

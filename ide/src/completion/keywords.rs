@@ -1,4 +1,4 @@
-//! Keywords of sections, declarations and block definitions, and the addresses behind AT.
+//! Keywords of sections, declarations and block definitions, and the addresses after AT.
 
 use super::item::{CompletionKind, Snippet, Topic};
 use super::proposals::Proposals;
@@ -138,7 +138,7 @@ pub(super) fn in_declaration(typing: &Typing<'_>, place: Declaration, out: &mut 
         Declaration::Names(true) => keyword(out, "END_VAR", "end of the section"),
         // New names are nobody's to guess.
         Declaration::Names(false) => {}
-        Declaration::BehindNames => keyword(out, "AT", "a direct address"),
+        Declaration::AfterNames => keyword(out, "AT", "a direct address"),
         Declaration::Address => addresses(out),
         Declaration::Of => {
             keyword(out, "OF", "the type of the elements");

@@ -1,4 +1,4 @@
-//! What is behind a point: members of timers, counters and bistables, system tags, bits.
+//! What is after a point: members of timers, counters and bistables, system tags, bits.
 
 use super::item::{CompletionKind, Topic};
 use super::proposals::Proposals;
@@ -7,7 +7,7 @@ use crate::wanted::{Wanted, scalar_rank, wanted, whole_type};
 use ladder_analysis::program::SystemTag;
 use ladder_analysis::state_member;
 use ladder_analysis::values::types::{Scalar, Type};
-use ladder_instructions::{Law, StateType};
+use ladder_instructions::{Semantics, StateType};
 
 /// The members by their names in IEC 61131-3, then the other names that controllers have for them.
 const MEMBERS: [(&str, &str); 20] = [
@@ -47,7 +47,7 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, out: &mut Proposal
         return system(wanted.as_ref(), out);
     }
     match whole_type(typing.context, typing.scope, base) {
-        Some(Type::State(state)) => members(typing.context.profile.law(), state, wanted.as_ref(), out),
+        Some(Type::State(state)) => members(typing.context.profile.semantics(), state, wanted.as_ref(), out),
         Some(Type::Scalar(ty)) if ty.is_integer() || ty.is_bits() => bits(ty, out),
         _ => {}
     }
@@ -71,15 +71,18 @@ fn system(wanted: Option<&Wanted>, out: &mut Proposals<'_>) {
     }
 }
 
-fn members(law: &Law, state: StateType, wanted: Option<&Wanted>, out: &mut Proposals<'_>) {
+fn members(semantics: &Semantics, state: StateType, wanted: Option<&Wanted>, out: &mut Proposals<'_>) {
     for (index, (name, doc)) in MEMBERS.iter().enumerate() {
         if let Some(member) = state_member(state, name) {
-            let order = (fits(wanted, member.ty(law)), u8::from(index >= SECOND_NAMES));
+            let order = (
+                fits(wanted, member.ty(semantics)),
+                u8::from(index >= SECOND_NAMES),
+            );
             out.word(
                 order,
                 CompletionKind::Member,
                 name,
-                member.ty(law).name(),
+                member.ty(semantics).name(),
                 Topic::Words(doc),
             );
         }

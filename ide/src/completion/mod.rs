@@ -1,7 +1,7 @@
 //! Completion: what can be written at a place. One file for each kind of place.
 //!
 //! What is accepted leaves a text that reads: a block comes with its operands, its bracket and the wire to what is
-//! drawn behind it, and nothing twice that is there already. Only the cursor's line is changed: the drawing
+//! drawn after it, and nothing twice that is there already. Only the cursor's line is changed: the drawing
 //! around it is put straight by the formatter, which knows how wide it all became.
 
 mod blocks;
@@ -33,18 +33,18 @@ pub fn completions(context: &Context, offset: TextSize, trigger: Option<char>) -
         return Completions::default();
     }
     let mut out = Proposals::new(&typing);
-    let mut behind = Snippet::default();
+    let mut after = Snippet::default();
     match &typing.place {
         CursorContext::LineStart => keywords::at_line_start(&typing, &mut out),
         CursorContext::Wire => blocks::on_wire(&typing, &mut out),
         CursorContext::Head(head) => blocks::in_head(&typing, head, &mut out),
         CursorContext::Declaration(place) => keywords::in_declaration(&typing, *place, &mut out),
-        CursorContext::Operand(operand) => behind = in_operand(&typing, operand, &mut out),
+        CursorContext::Operand(operand) => after = in_operand(&typing, operand, &mut out),
     }
     // `[TON]($0` gets the blanks that its layout has.
     let crowded = matches!(&typing.place, CursorContext::Operand(operand) if operand.first_word)
         && typing.text[..typing.word.start].ends_with(['(', ',']);
-    let mut found = out.finish(if crowded { " " } else { "" }, &behind);
+    let mut found = out.finish(if crowded { " " } else { "" }, &after);
     // More letters may say what an instruction is for, and bring others into view.
     found.cut |= matches!(typing.place, CursorContext::Wire | CursorContext::Head(_));
     found
@@ -70,32 +70,32 @@ fn is_welcome(typing: &Typing<'_>, trigger: char) -> bool {
     }
 }
 
-/// What can be in an operand's place. Gives what each proposal gets behind it.
+/// What can be in an operand's place. Gives what each proposal gets after it.
 fn in_operand(typing: &Typing<'_>, operand: &Operand, out: &mut Proposals<'_>) -> Snippet {
-    if operand.before_value && !operand.behind_value {
+    if operand.before_value && !operand.after_value {
         return Snippet::default();
     }
     let called = operand
         .shape
         .map(|shape| called(typing.context, shape, &operand.head))
         .unwrap_or_default();
-    let behind = blocks::rest_of_list(typing, operand, &called);
+    let after = blocks::rest_of_list(typing, operand, &called);
     if operand.member_of.is_some() {
         members::propose(typing, operand, out);
-        return behind;
+        return after;
     }
     let Some(wanted) = wanted(typing, operand) else {
-        if operand.behind_value {
+        if operand.after_value {
             return Snippet::default();
         }
         operands::propose(typing, operand, &called, out);
-        return behind;
+        return after;
     };
-    if operand.behind_value {
+    if operand.after_value {
         if wanted.expression {
             expression::operators(if operand.before_value { "" } else { "b" }, out);
         }
-        return behind;
+        return after;
     }
     match wanted.kind {
         Kind::Label => names::labels(typing, operand, out),
@@ -109,7 +109,7 @@ fn in_operand(typing: &Typing<'_>, operand: &Operand, out: &mut Proposals<'_>) -
             tags::propose(typing, operand, &wanted, out);
             if wanted.expression {
                 expression::values(typing, out);
-                return behind;
+                return after;
             }
             let may_be_named = operand.first_word && operand.name.is_none();
             let of_user = matches!(called.first(), Some(Called::User(_)));
@@ -118,7 +118,7 @@ fn in_operand(typing: &Typing<'_>, operand: &Operand, out: &mut Proposals<'_>) -
             }
         }
     }
-    behind
+    after
 }
 
 fn required(called: &[Called<'_>]) -> usize {
@@ -128,7 +128,7 @@ fn required(called: &[Called<'_>]) -> usize {
     }
 }
 
-/// What a proposal is, in Markdown, for the one that somebody looks at.
+/// What a proposal is, in Markdown, for the one that a user looks at.
 pub fn documentation(context: &Context, topic: &Topic) -> Option<String> {
     match topic {
         Topic::UserBlock(name) => {

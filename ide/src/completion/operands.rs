@@ -7,7 +7,7 @@ use crate::wanted::Called;
 use ladder_analysis::program::ParameterKind;
 use ladder_instructions::{Direction, Presence};
 
-/// Behind the operands that must be given by place; of a user-defined block also instead of them.
+/// After the operands that must be given by place; of a user-defined block also instead of them.
 pub(super) fn propose(
     typing: &Typing<'_>,
     operand: &Operand,
@@ -30,7 +30,7 @@ pub(super) fn propose(
                 }
             }
             Called::User(block) => {
-                // Behind operands by place none is given by name.
+                // After operands by place none is given by name.
                 let by_name = index == 0 || !operand.given.is_empty();
                 let free = block.parameters.iter().filter(|p| by_name && !given(&p.name));
                 for parameter in free {

@@ -30,7 +30,7 @@ impl<'t> Proposals<'t> {
         }
     }
 
-    /// Adds a proposal behind those that were added before.
+    /// Adds a proposal after those that were added before.
     pub(super) fn add(&mut self, item: Completion) {
         self.add_at((0, 0), item);
     }
@@ -130,7 +130,7 @@ impl<'t> Proposals<'t> {
     }
 
     /// The list. `before` and `behind` are what each word gets around it.
-    pub(super) fn finish(mut self, before: &str, behind: &Snippet) -> Completions {
+    pub(super) fn finish(mut self, before: &str, after: &Snippet) -> Completions {
         // What begins as it is written comes first.
         let mut found = std::mem::take(&mut self.found);
         found.sort_by_cached_key(|(order, item)| (!self.begins(&item.filter), *order));
@@ -148,13 +148,10 @@ impl<'t> Proposals<'t> {
             item.filter
                 .insert_str(0, &self.before[self.before.len() - more..]);
         }
-        if !before.is_empty() || *behind != Snippet::default() {
+        if !before.is_empty() || *after != Snippet::default() {
             for item in &mut items {
                 let word = std::mem::take(&mut item.text);
-                item.text = Snippet::default()
-                    .text(before)
-                    .append(word)
-                    .append(behind.clone());
+                item.text = Snippet::default().text(before).append(word).append(after.clone());
             }
         }
         Completions { items, cut }

@@ -9,16 +9,16 @@ use ladder_analysis::names::scope::{Origin, SectionKind, TagFacts};
 use ladder_analysis::networks::access::Access;
 use ladder_analysis::program::{Role, SystemTag};
 use ladder_analysis::values::types::{Scalar, Type};
-use ladder_instructions::Law;
+use ladder_instructions::Semantics;
 use ladder_syntax::Name;
 
 /// Inputs come last where something is written: the outside writes them.
 const INPUTS: u8 = 4;
-/// Behind the tags that fit as they are, those that pass, and those of which a member fits.
+/// After the tags that fit as they are, those that pass, and those of which a member fits.
 const SYSTEM: u8 = 4;
-/// Literals are behind everything that has a name,
+/// Literals are after everything that has a name,
 const LITERALS: u8 = 5;
-/// and a timer, counter or bistable behind all that its own block may get.
+/// and a timer, counter or bistable after all that its own block may get.
 const ITSELF: u8 = 6;
 /// A duration is written out more often than it is a count of milliseconds or a member of another timer.
 const WRITTEN: (u8, u8) = (0, 9);
@@ -37,14 +37,14 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
         before.any(|text| text.eq_ignore_ascii_case(&tag.name))
     };
     let scope = &typing.context.scopes[typing.scope];
-    let law = typing.context.profile.law();
+    let semantics = typing.context.profile.semantics();
     let ranked = |tag| {
         let known = typing.context.shared(tag);
         if is_being_written(typing, tag) || known.constant && wanted.writes {
             return None;
         }
         let given = given(known);
-        let fits = match rank(law, wanted, known.ty?)? {
+        let fits = match rank(semantics, wanted, known.ty?)? {
             _ if wanted.writes && known.role == Role::Input => INPUTS,
             _ if given && matches!(known.ty, Some(Type::State(_))) => ITSELF,
             fits => fits,
@@ -143,7 +143,7 @@ fn globals(typing: &Typing<'_>, wanted: &Wanted, out: &mut Proposals<'_>) {
             .is_some_and(|tag| !is_being_written(typing, &scope.tags[tag]));
         let Some(fits) = global
             .ty
-            .and_then(|ty| rank(typing.context.profile.law(), wanted, ty))
+            .and_then(|ty| rank(typing.context.profile.semantics(), wanted, ty))
         else {
             continue;
         };
@@ -167,7 +167,7 @@ fn system(wanted: &Wanted, out: &mut Proposals<'_>) {
         let ty = tag.ty();
         let fits = match wanted.kind {
             Kind::Duration => ty == Scalar::Time,
-            _ => rank(&Law::IEC, wanted, Type::Scalar(ty)).is_some_and(|fits| fits < 2),
+            _ => rank(&Semantics::IEC, wanted, Type::Scalar(ty)).is_some_and(|fits| fits < 2),
         };
         if fits {
             let label = format!("SYS.{}", tag.name());

@@ -28,7 +28,7 @@ pub(super) fn hover(context: &Context, place: &OnRung<'_>) -> Hover {
             let way = if down { "below" } else { "above" };
             format!(
                 "Connector: the {} `{own}` of this line is joined with the {} `{partner}` of line {there} {way}.\n\n\
-                 Both wires behind the pair carry power if one of the wires before it does.",
+                 Both wires after the pair carry power if one of the wires before it does.",
                 nth(number),
                 nth(point.ordinal + 1)
             )

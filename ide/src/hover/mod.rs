@@ -3,13 +3,13 @@
 mod block;
 mod connector;
 mod declaration;
-mod elsewhere;
 mod keyword;
 mod operand;
+mod other_files;
 mod uses;
 mod wire;
 
-pub use elsewhere::used_elsewhere;
+pub use other_files::used_in_other_files;
 
 pub(crate) use block::{instruction as instruction_card, user_block_card};
 pub(crate) use keyword::card as keyword_card;

@@ -122,14 +122,14 @@ fn describe(
     }
 }
 
-/// A tag: its declaration in one line, where it comes from, and who writes and reads it. `here` is where somebody
+/// A tag: its declaration in one line, where it comes from, and who writes and reads it. `here` is where a user
 /// looks at it already.
 pub(crate) fn tag_card(context: &Context, tag: &TagFacts, here: Option<TextSize>) -> String {
     // What several scopes share is shown where it is declared.
     let tag = context.shared(tag);
     let ty = tag.ty.map(|ty| ty.to_string()).unwrap_or_default();
     let address = tag
-        .rare
+        .cold
         .address
         .as_ref()
         .filter(|a| ***a != *tag.name)
@@ -141,7 +141,7 @@ pub(crate) fn tag_card(context: &Context, tag: &TagFacts, here: Option<TextSize>
         Role::Output => "output",
         Role::Internal => "internal tag",
     };
-    let origin = match (tag.origin, &tag.rare.foreign) {
+    let origin = match (tag.origin, &tag.cold.foreign) {
         (_, Some(file)) => format!("declared in VAR_GLOBAL in {file}"),
         (Origin::Declared(section), None) => format!(
             "declared in {} on line {}",

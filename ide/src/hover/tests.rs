@@ -40,7 +40,7 @@ fn instruction_card() {
 
             - The scan in which EN rises starts the time at 0; Q goes high in the first scan that is PT or more later.
               When EN falls, Q and ET fall at once.
-            - While R is high ET is 0 and Q low. If R ends under a high EN, the time starts anew in that scan.
+            - While R is high ET is 0 and Q low. If R ends under a high EN, the time starts again in that scan.
             - PT is read at every evaluation, so it may be a tag. Lengthening it does not take back a Q that is already
               high. With PT of 0 or less Q follows EN.
             - ET is the time run so far, at most PT. ENO is Q; other rungs read `t.Q` and `t.ET`.
@@ -171,7 +171,7 @@ fn connectors() {
 
             Connector: the 2nd `\` of this line is joined with the 2nd `/` of line [2](#L2) below.
 
-            Both wires behind the pair carry power if one of the wires before it does.
+            Both wires after the pair carry power if one of the wires before it does.
 
             Power: `a OR y`
         "#]],
@@ -183,7 +183,7 @@ fn connectors() {
 
             Connector: the 2nd `/` of this line is joined with the 2nd `\` of line [1](#L1) above.
 
-            Both wires behind the pair carry power if one of the wires before it does.
+            Both wires after the pair carry power if one of the wires before it does.
 
             Power: `a OR y`
         "#]],
@@ -372,7 +372,7 @@ fn a_card_tells_how_the_profile_differs() {
     "#]].assert_eq(&card("ldmicro", "[TOF]( t, 5s )"));
     expect![[r#"
         [TOF]( t, PT, B := )
-        **In profile `iot`:** No off-delay: the power behind it is EN until the time is over, and then low. It counts as TON does; Q is that the time is over.
+        **In profile `iot`:** No off-delay: the power after it is EN until the time is over, and then low. It counts as TON does; Q is that the time is over.
     "#]].assert_eq(&card("iot", "[TOF]( t, 5 )"));
     expect![[r#"
         **In profile `iot`:** The system has no such instruction.

@@ -57,7 +57,7 @@ fn ends_nothing(rung: &Rung, left: usize, right: usize) -> bool {
     between.iter().all(|part| part.kind == PartKind::Wire)
 }
 
-/// Where the `\` is put in: behind the block between two connectors whose end is nearest to a column. Behind coils only
+/// Where the `\` is put in: after the block between two connectors whose end is nearest to a column. After coils only
 /// where nothing else is.
 fn gap(
     context: &Context,
@@ -72,16 +72,16 @@ fn gap(
     let text = line_text(parse, network.line(row));
     let is_coil = |part: usize| text[parts[part].range].starts_with('(');
     let blocks = (left + 1..right).filter(|&part| parts[part].kind == PartKind::Block);
-    let behind = blocks.min_by_key(|&part| {
+    let after = blocks.min_by_key(|&part| {
         let next = parts.get(part + 1).filter(|next| next.kind == PartKind::Wire);
         let end = next.map_or(parts[part].range.end(), |wire| wire.range.end());
         let end = display_width(&text[..end.into()]);
         (is_coil(part), end.abs_diff(column))
     })?;
     let wire = parts
-        .get(behind + 1)
+        .get(after + 1)
         .filter(|next| next.kind == PartKind::Wire && next.touches);
-    let range = wire.map_or(TextRange::empty(parts[behind].range.end()), |wire| wire.range);
+    let range = wire.map_or(TextRange::empty(parts[after].range.end()), |wire| wire.range);
     Some(Edit {
         range: range + parse.line_start(network.line(row)),
         text: "--\\--".to_owned(),
@@ -131,8 +131,8 @@ fn difference(old: &str, new: &str, start: TextSize) -> Option<Edit> {
         .rev()
         .zip(new.chars().rev())
         .take_while(|(a, b)| a == b);
-    let behind: usize = same.map(|(c, _)| c.len_utf8()).sum();
-    let (old, new) = (&old[..old.len() - behind], &new[..new.len() - behind]);
+    let after: usize = same.map(|(c, _)| c.len_utf8()).sum();
+    let (old, new) = (&old[..old.len() - after], &new[..new.len() - after]);
     let differs = !old.is_empty() || !new.is_empty();
     differs.then(|| Edit {
         range: TextRange::at(start + TextSize::new(before as u32), TextSize::of(old)),

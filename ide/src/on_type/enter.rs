@@ -21,11 +21,11 @@ const BRANCH: &str = "/--";
 pub(super) fn enter(context: &Context, offset: TextSize, options: &Options) -> Vec<Edit> {
     let parse = &context.parse;
     if parse.unclosed_comment().is_some_and(|open| open.start() < offset) {
-        return left_behind(context, offset, options).unwrap_or_default();
+        return left_after(context, offset, options).unwrap_or_default();
     }
     let Some((new_line, above)) = blank_line(context, offset) else {
-        let split = split_behind_down(context, offset);
-        let edits = split.or_else(|| left_behind(context, offset, options));
+        let split = split_after_down(context, offset);
+        let edits = split.or_else(|| left_after(context, offset, options));
         return edits.unwrap_or_default();
     };
     let line = &parse.lines()[above];
@@ -38,7 +38,7 @@ pub(super) fn enter(context: &Context, offset: TextSize, options: &Options) -> V
     }
     if line.kind == LineKind::SectionEnd {
         let mut edits = outdented(context, above);
-        // Behind the declarations nothing is further in, whatever the editor has begun the line with.
+        // After the declarations nothing is further in, whatever the editor has begun the line with.
         if !new_line.is_empty() {
             edits.extend(replace(context, new_line, ""));
         }
@@ -67,7 +67,7 @@ pub(super) fn enter(context: &Context, offset: TextSize, options: &Options) -> V
 fn blank_line(context: &Context, offset: TextSize) -> Option<(TextRange, usize)> {
     let parse = &context.parse;
     let line = parse.line_at(offset)?;
-    // At the end of the text there is no logical line behind the last line end.
+    // At the end of the text there is no logical line after the last line end.
     if parse.line_range(line).end() == offset && ends_line(context, line) {
         return Some((TextRange::empty(offset), line));
     }
@@ -75,7 +75,7 @@ fn blank_line(context: &Context, offset: TextSize) -> Option<(TextRange, usize)>
     let before = &text[..usize::from(offset - parse.line_start(line))];
     let is_rail = parse.lines()[line].kind == LineKind::Rail && text.trim() == "|";
     // The rail at the right was drawn when the branch was closed, and Enter has taken it along.
-    let is_taken_along = is_rail && !before.contains('|') && behind_branch(context, line);
+    let is_taken_along = is_rail && !before.contains('|') && after_branch(context, line);
     if parse.lines()[line].kind != LineKind::Blank && !is_taken_along {
         return None;
     }
@@ -85,7 +85,7 @@ fn blank_line(context: &Context, offset: TextSize) -> Option<(TextRange, usize)>
 }
 
 /// Whether the line above is a row that ends with its branch, and without a rail at the right.
-fn behind_branch(context: &Context, line: usize) -> bool {
+fn after_branch(context: &Context, line: usize) -> bool {
     line.checked_sub(1).is_some_and(|above| {
         context.parse.lines()[above].kind == LineKind::Rung
             && line_text(&context.parse, above).trim_end().ends_with('/')
@@ -103,7 +103,7 @@ fn goes_on(context: &Context, above: usize) -> Option<String> {
     let parse = &context.parse;
     let structure = parse.structure_once();
     let structure = &structure.networks;
-    // Rail lines behind the last rung do not belong to the network any more.
+    // Rail lines after the last rung do not belong to the network any more.
     let rung_above = (0..=above)
         .rev()
         .take_while(|&line| parse.lines()[line].kind.is_decoration() || line == above)
@@ -141,7 +141,7 @@ fn goes_on(context: &Context, above: usize) -> Option<String> {
     Some(prefix)
 }
 
-/// `VAR` and `END_VAR` put at the left edge, if they were typed behind the blanks of a declaration.
+/// `VAR` and `END_VAR` put at the left edge, if they were typed after the blanks of a declaration.
 fn outdented(context: &Context, line: usize) -> Vec<Edit> {
     let parse = &context.parse;
     if parse.lines()[line].kind == LineKind::Declaration {
@@ -173,10 +173,10 @@ fn begun_again(context: &Context, new_line: TextRange, above: usize) -> Vec<Edit
         range: TextRange::at(parse.line_start(above), TextSize::of(begun)),
         text: String::new(),
     }];
-    let behind_rung = above
+    let after_rung = above
         .checked_sub(1)
         .is_some_and(|before| parse.lines()[before].kind == LineKind::Rung);
-    edits.extend(replace(context, new_line, if behind_rung { RUNG } else { "" }));
+    edits.extend(replace(context, new_line, if after_rung { RUNG } else { "" }));
     edits
 }
 
@@ -194,7 +194,7 @@ fn is_finished(context: &Context, line: usize) -> bool {
 
 /// Enter that a client asks about again when the next line has already been written: nothing is begun there any more. What the
 /// line above had begun is taken back, or its network is drawn again.
-fn left_behind(context: &Context, offset: TextSize, options: &Options) -> Option<Vec<Edit>> {
+fn left_after(context: &Context, offset: TextSize, options: &Options) -> Option<Vec<Edit>> {
     let parse = &context.parse;
     let line = parse.line_at(offset.checked_sub(TextSize::new(1))?)?;
     let within = usize::from(offset - parse.line_start(line));
@@ -212,9 +212,9 @@ fn left_behind(context: &Context, offset: TextSize, options: &Options) -> Option
     again.or_else(|| drawn_again(context, above, options))
 }
 
-/// Enter right behind a `\` in the middle of a rung: what was behind it stays on the rung, and the new line is
+/// Enter right after a `\` in the middle of a rung: what was after it stays on the rung, and the new line is
 /// the branch.
-fn split_behind_down(context: &Context, offset: TextSize) -> Option<Vec<Edit>> {
+fn split_after_down(context: &Context, offset: TextSize) -> Option<Vec<Edit>> {
     let parse = &context.parse;
     let line = parse.line_at(offset)?;
     let above = line.checked_sub(1).filter(|&above| ends_line(context, above))?;
@@ -227,7 +227,7 @@ fn split_behind_down(context: &Context, offset: TextSize) -> Option<Vec<Edit>> {
     let rung = rung.trim_end_matches(['\r', '\n']);
     let rest = text.trim_end_matches(['\r', '\n']);
     let moved = rest.trim();
-    // A connector behind it would pair with one on the new line.
+    // A connector after it would pair with one on the new line.
     if !before.trim().is_empty()
         || !rung.ends_with('\\')
         || !moved.starts_with('-')
@@ -236,10 +236,10 @@ fn split_behind_down(context: &Context, offset: TextSize) -> Option<Vec<Edit>> {
         return None;
     }
     let prefix = goes_on(context, above)?;
-    let behind = parse.line_start(above) + TextSize::of(rung);
+    let after = parse.line_start(above) + TextSize::of(rung);
     Some(vec![
         Edit {
-            range: TextRange::empty(behind),
+            range: TextRange::empty(after),
             text: moved.to_owned(),
         },
         Edit {

@@ -4,7 +4,7 @@
 //!   (a parenthesis, a connector without its partner) stays as it is, to the letter.
 //! - Enter within a network goes on with its rail, and below an open `\` with the branch that it leads to.
 //! - A `/` at the end of such a branch draws the `\` that it comes up to.
-//! - Enter behind a rung that completes its network draws the network again, and begins the next rung.
+//! - Enter after a rung that completes its network draws the network again, and begins the next rung.
 //! - Enter in a section indents the next declaration.
 //! - What Enter has begun may be typed once more; a comment or a keyword takes its place.
 //!
@@ -22,10 +22,10 @@ use ladder_analysis::networks::NetworkAt;
 use ladder_format::{Edit, Options, format_ranges, is_switched_off};
 use ladder_syntax::{LineKind, SyntaxKind, TextSize};
 
-/// The characters behind which the drawing may do something.
+/// The characters after which the drawing may do something.
 pub const TRIGGERS: [char; 10] = ['\n', ')', '/', '+', '>', '#', '|', 'E', 'F', 'V'];
 
-/// The edits after a character was typed; `offset` is right behind it. Sorted, none touching another.
+/// The edits after a character was typed; `offset` is right after it. Sorted, none touching another.
 pub fn on_type(context: &Context, offset: TextSize, typed: char, options: &Options) -> Vec<Edit> {
     let line = context.parse.line_at(offset);
     if line.is_none_or(|line| is_switched_off(&context.parse, line)) {

@@ -1,4 +1,4 @@
-//! What Enter has begun, typed once more: somebody who copies a drawing looks at the paper, not at the screen.
+//! What Enter has begun, typed once more: a user who copies a drawing looks at the paper, not at the screen.
 //!
 //! `+--` is begun, and `+--[ ]( a )` is typed: without this it would become `+--+--[ ]( a )`. What was begun goes, and what was
 //! typed stays; also later in the line, for a fast typist is ahead of the answer.
@@ -8,7 +8,7 @@ use ladder_analysis::context::Context;
 use ladder_format::Edit;
 use ladder_syntax::{TextRange, TextSize};
 
-/// The edits behind a line that was begun twice, or begun as what it is not; none if it is neither. The offset is at its end.
+/// The edits after a line that was begun twice, or begun as what it is not; none if it is neither. The offset is at its end.
 pub(super) fn typed_over(context: &Context, offset: TextSize) -> Option<Vec<Edit>> {
     let parse = &context.parse;
     let line = parse.line_at(offset.checked_sub(TextSize::new(1))?)?;

@@ -13,7 +13,7 @@ pub(crate) struct Rung {
     /// Whether it ends at the right rail.
     pub(crate) railed: bool,
     /// Its comments that are no piece of a wire: those on rungs.
-    pub(crate) beside: Vec<String>,
+    pub(crate) next_to: Vec<String>,
     /// And the lines of comments between rungs.
     pub(crate) between: String,
 }
@@ -25,8 +25,8 @@ impl Rung {
         if items.get(start)?.kind != ItemKind::LeftRail {
             return None;
         }
-        let behind = items[start + 1..].iter().take_while(|item| item.joined).count();
-        let mut end = start + 1 + behind;
+        let after = items[start + 1..].iter().take_while(|item| item.joined).count();
+        let mut end = start + 1 + after;
         let railed = items[end - 1].kind == ItemKind::RightRail;
         end -= usize::from(railed);
         let mut blocks = 0;
@@ -37,18 +37,18 @@ impl Rung {
         {
             return None;
         }
-        let mut beside = Vec::new();
+        let mut next_to = Vec::new();
         for row in &drawing.rows {
             for (index, item) in row.items.iter().enumerate() {
                 if item.is_loose(row.items.get(index + 1)) {
-                    beside.push(item.text.clone());
+                    next_to.push(item.text.clone());
                 }
             }
         }
         Some(Rung {
             parts,
             railed,
-            beside,
+            next_to,
             between: drawing.rows.iter().map(|row| comments(&row.below)).collect(),
         })
     }
@@ -75,7 +75,7 @@ impl Rung {
             }));
             if number == 0 {
                 items.extend(self.railed.then(Item::right_rail));
-                let comments = self.beside.iter();
+                let comments = self.next_to.iter();
                 items.extend(comments.map(|text| Item::new(ItemKind::Comment, text.as_str(), false)));
             }
             rows.push(Row {
@@ -83,7 +83,7 @@ impl Rung {
                 below: Vec::new(),
             });
         }
-        let mut drawing = like.beside(rows);
+        let mut drawing = like.next_to(rows);
         drawing.head.clone_from(&self.between);
         drawing
     }

@@ -71,7 +71,7 @@ impl Item {
         matches!(self.kind, ItemKind::Block(_))
     }
 
-    /// A comment that is no piece of a wire. It joins nothing, and what is behind it is not joined to it.
+    /// A comment that is no piece of a wire. It joins nothing, and what is after it is not joined to it.
     pub(crate) fn is_loose(&self, next: Option<&Item>) -> bool {
         self.kind == ItemKind::Comment && !self.joined && next.is_none_or(|next| !next.joined)
     }
@@ -97,7 +97,7 @@ pub(crate) struct Drawing {
 }
 
 impl Drawing {
-    /// The drawing of a network. None where it holds a mistake, or cannot be laid out again.
+    /// The drawing of a network. None where it holds an error, or cannot be laid out again.
     pub(crate) fn read(context: &Context, network: usize) -> Option<Drawing> {
         let facts = context.networks.at(network);
         if facts.broken {
@@ -140,7 +140,7 @@ impl Drawing {
     }
 
     /// A drawing of some rows that is not in the file yet, to be written with the line ends of another one.
-    pub(crate) fn beside(&self, rows: Vec<Row>) -> Drawing {
+    pub(crate) fn next_to(&self, rows: Vec<Row>) -> Drawing {
         Drawing {
             rows,
             head: String::new(),
@@ -254,8 +254,8 @@ impl Drawing {
         while start > 0 && items[start].joined {
             start -= 1;
         }
-        let behind = items[index + 1..].iter().take_while(|item| item.joined).count();
-        start..index + 1 + behind
+        let after = items[index + 1..].iter().take_while(|item| item.joined).count();
+        start..index + 1 + after
     }
 
     /// Whether a wire leads from a rail or another thing to the item.
@@ -263,8 +263,8 @@ impl Drawing {
         self.rows[row].items[index].joined
     }
 
-    /// Whether a wire goes on behind an item.
-    pub(crate) fn has_wire_behind(&self, row: usize, index: usize) -> bool {
+    /// Whether a wire goes on after an item.
+    pub(crate) fn has_wire_after(&self, row: usize, index: usize) -> bool {
         self.rows[row]
             .items
             .get(index + 1)
@@ -406,8 +406,8 @@ fn items(
 fn touches_wire(parts: &[RungPart], index: usize) -> bool {
     let wire = |part: &RungPart| part.segment.is_some();
     let before = parts[index].touches && index > 0 && wire(&parts[index - 1]);
-    let behind = parts
+    let after = parts
         .get(index + 1)
         .is_some_and(|part| part.touches && wire(part));
-    before || behind
+    before || after
 }

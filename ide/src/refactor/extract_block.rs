@@ -71,7 +71,7 @@ fn extracted(
         }
     }
     let parameters = parameters(context, on, &numbers)?;
-    let mut body = drawing.beside(region.copy(drawing));
+    let mut body = drawing.next_to(region.copy(drawing));
     let top = &mut body.rows[0].items;
     if let Some(first) = top.first_mut() {
         first.joined = true;
@@ -156,13 +156,13 @@ fn uses_in<'c>(context: &'c Context, tag: &'c TagFacts) -> impl Iterator<Item = 
 
 /// Global tags and direct addresses are the same in every body.
 fn is_seen_everywhere(tag: &TagFacts) -> bool {
-    tag.leads_elsewhere()
-        || tag.rare.foreign.is_some()
+    tag.is_alias()
+        || tag.cold.foreign.is_some()
         || matches!(
             tag.origin,
             Origin::Declared(SectionKind::Global | SectionKind::External) | Origin::Shared
         )
-        || (tag.origin == Origin::Form && tag.rare.address.is_some())
+        || (tag.origin == Origin::Form && tag.cold.address.is_some())
 }
 
 /// Whether the tag is all that a plain coil writes, which it does in every scan: what the block hands out at its end is

@@ -83,7 +83,7 @@ fn extracted(context: &Context, networks: Range<usize>, name: &str) -> Result<Ve
     let function = begin_function(context, networks.start, start, &moved, name).ok_or(None)?;
     let place = TextRange::new(start, parse.line_range(lines.end - 1).end());
     if place.end() == parse.text_len() {
-        // Nothing is behind them: call and function come one behind the other.
+        // Nothing is after them: call and function come one after the other.
         return Ok(vec![Edit {
             range: place,
             text: format!("{call}{line_end}{line_end}{function}"),
@@ -162,7 +162,7 @@ fn begin_function(
     let Some(rail) = at_rail.filter(|_| items.len() > 1) else {
         return Some(format!("+--{}--+{}{text}", fun.text, drawing.line_end()));
     };
-    let behind = usize::from(rail.at.end() - start);
-    let (before, rest) = text.split_at_checked(behind)?;
+    let after = usize::from(rail.at.end() - start);
+    let (before, rest) = text.split_at_checked(after)?;
     Some(format!("{before}--{}--{rest}", fun.text))
 }

@@ -45,7 +45,7 @@ fn inlined(
         return Err("the block is in another file".to_owned());
     }
     if place.analysis.has_errors() {
-        return Err("mend the mistakes of the file first".to_owned());
+        return Err("fix the errors of the file first".to_owned());
     }
     let body = body(context, definition)?;
     let text = on
@@ -123,8 +123,8 @@ fn body(context: &Context, definition: usize) -> Result<Inner, String> {
         let tag = scope.find(&Name::new(name)).map(|tag| &scope.tags[tag]);
         tag.is_some_and(|tag| tag.uses.len() == 1)
     };
-    let behind = &items[end + 1..];
-    let ends = behind
+    let after = &items[end + 1..];
+    let ends = after
         .iter()
         .all(|item| matches!(item.kind, ItemKind::RightRail | ItemKind::Comment));
     if !once("EN") || !once("ENO") || !ends || region.blocks(&drawing).len() + 2 != facts.blocks.len() {
@@ -262,7 +262,7 @@ impl Words<'_> {
     /// A tag that the block keeps to itself becomes a new one.
     fn own(&mut self, tag: &TagFacts) -> Result<String, String> {
         let name = &tag.name;
-        if !tag.rare.initial.is_empty() || tag.retain || tag.constant {
+        if !tag.cold.initial.is_empty() || tag.retain || tag.constant {
             return Err(format!(
                 "`{name}` in the body has an initial value, or is retentive"
             ));
@@ -343,9 +343,9 @@ impl Words<'_> {
 
 /// Whether a tag is one of another scope, or the same in all.
 fn is_outside(tag: &TagFacts) -> bool {
-    tag.leads_elsewhere()
-        || tag.rare.foreign.is_some()
-        || tag.rare.address.is_some() && tag.origin != Origin::Declared(SectionKind::Var)
+    tag.is_alias()
+        || tag.cold.foreign.is_some()
+        || tag.cold.address.is_some() && tag.origin != Origin::Declared(SectionKind::Var)
         || matches!(
             tag.origin,
             Origin::Shared | Origin::Declared(SectionKind::Global | SectionKind::External)

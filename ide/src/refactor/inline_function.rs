@@ -70,7 +70,7 @@ fn inlined(context: &Context, caller: usize, drawing: &Drawing, name: &Name) -> 
         return Err("an <MCR> switches rungs in one of them and not in the other".to_owned());
     }
     if facts.clone().any(|network| network.broken) {
-        return Err("the function holds a mistake in its drawing".to_owned());
+        return Err("the function holds an error in its drawing".to_owned());
     }
     let mixed = || "declarations or blocks are between the rungs of the function".to_owned();
     let lines = lines_with_comments(context, &networks).ok_or_else(mixed)?;
@@ -129,11 +129,11 @@ fn networks_of(context: &Context, function: usize) -> Range<usize> {
     start..start + count
 }
 
-/// The first network of a function without its `<FUN>`, and the line behind it.
+/// The first network of a function without its `<FUN>`, and the line after it.
 fn without_fun(context: &Context, network: usize, row: usize) -> Option<(String, usize)> {
     let mut drawing = Drawing::read(context, network)?;
     let facts = context.networks.at(network);
-    let behind = facts.first_line + facts.wiring.line_offsets.last()? + 1;
+    let after = facts.first_line + facts.wiring.line_offsets.last()? + 1;
     let fun = drawing.rows[row].items.iter().position(|item| match item.kind {
         ItemKind::Block(Some(number)) => facts.blocks[number].op() == Some(Op::Fun),
         _ => false,
@@ -143,15 +143,15 @@ fn without_fun(context: &Context, network: usize, row: usize) -> Option<(String,
     if has_block {
         // What `<FUN>` was before must still be one network of the same order.
         drawing.order()?;
-        let ends = lines_text(&context.parse, behind - 1..behind);
+        let ends = lines_text(&context.parse, after - 1..after);
         let line_end = if ends.ends_with(['\n', '\r']) {
             drawing.line_end()
         } else {
             ""
         };
-        return Some((format!("{}{line_end}", drawing.text()), behind));
+        return Some((format!("{}{line_end}", drawing.text()), after));
     }
-    Some((String::new(), behind))
+    Some((String::new(), after))
 }
 
 /// The lines, and the blank ones right above them.

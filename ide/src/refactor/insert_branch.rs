@@ -46,7 +46,7 @@ pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
         edits.extend(declaration);
     }
     let title = if output {
-        format!("Draw a parallel coil `{tag}` beside `{name}`")
+        format!("Draw a parallel coil `{tag}` next to `{name}`")
     } else {
         format!("Draw a parallel contact `{tag}` around `{name}` (no change while it is low)")
     };
@@ -85,14 +85,14 @@ pub(super) fn first_name(on: &OnNetwork<'_>, region: &Region) -> String {
     }
 }
 
-/// Whether a region is coils that end a rung: a coil goes beside them, not a contact.
+/// Whether a region is coils that end a rung: a coil goes next to them, not a contact.
 fn is_output(on: &OnNetwork<'_>, region: &Region) -> bool {
     let all_coils = on
         .blocks(&region.blocks(&on.drawing))
         .all(|block| block.facts.shape == Shape::Coil);
     let items = &on.drawing.rows[region.top].items;
-    let behind = items.get(region.on_top().end).filter(|item| item.joined);
-    all_coils && behind.is_none_or(|item| item.kind == ItemKind::RightRail)
+    let after = items.get(region.on_top().end).filter(|item| item.joined);
+    all_coils && after.is_none_or(|item| item.kind == ItemKind::RightRail)
 }
 
 /// The drawing with a branch around a region. None where that would change the order of evaluation.
@@ -103,11 +103,11 @@ pub(super) fn with_branch(drawing: &Drawing, region: &Region, branch: Vec<Item>)
         .chain(branch)
         .chain([Item::up(true)])
         .collect();
-    let beside = (region.rows.len() == 1)
-        .then(|| room_beside(drawing, top, region.on_top().start))
+    let next_to = (region.rows.len() == 1)
+        .then(|| room_next_to(drawing, top, region.on_top().start))
         .flatten();
     let mut shift = 0;
-    match beside {
+    match next_to {
         Some(at) => {
             let items = &mut new.rows[top + 1].items;
             items.splice(at..at, branch);
@@ -139,9 +139,9 @@ pub(super) fn with_branch(drawing: &Drawing, region: &Region, branch: Vec<Item>)
     (new.old_order()? == drawing.old_order()?).then_some(new)
 }
 
-/// Where on the row below a new segment can be that is joined behind an item of this row: what is left of it there has
+/// Where on the row below a new segment can be that is joined after an item of this row: what is left of it there has
 /// been evaluated by then.
-fn room_beside(drawing: &Drawing, row: usize, item: usize) -> Option<usize> {
+fn room_next_to(drawing: &Drawing, row: usize, item: usize) -> Option<usize> {
     let below = drawing.rows.get(row + 1)?;
     let left = drawing.count_before(row, item, ItemKind::Down);
     let at = match left.checked_sub(1) {

@@ -86,7 +86,7 @@ impl<'c> Output<'c> {
                 Circuit::Element(Item::block(format!("{head}{list}")))
             }
             Circuit::Series(parts) => {
-                // A bare wire beside a contact is always high.
+                // A bare wire next to a contact is always high.
                 let blocks: Option<Vec<_>> = parts.iter().map(|part| self.inverted(part)).collect();
                 one_or(blocks.filter(|blocks| !blocks.is_empty())?, Circuit::Parallel)
             }
@@ -177,15 +177,15 @@ fn obstacle(context: &Context, output: &Output<'_>, count: usize) -> Option<Stri
 }
 
 fn is_shared(context: &Context, tag: &TagFacts) -> bool {
-    tag.leads_elsewhere()
-        || tag.rare.foreign.is_some()
+    tag.is_alias()
+        || tag.cold.foreign.is_some()
         || matches!(
             tag.origin,
             Origin::Shared
                 | Origin::Implicit
                 | Origin::Declared(SectionKind::Global | SectionKind::External | SectionKind::InOut)
         )
-        || (tag.rare.address.is_some() && context.others.have_files())
+        || (tag.cold.address.is_some() && context.others.have_files())
 }
 
 fn action(title: String, why: Option<String>, edits: Vec<Edit>) -> Action {
@@ -195,7 +195,7 @@ fn action(title: String, why: Option<String>, edits: Vec<Edit>) -> Action {
     }
 }
 
-/// Two networks, one behind the other: a set coil and a reset coil of one tag.
+/// Two networks, one after the other: a set coil and a reset coil of one tag.
 pub(super) fn offer_seal_in(place: &Selected<'_>, out: &mut Vec<Action>) {
     let context = place.context;
     let networks = place.networks.clone();
@@ -252,7 +252,7 @@ fn seal_in(context: &Context, first: usize) -> Option<Action> {
     let lines = between(context, first)?;
     let mut rung = one.rung.clone();
     rung.railed |= two.rung.railed;
-    rung.beside.extend(two.rung.beside.iter().cloned());
+    rung.next_to.extend(two.rung.next_to.iter().cloned());
     rung.between.push_str(&lines);
     rung.between.push_str(&two.rung.between);
     let drawing = rung.draw(&one.drawing, parts);
@@ -340,7 +340,7 @@ fn set_and_reset(context: &Context, network: usize) -> Option<Action> {
     set_parts.push(coil(set_coil));
     let reset_parts = vec![reset, coil(reset_coil)];
     let bare = Rung {
-        beside: Vec::new(),
+        next_to: Vec::new(),
         between: String::new(),
         ..output.rung.clone()
     };

@@ -43,9 +43,9 @@ use place::Selected;
 /// What an action is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum ActionKind {
-    /// It mends one finding.
+    /// It fixes one finding.
     QuickFix,
-    /// It mends all that can be mended safely.
+    /// It fixes all that can be fixed safely.
     FixAll,
     /// It makes a function or block of a part.
     Extract,
@@ -76,15 +76,15 @@ pub struct Action {
     work: Work,
     /// Why it cannot be done here, though it looks as if it could.
     pub disabled: Option<String>,
-    /// The finding that it mends, as an index into the analysis' diagnostics.
+    /// The finding that it fixes, as an index into the analysis' diagnostics.
     pub finding: Option<usize>,
-    /// It is the best of those that mend the finding, and safe.
+    /// It is the best of those that fix the finding, and safe.
     pub preferred: bool,
 }
 
 impl Action {
     pub(crate) fn new(kind: ActionKind, title: impl Into<String>, mut edits: Vec<Edit>) -> Action {
-        // What is put in at a place comes before what replaces the text behind it.
+        // What is put in at a place comes before what replaces the text after it.
         edits.sort_by_key(|edit| (edit.range.start(), edit.range.end()));
         Action {
             work: Work::Edits(edits),

@@ -15,11 +15,11 @@ impl Way {
     fn of(drawing: &Drawing, row: usize, down: usize, up: usize) -> Way {
         let above = (
             drawing.has_wire_before(row, down),
-            drawing.has_wire_behind(row, down),
+            drawing.has_wire_after(row, down),
         );
         let below = (
             drawing.has_wire_before(row + 1, up),
-            drawing.has_wire_behind(row + 1, up),
+            drawing.has_wire_after(row + 1, up),
         );
         match (above.0 && below.1, below.0 && above.1) {
             (true, true) => Way::Both,
@@ -42,7 +42,7 @@ impl Way {
     }
 }
 
-/// Puts rows between a row and the next one. What they hold comes behind the wires of the first `before` pairs between
+/// Puts rows between a row and the next one. What they hold comes after the wires of the first `before` pairs between
 /// the two. Says how many items the row above has more among those pairs than before.
 pub(crate) fn insert_rows(drawing: &mut Drawing, above: usize, before: usize, rows: Vec<Vec<Item>>) -> usize {
     let pairs: Vec<(usize, usize)> = drawing

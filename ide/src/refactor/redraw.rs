@@ -32,7 +32,7 @@ pub enum Redraw {
     Invert,
     /// The block under the cursor changes places with what is before it.
     Left,
-    /// The same, with what is behind it.
+    /// The same, with what is after it.
     Right,
     /// The block under the cursor goes to the rung above, in its column; from the first one to the network above.
     Up,
@@ -55,8 +55,8 @@ pub struct Redrawn {
 enum Cursor {
     /// To the first place of a name.
     Name(String),
-    /// Behind this many characters that layout does not change.
-    Behind(usize),
+    /// After this many characters that layout does not change.
+    After(usize),
     Stays,
 }
 
@@ -101,7 +101,7 @@ pub fn redraw(
     let new = apply(text, &edits);
     let cursor = match cursor {
         Cursor::Name(name) => new.find(&name),
-        Cursor::Behind(count) => solid(&new).nth(count).map(|(at, _)| at),
+        Cursor::After(count) => solid(&new).nth(count).map(|(at, _)| at),
         Cursor::Stays => None,
     };
     Ok(Redrawn {
@@ -134,21 +134,21 @@ fn first(
     Ok((action.edits(analysis), Cursor::Stays))
 }
 
-const NO_RUNG: &str = "put the cursor on a rung without mistakes in its drawing, or on an empty line";
+const NO_RUNG: &str = "put the cursor on a rung without errors in its drawing, or on an empty line";
 
 /// A block with a new tag at the cursor; on an empty line a rung with it.
-fn put_in(place: &Selected<'_>, before: &str, base: &str, behind: &str) -> Done {
+fn put_in(place: &Selected<'_>, before: &str, base: &str, after: &str) -> Done {
     let name = new_tag(place.context, &[], base);
-    let block = format!("{before}{name}{behind}");
+    let block = format!("{before}{name}{after}");
     let at = place.range.start();
     let Some(on) = &place.on else {
         let parse = &place.context.parse;
         let line = parse.line_at(at);
         let is_blank = line.is_none_or(|line| parse.lines()[line].kind == LineKind::Blank);
-        // Behind the last line end there is no line.
-        let behind_all =
+        // After the last line end there is no line.
+        let after_all =
             at == parse.text_len() && (at == TextSize::new(0) || parse.to_string().ends_with(['\n', '\r']));
-        if !is_blank && !behind_all || !place.range.is_empty() {
+        if !is_blank && !after_all || !place.range.is_empty() {
             return Err(NO_RUNG);
         }
         let edit = Edit {
@@ -188,7 +188,7 @@ fn insert(drawing: &mut Drawing, row: usize, index: usize, mut item: Item) -> us
     index
 }
 
-const NO_BLOCK: &str = "put the cursor on a block of a rung without mistakes in its drawing";
+const NO_BLOCK: &str = "put the cursor on a block of a rung without errors in its drawing";
 
 /// The row and the index of the one block that is selected.
 fn block<'p, 'a>(place: &'p Selected<'a>) -> Result<(&'p OnNetwork<'a>, usize, usize), &'static str> {
@@ -225,12 +225,12 @@ fn moved(place: &Selected<'_>, right: bool) -> Done {
     items.swap(a, b);
     items[a].joined = joined_a;
     items[b].joined = joined_b;
-    let cursor = behind(place, &drawing, row, other);
+    let cursor = after(place, &drawing, row, other);
     Ok((vec![drawing.replace()], cursor))
 }
 
 /// The cursor in front of an item of a drawing that is put in the place of what it was read from.
-fn behind(place: &Selected<'_>, drawing: &Drawing, row: usize, index: usize) -> Cursor {
+fn after(place: &Selected<'_>, drawing: &Drawing, row: usize, index: usize) -> Cursor {
     let text = place.context.parse.to_string();
     let mut count = solid(&text[..drawing.range().start().into()]).count() + solid(&drawing.head).count();
     for above in &drawing.rows[..row] {
@@ -243,7 +243,7 @@ fn behind(place: &Selected<'_>, drawing: &Drawing, row: usize, index: usize) -> 
     }
     let before = &drawing.rows[row].items[..index];
     count += before.iter().map(|item| solid(&item.text).count()).sum::<usize>();
-    Cursor::Behind(count)
+    Cursor::After(count)
 }
 
 fn carried(place: &Selected<'_>, down: bool) -> Done {
@@ -258,7 +258,7 @@ fn carried(place: &Selected<'_>, down: bool) -> Done {
         return carried_to_neighbour(place, on, &drawing, item, from, down);
     };
     let index = put_on_row(&mut drawing, place.context, on.facts, target, item, from);
-    let cursor = behind(place, &drawing, target, index);
+    let cursor = after(place, &drawing, target, index);
     Ok((vec![drawing.replace()], cursor))
 }
 
@@ -281,7 +281,7 @@ fn carried_to_neighbour(
     let neighbour = neighbour.filter(|&other| context.bodies[other] == context.bodies[on.network]);
     let neighbour = neighbour.ok_or(NO_RUNG_THERE)?;
     let mut drawing =
-        Drawing::read(context, neighbour).ok_or("the drawing of the network there has a mistake")?;
+        Drawing::read(context, neighbour).ok_or("the drawing of the network there has an error")?;
     let target = if down {
         0
     } else {
@@ -298,8 +298,8 @@ fn carried_to_neighbour(
         range: left.range(),
         text: if is_empty { String::new() } else { left.text() },
     };
-    let mut cursor = behind(place, &drawing, target, index);
-    if let Cursor::Behind(count) = &mut cursor
+    let mut cursor = after(place, &drawing, target, index);
+    if let Cursor::After(count) = &mut cursor
         && down
     {
         let text = context.parse.to_string();
@@ -364,7 +364,7 @@ fn deleted(place: &Selected<'_>, analysis: &Analysis) -> Done {
         };
         return Ok((vec![edit], Cursor::Stays));
     }
-    // A branch without a block would be a bare wire beside others.
+    // A branch without a block would be a bare wire next to others.
     if row > 0 && blocks(on.drawing.segment(row, items.start)) == gone {
         let branch = first(place, analysis, remove_branch::offer, NO_BLOCK);
         if branch.is_ok() {
@@ -375,6 +375,6 @@ fn deleted(place: &Selected<'_>, analysis: &Analysis) -> Done {
     for &index in gone.iter().rev() {
         drawing.take(row, index);
     }
-    let cursor = behind(place, &drawing, row, gone[0].min(drawing.rows[row].items.len()));
+    let cursor = after(place, &drawing, row, gone[0].min(drawing.rows[row].items.len()));
     Ok((vec![drawing.replace()], cursor))
 }

@@ -33,18 +33,18 @@ impl Region {
             let row = top + rows.len() - 1;
             let range = rows[rows.len() - 1].clone();
             let first = drawing.count_before(row, range.start, ItemKind::Down);
-            let behind = drawing.count_before(row, range.end, ItemKind::Down);
-            if first == behind {
+            let after = drawing.count_before(row, range.end, ItemKind::Down);
+            if first == after {
                 break;
             }
             let left = drawing.all(row + 1, ItemKind::Up).nth(first)?;
-            let right = drawing.all(row + 1, ItemKind::Up).nth(behind - 1)?;
+            let right = drawing.all(row + 1, ItemKind::Up).nth(after - 1)?;
             let start = drawing.segment(row + 1, left).start;
             let end = drawing.segment(row + 1, right).end;
             let below = &drawing.rows[row + 1].items[start..end];
             if below.iter().any(rail)
                 || drawing.count_before(row + 1, start, ItemKind::Up) != first
-                || drawing.count_before(row + 1, end, ItemKind::Up) != behind
+                || drawing.count_before(row + 1, end, ItemKind::Up) != after
             {
                 return None;
             }

@@ -117,7 +117,7 @@ fn without_upper(drawing: &Drawing, parallel: &Parallel, gone: &Region) -> Optio
     Some(new)
 }
 
-/// Takes whole segments out of a row; their comments stay, behind the rung.
+/// Takes whole segments out of a row; their comments stay, after the rung.
 fn remove(drawing: &mut Drawing, row: usize, range: Range<usize>) {
     let items = &mut drawing.rows[row].items;
     let gone: Vec<Item> = items.drain(range.clone()).collect();

@@ -36,8 +36,8 @@ pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
     let mut cuts = (1..=start).rev().map(|at| (at, across(on, row, at, &tag)));
     let found = cuts.find_map(|(at, split)| Some((at, split?)));
     if let Some((at, split)) = found {
-        let behind = on.drawing.rows[row].items[at..].iter();
-        let mut blocks = behind.filter_map(|item| match item.kind {
+        let after = on.drawing.rows[row].items[at..].iter();
+        let mut blocks = after.filter_map(|item| match item.kind {
             ItemKind::Block(Some(number)) => Some(called(&on.facts.blocks[number], &item.text)),
             _ => None,
         });
@@ -118,7 +118,7 @@ fn between_rows(on: &OnNetwork<'_>, row: usize, tag: &str) -> Option<Split> {
         return None;
     };
     let up = drawing.up_of(above, down)?;
-    if up != drawing.drawn_start(row) || !drawing.has_wire_behind(row, up) {
+    if up != drawing.drawn_start(row) || !drawing.has_wire_after(row, up) {
         return None;
     }
     let below = row..drawing.rows.len();
@@ -129,8 +129,8 @@ fn between_rows(on: &OnNetwork<'_>, row: usize, tag: &str) -> Option<Split> {
     {
         return None;
     }
-    let mut first = drawing.beside(drawing.rows[..row].to_vec());
-    let mut second = drawing.beside(drawing.rows[below].to_vec());
+    let mut first = drawing.next_to(drawing.rows[..row].to_vec());
+    let mut second = drawing.next_to(drawing.rows[below].to_vec());
     second.head = comments(&std::mem::take(&mut first.rows[above].below));
     let carries = if is_rail(drawing, above, down) {
         first.take(above, down);
@@ -199,7 +199,7 @@ fn across(on: &OnNetwork<'_>, row: usize, at: usize, tag: &str) -> Option<Split>
         }
         cuts.push(cut);
     }
-    let (mut first, mut second) = (drawing.beside(Vec::new()), drawing.beside(Vec::new()));
+    let (mut first, mut second) = (drawing.next_to(Vec::new()), drawing.next_to(Vec::new()));
     for (row, cut) in drawing.rows.iter().zip(&cuts) {
         let (left, right) = row.items.split_at(*cut);
         first.rows.push(Row {

@@ -102,7 +102,7 @@ fn tag(file: &Context, scope: usize, key: &Name, new: &str) -> Result<(), Rename
         let other = &context.scopes[scope].tags[other];
         return Err(taken(
             file,
-            other.rare.foreign.as_deref(),
+            other.cold.foreign.as_deref(),
             new,
             file.place_of(other),
             "tag",
@@ -139,7 +139,7 @@ fn global(file: &Context, symbol: &Symbol, key: &Name, new: &str) -> Result<(), 
         if !hides || tag_of(file, number, old).as_ref() == Some(symbol) {
             return Err(taken(
                 file,
-                tag.rare.foreign.as_deref(),
+                tag.cold.foreign.as_deref(),
                 new,
                 file.place_of(tag),
                 "tag",

@@ -13,7 +13,7 @@ use std::sync::Arc;
 type FileBody = (Arc<str>, Body);
 
 /// A symbol with all others that must keep its name; they are more than one for labels only.
-pub(super) fn together(own: &Context, symbol: &Symbol, workspace: &dyn Workspace) -> Vec<Symbol> {
+pub(super) fn of_one_name(own: &Context, symbol: &Symbol, workspace: &dyn Workspace) -> Vec<Symbol> {
     let Symbol::Label { file, body, name } = symbol else {
         return vec![symbol.clone()];
     };
@@ -79,7 +79,7 @@ impl Search<'_> {
     }
 
     /// Whether jumps to the label leave a block: it has none, and it, or a block in it, jumps there. `depth`
-    /// bounds the walk through blocks that hold themselves, which is a mistake.
+    /// bounds the walk through blocks that hold themselves, which is an error.
     fn passes(&self, (file, body): &FileBody, depth: usize) -> bool {
         let label = Symbol::Label {
             file: Arc::clone(file),

@@ -19,7 +19,7 @@ pub(super) fn laid_out(old: &Parse, text: &str, names: &[Edit], options: &Option
     compose(text, names, &renamed, &straighten)
 }
 
-/// Where the new names appear once all are there, as far as they move what is drawn behind them. Declarations are no
+/// Where the new names appear once all are there, as far as they move what is drawn after them. Declarations are no
 /// drawing: those that nobody laid out stay.
 fn moved(old: &Parse, text: &str, names: &[Edit], shift: &Shift<'_>) -> Vec<TextRange> {
     let moves = |edit: &&Edit| {
@@ -52,7 +52,7 @@ fn straight_sections(old: &Parse, names: &[Edit], options: &Options) -> Vec<Text
 /// Where things lie when the edits before them are made.
 struct Shift<'e> {
     edits: &'e [Edit],
-    /// How much the text has grown before each edit, and behind the last.
+    /// How much the text has grown before each edit, and after the last.
     grown: Vec<i64>,
 }
 
@@ -163,7 +163,7 @@ mod tests {
         };
         check(&[], &[edit(1, 2, "x")], &[edit(1, 2, "x")]);
         check(&[edit(1, 2, "xyz")], &[], &[edit(1, 2, "xyz")]);
-        // bcd -> xyz, then behind it f -> .
+        // bcd -> xyz, then after it f -> .
         check(
             &[edit(1, 2, "xyz")],
             &[edit(7, 8, "")],

@@ -53,9 +53,9 @@ fn of_file(symbol: &Symbol, new: &str, file: &ScenarioFile, hides: &dyn Fn(&str)
             Some(range) => new_width - i64::from(display_width(&file.text[*range])),
             None => 0,
         };
-        // All rows keep their columns in common, with at least one blank behind each name.
+        // All rows keep their columns in common, with at least one blank after each name.
         let room = |(row, name): (&Row, &Option<TextRange>)| {
-            i64::from(u32::from(blanks_behind(row, &file.text).len())) - grows(name)
+            i64::from(u32::from(blanks_after(row, &file.text).len())) - grows(name)
         };
         let least = scenario.rows.iter().zip(&names).map(room).min().unwrap_or(1);
         let more = (1 - least).max(0);
@@ -66,7 +66,7 @@ fn of_file(symbol: &Symbol, new: &str, file: &ScenarioFile, hides: &dyn Fn(&str)
                     text: new.to_owned(),
                 });
             }
-            let blanks = blanks_behind(row, &file.text);
+            let blanks = blanks_after(row, &file.text);
             let width = room((row, name)) + more;
             if width != i64::from(u32::from(blanks.len())) && !blanks.is_empty() {
                 edits.push(Edit {
@@ -81,11 +81,11 @@ fn of_file(symbol: &Symbol, new: &str, file: &ScenarioFile, hides: &dyn Fn(&str)
 }
 
 /// The blanks between a row's name and what follows.
-fn blanks_behind(row: &Row, text: &str) -> TextRange {
+fn blanks_after(row: &Row, text: &str) -> TextRange {
     let written = &text[row.range];
     let name = written.find(char::is_whitespace).unwrap_or(written.len());
     let end = row.range.start() + TextSize::new(name as u32);
-    let behind = &text[usize::from(end)..];
-    let blanks = behind.len() - behind.trim_start_matches([' ', '\t']).len();
+    let after = &text[usize::from(end)..];
+    let blanks = after.len() - after.trim_start_matches([' ', '\t']).len();
     TextRange::at(end, TextSize::new(blanks as u32))
 }

@@ -15,10 +15,10 @@ use ladder_syntax::{Name, TextRange, TextSize};
 /// This many are proposed at once.
 const MOST: usize = 128;
 
-/// Tags of other files are behind those of the program.
+/// Tags of other files are after those of the program.
 const BEHIND_ALL_OWN: u8 = 8;
 
-/// What can be written at an offset. `programs` are those beside the file, as it would name them; `trigger` is the character
+/// What can be written at an offset. `programs` are those next to the file, as it would name them; `trigger` is the character
 /// that was just typed, if that is why it is asked.
 pub fn completions(
     scenarios: &Scenarios<'_>,
@@ -85,7 +85,7 @@ pub fn completions(
 struct Proposals {
     /// What is replaced.
     word: TextRange,
-    /// Nothing is behind the cursor on its line.
+    /// Nothing is after the cursor on its line.
     ends_line: bool,
     items: Vec<Completion>,
 }
@@ -206,12 +206,12 @@ fn tags(
 
 /// A tag and what is between it and its values, where nothing follows yet.
 fn row_text(name: &str, direction: Direction, out: &Proposals) -> Snippet {
-    let behind = match direction {
+    let after = match direction {
         _ if !out.ends_line => "",
         Direction::Given => " ",
         Direction::Expected => " => ",
     };
-    Snippet::plain_text(format!("{name}{behind}"))
+    Snippet::plain_text(format!("{name}{after}"))
 }
 
 fn heading(word: &str, first: bool, programs: &[String], out: &mut Proposals) {
@@ -249,11 +249,11 @@ fn in_row(
     scenarios: &Scenarios<'_>,
     scenario: &Scenario,
     tag: &str,
-    behind: Option<&str>,
+    after: Option<&str>,
     start: TextSize,
     out: &mut Proposals,
 ) {
-    if behind.is_none() {
+    if after.is_none() {
         let words = "What follows is expected of the program after each step.";
         out.add(
             CompletionKind::Operator,
@@ -301,7 +301,7 @@ fn levels(scenario: &Scenario, start: TextSize, out: &mut Proposals) {
             .filter(|(_, place)| place.start() < out.word.end())
             .count()
     });
-    // Levels touch: what is accepted is behind those that are written.
+    // Levels touch: what is accepted is after those that are written.
     out.word = TextRange::empty(out.word.end());
     let missing = steps.saturating_sub(there);
     for (letter, one, all) in [

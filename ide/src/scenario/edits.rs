@@ -5,7 +5,7 @@ use ladder_format::Edit;
 use ladder_simulator::scenario;
 use ladder_syntax::{TextRange, TextSize};
 
-/// The characters behind which columns are aligned.
+/// The characters after which columns are aligned.
 const TRIGGERS: [char; 1] = ['\n'];
 
 /// The edits that align a text. Sorted, none touching another.
@@ -13,7 +13,7 @@ pub fn layout(text: &str) -> Vec<Edit> {
     differences(text, &scenario::layout(text))
 }
 
-/// The edits after a character was typed; `offset` is right behind it. Enter behind a row aligns the rows of its scenario.
+/// The edits after a character was typed; `offset` is right after it. Enter after a row aligns the rows of its scenario.
 /// What is about to be written stays as it is.
 pub fn on_type(text: &str, offset: TextSize, typed: char) -> Vec<Edit> {
     if !TRIGGERS.contains(&typed) {

@@ -13,6 +13,6 @@ pub struct Scenarios<'t> {
     pub suite: &'t Suite,
     /// The program that it names, if that was found.
     pub program: Option<&'t Context>,
-    /// The files beside the program.
+    /// The files next to the program.
     pub workspace: &'t dyn Workspace,
 }

@@ -56,7 +56,7 @@ fn word(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<Hover> {
     let word = &text[from..to];
     let is_first = text[..from].trim().is_empty();
     let markdown = match word {
-        "=>" => "What is behind `=>` is expected of the program after each step.",
+        "=>" => "What is after `=>` is expected of the program after each step.",
         word if is_first => keyword(word)?,
         _ => return None,
     };
@@ -130,7 +130,7 @@ fn of_tag(scenarios: &Scenarios<'_>, row: &Row, named: &Named<'_>) -> String {
     format!("{card}\n\n---\n\n{}", does(row))
 }
 
-/// The comment behind a tag's declaration.
+/// The comment after a tag's declaration.
 fn declared_comment(program: &Context, tag: &TagFacts) -> Option<String> {
     let tag = program.shared(tag);
     if !tag.is_declared() {
@@ -167,7 +167,7 @@ fn of_step(scenarios: &Scenarios<'_>, scenario: &Scenario, row: &Row, step: usiz
     let said = match (&row.cells[step].0, row.direction) {
         (Cell::Same, Direction::Expected) => format!("{name} is not checked"),
         (Cell::Same, Direction::Given) => match before {
-            Some((cell, _)) => format!("{name} is not given anew; last it was {}", shown(cell)),
+            Some((cell, _)) => format!("{name} is not given again; last it was {}", shown(cell)),
             None => format!("{name} is not given yet"),
         },
         (cell, Direction::Given) => format!("{name} is given: {}", shown(cell)),

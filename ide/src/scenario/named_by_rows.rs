@@ -81,11 +81,11 @@ fn values_of(program: &Context, tag: &TagFacts, ty: Type) -> Vec<(String, Scalar
     match ty {
         Type::Scalar(ty) => vec![(tag.name.to_string(), ty)],
         Type::State(state) => {
-            let law = program.profile.law();
+            let semantics = program.profile.semantics();
             let member = |name: &str| {
                 Some((
                     format!("{}.{name}", tag.name),
-                    ladder_analysis::state_member(state, name)?.ty(law),
+                    ladder_analysis::state_member(state, name)?.ty(semantics),
                 ))
             };
             members_of(state).filter_map(member).collect()

@@ -43,7 +43,7 @@ pub fn definition(scenarios: &Scenarios<'_>, offset: TextSize) -> Vec<Target> {
     }
 }
 
-/// All places of the tag at an offset: in the program, the files beside it, and in scenarios.
+/// All places of the tag at an offset: in the program, the files next to it, and in scenarios.
 pub fn references(scenarios: &Scenarios<'_>, offset: TextSize) -> Vec<Reference> {
     match (scenarios.program, symbol_at(scenarios, offset)) {
         (Some(program), Some((symbol, _))) => of_symbol(program, &symbol, scenarios.workspace),
@@ -95,7 +95,7 @@ pub fn prepare_rename(
     }))
 }
 
-/// The edits that give the tag at an offset another name: in the program, the files beside it, and in all scenarios.
+/// The edits that give the tag at an offset another name: in the program, the files next to it, and in all scenarios.
 ///
 /// # Errors
 /// The name is refused.

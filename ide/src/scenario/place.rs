@@ -15,11 +15,11 @@ pub(super) enum AtCursor<'s> {
     Tag(&'s Row),
     /// The value of a step: of which row of which scenario, and the number of the step, from 0.
     Step(&'s Scenario, &'s Row, usize),
-    /// What is behind `±`.
+    /// What is after `±`.
     Tolerance(TextRange),
 }
 
-/// What is at an offset; a cursor right behind a word counts, unless something else begins there.
+/// What is at an offset; a cursor right after a word counts, unless something else begins there.
 pub(super) fn place<'s>(scenarios: &Scenarios<'s>, offset: TextSize) -> Option<AtCursor<'s>> {
     let suite = scenarios.suite;
     if let Some((_, range)) = &suite.program
@@ -28,8 +28,8 @@ pub(super) fn place<'s>(scenarios: &Scenarios<'s>, offset: TextSize) -> Option<A
         return Some(AtCursor::Program(*range));
     }
     // The last one that begins at the offset or before it.
-    let behind = |scenario: &Scenario| scenario.range.start() <= offset;
-    let scenario = suite.scenarios.iter().rev().find(|scenario| behind(scenario))?;
+    let after = |scenario: &Scenario| scenario.range.start() <= offset;
+    let scenario = suite.scenarios.iter().rev().find(|scenario| after(scenario))?;
     if scenario.range.contains_inclusive(offset) {
         return Some(AtCursor::Scenario(scenario));
     }

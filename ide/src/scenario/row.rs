@@ -42,7 +42,7 @@ pub(super) enum File<'c> {
     /// The program that the scenarios are about.
     Program(&'c Context),
     /// One that the program may use.
-    Beside(Arc<Context>),
+    Other(Arc<Context>),
 }
 
 impl Deref for File<'_> {
@@ -51,7 +51,7 @@ impl Deref for File<'_> {
     fn deref(&self) -> &Context {
         match self {
             File::Program(program) => program,
-            File::Beside(file) => file,
+            File::Other(file) => file,
         }
     }
 }
@@ -82,7 +82,7 @@ pub(super) fn named<'c>(scenarios: &Scenarios<'c>, name: &str) -> Option<Named<'
     // What is the same in all files goes by its name alone.
     matches!(symbol, Symbol::Tag { .. }).then_some(Named {
         symbol,
-        file: File::Beside(file),
+        file: File::Other(file),
         tag,
         name: word,
     })
@@ -117,7 +117,7 @@ pub(super) fn value_type(scenarios: &Scenarios<'_>, name: &str) -> Option<Scalar
     match (file.shared(named.tag()).ty?, member) {
         (Type::Scalar(ty), None) if rest.is_empty() => Some(ty),
         (Type::Scalar(_), Some(_)) => Some(Scalar::Bool),
-        (Type::State(state), Some(member)) => Some(state_member(state, member)?.ty(file.profile.law())),
+        (Type::State(state), Some(member)) => Some(state_member(state, member)?.ty(file.profile.semantics())),
         (Type::Array { element, .. }, None) => Some(element),
         _ => None,
     }
@@ -145,7 +145,7 @@ pub(crate) fn name_in(row: &Row, symbol: &Symbol, program: &str) -> Option<TextR
     }
 }
 
-/// The word of a row's name that begins `from` bytes behind its start, without member and index.
+/// The word of a row's name that begins `from` bytes after its start, without member and index.
 fn word(name: &str, from: usize) -> Range<usize> {
     let rest = &name[from..];
     let end = rest

@@ -43,7 +43,7 @@ impl TokenKind {
             "parameter",
             "operands given by name; in a block's body its parameters",
         ),
-        (TokenKind::Property, "property", "members and bits behind a `.`"),
+        (TokenKind::Property, "property", "members and bits after a `.`"),
         (
             TokenKind::EnumMember,
             "enumMember",

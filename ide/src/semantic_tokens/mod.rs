@@ -1,6 +1,6 @@
 //! Semantic tokens: what each word of a text is, for the colours of an editor.
 //!
-//! Only standard kinds, so that every theme has a colour for them; beside the standard modifiers four say which tags are
+//! Only standard kinds, so that every theme has a colour for them; next to the standard modifiers four say which tags are
 //! inputs and outputs, and which blocks contacts and coils. The drawing itself (wires, rails,
 //! connectors, brackets) has none: it keeps the colour of text, and that of power while a simulation runs.
 //!

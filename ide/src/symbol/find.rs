@@ -21,7 +21,7 @@ pub(crate) struct Found {
     pub(crate) range: TextRange,
 }
 
-/// What is named at an offset; a cursor right behind a word counts.
+/// What is named at an offset; a cursor right after a word counts.
 pub(crate) fn find(file: &Context, offset: TextSize) -> Option<Found> {
     let parse = &file.parse;
     let line = parse.line_at(offset)?;
@@ -51,15 +51,15 @@ pub(crate) fn find(file: &Context, offset: TextSize) -> Option<Found> {
 pub(crate) fn tag_of(file: &Context, scope: usize, name: &Name) -> Option<Symbol> {
     let scopes = &file.scopes;
     let mut entry = (scope, scopes[scope].find(name)?);
-    while let Some(leads_to) = file.leads_to(&scopes[entry.0].tags[entry.1]) {
-        entry = leads_to;
+    while let Some(alias_of) = file.alias_of(&scopes[entry.0].tags[entry.1]) {
+        entry = alias_of;
     }
     let tag = &scopes[entry.0].tags[entry.1];
     let name = Name::new(&tag.name);
     Some(match tag.origin {
         Origin::Declared(SectionKind::Global | SectionKind::External) => Symbol::Global(name),
-        _ if tag.rare.foreign.is_some() => Symbol::Global(name),
-        Origin::Form if tag.rare.address.is_some() => Symbol::Address(name),
+        _ if tag.cold.foreign.is_some() => Symbol::Global(name),
+        Origin::Form if tag.cold.address.is_some() => Symbol::Address(name),
         _ => Symbol::Tag {
             file: Arc::clone(&file.name),
             scope: entry.0,

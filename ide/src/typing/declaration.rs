@@ -6,19 +6,19 @@ use ladder_syntax::SyntaxKind;
 /// A place in a declaration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Declaration {
-    /// Behind a section's keyword: RETAIN or CONSTANT.
+    /// After a section's keyword: RETAIN or CONSTANT.
     Header,
     /// Where a name is declared; whether it is the first thing on its line.
     Names(bool),
-    /// Behind names: AT.
-    BehindNames,
-    /// Behind AT.
+    /// After names: AT.
+    AfterNames,
+    /// After AT.
     Address,
-    /// Behind the colon.
+    /// After the colon.
     Type,
-    /// Behind ARRAY with its bounds.
+    /// After ARRAY with its bounds.
     Of,
-    /// Behind `:=`.
+    /// After `:=`.
     Initial,
 }
 
@@ -35,13 +35,13 @@ pub(super) fn declaration(tokens: &[Token], typing: &Typing<'_>) -> Option<Decla
             SyntaxKind::KEYWORD if word.eq_ignore_ascii_case("OF") => Declaration::Type,
             SyntaxKind::COLON => Declaration::Type,
             SyntaxKind::ASSIGN => Declaration::Initial,
-            SyntaxKind::COMMA if matches!(place, Declaration::Names(_) | Declaration::BehindNames) => {
+            SyntaxKind::COMMA if matches!(place, Declaration::Names(_) | Declaration::AfterNames) => {
                 Declaration::Names(false)
             }
             SyntaxKind::SEMICOLON => Declaration::Names(alone),
             SyntaxKind::R_BRACKET if matches!(place, Declaration::Type) => Declaration::Of,
-            _ if matches!(place, Declaration::Names(_)) => Declaration::BehindNames,
-            // Behind a type, or inside its bounds, nothing is to be named.
+            _ if matches!(place, Declaration::Names(_)) => Declaration::AfterNames,
+            // After a type, or inside its bounds, nothing is to be named.
             SyntaxKind::L_BRACKET => place,
             _ => place,
         };

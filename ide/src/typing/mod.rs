@@ -58,7 +58,7 @@ pub(crate) struct Head {
     pub(crate) shape: Shape,
     /// Where its opening bracket is.
     pub(crate) open: usize,
-    /// Behind its closing bracket, if that is there.
+    /// After its closing bracket, if that is there.
     pub(crate) closed: Option<usize>,
     /// Whether an operand list follows.
     pub(crate) has_list: bool,
@@ -74,11 +74,11 @@ struct Token {
 /// What is being written at an offset. None in comments, and where that cannot be known.
 pub(crate) fn typing(context: &Context, offset: TextSize) -> Option<Typing<'_>> {
     let parse = &context.parse;
-    let behind_last = parse
+    let after_last = parse
         .lines()
         .last()
         .is_none_or(|line| offset == parse.text_len() && line.text().ends_with(['\n', '\r']));
-    let line = if behind_last {
+    let line = if after_last {
         parse.lines().len()
     } else {
         parse.line_at(offset)?
@@ -173,7 +173,7 @@ impl Typing<'_> {
         line_around(&self.text, TextSize::new(self.cursor as u32)).into()
     }
 
-    /// What is behind a place on its physical line.
+    /// What is after a place on its physical line.
     pub(crate) fn rest(&self, from: usize) -> &str {
         &self.text[from..self.physical_line().end.max(from)]
     }
@@ -212,7 +212,7 @@ fn is_word(c: char) -> bool {
 /// The word around a place, with the `$` or `%` in front of it.
 fn word(text: &str, cursor: usize) -> Range<usize> {
     let before = text[..cursor].trim_end_matches(is_word);
-    let behind = text[cursor..].trim_start_matches(is_word);
+    let after = text[cursor..].trim_start_matches(is_word);
     let mut start = before.len();
     if before.ends_with(['$', '%']) {
         start -= 1;
@@ -223,7 +223,7 @@ fn word(text: &str, cursor: usize) -> Range<usize> {
             start = address;
         }
     }
-    start..text.len() - behind.len()
+    start..text.len() - after.len()
 }
 
 /// Whether a place is inside of a comment or a string, which ends with `quote`.
@@ -296,7 +296,7 @@ fn on_rung(line: &GreenNodeData, typing: &mut Typing<'_>) -> Option<CursorContex
         Some((from, first)) if cursor > from => {
             let list = &tokens[first..];
             let closed = parenthesis_closes(list);
-            // One character behind a list that is not closed may be an operator or a rail.
+            // One character after a list that is not closed may be an operator or a rail.
             if !closed && !gap_is_blank && typing.text[end..cursor].trim().len() == 1 {
                 return None;
             }

@@ -22,12 +22,12 @@ pub(crate) struct Operand {
     /// What is open inside the operand, outermost first.
     pub(crate) open: Vec<Open>,
     /// Whether a value ends right in front of the word: an operator fits here, no value.
-    pub(crate) behind_value: bool,
+    pub(crate) after_value: bool,
     /// The place in front of the `.` that is before the word.
     pub(crate) member_of: Option<Range<usize>>,
     /// Whether the operand begins with this word.
     pub(crate) first_word: bool,
-    /// Whether something of the operand is behind the word.
+    /// Whether something of the operand is after the word.
     pub(crate) goes_on: bool,
     /// Whether that is a value: none fits in front of it.
     pub(crate) before_value: bool,
@@ -42,7 +42,7 @@ pub(crate) enum Open {
     Index,
     /// `(` of an expression.
     Group,
-    /// `SQRT(`, with the number of commas behind it.
+    /// `SQRT(`, with the number of commas after it.
     Call(String, usize),
 }
 
@@ -133,14 +133,14 @@ pub(super) fn operand(list: &[Token], from: usize, closed: bool, typing: &mut Ty
         // A number or a duration.
         typing.literal = true;
     } else {
-        operand.behind_value = value.is_some();
+        operand.after_value = value.is_some();
     }
-    behind(list, typing, &mut operand);
+    after(list, typing, &mut operand);
     operand
 }
 
-/// What is behind the word: whether the operand goes on, and which operands follow.
-fn behind(list: &[Token], typing: &Typing<'_>, operand: &mut Operand) {
+/// What is after the word: whether the operand goes on, and which operands follow.
+fn after(list: &[Token], typing: &Typing<'_>, operand: &mut Operand) {
     let mut depth = operand.open.len();
     let mut this = true;
     let mut following = 0;

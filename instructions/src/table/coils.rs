@@ -94,8 +94,8 @@ END_VAR
         coil: Some(Coil::Sets),
         mnemonic: "S",
         differs: &[
-            (Profile::Ldmicro, "The power behind it is EN."),
-            (Profile::Iot, "The power behind it is EN. A number becomes 1."),
+            (Profile::Ldmicro, "The power after it is EN."),
+            (Profile::Iot, "The power after it is EN. A number becomes 1."),
         ],
         title: "Set coil",
         operands: &[Operand::output(
@@ -109,7 +109,7 @@ END_VAR
 The tag stays high until something else clears it, usually `(R)`. If `(S)` and `(R)` on one tag both have
 power, the one that runs later decides. With a range of BOOLs (`a[1..8]`) all bits are set.
 
-ENO is the tag itself (of a range: all of it), not EN: what is behind the block has power as long as the
+ENO is the tag itself (of a range: all of it), not EN: what is after the block has power as long as the
 tag is high.
 
 IEC 61131-3: set (latch) coil.",
@@ -251,7 +251,7 @@ END_VAR
         mnemonic: "SM",
         profiles: Profiles::WITHOUT_LDMICRO,
         differs: &[
-            (Profile::Iot, "The power behind it is EN. A number becomes 1."),
+            (Profile::Iot, "The power after it is EN. A number becomes 1."),
         ],
         title: "Set retentive coil",
         operands: &[Operand::output(
@@ -327,7 +327,7 @@ END_VAR
 
 A timer's ET becomes 0 and its Q low, a counter's CV becomes 0; Q follows at once, so the rungs further down
 already see it. It acts like a reset R that ends with it: if the timer's EN is high when the timer is next
-reached, a TON or RTO starts anew, a TOF or RTOF has Q high, a TP waits for a new rise.
+reached, a TON or RTO starts again, a TOF or RTOF has Q high, a TP waits for a new rise.
 
 The coil passes EN on.",
         example: "VAR_INPUT

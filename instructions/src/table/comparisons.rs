@@ -110,7 +110,7 @@ END_VAR
         eno: "EN and a > b",
         doc: "Passes power while the first operand is greater than the second.
 
-With more than two operands each must be greater than the one behind it, so the list falls: `[GT]( a, b, c
+With more than two operands each must be greater than the one after it, so the list falls: `[GT]( a, b, c
 )` is a > b and b > c. Integers of any two types are compared by value; an untyped literal takes the type of
 the other side. BOOL has no order: it can only be compared with `[EQ]` and `[NE]`.
 
@@ -174,7 +174,7 @@ END_VAR
         eno: "EN and a < b",
         doc: "Passes power while the first operand is less than the second.
 
-With more than two operands each must be less than the one behind it, so the list rises: `[LT]( a, b, c )`
+With more than two operands each must be less than the one after it, so the list rises: `[LT]( a, b, c )`
 is a < b and b < c. Integers of any two types are compared by value; an untyped literal takes the type of
 the other side. BOOL has no order: it can only be compared with `[EQ]` and `[NE]`.
 

@@ -179,7 +179,7 @@ END_VAR
         eno: "not EN",
         doc: r#"Passes power exactly when none arrives.
 
-It inverts everything to its left, up to the rail or the point where branches join. Behind it power flows
+It inverts everything to its left, up to the rail or the point where branches join. After it power flows
 also when the contacts to the left are open, so a coil there is high when the rung is "off".
 
 Without operands it is this inverter; `[NOT]( y, a )` inverts the bits of a value."#,

@@ -50,11 +50,11 @@ pub(super) const ROWS: &[Instruction] = &[
         differs: &[
             (
                 Profile::Ldmicro,
-                "CV is an INT: behind 32767 comes -32768. Other instructions may write it, and several blocks count in one tag, each with its own memory of EN.",
+                "CV is an INT: after 32767 comes -32768. Other instructions may write it, and several blocks count in one tag, each with its own memory of EN.",
             ),
             (
                 Profile::Iot,
-                "CV counts once while EN is high, and wraps. That PV was reached is kept in Q until `(RES)`; the power behind the block is EN and Q. `AC` is what CV begins with, and what `(RES)` gives it. CC is high while EN is.",
+                "CV counts once while EN is high, and wraps. That PV was reached is kept in Q until `(RES)`; the power after the block is EN and Q. `AC` is what CV begins with, and what `(RES)` gives it. CC is high while EN is.",
             ),
             (
                 Profile::Click,
@@ -200,7 +200,7 @@ END_VAR
         profiles: Profiles::only(Profile::Iec).and(Profile::Ldmicro),
         differs: &[(
             Profile::Ldmicro,
-            "The power behind it is EN, and so is Q. CV is an INT; other instructions may write it, and several blocks count in one tag.",
+            "The power after it is EN, and so is Q. CV is an INT; other instructions may write it, and several blocks count in one tag.",
         )],
         title: "Circular counter",
         operands: &[

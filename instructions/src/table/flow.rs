@@ -37,9 +37,9 @@ pub(super) const ROWS: &[Instruction] = &[
         operands: &[Operand::input("name", Accepts::Label, "The name that jumps use.")],
         doc: "Marks its network as the target of jumps.
 
-It does nothing itself and passes power on, so the network can do its work behind it. A label is seen within
+It does nothing itself and passes power on, so the network can do its work after it. A label is seen within
 its own function, or in the main program, only. A name may be used more than once: a jump goes to the
-nearest such label behind it, or, if there is none, to the nearest before it.",
+nearest such label after it, or, if there is none, to the nearest before it.",
         example: "VAR_INPUT
     manual : BOOL;
 END_VAR
@@ -66,7 +66,7 @@ END_VAR
 
 - What is right of it, and on the lines below it in this network, is not run in this scan. Networks that
   are jumped over keep their outputs and their state; timers catch up when they are next reached.
-- The target is the nearest label of that name behind the jump; if there is none, the nearest before it, or
+- The target is the nearest label of that name after the jump; if there is none, the nearest before it, or
   in this network. Labels of other functions are not seen.
 - A jump back is a loop within one scan. If it never ends, the watchdog stops the simulation with a fault
   that names the place.
@@ -127,7 +127,7 @@ END_VAR
             Accepts::Function,
             "The function that is run.",
         )],
-        doc: "Runs a function, then goes on right behind this block.
+        doc: "Runs a function, then goes on right after this block.
 
 The function is looked up in this file first, then in the workspace; it runs with the tags of the file that
 holds it. While EN is low it is not run: its coils keep their state, they do not fall. ENO is EN, whatever
@@ -152,7 +152,7 @@ END_VAR
         profiles: Profiles::WITHOUT_IOT,
         title: "Return",
         eno: "EN, if it does not return",
-        doc: "Ends the function at once and goes on behind the call.
+        doc: "Ends the function at once and goes on after the call.
 
 What is right of it and below it in the function is not run. In the main program it ends this scan; the
 next scan begins as usual. (The `END` of many controllers, which ends the scan, is this block.) A function
@@ -199,9 +199,9 @@ END_VAR
             Accepts::Integer,
             "How many times; read once.",
         )],
-        doc: "Runs the networks behind it n times, up to the one that holds the next `<NEXT>`.
+        doc: "Runs the networks after it n times, up to the one that holds the next `<NEXT>`.
 
-- Its own network is finished first. Then come the networks behind it, the one with `<NEXT>` included.
+- Its own network is finished first. Then come the networks after it, the one with `<NEXT>` included.
 - n is read once. With EN low, or n of 0 or less, the networks are skipped.
 - A jump out of the loop, a jump right of `<FOR>` in its own network, or a `<RET>` ends it. Loops do not
   nest, but a function that is called from one may hold its own.
@@ -226,7 +226,7 @@ END_VAR
         doc: "Ends the networks that the `<FOR>` before it repeats.
 
 Its own power does not matter, and its whole network belongs to the loop. Reached without a loop, as after a
-jump to behind the `<FOR>`, it does nothing.",
+jump to after the `<FOR>`, it does nothing.",
         example: "VAR
     x : DINT;
 END_VAR
@@ -245,7 +245,7 @@ END_VAR
             (Profile::Ldmicro, "While the rails are live it gives its EN to them; while they are dead it makes them live, whatever EN is. Its own network has no live rail of its own."),
         ],
         title: "Master control relay",
-        doc: "Sets the power of the left rails of the networks behind it to EN, until the next `<MCR>` that runs.
+        doc: "Sets the power of the left rails of the networks after it to EN, until the next `<MCR>` that runs.
 
 - With EN low those networks still run, but without power: coils fall, what was set stays set, an off-delay
   timer runs out.
@@ -254,7 +254,7 @@ END_VAR
 - Rails are live at the start of every scan, of every function and of every block body; on return the
   caller's come back.
 
-It is no emergency stop: switch off what can hurt somebody by hardware.",
+It is no emergency stop: switch off what can hurt a user by hardware.",
         example: "VAR_INPUT
     enable, jog : BOOL;
 END_VAR

@@ -86,7 +86,7 @@ END_VAR
         profiles: Profiles::WITHOUT_IOT,
         differs: &[(
             Profile::Ldmicro,
-            "A byte takes two scans. It is sent when EN is high and the line is free; the power behind it shows that the line is busy.",
+            "A byte takes two scans. It is sent when EN is high and the line is free; the power after it shows that the line is busy.",
         )],
         title: "Send a byte",
         operands: &[Operand::input(
@@ -141,7 +141,7 @@ END_VAR
         profiles: Profiles::WITHOUT_IOT,
         differs: &[(
             Profile::Ldmicro,
-            "Sends a byte every second scan, whenever the line is free; the power behind it shows that there is more to send. A rise of EN begins anew, and so does the start of the program. `\\3` is the number with three digits, `\\-3` with its sign before them (1 to 5 digits), `\\\\` a backslash.",
+            "Sends a byte every second scan, whenever the line is free; the power after it shows that there is more to send. A rise of EN begins again, and so does the start of the program. `\\3` is the number with three digits, `\\-3` with its sign before them (1 to 5 digits), `\\\\` a backslash.",
         )],
         title: "Send formatted text",
         operands: &[
@@ -150,7 +150,7 @@ END_VAR
         ],
         doc: "Sends a text through the serial port, with numbers in the places of `%d`.
 
-The values are behind the text, one for each `%d`, in order. With EN high it sends in every scan, so put
+The values are after the text, one for each `%d`, in order. With EN high it sends in every scan, so put
 an edge in front. In the simulator the port has a name; tests and editors read what was sent.",
         example: "VAR_INPUT
     report : BOOL;

@@ -191,7 +191,7 @@ END_VAR
             ),
             Operand::input("a", Accepts::Compared, "What the elements are compared with."),
             Operand::input("t", Accepts::Range, "The range that is searched."),
-            Operand::input("NEXT", Accepts::Bool, "High: go on behind the index in y.").named(),
+            Operand::input("NEXT", Accepts::Bool, "High: go on after the index in y.").named(),
             Operand::output("FOUND", Accepts::Bool, "High if an element was found.").named(),
         ],
         doc:
@@ -200,7 +200,7 @@ END_VAR
 The comparison reads `element op a`: with GT, the first element greater than a. The index is the array's
 own. If there is none, y is -1; `FOUND` receives whether there was one.
 
-With `NEXT` high the search goes on behind the index in y, so one element after the other is found; once y
+With `NEXT` high the search goes on after the index in y, so one element after the other is found; once y
 is -1 it stays -1, and any other y below the first index begins at the first. `NEXT` cannot be used on an
 array with a negative bound.",
         example: "VAR

@@ -87,7 +87,7 @@ END_VAR
         ],
         doc: "Puts a into y, held between low and high.
 
-It is MIN(MAX(a, low), high): if low is above high by mistake, the result is high. Numbers and times can be
+It is MIN(MAX(a, low), high): if low is above high by error, the result is high. Numbers and times can be
 limited. IEC 61131-3: LIMIT.",
         example: "VAR_INPUT
     wanted : INT;
@@ -156,7 +156,7 @@ END_VAR
         profiles: Profiles::OWN,
         differs: &[(
             Profile::Click,
-            "The formula is computed in the widest type of its parts and of y: 16 bits where all have 16, REAL where one is real, LREAL with a DINT beside it; words as unsigned integers. The result is cut to y's type. What does not fit wraps round and sets SC43, a division by 0 makes all of it 0 and sets SC40, MOD takes the sign of the divisor. A function outside its domain sets SC46, and the scan is the last one.",
+            "The formula is computed in the widest type of its parts and of y: 16 bits where all have 16, REAL where one is real, LREAL with a DINT next to it; words as unsigned integers. The result is cut to y's type. What does not fit wraps round and sets SC43, a division by 0 makes all of it 0 and sets SC40, MOD takes the sign of the divisor. A function outside its domain sets SC46, and the scan is the last one.",
         )],
         title: "Calculate",
         operands: &[

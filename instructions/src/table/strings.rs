@@ -131,7 +131,7 @@ END_VAR
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::String), "The result."),
             Operand::input("a", Accepts::String, "The first string."),
-            Operand::input("b", Accepts::String, "What is put behind it.").repeated(),
+            Operand::input("b", Accepts::String, "What is put after it.").repeated(),
         ],
         doc: "Joins its strings, in order, into y.
 
@@ -158,10 +158,10 @@ END_VAR
             Operand::input(
                 "p",
                 Accepts::Integer,
-                "The position behind which it is inserted; 0 is the beginning.",
+                "The position after which it is inserted; 0 is the beginning.",
             ),
         ],
-        doc: "Puts b into a behind position p, and the whole into y.
+        doc: "Puts b into a after position p, and the whole into y.
 
 Position 0 is before the first character. A p outside the string is a fault: y keeps its value and ENO is
 low. IEC 61131-3: INSERT.",

@@ -83,7 +83,7 @@ ET   0012333300001000
 
 - The scan in which EN rises starts the time at 0; Q goes high in the first scan that is PT or more later.
   When EN falls, Q and ET fall at once.
-- While R is high ET is 0 and Q low. If R ends under a high EN, the time starts anew in that scan.
+- While R is high ET is 0 and Q low. If R ends under a high EN, the time starts again in that scan.
 - PT is read at every evaluation, so it may be a tag. Lengthening it does not take back a Q that is already
   high. With PT of 0 or less Q follows EN.
 - ET is the time run so far, at most PT. ENO is Q; other rungs read `t.Q` and `t.ET`.
@@ -113,7 +113,7 @@ END_VAR
             ),
             (
                 Profile::Iot,
-                "No off-delay: the power behind it is EN until the time is over, and then low. It counts as TON does; Q is that the time is over.",
+                "No off-delay: the power after it is EN until the time is over, and then low. It counts as TON does; Q is that the time is over.",
             ),
             (
                 Profile::Click,
@@ -183,7 +183,7 @@ Q    _---_____---____
 ET   0012333000120000
 ```
 
-- A rise during the pulse is ignored: the pulse is neither lengthened nor started anew.
+- A rise during the pulse is ignored: the pulse is neither lengthened nor started again.
 - EN that is high at the first evaluation counts as a rise.
 - While R is high ET is 0 and Q low. If R ends under a high EN, the next pulse waits for a new rise.
 - PT is read at every evaluation, so it may be a tag. With PT of 0 or less there is no pulse.
@@ -212,7 +212,7 @@ END_VAR
         differs: &[
             (
                 Profile::Ldmicro,
-                "ET counts scans with power and is an integer, to one less than PT has scan intervals; Q is high from the scan behind that on, until `(RES)`. PT is 2 scan intervals at least. Other instructions may write ET, and several blocks use one tag.",
+                "ET counts scans with power and is an integer, to one less than PT has scan intervals; Q is high from the scan after that on, until `(RES)`. PT is 2 scan intervals at least. Other instructions may write ET, and several blocks use one tag.",
             ),
             (
                 Profile::Click,
@@ -243,7 +243,7 @@ ET   001222233300
 - ET grows by the time between two evaluations that both have EN high, and keeps its value while EN is low.
   Q is high as long as ET has reached PT, also while EN is low.
 - Only R, `(R)` or `(RES)` clears it. While R is high ET is 0 and Q low; if R ends under a high EN, the time
-  starts anew in that scan.
+  starts again in that scan.
 - PT is read at every evaluation, so it may be a tag. With PT of 0 or less Q follows EN.
 - ENO is Q; other rungs read `t.Q` and `t.ET`. Declare the tag in a `RETAIN` section to keep the time over a
   restart.

@@ -94,7 +94,7 @@ fn every_example_shows_its_block() {
     }
 }
 
-/// The formatter's own tests say more; this keeps a mistake near its row.
+/// The formatter's own tests say more; this keeps an error near its row.
 #[test]
 fn the_rungs_of_an_example_end_at_one_rail() {
     for row in TABLE {
@@ -128,11 +128,11 @@ fn every_timer_has_a_timing_diagram() {
 fn blocks_named_in_a_text_exist() {
     for row in TABLE {
         let mut rest = row.doc;
-        while let Some((_, behind)) = rest.split_once('`') {
-            let Some((code, behind)) = behind.split_once('`') else {
+        while let Some((_, after)) = rest.split_once('`') {
+            let Some((code, after)) = after.split_once('`') else {
                 break;
             };
-            rest = behind;
+            rest = after;
             // The comparison operators of `[CALC]` look like a function block.
             if code.starts_with("< ") {
                 continue;

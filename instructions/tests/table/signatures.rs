@@ -128,7 +128,7 @@ fn signatures() {
 }
 
 #[test]
-fn spellings_beside_the_canonical_ones() {
+fn spellings_next_to_the_canonical_ones() {
     let mut text = String::new();
     for row in TABLE.iter().filter(|row| row.spellings().count() > 1) {
         writeln!(

@@ -1,4 +1,4 @@
-//! How fast programs of other systems become ladder text, in bytes of the foreign file a second; beside it how fast its
+//! How fast programs of other systems become ladder text, in bytes of the foreign file a second; next to it how fast its
 //! lines can be read at all.
 
 use divan::Bencher;

@@ -186,8 +186,8 @@ fn holds(notation: &dyn Notation, bytes: &[u8]) {
     };
     let text = &converted.written.text;
     let parse = ladder_syntax::parse(text);
-    let mistakes = parse.errors();
-    assert!(mistakes.is_empty(), "{mistakes:?}\n{text}");
+    let errors = parse.errors();
+    assert!(errors.is_empty(), "{errors:?}\n{text}");
     assert_eq!(format_text(text, &options), *text);
     converted
         .report

@@ -12,7 +12,7 @@ use super::tags::Tags;
 
 /// What an instruction becomes.
 pub(super) struct Acts {
-    /// What is behind its condition.
+    /// What is after its condition.
     pub(super) chain: Chain,
     /// Rungs of their own, right above: what pins and set points need.
     pub(super) above: Vec<Above>,
@@ -363,7 +363,7 @@ const fn runs_down(bits: &Span) -> bool {
     bits.first > bits.last
 }
 
-/// `[SHIFT]` moves bits up only: downwards they are copied, and what enters is written behind them.
+/// `[SHIFT]` moves bits up only: downwards they are copied, and what enters is written after them.
 fn shift_down(tags: &Tags<'_>, bits: &Span, data: &str) -> Vec<String> {
     let (bank, name) = (bits.bank, bits.bank.row().name);
     let (low, high) = (bits.last, bits.first);
@@ -379,8 +379,8 @@ fn shift_down(tags: &Tags<'_>, bits: &Span, data: &str) -> Vec<String> {
     ]
 }
 
-/// The rungs behind a shift register's own: its clock and its reset.
-pub(super) fn behind(tags: &mut Tags<'_>, what: &Instruction) -> Vec<Above> {
+/// The rungs after a shift register's own: its clock and its reset.
+pub(super) fn after(tags: &mut Tags<'_>, what: &Instruction) -> Vec<Above> {
     let Instruction::Shift(shift) = what else {
         return Vec::new();
     };

@@ -131,7 +131,7 @@ impl Span {
         let first = self.first;
         match self.last {
             last if first <= last => format!("{bank}[{first}:{}]", u32::from(last) + 1),
-            // Behind 0 there is nothing a slice could name.
+            // After 0 there is nothing a slice could name.
             0 => format!("{bank}[{first}::-1]"),
             last => format!("{bank}[{first}:{}:-1]", last - 1),
         }

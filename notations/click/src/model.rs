@@ -45,8 +45,8 @@ pub(super) struct Routine {
     /// The comment above it.
     pub(super) comments: Vec<String>,
     pub(super) rungs: Vec<Rung>,
-    /// The comments behind its last rung.
-    pub(super) behind: Vec<String>,
+    /// The comments after its last rung.
+    pub(super) after: Vec<String>,
 }
 
 impl Default for Routine {
@@ -56,12 +56,12 @@ impl Default for Routine {
             place: LineColumn::START,
             comments: Vec::new(),
             rungs: Vec::new(),
-            behind: Vec::new(),
+            after: Vec::new(),
         }
     }
 }
 
-/// A rung: a condition, and what happens where it holds. The condition is looked at once, before all actions.
+/// A rung: a condition, and what happens where it holds. The condition is checked once, before all actions.
 #[derive(Debug, Clone)]
 pub(super) struct Rung {
     pub(super) place: LineColumn,
@@ -212,7 +212,7 @@ pub(super) enum Constant {
 #[derive(Debug, Clone)]
 pub(super) struct Action {
     pub(super) place: LineColumn,
-    /// What else must hold, where the grid branches behind the rung's own condition; [`Condition::ALWAYS`] elsewhere.
+    /// What else must hold, where the grid branches after the rung's own condition; [`Condition::ALWAYS`] elsewhere.
     pub(super) condition: Condition,
     pub(super) what: Instruction,
     /// Only on the scan in which the power comes.
@@ -259,7 +259,7 @@ pub(super) enum Instruction {
     Search(Search),
     Math(Math),
     Call(String),
-    /// The rungs behind it, up to that of [`Instruction::Next`], run so often in one scan.
+    /// The rungs after it, up to that of [`Instruction::Next`], run so often in one scan.
     For(Operand),
     Next,
     End,

@@ -33,7 +33,7 @@ pub(super) struct Nicknames {
     pub(super) findings: Vec<Finding>,
 }
 
-/// Whether a file beside a program is its nickname file: `nicknames.csv`, `motor.nicknames.csv`, `motor_nicknames.csv`.
+/// Whether a file next to a program is its nickname file: `nicknames.csv`, `motor.nicknames.csv`, `motor_nicknames.csv`.
 pub(super) fn is_file_of(program: &str, file: &str) -> bool {
     let Some(stem) = file.get(..file.len().saturating_sub(4)) else {
         return false;
@@ -47,12 +47,12 @@ pub(super) fn is_file_of(program: &str, file: &str) -> bool {
     file[stem.len()..].eq_ignore_ascii_case(".csv") && is_own()
 }
 
-/// What the nickname files beside a program say.
+/// What the nickname files next to a program say.
 ///
 /// # Errors
 ///
 /// If one of them is no nickname file.
-pub(super) fn beside(source: &Source<'_>) -> Result<Nicknames, ReadError> {
+pub(super) fn next_to(source: &Source<'_>) -> Result<Nicknames, ReadError> {
     let mut out = Nicknames::default();
     for companion in source
         .companions
@@ -220,7 +220,7 @@ impl Nicknames {
     }
 }
 
-/// The file that belongs beside a program with nicknames.
+/// The file that belongs next to a program with nicknames.
 pub(super) fn companion(nicknames: &[Nickname]) -> Option<Companion> {
     (!nicknames.is_empty()).then(|| Companion {
         name: "nicknames.csv".to_owned(),
@@ -286,7 +286,7 @@ mod tests {
             name: "nicknames.csv".to_owned(),
             bytes: text.as_bytes().to_vec(),
         });
-        expected.assert_eq(&match beside(&source) {
+        expected.assert_eq(&match next_to(&source) {
             Err(error) => format!("{error}\n"),
             Ok(read) => {
                 let mut out = write(&read.all);

@@ -41,7 +41,7 @@ impl Notation for Click {
 
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
         let mut program = dsl::read(source.text()?)?;
-        let mut nicknames = nicknames::beside(source)?;
+        let mut nicknames = nicknames::next_to(source)?;
         program.nicknames = std::mem::take(&mut nicknames.all);
         nicknames.unused(&program);
         let mut reading = reading(&program, Words::Dsl);

@@ -82,7 +82,7 @@ pub(super) fn string(text: &str) -> String {
     out
 }
 
-/// Blocks one behind the other, as they come to be: what an instruction needs before it, then itself.
+/// Blocks one after the other, as they come to be: what an instruction needs before it, then itself.
 #[derive(Debug, Default)]
 pub(super) struct Chain {
     pub(super) blocks: Vec<String>,

@@ -1,5 +1,5 @@
-//! Which contacts of a rung would be looked at too late: Click looks at all of them before the rung acts, and in ladder
-//! text each is looked at where it is.
+//! Which contacts of a rung would be checked too late: Click looks at all of them before the rung acts, and in ladder
+//! text each is checked where it is.
 
 use super::address::Which;
 use super::bank::Bank;
@@ -59,7 +59,7 @@ pub(super) fn remarks(program: &Program, look: Look, report: &mut Report) {
                         "Click looks at it before its rung acts, and here something has acted"
                     }
                     (Look::InPlace, true) => {
-                        "it is looked at before its rung acts, and is a rung of its own behind it here"
+                        "it is checked before its rung acts, and is a rung of its own after it here"
                     }
                     _ => continue,
                 };

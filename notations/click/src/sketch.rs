@@ -45,7 +45,7 @@ struct Sketcher<'p> {
     /// The networks: the declarations before them are known only when these are.
     items: Vec<Item>,
     reading: Reading,
-    /// How many conditions were looked at before their rung.
+    /// How many conditions were checked before their rung.
     seen_first: usize,
     /// Those of the rung that is being made, and the tags that hold them.
     late: Vec<(Condition, String)>,
@@ -176,14 +176,14 @@ impl Sketcher<'_> {
         for rungs in routine.rungs.chunk_by(|_, next| order::goes_on(next)) {
             self.rungs(rungs);
         }
-        if !routine.behind.is_empty() {
+        if !routine.after.is_empty() {
             self.items.push(Item::Blank);
             self.items
-                .extend(routine.behind.iter().cloned().map(Item::Comment));
+                .extend(routine.after.iter().cloned().map(Item::Comment));
         }
     }
 
-    /// A rung of Click, which may be several networks: all of its contacts are looked at before it acts.
+    /// A rung of Click, which may be several networks: all of its contacts are checked before it acts.
     fn rungs(&mut self, rungs: &[Rung]) {
         let mut above = Vec::new();
         for condition in order::late(&self.tags, rungs) {
@@ -205,9 +205,9 @@ impl Sketcher<'_> {
     fn rung(&mut self, rung: &Rung, mut above: Vec<Above>) {
         let mut comments = rung.comments.clone();
         let mut branches = Vec::with_capacity(rung.actions.len());
-        let mut behind = Vec::new();
+        let mut after = Vec::new();
         let condition = self.seen(&rung.condition, rung.place);
-        // Actions that follow each other behind the same condition share it.
+        // Actions that follow each other after the same condition share it.
         let same =
             |one: &Action, other: &Action| !one.condition.is_always() && one.condition == other.condition;
         for actions in rung.actions.chunk_by(same) {
@@ -219,7 +219,7 @@ impl Sketcher<'_> {
             };
             let mut acts: Vec<Circuit<Element>> = Vec::with_capacity(actions.len());
             for action in actions {
-                acts.push(Circuit::Series(self.action(action, &mut above, &mut behind)));
+                acts.push(Circuit::Series(self.action(action, &mut above, &mut after)));
             }
             match acts.len() {
                 1 => parts.append(&mut acts),
@@ -248,7 +248,7 @@ impl Sketcher<'_> {
             comments,
             drawing: Drawing::Circuit(Circuit::Series(parts)),
         }));
-        for network in behind {
+        for network in after {
             let said = network
                 .blocks
                 .iter()
@@ -271,12 +271,12 @@ impl Sketcher<'_> {
         }));
     }
 
-    /// What is behind the condition of an action.
+    /// What is after the condition of an action.
     fn action(
         &mut self,
         action: &Action,
         above: &mut Vec<Above>,
-        behind: &mut Vec<Above>,
+        after: &mut Vec<Above>,
     ) -> Vec<Circuit<Element>> {
         let place = action.place;
         let shown = spell::action(action);
@@ -290,7 +290,7 @@ impl Sketcher<'_> {
                 let blocks = before.into_iter().chain(acts.chain.blocks);
                 out.extend(blocks.map(|block| Circuit::Element(Element::block(block, origin))));
                 above.extend(acts.above);
-                behind.extend(act::behind(&mut self.tags, &action.what));
+                after.extend(act::after(&mut self.tags, &action.what));
                 match acts.chain.remark {
                     Some(why) => self.reading.report.approximated(place, shown, why),
                     None => self.reading.report.translated(place, shown),

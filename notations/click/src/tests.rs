@@ -166,7 +166,7 @@ fn ends_loops_and_calls_are_checked() {
             13:9 Error click-c0102: there is no loop that this next_loop() could end
             15:9 Error click-end: return is for subroutines: the main program ends with end()
             17:9 Error click-c010c: there is no subroutine `nowhere`: write it with @sub above it
-            19:9 Error click-c0101: the loop has no end: write next_loop() under `if True:` behind what it repeats
+            19:9 Error click-c0101: the loop has no end: write next_loop() under `if True:` after what it repeats
             22:9 Warning click-c1004: a timer in a loop counts the scan several times
             22:9 Error click-c010a: the timer t[1] is at 11:9 already: it has one place in a program
         "#]],

@@ -22,7 +22,7 @@ pub fn series_parallel(network: &Network) -> Option<Circuit<usize>> {
     in_order(&circuit, &mut last).then(|| with_blocks(circuit, network))
 }
 
-/// A network with more steps is not looked at: circuits nest, and what walks them has only so much stack.
+/// A network with more steps is not checked: circuits nest, and what walks them has only so much stack.
 const MOST_STEPS: usize = 8_192;
 
 /// Whether the steps are in their order when they are read from left to right and top to bottom.
@@ -200,14 +200,14 @@ impl Graph {
         Some(graph)
     }
 
-    /// Adds an edge; beside another between the same points, it becomes a branch of that.
+    /// Adds an edge; next to another between the same points, it becomes a branch of that.
     fn add(&mut self, edge: Edge) {
         let (from, to) = (edge.from, edge.to);
         let index = self.edges.len();
         match self.between.get(&(from, to)).copied() {
             Some(other) => {
                 if let Some(there) = self.edges[other].take() {
-                    self.edges[other] = Some(beside(there, edge));
+                    self.edges[other] = Some(next_to(there, edge));
                 }
             }
             None => {
@@ -226,19 +226,19 @@ impl Graph {
             let edges = &self.edges;
             self.into[point].retain(|edge| edges[*edge].is_some());
             self.out_of[point].retain(|edge| edges[*edge].is_some());
-            let (&[before], &[behind]) = (&self.into[point][..], &self.out_of[point][..]) else {
+            let (&[before], &[after]) = (&self.into[point][..], &self.out_of[point][..]) else {
                 continue;
             };
-            let (Some(before), Some(behind)) = (self.edges[before].take(), self.edges[behind].take()) else {
+            let (Some(before), Some(after)) = (self.edges[before].take(), self.edges[after].take()) else {
                 continue;
             };
             self.between.remove(&(before.from, point));
-            self.between.remove(&(point, behind.to));
-            waiting.extend([before.from, behind.to].iter().filter(|point| **point > SINK));
+            self.between.remove(&(point, after.to));
+            waiting.extend([before.from, after.to].iter().filter(|point| **point > SINK));
             self.add(Edge {
                 from: before.from,
-                to: behind.to,
-                circuit: behind_each_other(before.circuit, behind.circuit),
+                to: after.to,
+                circuit: after_each_other(before.circuit, after.circuit),
             });
         }
     }
@@ -252,12 +252,12 @@ impl Graph {
     }
 }
 
-fn behind_each_other(before: Circuit<usize>, behind: Circuit<usize>) -> Circuit<usize> {
+fn after_each_other(before: Circuit<usize>, after: Circuit<usize>) -> Circuit<usize> {
     let mut parts = match before {
         Circuit::Series(parts) => parts,
         one => vec![one],
     };
-    match behind {
+    match after {
         Circuit::Series(more) => parts.extend(more),
         one => parts.push(one),
     }
@@ -268,7 +268,7 @@ fn behind_each_other(before: Circuit<usize>, behind: Circuit<usize>) -> Circuit<
 }
 
 /// Two edges between the same points as one: its branches from top to bottom in the order of evaluation.
-fn beside(there: Edge, more: Edge) -> Edge {
+fn next_to(there: Edge, more: Edge) -> Edge {
     let branches = |circuit| match circuit {
         Circuit::Parallel(branches) => branches,
         one => vec![one],

@@ -20,6 +20,6 @@ pub fn said(comment: &str) -> impl Iterator<Item = &str> {
 
 /// A comment without its signs.
 pub fn inside(comment: &str) -> &str {
-    let behind = comment.strip_prefix('#').unwrap_or(comment);
-    behind.strip_suffix('#').unwrap_or(behind)
+    let after = comment.strip_prefix('#').unwrap_or(comment);
+    after.strip_suffix('#').unwrap_or(after)
 }

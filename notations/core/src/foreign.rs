@@ -1,4 +1,4 @@
-//! A program of another system, beside the ladder text that it becomes: what is found in that text is shown in the
+//! A program of another system, next to the ladder text that it becomes: what is found in that text is shown in the
 //! file that a person wrote.
 
 use super::{Converted, Entry, LineColumn, Lines, Notation, Outcome, ReadError, Source, convert};

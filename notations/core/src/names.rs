@@ -12,7 +12,7 @@ pub struct Names {
 
 impl Names {
     /// The name as it is, where ladder text can hold it and no other name took it; else the nearest that can be:
-    /// letters, digits and `_` stay, what else there is becomes `_`, and a number behind it tells two apart.
+    /// letters, digits and `_` stay, what else there is becomes `_`, and a number after it tells two apart.
     pub fn spell(&mut self, original: &str) -> &str {
         if !self.spelled.contains_key(original) {
             let spelling = self.free(nearest(original));

@@ -16,7 +16,7 @@ pub trait Notation: Sync {
     /// names show nothing.
     fn extensions(&self) -> &'static [&'static str];
 
-    /// Whether a file is in this notation, from its content alone. No more than the first lines are looked at.
+    /// Whether a file is in this notation, from its content alone. No more than the first lines are checked.
     fn recognises(&self, bytes: &[u8]) -> bool;
 
     /// Whether a run of such a program is about its coils, and nothing else is shown of it unless asked for.

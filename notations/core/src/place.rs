@@ -22,7 +22,7 @@ impl Lines {
         self.0.offset(text, place).into()
     }
 
-    /// The first word at a place, behind blanks.
+    /// The first word at a place, after blanks.
     pub fn word(&self, text: &str, place: LineColumn) -> TextRange {
         let start = self.offset(text, place);
         let rest = text[start..].trim_start_matches([' ', '\t', '\u{feff}']);

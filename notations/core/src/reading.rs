@@ -29,7 +29,7 @@ impl Reading {
 pub struct Writing {
     /// The foreign file.
     pub bytes: Vec<u8>,
-    /// What belongs beside it, each under its own name.
+    /// What belongs next to it, each under its own name.
     pub companions: Vec<Companion>,
     /// What became of each element; places are those of the ladder text.
     pub report: Report,

@@ -15,7 +15,7 @@ pub(super) struct Entry {
     pub(super) text: String,
 }
 
-/// The section that a header names, with what is behind its `=`, if a line begins one.
+/// The section that a header names, with what is after its `=`, if a line begins one.
 pub(super) fn begins(line: &str) -> Option<(SectionKind, &str)> {
     let line = line.trim_start();
     let length = line.find(|c: char| !c.is_ascii_alphabetic())?;
@@ -25,8 +25,8 @@ pub(super) fn begins(line: &str) -> Option<(SectionKind, &str)> {
         word if word.eq_ignore_ascii_case("VAR") => SectionKind::Var,
         _ => return None,
     };
-    let behind = line[length..].trim_start().strip_prefix('=')?;
-    Some((section, behind))
+    let after = line[length..].trim_start().strip_prefix('=')?;
+    Some((section, after))
 }
 
 /// An entry such as `DI start` or `INT[32] a`; none for an empty one.

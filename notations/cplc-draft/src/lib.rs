@@ -14,7 +14,7 @@
 //!
 //! `(..)` is read in place of `<..>` too, as the author wrote both. A timer or counter `[TON]<name><reset><time><preset>`
 //! is one tag here: where the program reads `name` it reads `name.Q`, where it reads `time` it reads `name.ET`
-//! (`count`: `name.CV`). The draft does not say what a preset counts: milliseconds here. A comparison's or calculation's `name` becomes a coil behind it where the program reads it.
+//! (`count`: `name.CV`). The draft does not say what a preset counts: milliseconds here. A comparison's or calculation's `name` becomes a coil after it where the program reads it.
 
 mod header;
 mod line;

@@ -95,17 +95,17 @@ fn block(text: &str, place: LineColumn) -> Result<(Block, usize), ReadError> {
     let (head, mut end) = bracketed(text, place)?;
     let mut operands = Vec::new();
     loop {
-        let behind = text[end..].trim_start_matches([' ', '\t']);
+        let after = text[end..].trim_start_matches([' ', '\t']);
         // The standard has one list in parentheses, the draft one pair of brackets for each operand.
-        let start = text.len() - behind.len();
-        match behind.chars().next() {
+        let start = text.len() - after.len();
+        match after.chars().next() {
             Some('<') => {
-                let (operand, length) = bracketed(behind, place)?;
+                let (operand, length) = bracketed(after, place)?;
                 operands.push(operand.trim().to_owned());
                 end = start + length;
             }
             Some('(') if operands.is_empty() => {
-                let (list, length) = bracketed(behind, place)?;
+                let (list, length) = bracketed(after, place)?;
                 operands.extend(list.split(',').map(|operand| operand.trim().to_owned()));
                 end = start + length;
                 break;

@@ -110,7 +110,7 @@ impl File {
         };
         let mut lines = text.lines().zip(1..);
         while let Some((text, number)) = lines.next() {
-            let Some((section, behind)) = header::begins(text) else {
+            let Some((section, after)) = header::begins(text) else {
                 let pieces = line::pieces(text.trim_end(), number)?;
                 if pieces.iter().any(|piece| *piece != Piece::Gap) {
                     file.lines.push((number, pieces));
@@ -118,7 +118,7 @@ impl File {
                 continue;
             };
             // A header goes on to its `}`, over as many lines as it likes.
-            let mut inside = behind.trim_start().strip_prefix('{').ok_or_else(|| {
+            let mut inside = after.trim_start().strip_prefix('{').ok_or_else(|| {
                 ReadError::at(
                     LineColumn::line(number),
                     "the entries of a header are between `{` and `}`",
@@ -126,20 +126,20 @@ impl File {
             })?;
             let mut at = number;
             loop {
-                let (entries, behind) = match inside.split_once('}') {
-                    Some((entries, behind)) => (entries, Some(behind)),
+                let (entries, after) = match inside.split_once('}') {
+                    Some((entries, after)) => (entries, Some(after)),
                     None => (inside, None),
                 };
                 for entry in entries.split(',') {
                     file.entries
                         .extend(header::entry(section, entry, LineColumn::line(at))?);
                 }
-                match behind.map(str::trim) {
+                match after.map(str::trim) {
                     Some("") => break,
                     Some(_) => {
                         return Err(ReadError::at(
                             LineColumn::line(at),
-                            "nothing may be behind the `}` of a header",
+                            "nothing may be after the `}` of a header",
                         ));
                     }
                     None => {}

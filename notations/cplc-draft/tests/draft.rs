@@ -14,7 +14,7 @@ fn remark(entry: &Entry) -> String {
     format!("{} {}: {why}\n", entry.place, entry.element)
 }
 
-/// The ladder text with what there is to say about it, and what the analysis finds in it; or the mistake.
+/// The ladder text with what there is to say about it, and what the analysis finds in it; or the error.
 fn read(text: &str) -> String {
     let source = Source::alone("test", text.as_bytes());
     let converted = match convert(&CplcDraft, &source, &Options::default()) {

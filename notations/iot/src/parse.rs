@@ -10,12 +10,12 @@ use ladder_notation::{LineColumn, ReadError, Source};
 pub(super) const LONGEST_LINE: usize = 64 << 10;
 /// Parentheses nest no deeper.
 pub(super) const DEEPEST: usize = 64;
-/// As many parts are beside each other at most; each branch is a line of the drawing, and moves the next one right.
+/// As many parts are next to each other at most; each branch is a line of the drawing, and moves the next one right.
 pub(super) const MOST_PARTS: usize = 64;
 /// A rung with more elements is not read.
 pub(super) const MOST_IN_RUNG: usize = 256;
 
-/// Whether the first line that is part of a program can be read, as far as it is looked at.
+/// Whether the first line that is part of a program can be read, as far as it is checked.
 pub(super) fn begins(bytes: &[u8]) -> bool {
     let head = &bytes[..bytes.len().min(LONGEST_LINE)];
     let text = match std::str::from_utf8(head) {
@@ -150,7 +150,7 @@ struct Reader<'l> {
     depth: usize,
     /// Elements so far.
     count: usize,
-    /// Behind the last word.
+    /// After the last word.
     end: LineColumn,
 }
 
@@ -186,7 +186,7 @@ impl<'l> Reader<'l> {
         while self.take(sign) {
             if parts.len() == MOST_PARTS {
                 let message = format!(
-                    "there are more than {MOST_PARTS} parts beside each other: make several rungs of it"
+                    "there are more than {MOST_PARTS} parts next to each other: make several rungs of it"
                 );
                 return Err(ReadError::at(self.place(), message));
             }
@@ -245,7 +245,7 @@ impl<'l> Reader<'l> {
         }
         let (least, most) = row.operands();
         if !(least..=most).contains(&operands.len()) {
-            let message = format!("behind `{}` is {}", row.word, row.usage());
+            let message = format!("after `{}` is {}", row.word, row.usage());
             return Err(ReadError::at(place, message));
         }
         check(row, &operands).map_err(|message| ReadError::at(place, message))?;
@@ -309,7 +309,7 @@ pub(super) fn variable(name: &str) -> Option<Variable> {
 
 /// Whether the operands are of the kind that the word wants.
 fn check(row: &Row, operands: &[Operand]) -> Result<(), String> {
-    let wrong = || Err(format!("behind `{}` is {}", row.word, row.usage()));
+    let wrong = || Err(format!("after `{}` is {}", row.word, row.usage()));
     let family = |index: usize| match operands.get(index) {
         Some(Operand::Variable(variable)) => Some(variable.family),
         _ => None,
@@ -322,7 +322,7 @@ fn check(row: &Row, operands: &[Operand]) -> Result<(), String> {
         Form::Timer(_) if family(0) != Some(Family::Timer) => wrong(),
         Form::Counter(_) if family(0) != Some(Family::Counter) => wrong(),
         Form::Timer(_) | Form::Counter(_) if others.iter().all(is_number) => Ok(()),
-        Form::Timer(_) | Form::Counter(_) => Err(format!("the numbers behind `{}` are whole", row.word)),
+        Form::Timer(_) | Form::Counter(_) => Err(format!("the numbers after `{}` are whole", row.word)),
         Form::Reset => match &operands[0] {
             Operand::Number(_) => wrong(),
             _ => Ok(()),

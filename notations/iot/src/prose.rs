@@ -17,7 +17,7 @@ use std::ops::RangeInclusive;
 
 /// More rungs are not made of what titles say.
 const MOST_RUNGS: u32 = 10_000;
-/// As many lines are looked at to recognise a program.
+/// As many lines are checked to recognise a program.
 const HEAD: usize = 50;
 
 /// Whether one of the first lines of a text is a rung in this form.
@@ -77,10 +77,10 @@ fn titled(line: &str) -> Option<&str> {
 
 /// The numbers in `n = 1..8`.
 fn range(title: &str) -> Option<RangeInclusive<u32>> {
-    let (_, behind) = title.split_once("n = ")?;
-    let (first, behind) = behind.split_once("..")?;
-    let end = behind.find(|c: char| !c.is_ascii_digit()).unwrap_or(behind.len());
-    let (first, last): (u32, u32) = (first.trim().parse().ok()?, behind[..end].parse().ok()?);
+    let (_, after) = title.split_once("n = ")?;
+    let (first, after) = after.split_once("..")?;
+    let end = after.find(|c: char| !c.is_ascii_digit()).unwrap_or(after.len());
+    let (first, last): (u32, u32) = (first.trim().parse().ok()?, after[..end].parse().ok()?);
     (first <= last && last - first < MOST_RUNGS).then_some(first..=last)
 }
 
@@ -231,8 +231,8 @@ fn state(word: &str, text: &str, members: [&str; 2]) -> Option<String> {
     let Some((name, said)) = text.split_once('(') else {
         return Some(format!("{word} {}", text.trim()));
     };
-    let (said, behind) = said.split_once(')')?;
-    if !behind.trim().is_empty() {
+    let (said, after) = said.split_once(')')?;
+    if !after.trim().is_empty() {
         return None;
     }
     let mut values = if members[1] == "B" {

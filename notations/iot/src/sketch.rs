@@ -37,7 +37,7 @@ pub(super) fn sketch(file: &File) -> Reading {
     let networks = std::mem::take(&mut importer.reading.program.items);
     importer.declare(&tags);
     let items = &mut importer.reading.program.items;
-    // What is beside the program above it comes before its declarations.
+    // What is next to the program above it comes before its declarations.
     let head = networks
         .iter()
         .take_while(|item| matches!(item, Item::Comment(_)))

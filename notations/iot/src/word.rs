@@ -1,4 +1,4 @@
-//! The words of the notation, each beside the instruction that says the same. Import, export and checks read this table.
+//! The words of the notation, each next to the instruction that says the same. Import, export and checks read this table.
 
 use ladder_instructions::Op;
 
@@ -16,7 +16,7 @@ pub(super) struct Row {
 /// What an element is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Form {
-    /// `NO I1`: a variable is looked at.
+    /// `NO I1`: a variable is checked.
     Contact(Op),
     /// `OUT Q1`: a variable is written.
     Coil(Op),

@@ -144,7 +144,7 @@ impl Writer<'_> {
         depth: usize,
     ) -> Result<String, String> {
         if parts.len() > MOST_PARTS {
-            return Err(format!("at most {MOST_PARTS} parts are beside each other there"));
+            return Err(format!("at most {MOST_PARTS} parts are next to each other there"));
         }
         let texts: Result<Vec<String>, String> =
             parts.iter().map(|part| self.one(network, part, depth)).collect();
@@ -175,7 +175,7 @@ impl Writer<'_> {
                     .collect();
                 let texts = texts?;
                 if texts.len() > MOST_PARTS {
-                    return Err(format!("at most {MOST_PARTS} parts are beside each other there"));
+                    return Err(format!("at most {MOST_PARTS} parts are next to each other there"));
                 }
                 Ok(texts.join(" | "))
             }
@@ -314,7 +314,7 @@ impl Writer<'_> {
                 literal(initial.unwrap_or(&Value::Int(0)), value.ty)
             }
             ExprKind::Read(place) => self.place(place),
-            // A number that is looked at as a bit.
+            // A number that is checked as a bit.
             ExprKind::Pass(inside) | ExprKind::Compare(Op::Ne, inside, _) => self.value(inside),
             ExprKind::Constant(constant) => literal(constant, value.ty),
             _ => Err("there operands are single variables and numbers".to_owned()),

@@ -14,7 +14,7 @@ fn converted(bytes: &[u8]) -> Result<Converted, String> {
     convert(notation(), &source, &Options::default()).map_err(|error| error.to_string())
 }
 
-/// The ladder text, what there is to say about it, and what the editor's checks find; or the mistake.
+/// The ladder text, what there is to say about it, and what the editor's checks find; or the error.
 fn read(text: &str) -> String {
     let converted = match converted(text.as_bytes()) {
         Ok(converted) => converted,
@@ -302,8 +302,8 @@ fn what_is_wrong_has_a_place() {
         1:9: an element is missing here: `NO I1`
         1:7: `OUT` is no number and no variable: those are called I1, Q1, MI01, MF01, T1 and C1
         1:9: `BLINK` is no word of the IoT ladder language
-        1:9: behind `TON` is a timer, its preset, and its time base in milliseconds
-        1:9: the numbers behind `TON` are whole
+        1:9: after `TON` is a timer, its preset, and its time base in milliseconds
+        1:9: the numbers after `TON` are whole
         1:1: a timer or counter has no value as a whole: name a member, such as `T1:DN` or `C1:AC`
         1:4: `T1` has no member `CC`
         1:9: this parenthesis is not closed

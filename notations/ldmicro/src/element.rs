@@ -1,5 +1,5 @@
-//! The elements of LDmicro 2.2, each beside the instruction that says the same. Import, export and checks read this
-//! table. What its fork has beside them is in [`fork`].
+//! The elements of LDmicro 2.2, each next to the instruction that says the same. Import, export and checks read this
+//! table. What its fork has next to them is in [`fork`].
 
 use super::field::{Coil, Slot, fields, is_literal, literal, wrapped};
 use super::fork;

@@ -11,7 +11,7 @@ pub(super) enum Slot {
     Number,
 }
 
-/// The fields behind the word.
+/// The fields after the word.
 pub(super) fn fields(text: &str) -> Vec<&str> {
     text.split(' ').skip(1).collect()
 }

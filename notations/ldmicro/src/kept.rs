@@ -9,11 +9,11 @@ pub(super) const UNSETTLED: char = '\0';
 
 /// The line in `# ldmicro: GOSUB init #`, as it was before it became a comment.
 pub(super) fn kept(comment: &str) -> Option<String> {
-    behind(comment, "ldmicro:")
+    after(comment, "ldmicro:")
 }
 
-/// What is behind a word in a comment.
-pub(super) fn behind(comment: &str, word: &str) -> Option<String> {
+/// What is after a word in a comment.
+pub(super) fn after(comment: &str, word: &str) -> Option<String> {
     let text = comment
         .strip_prefix('#')?
         .strip_suffix('#')?
@@ -115,7 +115,7 @@ impl Head {
         };
         let pin = match comment {
             "# no pin #" => Some("0".to_owned()),
-            comment => behind(comment, "pin "),
+            comment => after(comment, "pin "),
         };
         self.pins.extend(pin.map(|pin| (name.trim().to_owned(), pin)));
     }
@@ -144,7 +144,7 @@ pub(super) fn comments(text: &str) -> Vec<Rung> {
         let is_said = line.len() > 1
             && line.starts_with('#')
             && line.ends_with('#')
-            && behind(line, "ladder:").is_none();
+            && after(line, "ladder:").is_none();
         if is_said && kept.is_none() {
             let said = line.trim_matches('#').trim();
             lines.push(said.replace('\\', "\\\\"));

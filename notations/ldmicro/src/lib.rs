@@ -10,7 +10,7 @@
 //!
 //! What ladder text cannot say stays in comments of three forms, so that export gives the file back:
 //! `# ldmicro: MICRO=.. #` above the declarations (header, renamed names), `# ldmicro: GOSUB init #` in a wire (an
-//! element without a counterpart), and `# was: MOVE ch 'A' #` behind a block (the same element, in other words).
+//! element without a counterpart), and `# was: MOVE ch 'A' #` after a block (the same element, in other words).
 
 mod drawn;
 mod element;

@@ -77,7 +77,7 @@ impl File {
         cycle.unwrap_or(DEFAULT_CYCLE)
     }
 
-    /// Gives a cycle another length; what else its line says stays.
+    /// Sets another length for a cycle; what else its line says stays.
     pub(super) fn set_cycle(&mut self, microseconds: u64) {
         if self.cycle() == microseconds {
             return;
@@ -85,8 +85,8 @@ impl File {
         let line = self.header.iter_mut().find(|line| line.starts_with("CYCLE="));
         match line {
             Some(line) => {
-                let behind = line["CYCLE=".len()..].trim_start_matches(|c: char| c.is_ascii_digit());
-                *line = format!("CYCLE={microseconds}{behind}");
+                let after = line["CYCLE=".len()..].trim_start_matches(|c: char| c.is_ascii_digit());
+                *line = format!("CYCLE={microseconds}{after}");
             }
             None => self.header.push(format!("CYCLE={microseconds}")),
         }

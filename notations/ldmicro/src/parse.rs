@@ -219,7 +219,7 @@ fn rung(lines: &mut Lines<'_>) -> Result<Rung, ReadError> {
         if let Some((_, parts)) = open.last_mut() {
             if parts.len() == MOST_PARTS {
                 let message = format!(
-                    "there are more than {MOST_PARTS} parts beside each other: make several rungs of it"
+                    "there are more than {MOST_PARTS} parts next to each other: make several rungs of it"
                 );
                 return Err(lines.error(message));
             }

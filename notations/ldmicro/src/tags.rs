@@ -132,7 +132,7 @@ impl Tags {
         self.high.contains(name)
     }
 
-    /// Gives an output of pulses a number: its own, or the first that is free.
+    /// The number of an output of pulses: its own, or the first that is free.
     fn pulse(&mut self, name: &str) {
         if self.pulses.contains_key(name) {
             return;

@@ -31,7 +31,7 @@ pub(super) fn read(fields: &[&str], version: Version) -> Option<Vec<Piece>> {
     Some(out)
 }
 
-/// A text whose characters are given by their codes, behind their number.
+/// A text whose characters are given by their codes, after their number.
 fn by_codes(fields: &[&str]) -> Option<String> {
     let length: usize = fields.get(1)?.parse().ok()?;
     let codes = fields.get(2..)?;
@@ -43,7 +43,7 @@ fn by_codes(fields: &[&str]) -> Option<String> {
         .filter(|_| codes.len() == length)
 }
 
-/// What is behind a backslash, and how long it is.
+/// What is after a backslash, and how long it is.
 fn escape(text: &str, version: Version) -> Option<(Piece, usize)> {
     if let Some(number) = number(text) {
         return Some(number);
@@ -67,7 +67,7 @@ fn escape(text: &str, version: Version) -> Option<(Piece, usize)> {
     })
 }
 
-/// `3` or `-3`, behind a backslash.
+/// `3` or `-3`, after a backslash.
 fn number(text: &str) -> Option<(Piece, usize)> {
     let signed = text.starts_with('-');
     let digits = text[usize::from(signed)..].chars().next()?;
@@ -132,24 +132,24 @@ pub(super) fn from_value(text: &str, in_profile: bool) -> Option<Vec<Piece>> {
     let mut out = Vec::new();
     let mut rest = text;
     while let Some(c) = rest.chars().next() {
-        let behind = &rest[c.len_utf8()..];
+        let after = &rest[c.len_utf8()..];
         let (piece, length) = match c {
-            '\\' if in_profile => match number(behind) {
+            '\\' if in_profile => match number(after) {
                 Some(number) => number,
-                None => (Piece::Char('\\'), usize::from(behind.starts_with('\\'))),
+                None => (Piece::Char('\\'), usize::from(after.starts_with('\\'))),
             },
             '%' if !in_profile => {
                 let signed = Piece::Number {
                     digits: '5',
                     signed: true,
                 };
-                (signed, behind.strip_prefix('d').map(|_| 1)?)
+                (signed, after.strip_prefix('d').map(|_| 1)?)
             }
             c if u32::from(c) > 255 => return None,
             c => (Piece::Char(c), 0),
         };
         out.push(piece);
-        rest = &behind[length..];
+        rest = &after[length..];
     }
     Some(out)
 }

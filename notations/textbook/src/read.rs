@@ -48,11 +48,11 @@ pub(super) fn read(text: &str) -> Result<Reading, ReadError> {
             drawing: Drawing::Circuit(circuit),
         }));
     }
-    let mut behind = comments
+    let mut after = comments
         .map(|(_, comment)| Item::Comment(comment.to_owned()))
         .peekable();
-    items.extend(behind.peek().is_some().then_some(Item::Blank));
-    items.extend(behind);
+    items.extend(after.peek().is_some().then_some(Item::Blank));
+    items.extend(after);
     Ok(reading)
 }
 
@@ -86,12 +86,12 @@ impl Reader<'_> {
         self.expect(WordKind::Start, "a program begins with `start`")?;
         let first = self.at;
         let circuit = self.any()?;
-        let behind = self.at;
+        let after = self.at;
         self.expect(
             WordKind::End,
             "a program ends with `end`, and `&` or `V` is between two elements",
         )?;
-        self.check(first, behind)?;
+        self.check(first, after)?;
         Ok(circuit)
     }
 
@@ -219,8 +219,8 @@ impl Reader<'_> {
     }
 
     /// The paper's checks of a whole program, which is between two words.
-    fn check(&mut self, first: usize, behind: usize) -> Result<(), ReadError> {
-        let inside = &self.words[first..behind];
+    fn check(&mut self, first: usize, after: usize) -> Result<(), ReadError> {
+        let inside = &self.words[first..after];
         let mut elements = inside.iter().filter_map(|word| match word.kind {
             WordKind::Element(element) => Some((element, word.place)),
             _ => None,

@@ -95,7 +95,7 @@ pub(super) fn words(text: &str) -> Result<Vec<Word>, ReadError> {
                 1
             }
             '|' if words.last().is_some_and(|word| word.kind != WordKind::End) => {
-                let message = "`|` is before `start` and behind `end` only; `V` is between branches";
+                let message = "`|` is before `start` and after `end` only; `V` is between branches";
                 return Err(ReadError::at(place, message));
             }
             '#' if at_line_start => rest.find('\n').unwrap_or(rest.len()),
@@ -140,14 +140,14 @@ fn word(text: &str) -> Result<(WordKind, usize), String> {
             return Ok((kind, length));
         }
         if is(one) {
-            let behind = text[length..].trim_start_matches([' ', '\t']);
-            let second = behind
+            let after = text[length..].trim_start_matches([' ', '\t']);
+            let second = after
                 .get(..two.len())
                 .filter(|word| word.eq_ignore_ascii_case(two));
             let Some(second) = second else {
                 return Err(format!("`{one}` is followed by `{two}`"));
             };
-            return Ok((kind, text.len() - behind.len() + second.len()));
+            return Ok((kind, text.len() - after.len() + second.len()));
         }
     }
     if let Some(name) = name(first) {

@@ -164,7 +164,7 @@ impl Writer<'_> {
                 return Ok(format!("{one} {two} {name}"));
             }
             Circuit::Series(parts) if parts.is_empty() => {
-                return Err("the grammar has no bare wire beside a branch".to_owned());
+                return Err("the grammar has no bare wire next to a branch".to_owned());
             }
             Circuit::Series(parts) => (parts, " & "),
             Circuit::Parallel(branches) => (branches, " V "),

@@ -5,7 +5,7 @@ use ladder_format::Options;
 use ladder_notation::{Notation, Outcome, Source, convert};
 use ladder_notation_textbook::Textbook;
 
-/// The ladder text, then what there is to say about it; or the mistake.
+/// The ladder text, then what there is to say about it; or the error.
 fn read(text: &str) -> String {
     let source = Source::alone("test", text.as_bytes());
     match convert(&Textbook, &source, &Options::default()) {
@@ -131,7 +131,7 @@ fn what_the_grammar_refuses() {
         (
             "| start open contact I0.1 | active coil Q0 end |",
             expect![[r#"
-                1:27: `|` is before `start` and behind `end` only; `V` is between branches
+                1:27: `|` is before `start` and after `end` only; `V` is between branches
             "#]],
         ),
         (

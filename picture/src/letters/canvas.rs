@@ -45,7 +45,7 @@ enum Content {
     /// A character, with what takes no column of its own.
     Letter(String),
     /// The rest of a character that takes two columns.
-    Behind,
+    After,
 }
 
 #[derive(Debug, Clone, Default)]
@@ -125,9 +125,9 @@ impl Canvas {
                 content: Content::Letter(letter.to_string()),
                 ink: Some(ink),
             };
-            for behind in 1..wide {
-                *self.cell(row, at + behind) = Cell {
-                    content: Content::Behind,
+            for after in 1..wide {
+                *self.cell(row, at + after) = Cell {
+                    content: Content::After,
                     ink: Some(ink),
                 };
             }
@@ -157,7 +157,7 @@ impl Canvas {
                         text.push_str(letter);
                         at += letter.chars().count();
                     }
-                    Content::Behind => {}
+                    Content::After => {}
                 }
                 match (cell.ink, marks.last_mut()) {
                     (None, _) => {}

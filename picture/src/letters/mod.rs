@@ -84,7 +84,7 @@ pub enum Ink {
     Forced,
     /// A comment.
     Comment,
-    /// A network with a mistake in its drawing, as it is written.
+    /// A network with an error in its drawing, as it is written.
     Text,
 }
 

@@ -157,9 +157,9 @@ impl Drawing<'_> {
         let slots = self.layout.grid.rungs[above].iter();
         let mut at = COMMENT;
         for slot in slots.filter(|slot| self.leads_down(above, slot)) {
-            let (column, behind) = self.ends(slot);
-            if column < at + wide && behind >= at {
-                at = behind + 1;
+            let (column, after) = self.ends(slot);
+            if column < at + wide && after >= at {
+                at = after + 1;
             }
         }
         at
@@ -170,7 +170,7 @@ impl Drawing<'_> {
         items.any(|item| point_of(item).is_some_and(|point| self.network.wiring.points[point].upper == rung))
     }
 
-    /// The columns of something, the first and the one behind the last.
+    /// The columns of something, the first and the one after the last.
     fn ends(&self, slot: &Slot) -> (usize, usize) {
         let thing = &self.layout.grid.things[slot.thing];
         let left = self.layout.columns[slot.thing] as usize;
@@ -229,11 +229,11 @@ impl Drawing<'_> {
             arriving = own;
             before = Some((right, kind));
         }
-        let comment = &self.figure.behind[rung];
+        let comment = &self.figure.after[rung];
         if !comment.is_empty() {
-            let behind = self.rail.map(|rail| rail as usize + 1);
-            let behind = behind.or(before.map(|(right, _)| right)).unwrap_or(0);
-            canvas.text(row, behind + 2, comment, Ink::Comment);
+            let after = self.rail.map(|rail| rail as usize + 1);
+            let after = after.or(before.map(|(right, _)| right)).unwrap_or(0);
+            canvas.text(row, after + 2, comment, Ink::Comment);
         }
     }
 

@@ -180,7 +180,7 @@ enum Side {
     Under,
 }
 
-/// A tag this many lines beside the wire, and its value beyond it.
+/// A tag this many lines next to the wire, and its value beyond it.
 fn labelled(
     canvas: &mut Canvas,
     label: &Label,
@@ -192,7 +192,7 @@ fn labelled(
     if label.text.is_empty() {
         return;
     }
-    let beside = |lines: usize| match side {
+    let next_to = |lines: usize| match side {
         Side::Over => row - lines,
         Side::Under => row + lines,
     };
@@ -205,11 +205,11 @@ fn labelled(
     } else {
         (label.text.clone(), Ink::Tag)
     };
-    canvas.text(beside(distance), centred(&text), &text, ink);
+    canvas.text(next_to(distance), centred(&text), &text, ink);
     if let Some(value) = value.filter(|_| label.room) {
         let text = valued(&value, right - left);
         let ink = if value.forced { Ink::Forced } else { Ink::Value };
-        canvas.text(beside(distance + 1), centred(&text), &text, ink);
+        canvas.text(next_to(distance + 1), centred(&text), &text, ink);
     }
 }
 

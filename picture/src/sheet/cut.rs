@@ -4,14 +4,14 @@ use super::super::scene::{Extent, Form, Role, Shape};
 use super::super::style::Look;
 use std::ops::Range;
 
-/// Pixels beside a shape that a cut keeps away from. Above and below there is room enough between rungs, and the rows of
+/// Pixels next to a shape that a cut keeps away from. Above and below there is room enough between rungs, and the rows of
 /// a box are closer than that.
 const BESIDE: i32 = 3;
 
 /// Which way a drawing is cut.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Along {
-    /// Into strips beside each other: only wires are cut.
+    /// Into strips next to each other: only wires are cut.
     Width,
     /// Into strips below each other: only lines from rung to rung, rails, and boxes between their rows.
     Height,
@@ -29,7 +29,7 @@ pub(super) fn cut(shapes: &[Shape], along: Along, whole: Range<i32>, limit: i32)
     if along == Along::Height {
         return pieces;
     }
-    // Strips beside each other are about as wide as each other, so that the last is not a mere end of wire.
+    // Strips next to each other are about as wide as each other, so that the last is not a mere end of wire.
     let (mut too_small, mut enough) = (limit / 2, limit);
     let mut even = pieces;
     while too_small + 1 < enough {

@@ -101,7 +101,7 @@ fn without_declaration(context: &Context) -> Group {
         [
             tag.name.to_string(),
             ty.unwrap_or_default(),
-            tag.rare.address.as_deref().unwrap_or_default().to_owned(),
+            tag.cold.address.as_deref().unwrap_or_default().to_owned(),
             String::new(),
             role.to_owned(),
         ]

@@ -82,7 +82,7 @@ fn place(pages: &mut Pages, strip: Strip) {
 }
 
 /// Places strips on one page, if one can hold them.
-fn place_together(pages: &mut Pages, strips: Vec<Strip>) {
+fn place_in_order(pages: &mut Pages, strips: Vec<Strip>) {
     if !pages.has_room(&strips.iter().collect::<Vec<_>>()) {
         pages.turn();
     }
@@ -115,7 +115,7 @@ fn declarations(pages: &mut Pages, groups: &[Group], notes: &HashMap<usize, &[St
             pages.turn();
             together.insert(0, Strip::of(table.header(), wide, 0.0));
         }
-        place_together(pages, together);
+        place_in_order(pages, together);
         for row in rows {
             if !pages.has_room(&[&row]) {
                 pages.turn();
@@ -234,7 +234,7 @@ fn network(pages: &mut Pages, scene: &Scene, block: &Block, label: Label, title:
         scale
     };
     let width = whole.left..whole.right;
-    let beside = match (pages.width() / scale) as i32 {
+    let next_to = match (pages.width() / scale) as i32 {
         limit if wide(&whole) <= limit => vec![width],
         limit => cut(shapes, Along::Width, width, limit - 2 * MARK),
     };
@@ -244,17 +244,17 @@ fn network(pages: &mut Pages, scene: &Scene, block: &Block, label: Label, title:
         whole.top..whole.bottom,
         (room / scale) as i32,
     );
-    if beside.len() == 1 && below.len() == 1 {
+    if next_to.len() == 1 && below.len() == 1 {
         head.push(Strip {
             shapes: shapes.to_vec(),
             window: whole,
             scale,
             above: CLOSE,
         });
-        place_together(pages, head);
+        place_in_order(pages, head);
         return;
     }
-    let tiles = tiles(shapes, &beside, &below);
+    let tiles = tiles(shapes, &next_to, &below);
     let count = tiles.len();
     let mut tiles = tiles.into_iter().map(|(shapes, window)| Strip {
         shapes,
@@ -263,20 +263,20 @@ fn network(pages: &mut Pages, scene: &Scene, block: &Block, label: Label, title:
         above: CLOSE,
     });
     head.extend(tiles.next());
-    place_together(pages, head);
+    place_in_order(pages, head);
     for (number, tile) in tiles.enumerate() {
         let more = format!(", part {} of {count}", number + 2);
         let label = label.strip(pages, &more, APART / 2.0);
-        place_together(pages, vec![label, tile]);
+        place_in_order(pages, vec![label, tile]);
     }
 }
 
 /// The pieces of a drawing, strip by strip: what each shows, and its window. Wires that are cut have the same number at
 /// both ends.
-fn tiles(shapes: &[Shape], beside: &[Range<i32>], below: &[Range<i32>]) -> Vec<(Vec<Shape>, Extent)> {
-    let mut tiles = Vec::with_capacity(beside.len() * below.len());
-    for (column, columns) in beside.iter().enumerate() {
-        let is_last = column + 1 == beside.len();
+fn tiles(shapes: &[Shape], next_to: &[Range<i32>], below: &[Range<i32>]) -> Vec<(Vec<Shape>, Extent)> {
+    let mut tiles = Vec::with_capacity(next_to.len() * below.len());
+    for (column, columns) in next_to.iter().enumerate() {
+        let is_last = column + 1 == next_to.len();
         for rows in below {
             let window = Extent {
                 left: columns.start - if column > 0 { MARK } else { 0 },
@@ -290,18 +290,18 @@ fn tiles(shapes: &[Shape], beside: &[Range<i32>], below: &[Range<i32>]) -> Vec<(
     let mut cuts: Vec<At> = Vec::new();
     for shape in shapes {
         let extent = shape.extent();
-        let columns = touched(beside, stretch(extent, Along::Width));
+        let columns = touched(next_to, stretch(extent, Along::Width));
         let rows = touched(below, stretch(extent, Along::Height));
         if shape.role == Role::Wire {
-            let through = columns.clone().skip(1).map(|column| beside[column].start);
+            let through = columns.clone().skip(1).map(|column| next_to[column].start);
             cuts.extend(through.map(|x| (x, extent.top)));
         }
         for column in columns {
             for row in rows.clone() {
                 let mut shape = shape.clone();
                 if let (Role::Wire, Form::Line(from, to)) = (shape.role, &mut shape.form) {
-                    from.0 = from.0.max(beside[column].start);
-                    to.0 = to.0.min(beside[column].end);
+                    from.0 = from.0.max(next_to[column].start);
+                    to.0 = to.0.min(next_to[column].end);
                 }
                 tiles[column * below.len() + row].0.push(shape);
             }
@@ -309,7 +309,7 @@ fn tiles(shapes: &[Shape], beside: &[Range<i32>], below: &[Range<i32>]) -> Vec<(
     }
     cuts.sort_unstable();
     for (number, (x, y)) in cuts.into_iter().enumerate() {
-        let column = beside.partition_point(|columns| columns.start < x);
+        let column = next_to.partition_point(|columns| columns.start < x);
         let number = number + 1;
         let (right, left) = (format!("{number} →"), format!("→ {number}"));
         for row in touched(below, y..y) {
@@ -328,8 +328,8 @@ fn tiles(shapes: &[Shape], beside: &[Range<i32>], below: &[Range<i32>]) -> Vec<(
             };
             let before = &mut tiles[(column - 1) * below.len() + row].0;
             before.push(mark((x + 4, y + 4), Anchor::Start, &left));
-            let behind = &mut tiles[column * below.len() + row].0;
-            behind.push(mark((x - 4, y + 4), Anchor::End, &right));
+            let after = &mut tiles[column * below.len() + row].0;
+            after.push(mark((x - 4, y + 4), Anchor::End, &right));
         }
     }
     tiles
@@ -338,6 +338,6 @@ fn tiles(shapes: &[Shape], beside: &[Range<i32>], below: &[Range<i32>]) -> Vec<(
 /// The pieces that something reaches into.
 fn touched(pieces: &[Range<i32>], stretch: Range<i32>) -> Range<usize> {
     let first = pieces.partition_point(|piece| piece.end <= stretch.start);
-    let behind = pieces.partition_point(|piece| piece.start < stretch.end.max(stretch.start + 1));
-    first.min(pieces.len().saturating_sub(1))..behind.max(first + 1).min(pieces.len())
+    let after = pieces.partition_point(|piece| piece.start < stretch.end.max(stretch.start + 1));
+    first.min(pieces.len().saturating_sub(1))..after.max(first + 1).min(pieces.len())
 }

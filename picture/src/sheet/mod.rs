@@ -6,7 +6,7 @@
 //! ```
 //!
 //! A page breaks between networks. A network that is larger than a page is made smaller as long as it can be read, then
-//! cut: below each other between rungs, beside each other through wires, which are then numbered at both ends.
+//! cut: below each other between rungs, next to each other through wires, which are then numbered at both ends.
 
 mod cut;
 mod declarations;

@@ -48,7 +48,7 @@ pub(super) enum Phase {
 /// A session of the debug adapter.
 pub(super) struct Adapter<W> {
     out: Outlet<W>,
-    /// What goes out behind the answer.
+    /// What goes out after the answer.
     events: Vec<(&'static str, Json)>,
     pub(super) client: Initialize,
     pub(super) counting: Counting,
@@ -62,10 +62,10 @@ pub(super) struct Adapter<W> {
     pub(super) stopped: Option<Stopped>,
     pub(super) stops_at_faults: bool,
     pub(super) stops_at_expectations: bool,
-    /// A scan, and how many of its faults were looked at.
+    /// A scan, and how many of its faults were checked.
     pub(super) faults_seen: (u64, usize),
     /// The faults that were written.
-    pub(super) faults_told: HashSet<(Location, String)>,
+    pub(super) faults_reported: HashSet<(Location, String)>,
     /// That the program has ended was shown.
     pub(super) end_is_shown: bool,
     /// How many requests wait that a long scan is given up for.
@@ -92,7 +92,7 @@ impl<W: Write> Adapter<W> {
             stops_at_faults: true,
             stops_at_expectations: true,
             faults_seen: (0, 0),
-            faults_told: HashSet::new(),
+            faults_reported: HashSet::new(),
             end_is_shown: false,
             urgent,
             is_left: false,
@@ -171,13 +171,13 @@ impl<W: Write> Adapter<W> {
         }
     }
 
-    /// The program has met a mistake of the engine: it cannot be trusted any more.
+    /// The program has met an error of the engine: it cannot be trusted any more.
     pub(super) fn give_up(&mut self) {
         self.going = None;
         self.target = None;
         self.write(
             "stderr",
-            "the simulator has met a mistake of its own and stops; please report it\n",
+            "the simulator has met an error of its own and stops; please report it\n",
             None,
         );
         self.end(2);
@@ -330,7 +330,7 @@ impl<W: Write> Adapter<W> {
         self.target = Some(target);
         self.configuration = configuration;
         self.faults_seen = (0, 0);
-        self.faults_told.clear();
+        self.faults_reported.clear();
         self.end_is_shown = false;
         for note in notes {
             self.write("console", &format!("{note}\n"), None);
@@ -374,7 +374,7 @@ impl<W: Write> Adapter<W> {
             return Err(problem);
         }
         let target = self.target.as_ref().ok_or_else(no_program)?;
-        for reported in self.table.place_anew(target, self.counting) {
+        for reported in self.table.place_again(target, self.counting) {
             self.event("breakpoint", json!({"reason": "changed", "breakpoint": reported}));
         }
         self.begin()?;
@@ -397,7 +397,7 @@ impl<W: Write> Adapter<W> {
 
     fn variables(&mut self, arguments: &Variables) -> Result<Json, String> {
         let target = self.target.as_ref().ok_or_else(no_program)?;
-        // A client may ask just as the program goes on. That is no mistake of a person, and asked again it is answered.
+        // A client may ask just as the program goes on. That is no error of a person, and asked again it is answered.
         let Ok(container) = self.handles.get(arguments.reference) else {
             return Ok(json!({"variables": []}));
         };

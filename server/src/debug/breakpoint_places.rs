@@ -18,9 +18,9 @@ pub(super) fn place(
 ) -> Option<(Breakpoint, Location)> {
     let source = target.source(file);
     if let Some(offset) = column {
-        let behind =
+        let after =
             blocks(target, file).filter(|block| source.line(block.start()) == line && block.end() > offset);
-        if let Some(range) = behind.min_by_key(|block| block.start()) {
+        if let Some(range) = after.min_by_key(|block| block.start()) {
             let location = Location { file, range };
             return Some((Breakpoint::Block(location), location));
         }

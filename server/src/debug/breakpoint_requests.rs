@@ -15,7 +15,7 @@ use super::running::{EXPECTATIONS, FAULTS};
 use super::variables;
 
 impl<W: Write> Adapter<W> {
-    /// Gives the engine the places where it is to stop.
+    /// Sets the places for the engine where it is to stop.
     pub(super) fn arm(&mut self) {
         let Some(target) = &mut self.target else {
             return;

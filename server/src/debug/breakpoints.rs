@@ -17,7 +17,7 @@ use super::target::Target;
 pub(super) struct Table {
     by_file: BTreeMap<u32, Vec<Marker>>,
     data: Vec<Marker>,
-    /// What the client asked for, with the numbers that it was given, to be placed anew in another program.
+    /// What the client asked for, with the numbers that it was given, to be placed again in another program.
     asked: BTreeMap<PathBuf, Vec<(i64, SourceBreakpoint)>>,
     asked_data: Vec<(i64, DataBreakpoint)>,
     ids: i64,
@@ -98,7 +98,7 @@ impl Table {
         let mut markers = Vec::new();
         let mut reported = Vec::new();
         for (id, wanted) in asked {
-            let beside = SourceBreakpoint {
+            let next_to = SourceBreakpoint {
                 condition: wanted.condition.clone(),
                 hit_condition: wanted.hit_condition.clone(),
                 ..SourceBreakpoint::default()
@@ -108,7 +108,7 @@ impl Table {
                 .resolve(&wanted.data_id)
                 .map_err(|unknown| unknown.message);
             let marker =
-                point.and_then(|point| Marker::new(*id, Breakpoint::Change(point), target, None, &beside));
+                point.and_then(|point| Marker::new(*id, Breakpoint::Change(point), target, None, &next_to));
             match marker {
                 Ok(marker) => {
                     markers.push(marker);
@@ -122,7 +122,7 @@ impl Table {
     }
 
     /// Places all of them in another program. Gives what has become of each.
-    pub(super) fn place_anew(&mut self, target: &Target, counting: Counting) -> Vec<Json> {
+    pub(super) fn place_again(&mut self, target: &Target, counting: Counting) -> Vec<Json> {
         self.by_file.clear();
         let mut reported = Vec::new();
         for (path, asked) in std::mem::take(&mut self.asked) {

@@ -29,13 +29,13 @@ pub(super) fn capabilities() -> Json {
             {
                 "filter": FAULTS,
                 "label": "Faults",
-                "description": "Stops behind a block that meets a fault: a division by zero, an index outside its array",
+                "description": "Stops after a block that meets a fault: a division by zero, an index outside its array",
                 "default": true,
             },
             {
                 "filter": EXPECTATIONS,
                 "label": "Failed expectations",
-                "description": "Stops behind the first step of a scenario that does not come out as expected",
+                "description": "Stops after the first step of a scenario that does not come out as expected",
                 "default": true,
             },
         ],

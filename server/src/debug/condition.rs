@@ -1,4 +1,4 @@
-//! What is given beside a breakpoint: how often it must be met, and what it writes instead of stopping.
+//! What is given next to a breakpoint: how often it must be met, and what it writes instead of stopping.
 
 /// A condition on how often a breakpoint was met, the time that counts included.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

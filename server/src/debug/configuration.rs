@@ -16,7 +16,7 @@ pub(super) struct Configuration {
     pub program: Option<String>,
     /// The scenario to run; without it the first of its file.
     pub scenario: Option<String>,
-    /// The file of it; without it the one beside the program, of its name.
+    /// The file of it; without it the one next to the program, of its name.
     pub scenario_file: Option<String>,
     pub inputs: GivenInputs,
     /// What tags are held at.

@@ -96,7 +96,7 @@ impl<W: Write> Adapter<W> {
         self.target()?.scope(frame).resolve(name)
     }
 
-    /// Gives a tag a value.
+    /// Sets a tag's value.
     fn assign(&mut self, point: &Point, text: &str, frame: Option<i64>) -> Result<(), Problem> {
         let target = self.target()?;
         let value = variables::read(text, point.ty, target.scope(frame))?;

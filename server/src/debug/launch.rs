@@ -117,7 +117,7 @@ fn absolute(path: &str) -> Result<PathBuf, String> {
     ))
 }
 
-/// A file that the configuration names beside the program: it lies in the folder of the program's workspace.
+/// A file that the configuration names next to the program: it lies in the folder of the program's workspace.
 fn inside(program: &Path, name: &str, what: &str) -> Result<Named, String> {
     let path = Path::new(name);
     if !path.is_absolute() {
@@ -241,7 +241,7 @@ fn scenario_of(configuration: &Configuration) -> Result<Option<Asked>, String> {
     let suite = scenario::parse(&text);
     let file = Source::new(file, text);
     let Some((named, _)) = &suite.program else {
-        return Err(mistake(&file, &suite.mistakes));
+        return Err(error(&file, &suite.errors));
     };
     let named = Named::in_file(&file.path, named);
     // Links are followed only to see that they stay inside; the client knows the file by the name that it has.
@@ -267,9 +267,9 @@ fn has_parents(path: &Path) -> bool {
 impl Asked {
     fn bind(self, simulation: &Simulation) -> Result<Play, String> {
         let (cases, found) = scenario::bind(&self.suite, simulation);
-        let mistakes: Vec<_> = self.suite.mistakes.iter().cloned().chain(found).collect();
-        if !mistakes.is_empty() {
-            return Err(mistake(&self.file, &mistakes));
+        let errors: Vec<_> = self.suite.errors.iter().cloned().chain(found).collect();
+        if !errors.is_empty() {
+            return Err(error(&self.file, &errors));
         }
         let names: Vec<String> = cases.iter().map(|case| format!("\"{}\"", case.name)).collect();
         let mut cases = cases.into_iter();
@@ -289,8 +289,8 @@ impl Asked {
     }
 }
 
-fn mistake(file: &Source, mistakes: &[scenario::Mistake]) -> String {
-    let first = mistakes.iter().min_by_key(|mistake| mistake.range.start());
+fn error(file: &Source, errors: &[scenario::ScenarioError]) -> String {
+    let first = errors.iter().min_by_key(|error| error.range.start());
     let path = shown::path(&file.path);
     first.map_or(format!("{path}: it names no program"), |first| {
         let line = file.line(first.range.start()) + 1;

@@ -1,4 +1,4 @@
-//! One breakpoint with what is written beside it: its conditions and its log message.
+//! One breakpoint with what is written next to it: its conditions and its log message.
 
 use std::collections::HashMap;
 
@@ -10,21 +10,21 @@ use super::messages::SourceBreakpoint;
 use super::target::Target;
 use super::watch::{Problem, Scope, Typed, Watch};
 
-/// An expression beside a breakpoint. In a body it means the tags of the place that runs, so it is compiled for each.
+/// An expression next to a breakpoint. In a body it means the tags of the place that runs, so it is compiled for each.
 #[derive(Debug)]
-struct Beside {
+struct Attached {
     text: String,
     compiled: HashMap<Option<String>, Watch>,
 }
 
-impl Beside {
-    /// Compiles it for the place where it will be asked, as far as that is known, to find its mistakes.
-    fn new(text: &str, target: &Target, location: Option<Location>) -> Result<Beside, Problem> {
+impl Attached {
+    /// Compiles it for the place where it will be asked, as far as that is known, to find its errors.
+    fn new(text: &str, target: &Target, location: Option<Location>) -> Result<Attached, Problem> {
         let block = location.and_then(|location| body_of(target, location));
         let simulation = target.simulation();
         let instance = block.and_then(|block| simulation.instances().iter().find(|it| it.block == block));
         let watch = Watch::new(text, Scope { simulation, instance })?;
-        Ok(Beside {
+        Ok(Attached {
             text: text.to_owned(),
             compiled: HashMap::from([(instance.map(|instance| instance.name.clone()), watch)]),
         })
@@ -69,7 +69,7 @@ fn body_of(target: &Target, location: Location) -> Option<usize> {
 #[derive(Debug)]
 enum LogPiece {
     Text(String),
-    Expression(Beside),
+    Expression(Attached),
 }
 
 /// A breakpoint with its conditions.
@@ -78,7 +78,7 @@ pub(super) struct Marker {
     /// The client's number of it.
     pub id: i64,
     pub breakpoint: Breakpoint,
-    condition: Option<Beside>,
+    condition: Option<Attached>,
     hit_condition: Option<HitCondition>,
     log: Option<Vec<LogPiece>>,
     /// How often it was met.
@@ -111,15 +111,15 @@ impl Marker {
                 .map(str::to_owned)
         };
         let condition = given(&wanted.condition).map(|text| {
-            let beside = Beside::new(&text, target, location);
-            beside.and_then(|mut beside| {
+            let next_to = Attached::new(&text, target, location);
+            next_to.and_then(|mut next_to| {
                 // A condition that is no BOOL is found now; a fault is for later.
-                let watch = beside.watch_any();
+                let watch = next_to.watch_any();
                 match watch.map(|watch| watch.evaluate(target.simulation())) {
                     Some(Ok(Typed { ty, .. })) if ty != ladder_analysis::values::types::Scalar::Bool => Err(
                         format!("`{text}` is of type {ty}; a condition is TRUE or FALSE, as in {text} > 0"),
                     ),
-                    _ => Ok(beside),
+                    _ => Ok(next_to),
                 }
             })
         });
@@ -127,7 +127,7 @@ impl Marker {
         let log = given(&wanted.log_message).map(|message| {
             let pieces = pieces(&message)?.into_iter().map(|piece| match piece {
                 Piece::Text(text) => Ok(LogPiece::Text(text)),
-                Piece::Expression(text) => Beside::new(&text, target, location).map(LogPiece::Expression),
+                Piece::Expression(text) => Attached::new(&text, target, location).map(LogPiece::Expression),
             });
             pieces.collect::<Result<Vec<_>, Problem>>()
         });
@@ -169,7 +169,7 @@ impl Marker {
         for piece in pieces {
             match piece {
                 LogPiece::Text(text) => line.push_str(text),
-                LogPiece::Expression(beside) => match beside.evaluate(target) {
+                LogPiece::Expression(next_to) => match next_to.evaluate(target) {
                     Ok(value) => line.push_str(&value.shown()),
                     Err(problem) => line.push_str(&format!("<{problem}>")),
                 },

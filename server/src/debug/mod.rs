@@ -5,12 +5,12 @@
 //!                                                              |
 //!      target: the program, its files, its session <-----------+--> breakpoints, variables, stack, console
 //!                                                              |
-//! client <- wire <- answers, and behind them events <----------+
+//! client <- wire <- answers, and after them events <----------+
 //! ```
 //!
 //! - A request is answered by the thread that runs the program, between two scans or where it has stopped. A long scan
 //!   is given up for `pause` and its like, so that these never wait.
-//! - Every request gets exactly one answer, also after a panic. Events go out behind the answer that they follow from.
+//! - Every request gets exactly one answer, also after a panic. Events go out after the answer that they follow from.
 //! - What is stopped in front of the first network of a scan is between two scans: what is set there counts for the
 //!   next one.
 //!

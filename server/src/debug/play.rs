@@ -42,7 +42,7 @@ impl Play {
         self.case.give(step, session);
     }
 
-    /// Behind a scan: what is not as expected, if a step ends here.
+    /// After a scan: what is not as expected, if a step ends here.
     pub(super) fn unmet(&mut self, session: &Session) -> Vec<Unmet> {
         let scans = session.simulation().scans();
         let ends_step = scans > 0 && scans.is_multiple_of(self.case.scans);

@@ -15,7 +15,7 @@ pub(super) const FAULTS: &str = "faults";
 /// The filter of expectations that are not met.
 pub(super) const EXPECTATIONS: &str = "expectations";
 
-/// Each fault is written once; behind this many none any more.
+/// Each fault is written once; after this many none any more.
 const MOST_FAULTS: usize = 100;
 
 /// The longest time between two scans: a day.
@@ -154,7 +154,7 @@ impl<W: Write> Adapter<W> {
         self.end_with(Some(status));
     }
 
-    /// Somebody ends it. A scenario that did not come to its end has not passed: unless it has failed by then it has no
+    /// A user ends it. A scenario that did not come to its end has not passed: unless it has failed by then it has no
     /// status.
     pub(super) fn end_early(&mut self) {
         let play = self.target.as_ref().and_then(|target| target.play.as_ref());
@@ -292,7 +292,7 @@ impl<W: Write> Adapter<W> {
         if is_over { self.finish() } else { After::Go }
     }
 
-    /// Behind a step of a scenario: what did not come out as expected.
+    /// After a step of a scenario: what did not come out as expected.
     fn check_expectations(&mut self) -> Option<Stopped> {
         let target = self.target.as_mut()?;
         let unmet = target.play.as_mut()?.unmet(&target.session);
@@ -355,8 +355,8 @@ impl<W: Write> Adapter<W> {
         })
     }
 
-    /// Faults that have happened since they were looked at: writes them, and if the first of them is to stop the program,
-    /// goes back to right behind it.
+    /// Faults that have happened since they were checked: writes them, and if the first of them is to stop the program,
+    /// goes back to right after it.
     pub(super) fn fault_stop(&mut self) -> Option<Stopped> {
         let target = self.target.as_mut()?;
         let status = target.simulation().status();
@@ -377,7 +377,7 @@ impl<W: Write> Adapter<W> {
         }
         self.faults_seen = (scan, seen + 1);
         if !(fault.stops && status == Status::Faulted) {
-            self.go_behind_fault(scan, seen + 1);
+            self.go_after_fault(scan, seen + 1);
         }
         let target = self.target.as_ref()?;
         let description = format!("{} ({})", fault.message, target.place_name(fault.location));
@@ -388,8 +388,8 @@ impl<W: Write> Adapter<W> {
         })
     }
 
-    /// Runs the scan again up to right behind its n-th fault. Where the scan is not kept it stays at its end.
-    fn go_behind_fault(&mut self, scan: u64, number: usize) {
+    /// Runs the scan again up to right after its n-th fault. Where the scan is not kept it stays at its end.
+    fn go_after_fault(&mut self, scan: u64, number: usize) {
         let Some(target) = &mut self.target else {
             return;
         };
@@ -406,8 +406,10 @@ impl<W: Write> Adapter<W> {
 
     fn tell_faults(&mut self, faults: &[Fault]) {
         for fault in faults {
-            let is_new = self.faults_told.len() < MOST_FAULTS
-                && self.faults_told.insert((fault.location, fault.message.clone()));
+            let is_new = self.faults_reported.len() < MOST_FAULTS
+                && self
+                    .faults_reported
+                    .insert((fault.location, fault.message.clone()));
             if is_new {
                 let line = format!("fault in scan {}: {}\n", fault.scan, fault.message);
                 self.write("stderr", &line, Some(fault.location));

@@ -28,7 +28,7 @@ where
     let runtime = tokio::runtime::Builder::new_current_thread()
         .enable_all()
         .build()?;
-    // It reads as long as there is input; whoever waits for it to end would wait for the client.
+    // It reads as long as there is input; a caller that waits for it to end would wait for the client.
     std::thread::Builder::new().name("input".into()).spawn(move || {
         runtime.block_on(async { wire::read(input(), sender, counter).await });
         runtime.shutdown_background();
@@ -68,7 +68,7 @@ fn next<W: Write>(inbox: &Receiver<Incoming>, adapter: &Adapter<W>) -> Result<In
 pub(super) fn handle<W: Write>(adapter: &mut Adapter<W>, request: &Request) {
     let outcome = catch_unwind(AssertUnwindSafe(|| adapter.answer(request)));
     let outcome =
-        outcome.unwrap_or_else(|_| Err("the adapter has met a mistake of its own; please report it".into()));
+        outcome.unwrap_or_else(|_| Err("the adapter has met an error of its own; please report it".into()));
     adapter.handle(request, outcome);
 }
 

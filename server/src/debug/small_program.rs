@@ -107,7 +107,7 @@ impl<'s> Small<'s> {
             rest = &rest[end..];
         }
         left.push_str(rest);
-        // One line: what is behind a line end would be another.
+        // One line: what is after a line end would be another.
         Ok(left.replace(['\r', '\n'], " "))
     }
 

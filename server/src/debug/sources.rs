@@ -130,7 +130,7 @@ impl Counting {
         text.len()
     }
 
-    /// `line`, `column`, `endLine` and `endColumn` of a range; a range that reaches behind its first line ends with that.
+    /// `line`, `column`, `endLine` and `endColumn` of a range; a range that reaches after its first line ends with that.
     pub(super) fn range(self, source: &Source, range: TextRange) -> Json {
         let (line, column) = source.place(range.start());
         let end = range.end().min(source.line_range(line).end().max(range.start()));

@@ -290,7 +290,7 @@ pub(super) fn point_json(simulation: &Simulation, point: &Point) -> Json {
     })
 }
 
-/// A value as it is shown: whether it is held, and what it will be behind this scan.
+/// A value as it is shown: whether it is held, and what it will be after this scan.
 fn value_text_of(simulation: &Simulation, point: &Point) -> String {
     let mut text = value_text::display(&simulation.value(point), point.ty);
     if simulation.is_forced(point) {
@@ -298,7 +298,7 @@ fn value_text_of(simulation: &Simulation, point: &Point) -> String {
     }
     if let Some(waiting) = simulation.waiting(point) {
         text.push_str(&format!(
-            "{WAITING}{} behind this scan",
+            "{WAITING}{} after this scan",
             value_text::display(waiting, point.ty)
         ));
     }
@@ -368,7 +368,7 @@ pub(super) fn point_in(target: &Target, container: &Container, name: &str) -> Re
 pub(super) fn read(text: &str, ty: Scalar, scope: Scope<'_>) -> Result<Value, Problem> {
     // A person may have edited the text that is shown.
     let text = text.rsplit(WAITING).next().unwrap_or(text).trim();
-    let text = text.strip_suffix("behind this scan").unwrap_or(text).trim();
+    let text = text.strip_suffix("after this scan").unwrap_or(text).trim();
     let text = text.strip_suffix(FORCED.trim()).unwrap_or(text).trim();
     let problem = match value_text::parse(text, ty) {
         Ok(value) => return Ok(value),

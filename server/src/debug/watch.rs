@@ -146,7 +146,7 @@ impl Watch {
         }
     }
 
-    /// Whether it is true. An expression that is no BOOL is a mistake.
+    /// Whether it is true. An expression that is no BOOL is an error.
     pub(super) fn holds(&mut self, simulation: &Simulation) -> Result<bool, Problem> {
         match self.evaluate(simulation)? {
             Typed {

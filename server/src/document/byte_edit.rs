@@ -1,4 +1,4 @@
-//! What changes have done to a text, as one edit in bytes: so that whoever knows the text before need look no further than
+//! What changes have done to a text, as one edit in bytes: so that a caller that knows the text before need look no further than
 //! to the lines around it.
 
 use std::ops::Range;
@@ -13,11 +13,11 @@ pub(crate) struct ByteEdit {
 }
 
 impl ByteEdit {
-    /// This edit and one behind it, as one.
+    /// This edit and one after it, as one.
     fn then(self, next: &ByteEdit) -> ByteEdit {
         let end = (self.old.start + self.new_len).max(next.old.end);
         let start = self.old.start.min(next.old.start);
-        // What lies behind this edit is so far from its end in the text before as well.
+        // What lies after this edit is so far from its end in the text before as well.
         let old_end = self.old.end + (end - self.old.start - self.new_len);
         ByteEdit {
             old: start..old_end,

@@ -7,9 +7,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use ladder_analysis::{Analysis, Exported, Exports};
 use ladder_workspace::{Root, Settings, Stamp};
 
+use super::in_parallel;
 use super::on_disk::OnDisk;
 use super::seen::{Seen, SettingsFile};
-use super::together;
 
 /// The files that editors show, from when they are opened until they are closed.
 #[derive(Debug, Clone, Default)]
@@ -41,9 +41,9 @@ pub(super) struct Folder {
     pub(super) settings_file: Option<Arc<SettingsFile>>,
     pub(super) disk: BTreeMap<PathBuf, Arc<OnDisk>>,
     pub(super) open: HashMap<PathBuf, Open>,
-    /// Those of which nothing is known yet: an editor shows them, and what it shows was not looked at.
+    /// Those of which nothing is known yet: an editor shows them, and what it shows was not checked.
     unknown: HashSet<PathBuf>,
-    /// What its files show to each other. Nothing if that has changed since somebody asked.
+    /// What its files show to each other. Nothing if that has changed since a user asked.
     pub(super) exported: Option<Arc<Exported>>,
     /// How often what an open file shows has become something else.
     pub(super) changes: u64,
@@ -86,7 +86,7 @@ impl Folder {
             .filter(|path| shown.contains(path))
             .cloned()
             .collect();
-        folder.disk = together::map(&programs, |path| {
+        folder.disk = in_parallel::map(&programs, |path| {
             let file = if folder.unknown.contains(path) {
                 OnDisk::shown(root, path)
             } else {
@@ -167,7 +167,7 @@ impl Folder {
     }
 }
 
-/// Whether the others see the same of a file before and behind a change.
+/// Whether the others see the same of a file before and after a change.
 pub(super) fn same(a: Option<&Exports>, b: Option<&Exports>) -> bool {
     match (a, b) {
         (Some(a), Some(b)) => a.says_the_same(b),

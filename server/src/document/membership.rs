@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 
 use ladder_analysis::{Analysis, Others};
 
-use super::neighbours::{Neighbours, News};
+use super::neighbours::{Affected, Neighbours};
 
 /// A document's place among the files of its workspace.
 #[derive(Debug, Clone)]
@@ -38,14 +38,14 @@ impl Membership {
     }
 
     /// The same file, with a text that was not passed on yet.
-    pub(super) fn anew(&self) -> Membership {
+    pub(super) fn again(&self) -> Membership {
         Membership::new(self.path.clone(), &self.neighbours)
     }
 
     /// Tells the others what the file says now. Gives, once, who sees something else than before.
-    pub(super) fn tell(&self, analysis: &Arc<Analysis>) -> News {
+    pub(super) fn tell(&self, analysis: &Arc<Analysis>) -> Affected {
         if self.passed_on.set(()).is_err() {
-            return News::default();
+            return Affected::default();
         }
         let read_at = self.read_at.get().copied();
         self.neighbours.analysed(&self.path, analysis, read_at)
@@ -85,9 +85,9 @@ mod tests {
         assert!(called.analysis().is_some());
         // Nobody knows of the function yet: the call concerns no other file.
         caller.tell_neighbours();
-        let news = called.tell_neighbours();
-        assert!(news.for_others && news.for_itself, "{news:?}");
-        assert_eq!(called.tell_neighbours(), News::default());
+        let affected = called.tell_neighbours();
+        assert!(affected.for_others && affected.for_itself, "{affected:?}");
+        assert_eq!(called.tell_neighbours(), Affected::default());
     }
 
     #[test]
@@ -103,8 +103,8 @@ mod tests {
         };
         let called = open(&own, &function("typed"));
         assert!(!neighbours.holds_text_of(&own));
-        let news = called.tell_neighbours();
-        assert!(news.for_others, "the first that is known of it");
+        let affected = called.tell_neighbours();
+        assert!(affected.for_others, "the first that is known of it");
         assert!(neighbours.holds_text_of(&other));
         let call = |name: &str| format!("+--( )( z )--<CALL>( {name} )--+\n");
         let finds = |revision: &Revision| revision.analysis().map(|analysis| analysis.findings().len());
@@ -116,7 +116,7 @@ mod tests {
         assert!(!neighbours.holds_text_of(&own), "it was saved");
         neighbours.disk_changed(&[folder.path().join("ladder.toml")]);
         neighbours.view(&other);
-        assert!(!neighbours.holds_text_of(&own), "the folder was read anew");
+        assert!(!neighbours.holds_text_of(&own), "the folder was read again");
         // As soon as the editor shows it no more it counts as it was saved.
         assert!(neighbours.closed(&own));
         assert!(neighbours.holds_text_of(&own));
@@ -138,12 +138,12 @@ mod tests {
         assert_eq!(
             found,
             Some(0),
-            "the function is there, though its file was not looked at"
+            "the function is there, though its file was not checked"
         );
         caller.tell_neighbours();
         assert_eq!(
             called.tell_neighbours(),
-            News::default(),
+            Affected::default(),
             "it says what it said on disk"
         );
     }

@@ -51,7 +51,7 @@ struct State {
 
 /// Which files see something else once what a file exports has changed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) struct News {
+pub(crate) struct Affected {
     /// The other ones.
     pub(crate) for_others: bool,
     /// The file itself: others have changed since it was read, when they could not know that it concerns it.
@@ -74,7 +74,7 @@ impl Neighbours {
     }
 
     /// Enters the analysis of an open file, which was read when there had been this many changes.
-    pub(super) fn analysed(&self, path: &Path, analysis: &Arc<Analysis>, read_at: Option<u64>) -> News {
+    pub(super) fn analysed(&self, path: &Path, analysis: &Arc<Analysis>, read_at: Option<u64>) -> Affected {
         let exports = Arc::new(Exports::of(&analysis.context, &analysis.context.name));
         let mut state = self.lock();
         let (root, folder) = state.folder(path);
@@ -95,7 +95,7 @@ impl Neighbours {
         if changed {
             folder.exported = None;
         }
-        News {
+        Affected {
             for_others: changed,
             for_itself,
         }
@@ -125,7 +125,7 @@ impl Neighbours {
             .any(|path| path.file_name().is_some_and(|name| name == SETTINGS_FILE))
         {
             // Which file belongs where may be another matter now.
-            state.begin_anew();
+            state.begin_again();
             return true;
         }
         let mut changed = false;
@@ -145,7 +145,7 @@ impl Neighbours {
     pub(crate) fn set_defaults(&self, settings: Settings) {
         let mut state = self.lock();
         state.defaults = settings;
-        state.begin_anew();
+        state.begin_again();
     }
 
     /// Whether two files belong to one workspace.
@@ -344,7 +344,7 @@ impl Neighbours {
 
 impl State {
     /// Forgets what was read from disk, and reads it again when it is needed.
-    fn begin_anew(&mut self) {
+    fn begin_again(&mut self) {
         let open: Vec<(PathBuf, Open)> = self
             .folders
             .values_mut()

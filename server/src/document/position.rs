@@ -125,12 +125,12 @@ mod tests {
     #[test]
     fn an_astral_character_counts_four_two_or_one() {
         let text = Rope::from_str("+--# 😀 #--+\n");
-        let behind = text.line(0).chars().take(6).map(char::len_utf8).sum::<usize>();
-        assert_eq!(position(&text, Encoding::Utf8, behind), at(0, 9));
-        assert_eq!(position(&text, Encoding::Utf16, behind), at(0, 7));
-        assert_eq!(position(&text, Encoding::Utf32, behind), at(0, 6));
+        let after = text.line(0).chars().take(6).map(char::len_utf8).sum::<usize>();
+        assert_eq!(position(&text, Encoding::Utf8, after), at(0, 9));
+        assert_eq!(position(&text, Encoding::Utf16, after), at(0, 7));
+        assert_eq!(position(&text, Encoding::Utf32, after), at(0, 6));
         for encoding in [Encoding::Utf8, Encoding::Utf16, Encoding::Utf32] {
-            assert_eq!(offset(&text, encoding, position(&text, encoding, behind)), behind);
+            assert_eq!(offset(&text, encoding, position(&text, encoding, after)), after);
         }
     }
 

@@ -15,7 +15,7 @@ use ropey::Rope;
 use super::byte_edit::{ByteEdit, EditLog, Since};
 use super::kind::Kind;
 use super::membership::Membership;
-use super::neighbours::News;
+use super::neighbours::Affected;
 use super::position::{self, Encoding, Position, Range};
 use super::positions::Positions;
 use crate::language::{Analysis, Names};
@@ -40,7 +40,7 @@ pub(super) struct Edited {
     pub(super) at: usize,
 }
 
-/// A document as it was between two changes. It never changes, so whoever holds one can work on it in peace
+/// A document as it was between two changes. It never changes, so a caller that holds one can work on it in peace
 /// while the editor types on; whether it is still what the editor shows is for the store to say.
 #[derive(Debug)]
 pub(crate) struct Revision {
@@ -49,7 +49,7 @@ pub(crate) struct Revision {
     /// The editor's number for this state.
     pub version: i32,
     kind: Kind,
-    /// Which opening of the document this belongs to: a file that is closed and opened again begins anew, and
+    /// Which opening of the document this belongs to: a file that is closed and opened again begins again, and
     /// may use the same versions for other texts.
     pub(super) opening: u64,
     /// Unique over all revisions.
@@ -106,9 +106,9 @@ impl Revision {
         }
     }
 
-    /// The document with another text, or to be analysed anew.
+    /// The document with another text, or to be analysed again.
     pub(super) fn followed_by(&self, version: i32, rope: Rope, edited: Edited) -> Self {
-        let place = self.place.as_ref().map(Membership::anew);
+        let place = self.place.as_ref().map(Membership::again);
         let next = Revision::new(
             self.uri.clone(),
             self.kind,
@@ -145,8 +145,8 @@ impl Revision {
         names
     }
 
-    /// The same while they are wanted, or somebody waits in [`Revision::names`]: where the names of the whole file are joined
-    /// anew that is given up once neither is so.
+    /// The same while they are wanted, or a user waits in [`Revision::names`]: where the names of the whole file are joined
+    /// again that is given up once neither is so.
     fn names_while(&self, wanted: &dyn Fn() -> bool) -> Option<&Names> {
         // Offsets of the inner crates are 32 bits wide; they read slices, not ropes.
         if !self.fits() {
@@ -281,10 +281,10 @@ impl Revision {
 
     /// Tells the other files of the workspace what this one says now. Gives, once, who sees something else than before.
     /// As costly as [`Revision::analysis`].
-    pub(crate) fn tell_neighbours(&self) -> News {
+    pub(crate) fn tell_neighbours(&self) -> Affected {
         match (self.analysis(), &self.place) {
             (Some(analysis), Some(place)) => place.tell(analysis.whole()),
-            _ => News::default(),
+            _ => Affected::default(),
         }
     }
 
@@ -365,7 +365,7 @@ impl Revision {
     }
 
     /// Address and text of another file of the workspace, by the name that findings and programs know it by.
-    pub(super) fn text_beside(&self, file: &str) -> Option<(String, String)> {
+    pub(super) fn text_next_to(&self, file: &str) -> Option<(String, String)> {
         let place = self.place.as_ref()?;
         let (path, text) = place.neighbours.text_of(&place.path, file)?;
         Some((super::address::uri_of(&path), text))
@@ -392,8 +392,8 @@ impl Revision {
         let mut before = self.rope.chars_at(at);
         before.reverse();
         let before: Vec<char> = before.take_while(is_part).collect();
-        let behind = self.rope.chars_at(at).take_while(is_part);
-        before.iter().rev().copied().chain(behind).collect()
+        let after = self.rope.chars_at(at).take_while(is_part);
+        before.iter().rev().copied().chain(after).collect()
     }
 
     /// The number of the last line, counted from 0.
@@ -404,7 +404,7 @@ impl Revision {
     /// The texts of a program's files, this one's own first.
     pub(crate) fn texts(&self, files: &[String]) -> Vec<String> {
         let others = files.iter().skip(1).map(|name| {
-            let found = self.text_beside(name);
+            let found = self.text_next_to(name);
             found.map_or_else(String::new, |(_, text)| text)
         });
         std::iter::once(self.rope.to_string()).chain(others).collect()
@@ -415,7 +415,7 @@ impl Revision {
         self.serial == other.serial
     }
 
-    /// What is behind an offset on its line.
+    /// What is after an offset on its line.
     pub(crate) fn rest_of_line(&self, offset: TextSize) -> String {
         let rest = self.rope.byte_slice(usize::from(offset).min(self.len())..);
         rest.chars().take_while(|it| !matches!(it, '\n' | '\r')).collect()
@@ -489,7 +489,7 @@ mod tests {
         (names.text(), tags.collect())
     }
 
-    /// A text, and the same behind an edit that has its names joined anew.
+    /// A text, and the same after an edit that has its names joined again.
     fn opened_and_edited(documents: &Documents) -> [Arc<Revision>; 2] {
         let uri = "file:///a.clad";
         let text = "+--[ ]( a )--( )( b )--+\n\n".repeat(2 * ladder_analysis::BETWEEN);

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use ladder_syntax::{LineColumn, TextRange};
-use ladder_workspace::{Files, Mistake, Root, SETTINGS_FILE, Settings, Stamp};
+use ladder_workspace::{Files, Root, SETTINGS_FILE, SettingError, Settings, Stamp};
 
 /// A settings file as it was read.
 #[derive(Debug)]
@@ -14,7 +14,7 @@ pub(crate) struct SettingsFile {
     /// Its text; empty if it cannot be read.
     pub(crate) text: String,
     /// What is wrong in it. The rest of it holds.
-    pub(crate) mistakes: Vec<Mistake>,
+    pub(crate) errors: Vec<SettingError>,
     pub(super) stamp: Stamp,
 }
 
@@ -22,13 +22,13 @@ impl SettingsFile {
     /// Reads it, as far as it can be read.
     pub(super) fn read(path: PathBuf) -> (Settings, SettingsFile) {
         let stamp = Stamp::of(&path);
-        let (text, settings, mistakes) = match Settings::own_text(&path) {
+        let (text, settings, errors) = match Settings::own_text(&path) {
             Ok(text) => {
-                let (settings, mistakes) = Settings::examine(&path, &text);
-                (text, settings, mistakes)
+                let (settings, errors) = Settings::examine(&path, &text);
+                (text, settings, errors)
             }
             Err(error) => {
-                let unreadable = Mistake {
+                let unreadable = SettingError {
                     range: TextRange::default(),
                     place: LineColumn { line: 1, column: 1 },
                     message: error.problem.to_string(),
@@ -39,7 +39,7 @@ impl SettingsFile {
         let file = SettingsFile {
             path,
             text,
-            mistakes,
+            errors,
             stamp,
         };
         (settings, file)
@@ -61,7 +61,7 @@ impl Seen {
     pub(super) fn changed(&self, root: &Path) -> Vec<PathBuf> {
         let settings_file = root.join(SETTINGS_FILE);
         let now = Stamp::of(&settings_file);
-        // A link that leads nowhere is there, too: whoever reads it says so.
+        // A link that leads nowhere is there, too: a caller that reads it says so.
         let is_there = settings_file.symlink_metadata().is_ok();
         if is_there != self.settings_file.is_some() || self.settings_file.is_some_and(|it| it != now) {
             return vec![settings_file];

@@ -58,7 +58,7 @@ struct Open {
 #[derive(Debug)]
 struct Document {
     revision: Arc<Revision>,
-    /// Whether somebody analyses this document now, and will go on with the newest revision when done.
+    /// Whether a user analyses this document now, and will go on with the newest revision when done.
     analysing: bool,
     /// Whether a change was refused: editor and server may see different texts since.
     refused: bool,
@@ -139,7 +139,7 @@ impl Documents {
         Ok(document.revision.clone())
     }
 
-    /// The same text once more, to be analysed anew because other files have changed. `false` if it is not open.
+    /// The same text once more, to be analysed again because other files have changed. `false` if it is not open.
     pub(crate) fn touch(&self, uri: &str) -> bool {
         let mut open = self.lock();
         let Some(document) = open.documents.get_mut(uri) else {
@@ -184,7 +184,7 @@ impl Documents {
             .is_some_and(|document| document.revision.is(revision))
     }
 
-    /// Whether this is the text that the editor shows now, even if it is to be analysed anew because other files
+    /// Whether this is the text that the editor shows now, even if it is to be analysed again because other files
     /// have changed.
     pub(crate) fn shows(&self, revision: &Revision) -> bool {
         self.lock().documents.get(&*revision.uri).is_some_and(|document| {
@@ -194,7 +194,7 @@ impl Documents {
     }
 
     /// The revision to analyse, for the one who may begin; `None` if the document is being analysed, in which
-    /// case [`Documents::analysed`] hands the newest revision to whoever does.
+    /// case [`Documents::analysed`] hands the newest revision to a caller that does.
     pub(crate) fn begin_analysis(&self, uri: &str) -> Option<Arc<Revision>> {
         let mut open = self.lock();
         let document = open
@@ -291,7 +291,7 @@ mod tests {
         let first = documents.begin_analysis(URI).unwrap();
         documents.change(URI, 2, &insert_front("a")).unwrap();
         documents.change(URI, 3, &insert_front("b")).unwrap();
-        assert!(documents.begin_analysis(URI).is_none(), "somebody is at it");
+        assert!(documents.begin_analysis(URI).is_none(), "a user is at it");
         assert!(!documents.is_current(&first));
         let next = documents.analysed(&first).unwrap();
         assert_eq!(next.version, 3);
@@ -301,7 +301,7 @@ mod tests {
     }
 
     #[test]
-    fn a_text_that_is_looked_at_anew_is_the_same_text() {
+    fn a_text_that_is_looked_at_again_is_the_same_text() {
         let documents = Documents::default();
         documents.open(URI, 1, Encoding::Utf16, "");
         let old = documents.get(URI).unwrap();

@@ -9,7 +9,7 @@ use serde_json::json;
 use tower_lsp::ls_types::{Diagnostic, DiagnosticRelatedInformation, DiagnosticTag, Location, Range};
 
 use crate::document::positions::Positions;
-use crate::document::{Beside, Revision};
+use crate::document::{OtherPlaces, Revision};
 use crate::lsp::convert;
 use crate::lsp::session::agreed::Agreed;
 
@@ -23,7 +23,7 @@ const FEW: usize = 100;
 pub(crate) struct Findings<'r> {
     agreed: Agreed,
     revision: &'r Revision,
-    beside: Beside<'r>,
+    next_to: OtherPlaces<'r>,
     asked: Cell<usize>,
     positions: OnceCell<Positions>,
 }
@@ -34,7 +34,7 @@ impl<'r> Findings<'r> {
         Findings {
             agreed,
             revision,
-            beside: Beside::new(revision),
+            next_to: OtherPlaces::new(revision),
             asked: Cell::new(0),
             positions: OnceCell::new(),
         }
@@ -52,7 +52,7 @@ impl<'r> Findings<'r> {
             let place = match &other.file {
                 None => Some((self.revision.uri.to_string(), self.range(other.range))),
                 Some(file) => self
-                    .beside
+                    .next_to
                     .range(file, other.range)
                     .map(|(uri, range)| (uri, convert::range(range))),
             };
@@ -135,8 +135,8 @@ mod tests {
         check(
             true,
             &expect![[r#"
-            {"range":{"start":{"line":2,"character":8},"end":{"line":2,"character":9}},"severity":2,"code":"undeclared-tag","source":"ladder","message":"`ö` is not declared\ndeclare it, so that a typing mistake cannot make a new tag","data":{"fixes":["Declare `ö : BOOL` in VAR_INPUT"]}}
-            {"range":{"start":{"line":4,"character":18},"end":{"line":4,"character":19}},"severity":2,"code":"double-coil","source":"ladder","message":"`y` is written by 2 coils: the last one alone decides\nlead all conditions to one coil, joined with \\ and /; or use (S) and (R)","relatedInformation":[{"location":{"uri":"file:///a.clad","range":{"start":{"line":2,"character":18},"end":{"line":2,"character":19}}},"message":"`y` is written here as well"}]}
+            {"range":{"start":{"line":2,"character":8},"end":{"line":2,"character":9}},"severity":2,"code":"undeclared-tag","source":"ladder","message":"`ö` is not declared\ndeclare it, so that a typing error cannot make a new tag","data":{"fixes":["Declare `ö : BOOL` in VAR_INPUT"]}}
+            {"range":{"start":{"line":4,"character":18},"end":{"line":4,"character":19}},"severity":2,"code":"double-coil","source":"ladder","message":"`y` is written by 2 coils: the last one alone decides\ncombine all conditions into one coil, joined with \\ and /; or use (S) and (R)","relatedInformation":[{"location":{"uri":"file:///a.clad","range":{"start":{"line":2,"character":18},"end":{"line":2,"character":19}}},"message":"`y` is written here as well"}]}
             {"range":{"start":{"line":8,"character":3},"end":{"line":8,"character":10}},"severity":2,"code":"unconditional-end","source":"ladder","message":"<END> stops the program for good, and no condition is before it: only one scan runs\na program needs no end; <RET> ends the scan, as END does in other controllers","data":{"fixes":["End the scan only: <RET>"]}}
             {"range":{"start":{"line":10,"character":0},"end":{"line":10,"character":24}},"severity":2,"code":"unreachable","source":"ladder","message":"no scan ever comes to this rung\nput a condition before what leaves above it, mark it with a <LBL> that is jumped to, or remove it","relatedInformation":[{"location":{"uri":"file:///a.clad","range":{"start":{"line":8,"character":3},"end":{"line":8,"character":10}}},"message":"this always ends the program"}],"tags":[1]}
         "#]],
@@ -148,8 +148,8 @@ mod tests {
         check(
             false,
             &expect![[r#"
-            {"range":{"start":{"line":2,"character":8},"end":{"line":2,"character":9}},"severity":2,"code":"undeclared-tag","source":"ladder","message":"`ö` is not declared\ndeclare it, so that a typing mistake cannot make a new tag"}
-            {"range":{"start":{"line":4,"character":18},"end":{"line":4,"character":19}},"severity":2,"code":"double-coil","source":"ladder","message":"`y` is written by 2 coils: the last one alone decides\nlead all conditions to one coil, joined with \\ and /; or use (S) and (R)\nline 3: `y` is written here as well"}
+            {"range":{"start":{"line":2,"character":8},"end":{"line":2,"character":9}},"severity":2,"code":"undeclared-tag","source":"ladder","message":"`ö` is not declared\ndeclare it, so that a typing error cannot make a new tag"}
+            {"range":{"start":{"line":4,"character":18},"end":{"line":4,"character":19}},"severity":2,"code":"double-coil","source":"ladder","message":"`y` is written by 2 coils: the last one alone decides\ncombine all conditions into one coil, joined with \\ and /; or use (S) and (R)\nline 3: `y` is written here as well"}
             {"range":{"start":{"line":8,"character":3},"end":{"line":8,"character":10}},"severity":2,"code":"unconditional-end","source":"ladder","message":"<END> stops the program for good, and no condition is before it: only one scan runs\na program needs no end; <RET> ends the scan, as END does in other controllers"}
             {"range":{"start":{"line":10,"character":0},"end":{"line":10,"character":24}},"severity":2,"code":"unreachable","source":"ladder","message":"no scan ever comes to this rung\nput a condition before what leaves above it, mark it with a <LBL> that is jumped to, or remove it\nline 9: this always ends the program"}
         "#]],

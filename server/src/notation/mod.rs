@@ -64,11 +64,11 @@ pub(crate) fn translate(
             };
             let writing = writing.map_err(|error| error.to_string())?;
             account.add(&writing.report, &[], matches!(task.from, Form::Ladder));
-            let beside = writing.companions.iter().map(|companion| {
+            let next_to = writing.companions.iter().map(|companion| {
                 let name = &companion.name;
-                format!("{name} belongs beside this program; `ladder convert -o` writes both")
+                format!("{name} belongs next to this program; `ladder convert -o` writes both")
             });
-            account.notes.extend(beside);
+            account.notes.extend(next_to);
             String::from_utf8(writing.bytes)
                 .map_err(|_| "this program is no text in UTF-8; `ladder convert -o` writes it".to_owned())?
         }

@@ -44,7 +44,7 @@ impl Opened {
         })
     }
 
-    /// The program, beside its ladder text.
+    /// The program, next to its ladder text.
     pub(crate) fn foreign(&self) -> &Foreign {
         &self.foreign
     }

@@ -114,7 +114,7 @@ impl Action {
         )
     }
 
-    /// Whether the simulation is differently behind it.
+    /// Whether the simulation is differently after it.
     pub(super) fn changes(&self) -> bool {
         !matches!(
             self,

@@ -15,14 +15,14 @@ impl Engine {
     pub(super) fn diagram_text(&self, asked: &DiagramText) -> Result<DrawnText, Failure> {
         let simulation = self.session.simulation();
         let elements = self.drawing.get_or_init(|| Elements::of(simulation));
-        let revision = self.sight.running();
-        let shown = self.sight.shown();
+        let revision = self.line_map.running();
+        let shown = self.line_map.shown();
         let Lines { first, last } = diagram_text::lines_asked(asked, shown.last_line());
         let mut drawing = diagram_text::Drawing::new(shown.version);
-        let mut behind = TextSize::from(0);
-        for stretch in self.sight.stretches(first, last) {
+        let mut after = TextSize::from(0);
+        for stretch in self.line_map.stretches(first, last) {
             // A network that is cut through is drawn as a whole, and once.
-            let start = stretch.start().max(behind);
+            let start = stretch.start().max(after);
             if start >= stretch.end() {
                 continue;
             }
@@ -33,13 +33,13 @@ impl Engine {
             let pieces = pieces.ok_or_else(|| Failure::Failed("the file is too large to be drawn".into()))?;
             let operands = elements.operands_in(whole, revision, simulation);
             for piece in pieces {
-                behind = behind.max(piece.range.end());
-                let line = |place: TextSize| self.sight.range_or_near(TextRange::empty(place)).start.line;
+                after = after.max(piece.range.end());
+                let line = |place: TextSize| self.line_map.range_or_near(TextRange::empty(place)).start.line;
                 let block = |range: TextRange| {
                     let named = operands.iter().filter(|operand| operand.block == range);
                     let tags =
                         named.flat_map(|operand| operand.points.iter().map(|point| point.name.clone()));
-                    Some((self.sight.range(range)?, tags.collect()))
+                    Some((self.line_map.range(range)?, tags.collect()))
                 };
                 drawing.add(piece, line, block);
             }
@@ -50,7 +50,7 @@ impl Engine {
     /// How the parts of the drawing in a stretch are.
     fn live_in(&self, elements: &Elements, stretch: TextRange) -> Live {
         let simulation = self.session.simulation();
-        let revision = self.sight.running();
+        let revision = self.line_map.running();
         let mut live = Live::default();
         for element in elements.elements_in(stretch, revision, simulation) {
             let on = simulation.is_live(element.number);

@@ -13,15 +13,15 @@ use ladder_simulator::{Brake, Breakpoint, HistoryLimits, Point, Session, Simulat
 use super::action::Given;
 use super::drawing::Drawing;
 use super::follow::Texts;
+use super::line_map::LineMap;
 use super::messages;
 use super::pulse::Pulse;
 use super::request::Failure;
 use super::retention::Retention;
-use super::sight::Sight;
 use super::value::from_given;
 use super::view::View;
 use crate::document::position::Range;
-use crate::document::{Beside, Revision};
+use crate::document::{OtherPlaces, Revision};
 
 /// This many faults are reported: those that happened last.
 const FAULTS: usize = 100;
@@ -33,7 +33,7 @@ const INTERVAL: std::ops::RangeInclusive<f64> = 1e-6..=86_400_000.0;
 #[derive(Debug)]
 pub(super) struct Engine {
     /// What runs, and what the editor shows.
-    pub(super) sight: Sight,
+    pub(super) line_map: LineMap,
     pub(super) session: Session,
     pub(super) texts: Texts,
     retention: Option<Retention>,
@@ -50,7 +50,7 @@ pub(super) struct Engine {
     /// What it said last.
     pub(super) shown: Option<messages::Shown>,
     /// What the client is sent next is all of what it shows: what it knows is of another text, or of another program.
-    pub(super) is_anew: bool,
+    pub(super) is_new: bool,
     /// The tags whose trace the client shows.
     pub(super) recorder: Recorder,
     /// How many breakpoints have stopped it.
@@ -94,7 +94,7 @@ impl Engine {
             .collect::<Result<_, _>>()?;
         let (retention, notes) = Retention::begin(settings.retain.as_ref(), revision.name(), &mut session);
         let mut engine = Engine {
-            sight: Sight::new(revision.clone(), revision.clone()),
+            line_map: LineMap::new(revision.clone(), revision.clone()),
             session,
             texts: Texts::new(revision),
             retention,
@@ -104,7 +104,7 @@ impl Engine {
             drawing: OnceCell::new(),
             view: None,
             shown: None,
-            is_anew: false,
+            is_new: false,
             recorder: Recorder::default(),
             hits: 0,
         };
@@ -117,13 +117,13 @@ impl Engine {
 
     /// The text that places refer to: the editor's.
     pub(super) fn revision(&self) -> &Revision {
-        self.sight.shown()
+        self.line_map.shown()
     }
 
     /// Looks at the program that runs now, or at another text of it.
-    pub(super) fn look_anew(&mut self, running: Arc<Revision>, shown: Arc<Revision>) {
-        self.sight = Sight::new(running, shown);
-        self.is_anew = true;
+    pub(super) fn check_again(&mut self, running: Arc<Revision>, shown: Arc<Revision>) {
+        self.line_map = LineMap::new(running, shown);
+        self.is_new = true;
         self.places = OnceCell::new();
         self.drawing = OnceCell::new();
         if self.view.is_some() {
@@ -134,7 +134,7 @@ impl Engine {
         }
     }
 
-    /// Gives up a scan that takes long when this says so: it is as if it had not been begun.
+    /// Abandons a scan that takes long when this says so: it is as if it had not been begun.
     pub(super) fn obey(&mut self, brake: Brake) {
         self.session.set_brake(Some(brake));
     }
@@ -214,9 +214,9 @@ impl Engine {
     pub(super) fn set_breakpoints(&mut self, lines: &[u32], tags: &[String]) -> Result<(), Failure> {
         let mut breakpoints = Vec::new();
         for &line in lines {
-            let mut behind = line..=self.sight.shown().last_line();
-            let running = behind.find_map(|line| self.sight.running_line(line));
-            let start = running.map(|line| self.sight.running().line_start(line));
+            let mut after = line..=self.line_map.shown().last_line();
+            let running = after.find_map(|line| self.line_map.running_line(line));
+            let start = running.map(|line| self.line_map.running().line_start(line));
             let network = start.and_then(|start| self.session.network_at(0, start));
             let network = network.ok_or_else(|| {
                 Failure::Failed(format!("there is no rung in line {} or below it", line + 1))
@@ -233,7 +233,7 @@ impl Engine {
         Ok(())
     }
 
-    /// Gives a tag a value.
+    /// Sets a tag's value.
     pub(super) fn set(&mut self, tag: &str, value: &Given) -> Result<(), Failure> {
         let (point, value) = assignment(self.session.simulation(), tag, value)?;
         let set = self.session.set(&point, value);
@@ -305,7 +305,7 @@ impl Engine {
         self.session.simulation().time() as f64 / 1e6
     }
 
-    /// What went wrong so far, the newest last. A mistake that repeats in one place is here once, with the scan it
+    /// What went wrong so far, the newest last. An error that repeats in one place is here once, with the scan it
     /// last happened in.
     pub(super) fn faults(&self) -> Vec<messages::Fault> {
         let mut faults: Vec<messages::Fault> = Vec::new();
@@ -335,12 +335,12 @@ impl Engine {
             0 => None,
             file => {
                 let name = &self.session.simulation().program().files[file as usize];
-                Beside::new(self.sight.running()).range(name, location.range)
+                OtherPlaces::new(self.line_map.running()).range(name, location.range)
             }
         };
         match elsewhere {
             Some((uri, range)) => (Some(uri), range),
-            None => (None, self.sight.range_or_near(location.range)),
+            None => (None, self.line_map.range_or_near(location.range)),
         }
     }
 }

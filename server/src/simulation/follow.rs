@@ -12,7 +12,7 @@ use crate::document::Revision;
 #[derive(Debug)]
 pub(super) struct Texts {
     known: Vec<(u64, Arc<Revision>)>,
-    /// The number of the one that is looked at.
+    /// The number of the one that is checked.
     looked_at: u64,
     /// The text of the editor has errors: the last good one runs.
     pub(super) stale: bool,
@@ -84,7 +84,7 @@ impl Engine {
         let generation = self.session.generation();
         self.texts.looked_at = generation;
         if let Some(running) = self.texts.of(generation).cloned() {
-            self.look_anew(running, shown);
+            self.check_again(running, shown);
         }
         is_another
     }
@@ -103,8 +103,8 @@ impl Engine {
         }
         self.texts.looked_at = generation;
         if let Some(running) = self.texts.of(generation).cloned() {
-            let shown = self.sight.shown().clone();
-            self.look_anew(running, shown);
+            let shown = self.line_map.shown().clone();
+            self.check_again(running, shown);
         }
     }
 }

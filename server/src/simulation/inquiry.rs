@@ -37,7 +37,7 @@ impl Engine {
 
     /// What was done so far as a scenario.
     pub(super) fn record(&self, name: &str) -> Result<messages::Recorded, Failure> {
-        let program = self.sight.shown().file_name();
+        let program = self.line_map.shown().file_name();
         let recorded = scenario::record(&self.session, &program, name).map_err(Failure::Failed)?;
         Ok(messages::Recorded {
             file: scenario::recorded_file(&program),
@@ -49,7 +49,7 @@ impl Engine {
     /// What runs next in the scan that is open.
     pub(super) fn next(&self) -> Option<Range> {
         let location = self.session.simulation().next_block()?;
-        (location.file == 0).then(|| self.sight.range(location.range))?
+        (location.file == 0).then(|| self.line_map.range(location.range))?
     }
 
     /// The breakpoints that are set.
@@ -60,7 +60,7 @@ impl Engine {
                 Breakpoint::Network(network) => {
                     let location = self.session.simulation().program().networks[*network].location;
                     messages::Breakpoint {
-                        range: Some(self.sight.range_or_near(location.range)),
+                        range: Some(self.line_map.range_or_near(location.range)),
                         tag: None,
                     }
                 }

@@ -130,8 +130,8 @@ mod tests {
     #[test]
     fn values_leave_a_column_between_them() {
         let sum = "+--[ADD]( n, m, 1 )--+";
-        let beside = placed(&["", sum, ""], &[(1, 10, 2), (1, 13, 2)]);
-        assert_eq!(beside, [(Above, 10), (Above, 13)]);
+        let next_to = placed(&["", sum, ""], &[(1, 10, 2), (1, 13, 2)]);
+        assert_eq!(next_to, [(Above, 10), (Above, 13)]);
         // One that would cover another goes to the other side.
         let covers = placed(&["", sum, ""], &[(1, 10, 5), (1, 13, 2)]);
         assert_eq!(covers, [(Above, 10), (Below, 13)]);

@@ -204,7 +204,7 @@ pub struct Record {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub struct Recorded {
-    /// How a file of scenarios beside the program may be called.
+    /// How a file of scenarios next to the program may be called.
     pub file: String,
     /// What it holds: one scenario.
     pub text: String,
@@ -219,7 +219,7 @@ pub struct Recorded {
 pub struct History {
     /// The scan of the first values.
     pub first_scan: u64,
-    /// Of each tag its values after that scan and those behind it, up to the last.
+    /// Of each tag its values after that scan and those after it, up to the last.
     pub tags: Vec<PastValues>,
 }
 

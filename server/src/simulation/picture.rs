@@ -9,7 +9,7 @@ use super::drawing::{self, Drawing};
 use super::engine::Engine;
 use super::messages;
 use super::value::to_json;
-use super::view::News;
+use super::view::Update;
 
 impl Engine {
     /// Tells from now on only of this.
@@ -17,7 +17,7 @@ impl Engine {
         let simulation = self.session.simulation();
         let drawing = self.drawing.get_or_init(|| Drawing::of(simulation));
         let view = self.view.get_or_insert_default();
-        view.show(shown, drawing, &self.sight, simulation);
+        view.show(shown, drawing, &self.line_map, simulation);
         self.shown = Some(shown.clone());
     }
 
@@ -27,19 +27,22 @@ impl Engine {
     }
 
     /// What has changed of what is shown since this was asked last: tags, power, and what is new of operands.
-    pub(super) fn news(&mut self) -> (Vec<messages::Tag>, News) {
+    pub(super) fn update(&mut self) -> (Vec<messages::Tag>, Update) {
         let Some(view) = &mut self.view else {
             let power = self.power();
             return (
                 self.tags(),
-                News {
+                Update {
                     power,
-                    ..News::default()
+                    ..Update::default()
                 },
             );
         };
-        let news = view.news(&self.sight, self.session.simulation());
-        (news.points.iter().map(|point| self.tag(point)).collect(), news)
+        let update = view.update(&self.line_map, self.session.simulation());
+        (
+            update.points.iter().map(|point| self.tag(point)).collect(),
+            update,
+        )
     }
 
     /// How many tags are forced.
@@ -64,10 +67,10 @@ impl Engine {
     pub(super) fn values_at(&self, offset: TextSize) -> Vec<String> {
         let simulation = self.session.simulation();
         let drawing = self.drawing.get_or_init(|| Drawing::of(simulation));
-        let Some(offset) = self.sight.running_offset(offset) else {
+        let Some(offset) = self.line_map.running_offset(offset) else {
             return Vec::new();
         };
-        let revision = self.sight.running();
+        let revision = self.line_map.running();
         let line = revision.line_of(offset);
         let stretch = TextRange::new(revision.line_start(line), revision.line_start(line + 1));
         let operands = drawing.operands_in(stretch, revision, simulation);
@@ -94,7 +97,7 @@ impl Engine {
     /// What the word at a place names, as in a declaration.
     fn named_at(&self, offset: TextSize) -> Vec<Point> {
         let simulation = self.session.simulation();
-        let word = self.sight.running().word_at(offset);
+        let word = self.line_map.running().word_at(offset);
         if let Ok(point) = simulation.resolve(&word) {
             return vec![point];
         }
@@ -138,7 +141,7 @@ impl Engine {
     pub(super) fn power(&self) -> Vec<messages::Power> {
         let simulation = self.session.simulation();
         let places = self.places.get_or_init(|| {
-            let places = power(simulation).map(|(place, _)| self.sight.range(place));
+            let places = power(simulation).map(|(place, _)| self.line_map.range(place));
             places.collect()
         });
         let live = power(simulation).map(|(_, on)| on);

@@ -1,4 +1,4 @@
-//! Pulses: a tag of BOOL that holds its other value for one scan, as if somebody had touched a button.
+//! Pulses: a tag of BOOL that holds its other value for one scan, as if a user had touched a button.
 
 use ladder_analysis::values::value::Value;
 
@@ -15,7 +15,7 @@ pub(super) struct Pulse {
 }
 
 impl Engine {
-    /// Gives a tag its other value for the next scan.
+    /// Toggles a tag for the next scan.
     pub(super) fn pulse(&mut self, tag: &str) -> Result<(), Failure> {
         let simulation = self.session.simulation();
         let point = point(simulation, tag)?;

@@ -15,7 +15,7 @@ impl Engine {
         let point = point(self.session.simulation(), tag)?;
         let why = self.session.why(&point);
         let texts = self
-            .sight
+            .line_map
             .running()
             .texts(&self.session.simulation().program().files);
         let texts: Vec<&str> = texts.iter().map(String::as_str).collect();

@@ -153,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn mistakes_are_named() {
+    fn errors_are_named() {
         let says = |command: &str, arguments: Value| match Request::read(
             command,
             serde_json::from_value(arguments).unwrap(),

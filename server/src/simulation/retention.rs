@@ -8,7 +8,7 @@ use ladder_workspace::{FileError, Found, Named, Problem, RetentiveFile};
 /// A simulation that was asked to stop lets go of its file in this time.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// Opens the file. An editor that starts a simulation anew may not wait until the one before has ended.
+/// Opens the file. An editor that starts a simulation again may not wait until the one before has ended.
 fn patiently(file: &Named, program: &str) -> Result<(RetentiveFile, Found), FileError> {
     let begun = Instant::now();
     loop {

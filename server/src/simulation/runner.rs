@@ -154,7 +154,7 @@ impl Runner {
                 }
                 return Next::Stay;
             }
-            // What does not concern the program is no news for who shows it.
+            // What does not concern the program is no update for who shows it.
             Action::FollowOthers(revision) if !self.concerned_by_others(&revision) => return Next::Stay,
             action => self.change(action, &cancel),
         };
@@ -253,7 +253,7 @@ impl Runner {
             Action::FollowOthers(revision) => self.follow(revision),
             Action::Stop => {
                 self.run = None;
-                // Before the answer: who has it may start anew, with the same file.
+                // Before the answer: who has it may start again, with the same file.
                 self.simulation.engine.let_go_of_file();
                 self.simulation.status = Status::Ended;
             }
@@ -261,7 +261,7 @@ impl Runner {
         Ok(())
     }
 
-    /// Whether the program is to be looked at again because other files are not as they were.
+    /// Whether the program is to be checked again because other files are not as they were.
     fn concerned_by_others(&self, revision: &Revision) -> bool {
         // A text that waits goes with the other files as they are.
         let waits = self.texts.load(Ordering::SeqCst) > 0;
@@ -271,7 +271,7 @@ impl Runner {
 
     fn follow(&mut self, revision: Arc<Revision>) {
         let is_another = self.simulation.engine.follow(revision);
-        self.simulation.engine.is_anew = true;
+        self.simulation.engine.is_new = true;
         if is_another {
             self.simulation.hit = None;
             // What was hung may go on.
@@ -287,7 +287,7 @@ impl Runner {
     }
 
     /// Scans until done, until nobody waits for it, or until an urgent command wants to be heard. Other commands
-    /// wait: a `set` that was sent behind a `step` takes effect behind it.
+    /// wait: a `set` that was sent after a `step` takes effect after it.
     fn step(&mut self, scans: u64, cancel: &Cancel) {
         if self.simulation.status != Status::Paused {
             return;
@@ -351,7 +351,7 @@ impl Runner {
             self.publish();
             return;
         }
-        // To a client that is late the next state goes with the first scan behind its word that it has shown the last one.
+        // To a client that is late the next state goes with the first scan after its word that it has shown the last one.
         if now - run.reported >= self.report() && self.publish() {
             run.reported = now;
         }

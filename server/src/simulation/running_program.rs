@@ -4,7 +4,7 @@ use super::action::Pace;
 use super::engine::Engine;
 use super::messages::{Hit, State, Status};
 use super::status_text::status_text;
-use super::view::News;
+use super::view::Update;
 
 /// How much of the drawing a state holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -51,11 +51,11 @@ impl Simulation {
     pub(super) fn state(&mut self, detail: Detail) -> State {
         let engine = &mut self.engine;
         let in_part = engine.is_shown_in_part();
-        let whole = detail == Detail::Picture && std::mem::take(&mut engine.is_anew);
-        let (tags, news) = if in_part && detail == Detail::Answer {
-            (Vec::new(), News::default())
+        let whole = detail == Detail::Picture && std::mem::take(&mut engine.is_new);
+        let (tags, update) = if in_part && detail == Detail::Answer {
+            (Vec::new(), Update::default())
         } else {
-            engine.news()
+            engine.update()
         };
         let mut state = State {
             session: self.id.clone(),
@@ -77,10 +77,10 @@ impl Simulation {
             delta: in_part && !whole,
             answers: self.answers,
             commands: in_part.then_some(self.answers),
-            operands: news.operands,
-            labels: news.labels,
+            operands: update.operands,
+            labels: update.labels,
             tags,
-            power: news.power,
+            power: update.power,
             faults: engine.faults(),
         };
         state.text = status_text(&state, self.pace);

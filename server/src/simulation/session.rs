@@ -93,7 +93,7 @@ impl Session {
     }
 
     /// Hands over an action and returns where its answer will arrive. An answer that nobody waits for is no
-    /// mistake; `cancel` stops a step before its end.
+    /// error; `cancel` stops a step before its end.
     pub(crate) fn ask(&self, action: Action, cancel: Cancel) -> oneshot::Receiver<Result<Answer, Failure>> {
         let (reply, answer) = oneshot::channel();
         if action.is_urgent() {

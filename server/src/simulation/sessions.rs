@@ -108,7 +108,7 @@ impl Sessions {
         self.running.clone()
     }
 
-    /// Stops all simulations, and waits until they have saved what they keep: behind this the process may end.
+    /// Stops all simulations, and waits until they have saved what they keep: after this the process may end.
     pub(crate) async fn stop_everything(&self) {
         for session in std::mem::take(&mut self.lock().open).into_values() {
             drop(session.ask(Action::Stop, Cancel::default()));

@@ -9,8 +9,8 @@ use ladder_syntax::TextRange;
 
 use super::drawing::{Drawing, Element};
 use super::labels::{Wanted, place, room};
+use super::line_map::LineMap;
 use super::messages::{self, Contact, Label, Lines, Shown};
-use super::sight::Sight;
 
 /// More lines than this are no screen.
 const MOST_LINES: u32 = 2000;
@@ -23,9 +23,9 @@ pub(super) struct View {
     /// The power of elements as the client knows it, by the engine's numbers.
     sent_power: HashMap<usize, (bool, Option<Contact>)>,
     /// The values as the client knows them.
-    told_values: HashMap<String, (Value, bool)>,
+    reported_values: HashMap<String, (Value, bool)>,
     /// Lines whose operands the client knows.
-    told_lines: HashSet<u32>,
+    reported_lines: HashSet<u32>,
     /// Operands whose values it is to be sent.
     operands: Vec<messages::Operand>,
     /// The operands that may have labels, and which tag each shows.
@@ -48,7 +48,7 @@ struct Valued {
 
 /// What has changed of what is shown.
 #[derive(Debug, Default)]
-pub(super) struct News {
+pub(super) struct Update {
     pub(super) points: Vec<Point>,
     pub(super) power: Vec<messages::Power>,
     pub(super) operands: Vec<messages::Operand>,
@@ -58,10 +58,16 @@ pub(super) struct News {
 
 impl View {
     /// Shows something else from now on. What was shown before and is not any more is forgotten.
-    pub(super) fn show(&mut self, shown: &Shown, drawing: &Drawing, sight: &Sight, simulation: &Simulation) {
-        let revision = sight.running();
+    pub(super) fn show(
+        &mut self,
+        shown: &Shown,
+        drawing: &Drawing,
+        line_map: &LineMap,
+        simulation: &Simulation,
+    ) {
+        let revision = line_map.running();
         let mut known = HashSet::new();
-        let mut lines_told = HashSet::new();
+        let mut lines_reported = HashSet::new();
         self.elements.clear();
         self.points.clear();
         self.valued.clear();
@@ -76,14 +82,14 @@ impl View {
         }
         for &Lines { first, last } in &shown.lines {
             let last = last.min(first.saturating_add(MOST_LINES - 1));
-            for stretch in sight.stretches(first, last) {
+            for stretch in line_map.stretches(first, last) {
                 let elements = drawing.elements_in(stretch, revision, simulation);
                 self.elements.extend(elements);
                 for operand in drawing.operands_in(stretch, revision, simulation) {
-                    let places = (sight.range(operand.range), sight.range(operand.block));
+                    let places = (line_map.range(operand.range), line_map.range(operand.block));
                     if let (Some(range), Some(block)) = places
-                        && !self.told_lines.contains(&block.start.line)
-                        && !lines_told.contains(&block.start.line)
+                        && !self.reported_lines.contains(&block.start.line)
+                        && !lines_reported.contains(&block.start.line)
                     {
                         self.operands.push(messages::Operand {
                             range,
@@ -106,52 +112,52 @@ impl View {
                     }
                 }
             }
-            lines_told.extend(first..=last.min(sight.shown().last_line()));
+            lines_reported.extend(first..=last.min(line_map.shown().last_line()));
         }
         let mut seen = HashSet::new();
         self.elements.retain(|element| seen.insert(element.number));
         self.valued.sort_by_key(|it| it.range.start());
         self.valued.dedup_by_key(|it| it.range.start());
         self.sent_power.retain(|number, _| seen.contains(number));
-        self.told_values.retain(|name, _| known.contains(name));
+        self.reported_values.retain(|name, _| known.contains(name));
         // They are sent with the next picture.
-        self.told_lines = lines_told;
+        self.reported_lines = lines_reported;
     }
 
     /// What has changed since this was asked last.
-    pub(super) fn news(&mut self, sight: &Sight, simulation: &Simulation) -> News {
-        let mut news = News {
+    pub(super) fn update(&mut self, line_map: &LineMap, simulation: &Simulation) -> Update {
+        let mut update = Update {
             operands: std::mem::take(&mut self.operands),
-            ..News::default()
+            ..Update::default()
         };
         for element in &self.elements {
             let on = simulation.is_live(element.number);
             let contact = element.contact.as_ref().map(|it| it.state(on, simulation));
             let sent = self.sent_power.insert(element.number, (on, contact));
             if sent != Some((on, contact))
-                && let Some(range) = sight.range(element.range)
+                && let Some(range) = line_map.range(element.range)
             {
-                news.power.push(messages::Power { range, on, contact });
+                update.power.push(messages::Power { range, on, contact });
             }
         }
         for point in &self.points {
             let now = (simulation.value(point), simulation.is_forced(point));
-            let before = self.told_values.get(&point.name);
+            let before = self.reported_values.get(&point.name);
             if before != Some(&now) {
                 let is_held_as_before = before.is_some_and(|before| before.1 == now.1);
                 self.unplaced |= !is_held_as_before || self.outgrows(point, simulation);
-                self.told_values.insert(point.name.clone(), now);
-                news.points.push(point.clone());
+                self.reported_values.insert(point.name.clone(), now);
+                update.points.push(point.clone());
             }
         }
         if std::mem::take(&mut self.unplaced) {
-            let labels = self.place(sight, simulation);
+            let labels = self.place(line_map, simulation);
             if labels != self.labels {
                 self.labels.clone_from(&labels);
-                news.labels = Some(labels);
+                update.labels = Some(labels);
             }
         }
-        news
+        update
     }
 
     /// Whether a value takes more columns than are kept for it.
@@ -161,8 +167,8 @@ impl View {
     }
 
     /// Where the values of all operands that are shown go.
-    fn place(&mut self, sight: &Sight, simulation: &Simulation) -> Vec<Label> {
-        let shown = sight.shown();
+    fn place(&mut self, line_map: &LineMap, simulation: &Simulation) -> Vec<Label> {
+        let shown = line_map.shown();
         let line_at = |line: u32| {
             let (start, end) = (shown.line_start(line), shown.line_start(line + 1));
             (line <= shown.last_line()).then(|| shown.stretch(start.into()..end.into()))
@@ -175,7 +181,7 @@ impl View {
             if is_constant || (*drawn && !simulation.is_forced(point)) {
                 continue;
             }
-            let Some(at) = sight.range(*range).map(|range| range.start) else {
+            let Some(at) = line_map.range(*range).map(|range| range.start) else {
                 continue;
             };
             let start = shown.line_start(at.line).into();

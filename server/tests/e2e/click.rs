@@ -202,7 +202,7 @@ async fn the_ladder_text_is_followed() {
 }
 
 #[tokio::test]
-async fn a_client_that_asks_for_diagnostics_is_told_the_ladder_text_too() {
+async fn a_client_that_asks_for_diagnostics_is_reported_the_ladder_text_too() {
     let capabilities = json!({"textDocument": {"diagnostic": {}}});
     let mut client = Client::with(capabilities).await;
     open(
@@ -274,7 +274,7 @@ async fn what_runs_is_the_ladder_text() {
 }
 
 #[tokio::test]
-async fn an_open_program_has_the_nicknames_that_lie_beside_it() {
+async fn an_open_program_has_the_nicknames_that_lie_next_to_it() {
     let nicknames =
         "Address,Data Type,Nickname,Initial Value,Retentive,Address Comment\nY001,BIT,Valve,0,No,\n";
     let plant = Plant::with(&[("my tank_nicknames.csv", nicknames)]);
@@ -352,7 +352,7 @@ async fn hostile_files_are_refused_and_none_is_run() {
         assert_eq!(found.len(), 1, "{says}");
         assert!(found[0].contains(says), "{found:?}");
     }
-    // Many mistakes: so many as an editor shows.
+    // Many errors: so many as an editor shows.
     let wrong = format!(
         "def main():\n{}",
         "    if a and b:\n        out(y.B)\n".repeat(2_000)

@@ -29,7 +29,7 @@ pub(crate) struct Client {
     asked: i64,
     outstanding: HashSet<i64>,
     answers: HashMap<i64, Answer>,
-    /// What came that nobody has looked at yet.
+    /// What came that nobody has checked yet.
     notifications: VecDeque<Value>,
     /// Requests of the server that nobody has answered yet; none if the client does not take any.
     requests: Option<VecDeque<Value>>,

@@ -46,7 +46,7 @@ async fn close(client: &mut Client, uri: &str) {
 }
 
 #[tokio::test]
-async fn a_mistake_in_the_settings_above_an_open_program() {
+async fn a_error_in_the_settings_above_an_open_program() {
     let plant = Plant::with(&[("ladder.toml", "# plant\n[format]\nwith = 120\n")]);
     let mut client = Client::new().await;
     let settings = plant.uri("ladder.toml");
@@ -59,7 +59,7 @@ async fn a_mistake_in_the_settings_above_an_open_program() {
             "bad-setting `with` is no setting in [format]: did you mean `width`?".to_owned()
         )]
     );
-    // Mended on disk.
+    // Fixed on disk.
     plant.write("ladder.toml", "[format]\nwidth = 120\n");
     let params = json!({"changes": [{"uri": settings, "type": 2}]});
     client.notify("workspace/didChangeWatchedFiles", params).await;
@@ -110,7 +110,7 @@ async fn what_is_no_program_is_not_read_as_one() {
 }
 
 #[tokio::test]
-async fn mistakes_in_scenarios_stand_at_their_places_and_follow_the_program() {
+async fn errors_in_scenarios_stand_at_their_places_and_follow_the_program() {
     let plant = Plant::with(&[("a.clad", SOUND)]);
     let mut client = Client::new().await;
     let (test, program) = (plant.uri("a.ladder-test"), plant.uri("a.clad"));

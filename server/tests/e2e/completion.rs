@@ -43,7 +43,7 @@ async fn a_half_written_block_is_completed_and_documented() {
     );
     assert_eq!(timer["filterText"], "[TON");
     assert_eq!(timer.get("command"), None);
-    assert_eq!(timer.get("documentation"), None, "nobody has looked at it yet");
+    assert_eq!(timer.get("documentation"), None, "nobody has checked it yet");
     let resolved = client
         .request("completionItem/resolve", timer.clone())
         .await

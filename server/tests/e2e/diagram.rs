@@ -1,4 +1,4 @@
-//! The diagram beside the text: only what is shown is drawn, and only what is not known is sent.
+//! The diagram next to the text: only what is shown is drawn, and only what is not known is sent.
 
 use serde_json::{Value, json};
 
@@ -141,7 +141,7 @@ async fn half_typed_is_shown_as_text() {
 }
 
 #[tokio::test]
-async fn mistakes_are_told() {
+async fn errors_are_reported() {
     let mut client = Client::new().await;
     let lines = json!({"first": 0, "last": 9});
     let argument = json!({"uri": URI, "lines": lines});

@@ -52,7 +52,7 @@ pub(crate) fn edited(text: &str, edits: &Value) -> String {
 }
 
 #[tokio::test]
-async fn hover_explains_what_stands_there() {
+async fn hover_explains_what_is_there() {
     let mut client = Client::new().await;
     client.open("+--[TON]( t1, T#5s )--( )( y )--+\n").await;
     let hover = client.hover(0, 4).await.unwrap();
@@ -64,7 +64,7 @@ async fn hover_explains_what_stands_there() {
     assert_eq!(
         client.hover(1, 0).await,
         Ok(Value::Null),
-        "nothing is behind the last line"
+        "nothing is after the last line"
     );
     client.finish().await;
 

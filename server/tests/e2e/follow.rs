@@ -96,7 +96,7 @@ async fn a_changed_program_goes_on() {
         (value(&state, "lamp"), value(&state, "t.ET")),
         (json!(true), json!(40))
     );
-    // A longer time, and a rung with a mistake; then without it.
+    // A longer time, and a rung with an error; then without it.
     client
         .change(3, &[([3, 28, 3, 28], "0"), ([3, 0, 3, 0], "+--[ ]( t )--+\n")])
         .await;
@@ -184,7 +184,7 @@ async fn next_shown(client: &mut Client, session: &str, wanted: impl Fn(&Value) 
 }
 
 #[tokio::test]
-async fn what_is_shown_is_told_whole_where_stepping_goes_across_a_change() {
+async fn what_is_shown_is_reported_whole_where_stepping_goes_across_a_change() {
     let show = json!({"lines": [{"first": 0, "last": 3}]});
     let (mut client, s) = running(json!({"show": show})).await;
     client
@@ -192,12 +192,12 @@ async fn what_is_shown_is_told_whole_where_stepping_goes_across_a_change() {
         .await;
     client.change(2, &[([2, 16, 2, 19], "TOF")]).await;
     next_shown(&mut client, &s, |state| state["version"] == 2).await;
-    let mut told = Vec::new();
+    let mut reported = Vec::new();
     for (command, scan) in [("step", 6), ("back", 5), ("back", 4), ("step", 5)] {
         act(&mut client, command, json!({"session": s})).await;
         let state = next_shown(&mut client, &s, |state| state["scan"] == scan).await;
         let timer = live(&state).iter().any(|(line, _)| *line == 2);
-        told.push((
+        reported.push((
             command,
             state.get("delta").is_none(),
             timer,
@@ -208,7 +208,7 @@ async fn what_is_shown_is_told_whole_where_stepping_goes_across_a_change() {
     let (in_part, whole) = (false, true);
     let (first, second) = (Value::Null, json!(1));
     assert_eq!(
-        told,
+        reported,
         [
             ("step", in_part, true, second.clone()),
             ("back", in_part, false, second.clone()),
@@ -220,7 +220,7 @@ async fn what_is_shown_is_told_whole_where_stepping_goes_across_a_change() {
 }
 
 #[tokio::test]
-async fn what_is_shown_is_told_whole_behind_a_change() {
+async fn what_is_shown_is_reported_whole_after_a_change() {
     let show = json!({"lines": [{"first": 0, "last": 3}]});
     let (mut client, s) = running(json!({"show": show})).await;
     client

@@ -179,7 +179,7 @@ async fn why() {
 }
 
 #[tokio::test]
-async fn a_client_that_takes_deltas_is_told_what_has_changed() {
+async fn a_client_that_takes_deltas_is_reported_what_has_changed() {
     let (mut client, s) = started(MOTOR, json!({"deltas": true})).await;
     set(&mut client, &s, "start", true).await;
     let whole = client.notification("ladder/simulationState", |_| true).await;

@@ -120,7 +120,7 @@ async fn unknown_methods_and_bad_parameters_are_answered() {
 }
 
 #[tokio::test]
-async fn a_notification_that_makes_no_sense_is_told() {
+async fn a_notification_that_makes_no_sense_is_reported() {
     let mut client = Client::new().await;
     client
         .notify(

@@ -61,7 +61,7 @@ async fn an_open_program_is_exported() {
 }
 
 #[tokio::test]
-async fn what_cannot_be_converted_is_told() {
+async fn what_cannot_be_converted_is_reported() {
     let plant = Plant::with(&[
         ("motor.rung", "start open I0.1 end\n"),
         ("motor.clad", "+--( )( a )--+\n"),

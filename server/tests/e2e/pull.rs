@@ -64,8 +64,8 @@ async fn what_is_asked_for_is_not_published_too() {
     let again = ask(&mut client, &main, first["resultId"].clone()).await;
     assert_eq!(again, json!({"kind": "unchanged", "resultId": first["resultId"]}));
     replace(&mut client, &main, 2, MAIN).await;
-    let mended = ask(&mut client, &main, first["resultId"].clone()).await;
-    assert_eq!((mended["kind"].as_str(), codes(&mended)), (Some("full"), vec![]));
+    let fixed = ask(&mut client, &main, first["resultId"].clone()).await;
+    assert_eq!((fixed["kind"].as_str(), codes(&fixed)), (Some("full"), vec![]));
     client
         .notify("textDocument/didClose", json!({"textDocument": {"uri": main}}))
         .await;
@@ -93,7 +93,7 @@ async fn a_client_that_does_not_ask_is_not_offered_it() {
 }
 
 #[tokio::test]
-async fn the_client_is_told_when_another_file_changes_them() {
+async fn the_client_is_reported_when_another_file_changes_them() {
     let plant = Plant::with(&[]);
     let mut client = client(&[], json!({})).await;
     let (main, library) = (plant.uri("main.clad"), plant.uri("library.clad"));
@@ -110,7 +110,7 @@ async fn the_client_is_told_when_another_file_changes_them() {
 }
 
 #[tokio::test]
-async fn a_mistake_in_the_settings_comes_beside_those_of_a_program() {
+async fn a_error_in_the_settings_comes_next_to_those_of_a_program() {
     let plant = Plant::with(&[("ladder.toml", "[formt]\n")]);
     let mut client = client(&[], json!({})).await;
     let (main, settings) = (plant.uri("main.clad"), plant.uri("ladder.toml"));

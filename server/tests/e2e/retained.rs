@@ -42,7 +42,7 @@ async fn two_simulations_do_not_share_a_file() {
             .await
             .unwrap();
     }
-    // Who has the answer to `stop` may start anew, here or in another process.
+    // Who has the answer to `stop` may start again, here or in another process.
     assert_eq!(plant.names(), ["a.clad", "b.clad", "ladder.toml", "plant.retain"]);
     let kept = kept(&plant);
     assert!(

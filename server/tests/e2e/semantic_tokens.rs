@@ -39,7 +39,7 @@ const TEXT: &str =
     "# 😀 over\nlines #\n+--[ ]( ö )--# 😀 #--[TON]( t, T#5s )--( )( y )--+\n+--[ ]( a )--( )( b )--+\n";
 
 #[tokio::test]
-async fn tokens_are_told_in_the_units_of_the_client() {
+async fn tokens_are_reported_in_the_units_of_the_client() {
     let mut client = Client::with(json!({})).await;
     client.open(TEXT).await;
     let whole = ask(&mut client, "full", json!({})).await;
@@ -80,7 +80,7 @@ async fn tokens_are_told_in_the_units_of_the_client() {
 }
 
 #[tokio::test]
-async fn a_change_is_told_as_a_delta() {
+async fn a_change_is_reported_as_a_delta() {
     let mut client = Client::with(json!({})).await;
     client.open(TEXT).await;
     let whole = ask(&mut client, "full", json!({})).await;

@@ -219,7 +219,7 @@ async fn what_nobody_uses_follows_the_files_that_could() {
     replace(&mut client, &main, 2, "+--( )( z )--<CALL>( count )--+\n").await;
     let mut found = published(&mut client, &shared).await;
     if found == ["unused-function"] {
-        // The other file was opened while the first one said what it offers: then that is looked at once more.
+        // The other file was opened while the first one said what it offers: then that is checked once more.
         found = published(&mut client, &shared).await;
     }
     assert_eq!(found, NONE);
@@ -237,8 +237,8 @@ async fn what_nobody_uses_follows_the_files_that_could() {
     client.finish().await;
 }
 
-/// What `total` holds behind one more scan.
-async fn total_behind_a_scan(client: &mut Client, session: &str) -> Value {
+/// What `total` holds after one more scan.
+async fn total_after_a_scan(client: &mut Client, session: &str) -> Value {
     let state = client
         .simulate("step", json!({"session": session}))
         .await
@@ -263,20 +263,20 @@ async fn what_is_inside_of_another_file_goes_into_what_runs() {
     assert_eq!(published(&mut client, &library).await, NONE);
     let started = client.simulate("start", json!({"uri": main})).await.unwrap();
     let session = started["session"].as_str().unwrap().to_owned();
-    assert_eq!(total_behind_a_scan(&mut client, &session).await, 1);
+    assert_eq!(total_after_a_scan(&mut client, &session).await, 1);
     // Nothing that another file sees of it.
     replace(&mut client, &library, 2, &LIBRARY.replace(", 1 )", ", 10 )")).await;
     changed(&mut client, 1).await;
-    assert_eq!(total_behind_a_scan(&mut client, &session).await, 11);
+    assert_eq!(total_after_a_scan(&mut client, &session).await, 11);
     // Closed without being saved: the text on disk counts again.
     client
         .notify("textDocument/didClose", json!({"textDocument": {"uri": library}}))
         .await;
     changed(&mut client, 2).await;
-    assert_eq!(total_behind_a_scan(&mut client, &session).await, 12);
+    assert_eq!(total_after_a_scan(&mut client, &session).await, 12);
     plant.write("library.clad", &LIBRARY.replace(", 1 )", ", 100 )"));
     watched(&mut client, &library).await;
     changed(&mut client, 3).await;
-    assert_eq!(total_behind_a_scan(&mut client, &session).await, 112);
+    assert_eq!(total_after_a_scan(&mut client, &session).await, 112);
     client.finish().await;
 }

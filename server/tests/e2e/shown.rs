@@ -44,7 +44,7 @@ fn lines(list: &Value) -> Vec<u64> {
 }
 
 #[tokio::test]
-async fn only_what_is_shown_is_told() {
+async fn only_what_is_shown_is_reported() {
     let (mut client, s, first) = shown(MOTOR, [0, 1], json!(["lamp", "nobody"])).await;
     assert_eq!(names(&first), ["lamp", "start", "stop", "run"]);
     assert_eq!(
@@ -94,8 +94,8 @@ async fn only_what_is_shown_is_told() {
 }
 
 #[tokio::test]
-async fn lines_that_are_shown_twice_are_told_once() {
-    // The text shows the first two, a diagram beside it the last two.
+async fn lines_that_are_shown_twice_are_reported_once() {
+    // The text shows the first two, a diagram next to it the last two.
     let mut client = Client::new().await;
     client.open(MOTOR).await;
     let show = json!({"lines": [{"first": 0, "last": 1}, {"first": 1, "last": 3}]});

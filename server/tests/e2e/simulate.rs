@@ -196,7 +196,7 @@ async fn how_it_is_comes_in_words() {
 }
 
 #[tokio::test]
-async fn mistakes_are_explained() {
+async fn errors_are_explained() {
     let (mut client, s, _) = started(COUNT).await;
     let (code, message) = set(&mut client, &s, "gi", json!(true)).await.unwrap_err();
     assert_eq!(code, -32803);
@@ -359,7 +359,7 @@ async fn no_more_than_twenty_states_a_second_and_the_last_one_always() {
 }
 
 #[tokio::test]
-async fn reset_begins_anew() {
+async fn reset_begins_again() {
     let (mut client, s, first) = started(COUNT).await;
     set(&mut client, &s, "go", json!(true)).await.unwrap();
     step(&mut client, &s, 9).await;

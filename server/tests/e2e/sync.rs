@@ -88,7 +88,7 @@ async fn positions_out_of_range_are_clamped() {
 }
 
 #[tokio::test]
-async fn a_version_that_does_not_grow_is_refused_and_told() {
+async fn a_version_that_does_not_grow_is_refused_and_reported() {
     let mut client = Client::new().await;
     client.open_as(URI, 5, "+--[ ]( a )--( )( y )--+").await;
     for version in [5, 3, -1] {

@@ -68,7 +68,7 @@ async fn a_half_typed_rung_waits_until_it_is_saved_or_nobody_types() {
 }
 
 #[tokio::test]
-async fn what_stands_elsewhere_is_shown_at_once_and_so_is_all_where_no_cursor_is_known() {
+async fn what_is_elsewhere_is_shown_at_once_and_so_is_all_where_no_cursor_is_known() {
     let mut client = Client::new().await;
     client.open(SOUND).await;
     client.diagnostics(1).await;

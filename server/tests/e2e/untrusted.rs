@@ -1,4 +1,4 @@
-//! A folder that somebody sent: what it names lies inside of it, and to open it writes nothing.
+//! A folder that a user sent: what it names lies inside of it, and to open it writes nothing.
 #![cfg(unix)]
 
 use std::collections::BTreeMap;

@@ -73,7 +73,7 @@ async fn a_client_that_watches_nothing_is_served_all_the_same() {
     let main = plant.uri("main.clad");
     client.open_as(&main, 1, MAIN).await;
     assert_eq!(published(&mut client, &main).await, ["unknown-function"]);
-    // Each of these is seen at the next change of the text, but the disk is looked at now and then only.
+    // Each of these is seen at the next change of the text, but the disk is checked now and then only.
     let mut version = 1;
     let mut until = async |client: &mut Client, wanted: &[&str]| {
         let begin = std::time::Instant::now();

@@ -97,7 +97,7 @@ fn off_delay(s: &mut Sketch, n: usize, input: &str) {
     ));
 }
 
-/// Two branches of two contacts each, behind each other's tags.
+/// Two branches of two contacts each, after each other's tags.
 fn two_ways(s: &mut Sketch, n: usize, [a, b, c, d]: [&str; 4]) -> String {
     let out = s.tag(format!("guarded{n}"), Type::Bool);
     let p = s.power(a);

@@ -56,35 +56,35 @@ impl Matching {
                     })
                     .collect()
             };
-            let olds = blocks_of(old, from, old_gap);
-            let news = blocks_of(new, at, gap);
-            matching.match_blocks(&old_side, olds, &new_side, news);
+            let old_ones = blocks_of(old, from, old_gap);
+            let new_ones = blocks_of(new, at, gap);
+            matching.match_blocks(&old_side, old_ones, &new_side, new_ones);
             at += gap;
         }
         // What was edited and went elsewhere.
         let taken: HashSet<BlockAt> = matching.edited.values().copied().collect();
-        let olds = unmatched(old, |at| is_matched[at.network] || taken.contains(&at));
-        let news = unmatched(new, |at| matching.block(at).is_some());
-        matching.match_blocks(&old_side, olds, &new_side, news);
+        let old_ones = unmatched(old, |at| is_matched[at.network] || taken.contains(&at));
+        let new_ones = unmatched(new, |at| matching.block(at).is_some());
+        matching.match_blocks(&old_side, old_ones, &new_side, new_ones);
         matching
     }
 
     fn match_blocks(
         &mut self,
         old: &Side<'_>,
-        mut olds: Vec<BlockAt>,
+        mut old_ones: Vec<BlockAt>,
         new: &Side<'_>,
-        mut news: Vec<BlockAt>,
+        mut new_ones: Vec<BlockAt>,
     ) {
         for by_kind in [false, true] {
             let mut known: HashMap<u64, VecDeque<BlockAt>> = HashMap::new();
-            for &at in &olds {
+            for &at in &old_ones {
                 if let Some(key) = old.block(at, by_kind) {
                     known.entry(key).or_default().push_back(at);
                 }
             }
             let mut taken = HashSet::new();
-            news.retain(|&at| {
+            new_ones.retain(|&at| {
                 let found = new
                     .block(at, by_kind)
                     .and_then(|key| known.get_mut(&key))
@@ -95,7 +95,7 @@ impl Matching {
                 }
                 found.is_none()
             });
-            olds.retain(|at| !taken.contains(at));
+            old_ones.retain(|at| !taken.contains(at));
         }
     }
 

@@ -172,7 +172,7 @@ fn engine(old: &Simulation, new: &mut Simulation) {
     is.brake.clone_from(&was.brake);
     is.memory.bits[..Bit::RESERVED].copy_from_slice(&was.memory.bits[..Bit::RESERVED]);
     is.memory.words[..Word::RESERVED].copy_from_slice(&was.memory.words[..Word::RESERVED]);
-    // What hung or went wrong may be mended; a program that came to its end has come to its end.
+    // What hung or went wrong may be fixed; a program that came to its end has come to its end.
     new.status = match old.status {
         Status::Ended => Status::Ended,
         Status::Ready | Status::Faulted => Status::Ready,
@@ -187,7 +187,7 @@ fn places(old: &Simulation, new: &mut Simulation, matching: &Matching, lost: &mu
     }
     let mut counts: HashMap<_, usize> = HashMap::new();
     let mut found: Vec<(Cell, Cell)> = Vec::new();
-    let mut anew = Vec::new();
+    let mut again = Vec::new();
     for remembered in &new.compiled.places.remembered {
         let nth = counts.entry(&remembered.path).or_default();
         let path = matching.path(&remembered.path);
@@ -195,13 +195,13 @@ fn places(old: &Simulation, new: &mut Simulation, matching: &Matching, lost: &mu
         *nth += 1;
         match cell {
             Some(cell) => found.push((cell, remembered.cell)),
-            None => anew.push(remembered.path.last().copied()),
+            None => again.push(remembered.path.last().copied()),
         }
     }
     // Only where a block of this kind was taken away something is lost; any other is a new one.
     let mut removed = removed_ops(old, new, matching);
-    anew.dedup();
-    for at in anew.into_iter().flatten() {
+    again.dedup();
+    for at in again.into_iter().flatten() {
         let block = &new.program.networks[at.network].blocks[at.block];
         let BlockKind::Instruction(row) = block.kind else {
             continue;

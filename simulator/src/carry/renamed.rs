@@ -73,7 +73,7 @@ fn renamed(old: &Program, new: &Program) -> Option<Names> {
     };
     let is_one =
         others.next().is_none() && was.block.is_none() && !has(old, &is.name) && !has(new, &was.name);
-    // Somebody who writes another name at one place may mean another tag.
+    // A user who writes another name at one place may mean another tag.
     let is_everywhere = || places_changed(old, new) + usize::from(is_declared(new, is)) > 1;
     (is_one && is_everywhere()).then(|| Names {
         was: was.name.clone(),
@@ -88,13 +88,13 @@ fn is_declared(program: &Program, tag: &Tag) -> bool {
 
 /// In how many blocks there is something else now.
 fn places_changed(old: &Program, new: &Program) -> usize {
-    let (olds, news) = (
+    let (old_ones, new_ones) = (
         Signatures::of(old, &Renamed::default()),
         Signatures::of(new, &Renamed::default()),
     );
     let networks = old.networks.iter().zip(&new.networks);
     let blocks = networks.flat_map(|(old, new)| old.blocks.iter().zip(&new.blocks));
     blocks
-        .filter(|(was, is)| olds.block(was) != news.block(is))
+        .filter(|(was, is)| old_ones.block(was) != new_ones.block(is))
         .count()
 }

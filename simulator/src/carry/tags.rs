@@ -77,8 +77,8 @@ fn pairs<'s>(
     let mut pairs = Vec::new();
     let mut known: HashMap<Name, TagId> = HashMap::new();
     let mut at_address: HashMap<Name, TagId> = HashMap::new();
-    let olds = (0..).map(TagId).zip(&old.program.tags);
-    for (id, tag) in olds.filter(|(_, tag)| tag.block.is_none()) {
+    let old_ones = (0..).map(TagId).zip(&old.program.tags);
+    for (id, tag) in old_ones.filter(|(_, tag)| tag.block.is_none()) {
         known.insert(Name::new(&tag.name), id);
         if let Some(address) = &tag.address {
             at_address.insert(Name::new(address), id);
@@ -96,9 +96,9 @@ fn pairs<'s>(
             pairs.push((old_tag(id), (tag.clone(), home)));
         }
     };
-    let news = new.program.tags.iter().zip(&new.compiled.homes);
+    let new_ones = new.program.tags.iter().zip(&new.compiled.homes);
     let mut by_name = Vec::new();
-    for (tag, &home) in news.filter(|(tag, _)| tag.block.is_none()) {
+    for (tag, &home) in new_ones.filter(|(tag, _)| tag.block.is_none()) {
         // What is at an address is the same tag by whichever names.
         let was = tag.address.as_deref().map(Name::new);
         match was.and_then(|address| at_address.get(&address)) {
@@ -294,6 +294,6 @@ fn is_initial(home: Home, memory: &Memory, initial: &Memory) -> bool {
             let (bit_count, word_count) = state_size(state);
             same_bits(bits, bit_count) && same_words(words, word_count)
         }
-        Home::Elsewhere(_) => true,
+        Home::Borrowed(_) => true,
     }
 }

@@ -10,7 +10,7 @@ use ladder_analysis::values::value::Value;
 pub struct Window {
     /// The first of them.
     pub first: u64,
-    /// The last of them, which may lie behind the newest.
+    /// The last of them, which may lie after the newest.
     pub last: u64,
     /// How many scans a column stands for.
     pub per: u64,
@@ -45,7 +45,7 @@ pub enum Mark {
     Text(String),
 }
 
-/// What is drawn in a column and in those behind it, up to the next that is listed.
+/// What is drawn in a column and in those after it, up to the next that is listed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Column {
     /// The column: its first scan is this many times the length of a column.
@@ -56,7 +56,7 @@ pub struct Column {
 
 impl Window {
     /// `span` scans up to `last`, in no more columns than that. The first scan is 1: where fewer scans were done than are
-    /// to be shown, the window begins there and has room behind them.
+    /// to be shown, the window begins there and has room after them.
     pub fn new(last: u64, span: u64, columns: u64) -> Window {
         let span = span.max(1);
         let first = last.saturating_sub(span - 1).max(1);
@@ -115,7 +115,7 @@ impl Track {
                 next += 1;
             }
             draw(column, self.mark(&values));
-            // Nothing changes up to the column of the next change; the one behind this one is drawn as it stays.
+            // Nothing changes up to the column of the next change; the one after this one is drawn as it stays.
             column = match self.change(next) {
                 _ if values.len() > 1 => column + 1,
                 Some(change) => window.column(change.scan),

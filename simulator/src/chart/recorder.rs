@@ -58,8 +58,8 @@ impl Recorder {
         self.fill(&fresh, session);
     }
 
-    /// Looks at a session in which something may have happened. Each scan that came to its end must be looked at, or else
-    /// what is recorded begins anew with what the history knows.
+    /// Looks at a session in which something may have happened. Each scan that came to its end must be checked, or else
+    /// what is recorded begins again with what the history knows.
     pub fn look(&mut self, session: &Session) {
         if self.tracks.is_empty() {
             return;
@@ -82,7 +82,7 @@ impl Recorder {
             self.take(end, session);
             return;
         }
-        self.begin_anew(session);
+        self.begin_again(session);
     }
 
     /// What the tags held when this scan, the last one, was done.
@@ -120,7 +120,7 @@ impl Recorder {
         self.revision += u64::from(self.tracks.len() < count);
     }
 
-    fn begin_anew(&mut self, session: &Session) {
+    fn begin_again(&mut self, session: &Session) {
         self.newest = newest(session);
         self.revision += 1;
         let all = self.tracks.iter_mut().enumerate().map(|(at, track)| {

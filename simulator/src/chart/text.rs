@@ -4,7 +4,7 @@ use crate::value_text;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
 
-/// A value as it is beside a drawing: `1`, `1.5s`, `16#00FF`.
+/// A value as it is next to a drawing: `1`, `1.5s`, `16#00FF`.
 pub fn reading(value: &Value, ty: Scalar) -> String {
     match value {
         Value::Bool(_) => value_text::cell(value, ty),

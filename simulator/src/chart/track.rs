@@ -70,10 +70,10 @@ impl Track {
     }
 
     /// What the tag held when this many scans were done; none where that is not known. What it held last holds for all scans
-    /// behind it.
+    /// after it.
     pub fn at(&self, scan: u64) -> Option<&Value> {
-        let behind = self.changes_until(scan);
-        let last = behind.checked_sub(1)?;
+        let after = self.changes_until(scan);
+        let last = after.checked_sub(1)?;
         self.change(last).map(|change| &change.value)
     }
 
@@ -139,7 +139,7 @@ impl Track {
         }
     }
 
-    /// What happened behind this many scans is not so any more.
+    /// What happened after this many scans is not so any more.
     pub(super) fn truncate(&mut self, scans: u64) {
         let kept = self.changes_until(scans);
         while self.changes.len() > kept {

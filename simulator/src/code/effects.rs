@@ -114,7 +114,7 @@ impl Instr {
         }
     }
 
-    /// The instructions that it may go on at, other than the one behind it.
+    /// The instructions that it may go on at, other than the one after it.
     pub(crate) fn for_each_target(mut self, mut target: impl FnMut(u32)) {
         self.for_each_target_mut(|to| target(*to));
     }
@@ -124,9 +124,9 @@ impl Instr {
         match self {
             Instr::Powered { end, .. } => target(end),
             Instr::Jump { to, .. } | Instr::Call { to, .. } => target(to),
-            Instr::Enter { body, behind } => {
+            Instr::Enter { body, after } => {
                 target(body);
-                target(behind);
+                target(after);
             }
             _ => {}
         }

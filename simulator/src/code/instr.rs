@@ -409,10 +409,10 @@ pub(crate) enum Instr {
         en: Bit,
         turns: Word,
     },
-    /// The end of the network of a `<FOR>`: enters the body, which ends before `behind`, or goes on behind it.
+    /// The end of the network of a `<FOR>`: enters the body, which ends before `behind`, or goes on after it.
     Enter {
         body: u32,
-        behind: u32,
+        after: u32,
     },
     /// The end of the network of a `<NEXT>`.
     Again,

@@ -26,7 +26,7 @@ pub(crate) struct Code {
     pub(crate) instrs: Vec<Instr>,
     pub(crate) records: Vec<Record>,
     /// For each instruction what the blocks count that begin at it or before it: one each, and more for one of very
-    /// many instructions. Not kept up behind jumps: it counts text.
+    /// many instructions. Not kept up after jumps: it counts text.
     pub(crate) work_through: Vec<u32>,
     /// The blocks in the order of the code.
     pub(crate) blocks: Vec<BlockPlace>,
@@ -52,7 +52,7 @@ pub(crate) mod stop {
     pub(crate) const BLOCK: u8 = 1;
     /// The first instruction of a network.
     pub(crate) const NETWORK: u8 = 2;
-    /// What is looked at while a scan is run again; set for that time only.
+    /// What is checked while a scan is run again; set for that time only.
     pub(crate) const MARK: u8 = 4;
 }
 
@@ -111,7 +111,7 @@ pub(crate) struct NetworkPlace {
 pub(crate) struct BlockPlace {
     /// Its first instruction.
     pub(crate) start: u32,
-    /// The one behind it.
+    /// The one after it.
     pub(crate) end: u32,
     /// What the watchdog counts for it and the blocks before it.
     pub(crate) work_through: u32,

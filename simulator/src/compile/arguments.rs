@@ -112,7 +112,7 @@ impl<'b> Arguments<'b> {
         self.refused("this block is not there in the profile of its file".into())
     }
 
-    /// The model does not hold what the block's row asks for: a mistake in the analysis, not in the program.
+    /// The model does not hold what the block's row asks for: an error in the analysis, not in the program.
     pub(super) fn mistaken(self) -> CompileError {
         CompileError {
             message: "the simulator cannot make sense of this block's operands; please report the program"

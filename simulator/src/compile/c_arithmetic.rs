@@ -12,7 +12,7 @@ use ladder_instructions::{Arithmetic, Op};
 
 impl Compiler<'_> {
     pub(super) fn is_as_in_c(&self, op: Op) -> bool {
-        self.law.arithmetic == Arithmetic::OfOperands && op.is_plain_arithmetic()
+        self.semantics.arithmetic == Arithmetic::OfOperands && op.is_plain_arithmetic()
     }
 
     pub(super) fn c_arithmetic(&mut self, op: Op, arguments: Arguments, en: Bit) -> Result<Bit> {

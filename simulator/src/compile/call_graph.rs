@@ -10,7 +10,7 @@ pub(super) struct Cycles {
     group: Vec<u32>,
 }
 
-/// A function that was not looked at yet.
+/// A function that was not checked yet.
 const NEW: u32 = u32::MAX;
 
 impl Cycles {

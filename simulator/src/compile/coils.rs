@@ -55,7 +55,7 @@ impl Compiler<'_> {
             return self.set_coil_on_range(range, en);
         }
         let (place, _) = arguments.place(0)?;
-        let follows_tag = self.law.set_power == SetPower::Tag;
+        let follows_tag = self.semantics.set_power == SetPower::Tag;
         let out = self.layout.bit();
         let spot = self.spot(place)?;
         if let Spot::Bit(tag) = spot {
@@ -111,7 +111,7 @@ impl Compiler<'_> {
 
     /// `(P)` and `(N)`
     fn edge_coil(&mut self, arguments: Arguments, en: Bit, rising: bool) -> Result<Bit> {
-        // The edge first: a fault in finding the place must not leave the memory behind.
+        // The edge first: a fault in finding the place must not leave the memory after.
         let memory = self.edge_memory(arguments.place(0).ok().map(|(place, _)| place))?;
         let edge = self.edge_with(memory, Bit::HIGH, en, rising);
         let (spot, out) = self.coil_place(arguments, en)?;
@@ -129,7 +129,7 @@ impl Compiler<'_> {
         let Home::State { state, bits, words } = self.homes[tag.0 as usize] else {
             return Err(arguments.mistaken());
         };
-        match self.law.timing {
+        match self.semantics.timing {
             Timing::Clock | Timing::Units => {}
             Timing::Scans if state.is_timer() => return Ok(self.clear_count(en, words.offset(timer::ET))),
             Timing::Scans => return Ok(self.clear_count(en, words.offset(counter::CV))),
@@ -144,7 +144,7 @@ impl Compiler<'_> {
         Ok(en)
     }
 
-    /// The place that a coil writes, and the power behind it: EN, in a slot of its own where finding the place
+    /// The place that a coil writes, and the power after it: EN, in a slot of its own where finding the place
     /// may fault and take it back.
     fn coil_place(&mut self, arguments: Arguments, en: Bit) -> Result<(Spot, Bit)> {
         let (place, _) = arguments.place(0)?;

@@ -82,7 +82,7 @@ impl Compiler<'_> {
 
     /// The memory that all edges of a tag share, where edges belong to tags.
     pub(super) fn edge_memory(&mut self, place: Option<&Place>) -> Result<Option<Bit>> {
-        let (Edges::OfTag, Some(place @ (Place::Tag(_) | Place::Member(..)))) = (self.law.edges, place)
+        let (Edges::OfTag, Some(place @ (Place::Tag(_) | Place::Member(..)))) = (self.semantics.edges, place)
         else {
             return Ok(None);
         };

@@ -14,7 +14,7 @@ impl Compiler<'_> {
         let Some(first) = program.networks.get(program.main.start) else {
             return;
         };
-        if program.law(first.location).controller != Controller::Banks {
+        if program.semantics(first.location).controller != Controller::Banks {
             return;
         }
         let file = first.location.file;

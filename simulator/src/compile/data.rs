@@ -246,7 +246,7 @@ impl Compiler<'_> {
             };
             return self.real(op, ty, a, b);
         }
-        if op == Op::Div && self.law.division == Division::ZeroAndEnd {
+        if op == Op::Div && self.semantics.division == Division::ZeroAndEnd {
             return self.divide_or_end(ty, a, b);
         }
         let op = match op {

@@ -18,13 +18,13 @@ pub(super) struct Region {
     kind: Kind,
     /// Whether the rails can be switched off here.
     pub(super) has_mcr: bool,
-    /// The first instruction of each network, and the one behind the last.
+    /// The first instruction of each network, and the one after the last.
     starts: Vec<u32>,
     /// Jumps, to be aimed when all networks are: instruction and network.
     jumps: Vec<(u32, usize)>,
     /// Returns from a block's body, to be aimed at its end.
     returns: Vec<u32>,
-    /// Loops likewise: the instruction that enters, the first network of the body, the network behind it.
+    /// Loops likewise: the instruction that enters, the first network of the body, the network after it.
     loops: Vec<(u32, usize, usize)>,
 }
 
@@ -67,7 +67,7 @@ pub(super) fn is(kind: &BlockKind, op: Op) -> bool {
 }
 
 /// Notes which networks of the main program some scans may not reach, or not in one go: what jumps pass over or go back
-/// to, what loops run, what is behind an end.
+/// to, what loops run, what is after an end.
 fn note_skippable(program: &Program, skippable: &mut [bool]) {
     let main = program.main.clone();
     let mut elsewhere = program
@@ -95,8 +95,8 @@ fn note_skippable(program: &Program, skippable: &mut [bool]) {
                     Op::Ret | Op::End => index..main.end,
                     Op::Call if may_end_elsewhere => index..main.end,
                     Op::For => {
-                        let behind = index + 1..main.end;
-                        let next = behind.clone().find(|&at| holds(&program.networks[at], Op::Next));
+                        let after = index + 1..main.end;
+                        let next = after.clone().find(|&at| holds(&program.networks[at], Op::Next));
                         index + 1..next.map_or(main.end, |next| next + 1)
                     }
                     _ => continue,
@@ -174,7 +174,7 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// What is behind a network with `<NEXT>` or `<FOR>`. A network with both ends the one loop before it
+    /// What is after a network with `<NEXT>` or `<FOR>`. A network with both ends the one loop before it
     /// enters the other.
     fn loop_ends(&mut self, index: usize) {
         let program = self.program;
@@ -184,14 +184,14 @@ impl Compiler<'_> {
         }
         if holds(network, Op::For) {
             let end = self.region().networks.end;
-            let mut behind = index + 1..end;
+            let mut after = index + 1..end;
             // Without a <NEXT> the analysis has refused the program; the loop would reach to the end.
-            let last = behind
+            let last = after
                 .find(|&at| holds(&program.networks[at], Op::Next))
                 .unwrap_or(end - 1);
             let at = self.here();
             self.region().loops.push((at, index + 1, last + 1));
-            self.emit(Instr::Enter { body: 0, behind: 0 });
+            self.emit(Instr::Enter { body: 0, after: 0 });
         }
     }
 
@@ -212,7 +212,7 @@ impl Compiler<'_> {
         for &(at, first, next) in &region.loops {
             self.code.instrs[at as usize] = Instr::Enter {
                 body: start(first),
-                behind: start(next),
+                after: start(next),
             };
         }
     }
@@ -237,7 +237,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// A jump from the body of a `<$B>` to a label around the place where the block is: the nearest behind that
+    /// A jump from the body of a `<$B>` to a label around the place where the block is: the nearest after that
     /// place, else the nearest before it.
     fn jump_out(&mut self, arguments: Arguments, label: &Name, en: Bit) -> Result<Bit> {
         let program = self.program;
@@ -286,7 +286,7 @@ impl Compiler<'_> {
     }
 
     /// The network that is being compiled in a region, as the machine notes how far it was run. A body is drawn
-    /// once, as its first place runs it: networks of all other places share a number behind all of them.
+    /// once, as its first place runs it: networks of all other places share a number after all of them.
     pub(super) fn noted(&self, region: usize) -> u32 {
         let hides = |region: &Region| matches!(&region.kind, Kind::Body(exit) if exit.hidden);
         match self.regions.get(..=region) {
@@ -399,7 +399,7 @@ impl Compiler<'_> {
             return Ok(en);
         }
         self.end_powered(start);
-        // Behind the skip, so that a loop without power notes that it makes no turn. A fault passes this by, and
+        // After the skip, so that a loop without power notes that it makes no turn. A fault passes this by, and
         // the loop before it left no turns.
         self.emit(Instr::For { en: out, turns });
         Ok(out)
@@ -407,7 +407,7 @@ impl Compiler<'_> {
 
     /// `<MCR>`
     pub(super) fn mcr(&mut self, en: Bit) -> Bit {
-        match self.law.relay {
+        match self.semantics.relay {
             Relay::Power => self.emit(Instr::Mcr { en }),
             Relay::Toggle => {
                 let live = self.layout.bit();

@@ -22,7 +22,7 @@ impl Compiler<'_> {
             op,
             Op::Calc | Op::Typ | Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Mod | Op::Exp
         );
-        if self.law.division != Division::Zero || !computes {
+        if self.semantics.division != Division::Zero || !computes {
             return;
         }
         let (zero, range) = (self.layout.bit(), self.layout.bit());
@@ -61,7 +61,7 @@ impl Compiler<'_> {
             Op::Sub => Operation::Subtract,
             Op::Mul => Operation::Multiply,
             Op::Div => Operation::Divide,
-            Op::Mod if self.law.remainder == Remainder::OfDivisor => Operation::Modulo,
+            Op::Mod if self.semantics.remainder == Remainder::OfDivisor => Operation::Modulo,
             Op::Mod => Operation::Remainder,
             Op::Exp => Operation::Power,
             Op::Min => Operation::Least,
@@ -84,7 +84,7 @@ impl Compiler<'_> {
     /// A number that `[TYP]` brings to another type, where it is held at the limits.
     pub(super) fn clamped(&mut self, to: Scalar, from: Scalar, word: Word) -> Option<Word> {
         let slips = self.slips?;
-        let holds = self.law.conversion == Conversion::Clamped && is_number(from) && is_number(to);
+        let holds = self.semantics.conversion == Conversion::Clamped && is_number(from) && is_number(to);
         holds.then(|| self.brought(Routine::Clamp, to, from, word, slips))
     }
 

@@ -26,7 +26,9 @@ impl Compiler<'_> {
             | Op::Le => self.condition(row, arguments, en),
 
             op if self.is_as_in_c(op) => self.c_arithmetic(op, arguments, en),
-            Op::Lut | Op::Pwl if self.law.tables == Tables::Open => self.open_table(row.op, arguments, en),
+            Op::Lut | Op::Pwl if self.semantics.tables == Tables::Open => {
+                self.open_table(row.op, arguments, en)
+            }
             Op::Mov
             | Op::Typ
             | Op::Add
@@ -82,13 +84,13 @@ impl Compiler<'_> {
             Op::Shift => self.shift_range(arguments, en),
             Op::Search => self.search(arguments, en),
 
-            Op::Ton | Op::Tof | Op::Tp | Op::Rto | Op::Rtof => match self.law.timing {
+            Op::Ton | Op::Tof | Op::Tp | Op::Rto | Op::Rtof => match self.semantics.timing {
                 Timing::Clock => self.timer(row.op, arguments, en),
                 Timing::Scans => self.scan_timer(row.op, arguments, en),
                 Timing::Ticks => self.tick_timer(row.op, arguments, en),
                 Timing::Units => self.unit_timer(row.op, arguments, en),
             },
-            Op::Ctu | Op::Ctd | Op::Ctud | Op::Ctc => match self.law.counting {
+            Op::Ctu | Op::Ctd | Op::Ctud | Op::Ctc => match self.semantics.counting {
                 Counting::Saturating => self.counter(row.op, arguments, en),
                 Counting::Wrapping => self.wrapping_counter(row.op, arguments, en),
                 Counting::Latching => self.latching_counter(row.op, arguments, en),
@@ -119,10 +121,12 @@ impl Compiler<'_> {
 
             Op::Adc => self.analog_input(arguments, en),
             Op::Pwm => self.pulse_output(arguments, en),
-            Op::Usnd if self.law.serial == Serial::EverySecondScan => self.send_slowly(arguments, en),
+            Op::Usnd if self.semantics.serial == Serial::EverySecondScan => self.send_slowly(arguments, en),
             Op::Usnd => self.send(arguments, en),
             Op::Urcv => self.receive(arguments, en),
-            Op::Fmt if self.law.serial == Serial::EverySecondScan => self.send_text_slowly(arguments, en),
+            Op::Fmt if self.semantics.serial == Serial::EverySecondScan => {
+                self.send_text_slowly(arguments, en)
+            }
             Op::Fmt => self.send_text(arguments, en),
             Op::Scantime => self.scan_time(arguments, en),
         }

@@ -2,7 +2,7 @@
 //!
 //! Every tag gets its slots, every power its own bit (written once in a scan, so that all of them can be shown
 //! afterwards), and every network becomes a stretch of instructions in its order of evaluation. A power that is
-//! the same as another by its nature (behind a coil, a join with an open end) shares that one's slot.
+//! the same as another by its nature (after a coil, a join with an open end) shares that one's slot.
 //!
 //! Nothing here can fail on a program that the analysis found correct, but for want of memory.
 
@@ -37,7 +37,7 @@ mod user_block;
 use crate::code::{ArrayPlace, Code, ElementPlace, Instr};
 use crate::compile_error::CompileError;
 use crate::fuse::{Fused, fuse};
-use crate::layout::{Elsewhere, Home, Layout};
+use crate::layout::{Borrowed, Home, Layout};
 use crate::memory::{Bit, Memory, Word};
 use crate::places::{BlockAt, Cell, EdgeOf, Places, Remembered};
 use crate::retain::{Retained, kept_tags, retained};
@@ -45,7 +45,7 @@ use crate::work;
 use call_graph::Cycles;
 use flow::Region;
 use ladder_analysis::program::{Program, TagId};
-use ladder_instructions::Law;
+use ladder_instructions::Semantics;
 pub(crate) use ports::{CHANNELS, Ports};
 use std::collections::HashMap;
 use std::ops::Range;
@@ -94,7 +94,7 @@ pub(crate) fn compile(program: &Program, interval: i64) -> Result<Compiled> {
         .iter()
         .map(|tag| match tag.block {
             // Tags of a block's body get room for each place where the block is.
-            Some(_) => Ok(Home::Elsewhere(Elsewhere::Unbound)),
+            Some(_) => Ok(Home::Borrowed(Borrowed::Unbound)),
             None => layout.tag(tag),
         })
         .collect::<Result<Vec<Home>>>()?;
@@ -126,7 +126,7 @@ pub(crate) fn compile(program: &Program, interval: i64) -> Result<Compiled> {
         outer_powers: Vec::new(),
         keeps: kept_tags(program),
         retained: Vec::new(),
-        law: &Law::IEC,
+        semantics: &Semantics::IEC,
         interval,
         edges: HashMap::new(),
         starts: HashMap::new(),
@@ -176,7 +176,7 @@ struct Compiler<'p> {
     /// Retentive tags of bodies, one for each place.
     retained: Vec<(TagId, Home)>,
     /// What the profile of the file does otherwise whose network is being compiled.
-    law: &'static Law,
+    semantics: &'static Semantics,
     /// The time between two scans in nanoseconds.
     interval: i64,
     /// The memories of edges that belong to a tag, by its slot.
@@ -190,7 +190,7 @@ struct Compiler<'p> {
     /// The scan from which on the serial port is free, where sending takes time.
     line_free: Option<Word>,
     places: Places,
-    /// The block that is being compiled, behind those in whose bodies it is.
+    /// The block that is being compiled, after those in whose bodies it is.
     standing: Vec<BlockAt>,
 }
 

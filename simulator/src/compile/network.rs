@@ -13,7 +13,7 @@ impl Compiler<'_> {
     pub(super) fn network(&mut self, index: usize) -> Result<()> {
         let program = self.program;
         let network = &program.networks[index];
-        let outer_law = std::mem::replace(&mut self.law, program.law(network.location));
+        let outer_semantics = std::mem::replace(&mut self.semantics, program.semantics(network.location));
         let start = self.here();
         self.code.networks.push(NetworkPlace {
             start,
@@ -23,7 +23,7 @@ impl Compiler<'_> {
             let network = self.noted(self.regions.len() - 1);
             self.emit(Instr::Network { network });
         }
-        let lights_itself = self.law.relay == Relay::Power && flow::holds(network, Op::Mcr);
+        let lights_itself = self.semantics.relay == Relay::Power && flow::holds(network, Op::Mcr);
         let outer = std::mem::take(&mut self.powers);
         let mut ends = Vec::with_capacity(network.steps.len());
         for (number, &step) in network.steps.iter().enumerate() {
@@ -61,7 +61,7 @@ impl Compiler<'_> {
             self.stretches[index] = start..self.here();
         }
         self.powers = outer;
-        self.law = outer_law;
+        self.semantics = outer_semantics;
         if self.layout.is_too_large() || self.code.instrs.len() > MOST_INSTRUCTIONS {
             return Err(CompileError {
                 message: "the program takes more memory than the simulator has; user-defined blocks inside \
@@ -105,7 +105,7 @@ impl Compiler<'_> {
             work_through: 0,
             out: en,
             location: block.location,
-            controller: self.law.controller,
+            controller: self.semantics.controller,
         });
         let out = match block.kind {
             BlockKind::Instruction(row) => self.instruction(row, block, en)?,

@@ -2,7 +2,7 @@
 
 use super::{Compiler, Result};
 use crate::code::{ArrayPlace, Instr};
-use crate::layout::{self, Elsewhere, Home, MemberSlot};
+use crate::layout::{self, Borrowed, Home, MemberSlot};
 use crate::memory::{Bit, TextSlot, Word};
 use crate::operation::Width;
 use crate::system::{self, SystemSlot};
@@ -74,12 +74,12 @@ impl Compiler<'_> {
                 Home::Words { at, .. } => Spot::Word(at),
                 Home::Texts { at, .. } => Spot::Text(at),
                 Home::State { bits, .. } => Spot::Bit(bits),
-                Home::Elsewhere(elsewhere) => match elsewhere {
-                    Elsewhere::Element { at, ty } => element_spot(at, ty),
-                    Elsewhere::BitOf { word, bit, width } => Spot::BitOf { word, bit, width },
-                    Elsewhere::BitOfAt { at, bit, width } => Spot::BitOfAt { at, bit, width },
-                    Elsewhere::As { word, stored, ty } => Spot::As { word, stored, ty },
-                    Elsewhere::Unbound => Spot::Bit(Bit::LOW),
+                Home::Borrowed(elsewhere) => match elsewhere {
+                    Borrowed::Element { at, ty } => element_spot(at, ty),
+                    Borrowed::BitOf { word, bit, width } => Spot::BitOf { word, bit, width },
+                    Borrowed::BitOfAt { at, bit, width } => Spot::BitOfAt { at, bit, width },
+                    Borrowed::As { word, stored, ty } => Spot::As { word, stored, ty },
+                    Borrowed::Unbound => Spot::Bit(Bit::LOW),
                 },
             },
             Place::Element(tag, index) => self.element(*tag, index)?,

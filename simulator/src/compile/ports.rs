@@ -112,7 +112,7 @@ impl Compiler<'_> {
         let spot = self.spot(place)?;
         let byte = self.layout.word();
         let came = self.layout.bit();
-        let routine = match self.law.serial {
+        let routine = match self.semantics.serial {
             Serial::AtOnce => Routine::Receive,
             Serial::EverySecondScan => Routine::ReceiveNewest,
         };

@@ -126,7 +126,7 @@ impl Compiler<'_> {
         Ok(out)
     }
 
-    /// The range that a coil writes and the power behind it, see `coil_place`.
+    /// The range that a coil writes and the power after it, see `coil_place`.
     fn coil_range(&mut self, range: &RangeRef, en: Bit) -> Result<(Bit, [u32; 2])> {
         let out = self.layout.bit();
         let start = self.code.instrs.len();

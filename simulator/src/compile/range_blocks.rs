@@ -70,7 +70,7 @@ impl Compiler<'_> {
         Ok(out)
     }
 
-    /// `[SHIFT]`: once for each rise of EN. The power behind it is EN.
+    /// `[SHIFT]`: once for each rise of EN. The power after it is EN.
     pub(super) fn shift_range(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
         let (range, value) = (arguments.range(0)?, arguments.value(1)?);
         let out = self.layout.bit();

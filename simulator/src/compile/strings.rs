@@ -16,7 +16,7 @@ const NUMERAL: usize = 64;
 impl Compiler<'_> {
     /// One of the nine string functions; the result has room for all it can be.
     pub(super) fn string_function(&mut self, op: Op, ty: Scalar, operands: &[&Expr]) -> Result<Option<Slot>> {
-        // The texts are first, counts and positions behind them.
+        // The texts are first, counts and positions after them.
         let texts: Vec<&&Expr> = operands.iter().filter(|operand| operand.ty.is_string()).collect();
         let texts: Vec<TextSlot> = texts
             .into_iter()

@@ -69,7 +69,7 @@ impl Compiler<'_> {
         let networks = &program.networks;
         for network in networks
             .iter()
-            .filter(|network| program.law(network.location).counting == Counting::Latching)
+            .filter(|network| program.semantics(network.location).counting == Counting::Latching)
         {
             for block in &network.blocks {
                 let arguments = Arguments::of(block);

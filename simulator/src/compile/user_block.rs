@@ -7,7 +7,7 @@ use super::place::{Slot, Spot};
 use super::{Compiler, Result};
 use crate::code::Instr;
 use crate::compile_error::CompileError;
-use crate::layout::{Elsewhere, Home};
+use crate::layout::{Borrowed, Home};
 use crate::memory::Bit;
 use ladder_analysis::program::{Argument, Block, BlockKind, Bound, Network, ParameterKind, Place, TagId};
 use ladder_analysis::values::types::{Scalar, Type};
@@ -220,11 +220,11 @@ fn home_of(spot: Spot, ty: Scalar) -> Option<Home> {
             max: 0,
         },
         Spot::BitAt(at) | Spot::WordAt(at) | Spot::TextAt { at, .. } => {
-            Home::Elsewhere(Elsewhere::Element { at, ty })
+            Home::Borrowed(Borrowed::Element { at, ty })
         }
-        Spot::BitOf { word, bit, width } => Home::Elsewhere(Elsewhere::BitOf { word, bit, width }),
-        Spot::BitOfAt { at, bit, width } => Home::Elsewhere(Elsewhere::BitOfAt { at, bit, width }),
-        Spot::As { word, stored, ty } => Home::Elsewhere(Elsewhere::As { word, stored, ty }),
+        Spot::BitOf { word, bit, width } => Home::Borrowed(Borrowed::BitOf { word, bit, width }),
+        Spot::BitOfAt { at, bit, width } => Home::Borrowed(Borrowed::BitOfAt { at, bit, width }),
+        Spot::As { word, stored, ty } => Home::Borrowed(Borrowed::As { word, stored, ty }),
         Spot::Timing { .. } => return None,
     })
 }

@@ -2,7 +2,7 @@
 //!
 //! A network is exercised when a scan has reached it; a contact or comparison when power has come to it and it has
 //! both let it through (closed) and held it back (open); a coil when it has been with power and without. What is
-//! looked at is the power after each scan, of a block that runs several times in a scan the last.
+//! checked is the power after each scan, of a block that runs several times in a scan the last.
 //!
 //! Recording is cheap because it looks only at what has changed and is still to be seen: a contact that was seen both
 //! ways is not asked again.

@@ -1,7 +1,7 @@
 //! Which parts are worth a look after a scan: those whose power may be another than after the scan before.
 //!
 //! All powers are read from two banks of bytes. Most scans change little of them, so the banks are compared with
-//! what they were, stretch by stretch, and only the parts that read a stretch that has changed are looked at.
+//! what they were, stretch by stretch, and only the parts that read a stretch that has changed are checked.
 
 use crate::code::ElementPlace;
 use crate::memory::Bit;
@@ -17,7 +17,7 @@ pub(super) struct Watch {
     rows: Bank,
     /// Parts of networks that a scan may miss.
     always: Vec<u32>,
-    /// All parts, until the first scan was looked at.
+    /// All parts, until the first scan was checked.
     all: Vec<u32>,
 }
 

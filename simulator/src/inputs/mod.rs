@@ -53,7 +53,7 @@ impl Inputs {
         Ok(inputs)
     }
 
-    /// Every cell is looked at before the run, so that no run ends in the middle over a slip of the finger.
+    /// Every cell is checked before the run, so that no run ends in the middle over a slip of the finger.
     fn check(&self) -> Result<(), InputsError> {
         for row in 0..self.table.rows.len() {
             for (column, (cell, point)) in self.table.cells(row).zip(&self.points).enumerate() {

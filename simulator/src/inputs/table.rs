@@ -50,7 +50,7 @@ impl Table {
                 Ok(false) => break,
                 Err(error) => return Err(table.failure(&broken(&error))),
             }
-            let line = lines.line(behind_line_ends(text, before)) as u64 + 1;
+            let line = lines.line(after_line_ends(text, before)) as u64 + 1;
             if table.names.is_empty() {
                 table.names = record.iter().map(str::to_owned).collect();
                 table.check_header()?;
@@ -128,7 +128,7 @@ impl Table {
 }
 
 /// The first place from `at` on where no line ends.
-fn behind_line_ends(text: &str, at: usize) -> TextSize {
+fn after_line_ends(text: &str, at: usize) -> TextSize {
     let rest = text[at..].trim_start_matches(['\r', '\n']);
     TextSize::new((text.len() - rest.len()) as u32)
 }

@@ -11,7 +11,7 @@ use crate::work;
 use ladder_instructions::StateType;
 use std::cmp::Ordering;
 
-/// What comes behind an instruction.
+/// What comes after an instruction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Onward {
     /// The next one.

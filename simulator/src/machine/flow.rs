@@ -9,9 +9,9 @@ use crate::work::CALL_DEPTH;
 /// Where a scan goes on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Flow {
-    /// Behind this instruction.
+    /// After this instruction.
     Next,
-    /// Elsewhere.
+    /// Borrowed.
     Go(u32),
     /// Nowhere.
     Halt(Halt),
@@ -21,7 +21,7 @@ pub(super) enum Flow {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 struct Loop {
     body: u32,
-    behind: u32,
+    after: u32,
     /// Turns that follow this one; none runs if both ends are 0.
     left: i64,
 }
@@ -68,7 +68,7 @@ impl Machine {
             } => {
                 self.left_at[network as usize] = step;
                 frame.noted = 0;
-                if to < frame.turning.body || to >= frame.turning.behind {
+                if to < frame.turning.body || to >= frame.turning.after {
                     frame.turning = Loop::default();
                 }
                 return Flow::Go(to);
@@ -105,14 +105,14 @@ impl Machine {
                     0
                 };
             }
-            Instr::Enter { body, behind } => {
+            Instr::Enter { body, after } => {
                 let turns = std::mem::take(&mut frame.noted);
                 if turns <= 0 {
-                    return Flow::Go(behind);
+                    return Flow::Go(after);
                 }
                 frame.turning = Loop {
                     body,
-                    behind,
+                    after,
                     left: turns - 1,
                 };
             }
@@ -149,7 +149,7 @@ impl Machine {
         Flow::Go(callee.back)
     }
 
-    /// Gives a caller its powers back.
+    /// Restores the powers of a caller.
     fn come_back(&mut self, code: &Code, frame: Frame) {
         if frame.saved != NOTHING_SAVED {
             let powers = &code.saved[frame.saved as usize];

@@ -209,12 +209,12 @@ impl Machine {
         Ok(())
     }
 
-    /// Whether this scan takes long, and somebody wants it to stop.
+    /// Whether this scan takes long, and a user wants it to stop.
     fn is_braked(&self) -> bool {
         self.watchdog - self.position.budget >= UNBRAKED && self.brake.as_ref().is_some_and(Brake::is_on)
     }
 
-    /// A fault that the scan survives: the block has no power, and the code behind it goes on.
+    /// A fault that the scan survives: the block has no power, and the code after it goes on.
     #[cold]
     fn fault(&mut self, code: &Code, pc: usize, trouble: Trouble, clock: Clock) -> usize {
         let block = block_at(code, pc);

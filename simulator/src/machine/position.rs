@@ -62,7 +62,7 @@ impl Until {
         }
     }
 
-    /// What lies behind a stop of this kind: a network begins before its first block does.
+    /// What lies after a stop of this kind: a network begins before its first block does.
     pub(super) const fn passed(self) -> u8 {
         match self {
             Until::End => 0,
@@ -119,7 +119,7 @@ impl OpenScan<'_> {
     pub(crate) fn within(self, start: u32, end: u32) -> Option<u32> {
         let frames = self.machine.frames.iter().rev();
         let callers = std::iter::once(&self.machine.position.frame).chain(frames);
-        // A caller goes on behind its call, whose power is not there yet. The main program and bodies have no caller.
+        // A caller goes on after its call, whose power is not there yet. The main program and bodies have no caller.
         let calls = callers.filter(|frame| frame.back > 0).map(|frame| frame.back - 1);
         std::iter::once(self.pc())
             .chain(calls)

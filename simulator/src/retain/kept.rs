@@ -65,13 +65,13 @@ fn values(home: Home, memory: &Memory, now: i64) -> Vec<String> {
             });
             bits.chain(words).map(|number| number.to_string()).collect()
         }
-        Home::Elsewhere(_) => Vec::new(),
+        Home::Borrowed(_) => Vec::new(),
     }
 }
 
 /// What a word of a state is.
 enum WordKind {
-    /// A moment of the clock: kept as how long ago it was, for the clock begins anew.
+    /// A moment of the clock: kept as how long ago it was, for the clock begins again.
     Instant,
     Time,
     Count,
@@ -123,7 +123,7 @@ fn put(home: Home, ty: Type, texts: &[String], memory: &mut Memory) -> Result<()
             let (bits, words) = state_size(state);
             bits + words
         }
-        Home::Elsewhere(_) => 0,
+        Home::Borrowed(_) => 0,
     };
     if texts.len() != count as usize {
         return Err(format!("{} values were kept where {count} belong", texts.len()));

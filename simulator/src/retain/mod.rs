@@ -61,7 +61,7 @@ impl Retained {
                     *since = since.saturating_sub(then);
                 }
             }
-            Home::Elsewhere(_) => {}
+            Home::Borrowed(_) => {}
         }
     }
 }

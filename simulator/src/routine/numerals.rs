@@ -128,11 +128,11 @@ fn real(text: &str) -> Option<f64> {
 
 /// `T#1h30m`, `5s`, or a number of milliseconds.
 fn time(text: &str) -> Result<i64, Trouble> {
-    let behind = |prefix: &str| {
+    let after = |prefix: &str| {
         let head = text.get(..prefix.len())?;
         head.eq_ignore_ascii_case(prefix).then(|| &text[prefix.len()..])
     };
-    let literal = behind("TIME#").or_else(|| behind("T#")).unwrap_or(text);
+    let literal = after("TIME#").or_else(|| after("T#")).unwrap_or(text);
     let (negative, mut rest) = signed(literal);
     if literal.len() == text.len()
         && let Some(milliseconds) = real(rest)
@@ -149,11 +149,11 @@ fn time(text: &str) -> Result<i64, Trouble> {
         let digits = rest
             .find(|c: char| c.is_ascii_alphabetic())
             .ok_or(Trouble::Unparsable)?;
-        let (count, behind) = rest.split_at(digits);
-        let letters = behind
+        let (count, after) = rest.split_at(digits);
+        let letters = after
             .find(|c: char| !c.is_ascii_alphabetic())
-            .unwrap_or(behind.len());
-        let (unit, behind) = behind.split_at(letters);
+            .unwrap_or(after.len());
+        let (unit, after) = after.split_at(letters);
         let unit = unit_of(unit)
             .filter(|&unit| unit < last)
             .ok_or(Trouble::Unparsable)?;
@@ -161,12 +161,12 @@ fn time(text: &str) -> Result<i64, Trouble> {
         let (whole, fraction) = count.split_once('.').unwrap_or((count, ""));
         total += number(whole, 10)?.saturating_mul(unit);
         if !fraction.is_empty() {
-            if fraction.len() > 18 || !behind.is_empty() {
+            if fraction.len() > 18 || !after.is_empty() {
                 return Err(Trouble::Unparsable);
             }
             total += number(fraction, 10)? * unit / 10i128.pow(fraction.len() as u32);
         }
-        rest = behind.strip_prefix('_').unwrap_or(behind);
+        rest = after.strip_prefix('_').unwrap_or(after);
     }
     Width::I64.hold(if negative { -total } else { total })
 }

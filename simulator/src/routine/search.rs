@@ -6,7 +6,7 @@ use crate::operation::Width;
 use ladder_analysis::values::types::Scalar;
 use std::cmp::Ordering;
 
-/// Looks for the first element that compares with a as asked, behind index y if NEXT is high.
+/// Looks for the first element that compares with a as asked, after index y if NEXT is high.
 pub(super) fn search<const FORCED: bool>(memory: &mut Memory, with: &mut Operands) {
     let (y, width) = (with.word(), Width::of(with.ty()));
     let first = with.value(memory);
@@ -27,9 +27,9 @@ pub(super) fn search<const FORCED: bool>(memory: &mut Memory, with: &mut Operand
     let hit = if memory.bit(next) && before == nothing {
         None
     } else {
-        let behind = |slot: &usize| !memory.bit(next) || i128::from(index_of(*slot)) > width.number(before);
+        let after = |slot: &usize| !memory.bit(next) || i128::from(index_of(*slot)) > width.number(before);
         range
-            .filter(behind)
+            .filter(after)
             .find(|&slot| test.holds(compare(memory, slot, element, a, a_type)))
     };
     memory.put_word::<FORCED>(y, hit.map_or(nothing, |slot| width.wrap(index_of(slot))));

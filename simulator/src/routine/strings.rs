@@ -80,7 +80,7 @@ pub(super) fn concat(memory: &mut Memory, with: &mut Operands) {
     memory.texts[to.0 as usize] = text;
 }
 
-/// Behind a position; 0 is before the first character.
+/// After a position; 0 is before the first character.
 pub(super) fn insert(memory: &mut Memory, with: &mut Operands) -> Result<(), Trouble> {
     let (to, text, inserted, position) = (with.text(), with.text(), with.text(), with.value(memory));
     let length = memory.text(text).len();

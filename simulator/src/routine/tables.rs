@@ -16,7 +16,7 @@ pub(super) fn entry(memory: &mut Memory, with: &mut Operands) {
     }
 }
 
-/// The point on the first line that ends at x or behind it, computed in the width of the result.
+/// The point on the first line that ends at x or after it, computed in the width of the result.
 pub(super) fn point(memory: &mut Memory, with: &mut Operands) {
     let (to, hit, width) = (with.word(), with.bit(), Width::of(with.ty()));
     let x = with.value(memory);

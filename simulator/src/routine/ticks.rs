@@ -18,7 +18,7 @@ fn now(memory: &Memory, clock: Clock, interval: Word) -> i64 {
     now - now.rem_euclid(MILLISECOND)
 }
 
-/// At most one step in a scan. The power behind an on-delay is whether the time is over; behind the other one it is
+/// At most one step in a scan. The power after an on-delay is whether the time is over; after the other one it is
 /// EN until then.
 pub(super) fn timer<const FORCED: bool>(
     memory: &mut Memory,

@@ -1,6 +1,6 @@
 //! Scenarios with a program: names become tags, and cells values of the tags' types.
 
-use super::mistake::Mistake;
+use super::error::ScenarioError;
 use super::parse::{Cell, Direction, Row, Scenario, Suite};
 use super::tolerance::Tolerance;
 use crate::simulation::Simulation;
@@ -67,11 +67,11 @@ impl Target {
 /// A scenario runs at most this many scans: 27 hours at 10 ms.
 const MOST_SCANS: u64 = 10_000_000;
 
-/// Binds all scenarios of a file. With mistakes, those of the file itself included, none of them is to be run.
-pub fn bind(suite: &Suite, simulation: &Simulation) -> (Vec<Case>, Vec<Mistake>) {
-    let mut mistakes = Vec::new();
-    let scans = scans_of_a_step(suite, simulation.options().interval).unwrap_or_else(|mistake| {
-        mistakes.push(mistake);
+/// Binds all scenarios of a file. With errors, those of the file itself included, none of them is to be run.
+pub fn bind(suite: &Suite, simulation: &Simulation) -> (Vec<Case>, Vec<ScenarioError>) {
+    let mut errors = Vec::new();
+    let scans = scans_of_a_step(suite, simulation.options().interval).unwrap_or_else(|error| {
+        errors.push(error);
         1
     });
     let cases: Vec<Case> = suite
@@ -81,18 +81,18 @@ pub fn bind(suite: &Suite, simulation: &Simulation) -> (Vec<Case>, Vec<Mistake>)
             Binder {
                 suite,
                 simulation,
-                mistakes: &mut mistakes,
+                errors: &mut errors,
                 rows: HashSet::new(),
             }
             .scenario(scenario, scans)
         })
         .collect();
-    mistakes.extend(too_long(suite, &cases));
-    mistakes.sort_by_key(|mistake| mistake.range.start());
-    (cases, mistakes)
+    errors.extend(too_long(suite, &cases));
+    errors.sort_by_key(|error| error.range.start());
+    (cases, errors)
 }
 
-fn scans_of_a_step(suite: &Suite, interval: i64) -> Result<u64, Mistake> {
+fn scans_of_a_step(suite: &Suite, interval: i64) -> Result<u64, ScenarioError> {
     let Some((step, range)) = suite.step else {
         return Ok(1);
     };
@@ -105,7 +105,7 @@ fn scans_of_a_step(suite: &Suite, interval: i64) -> Result<u64, Mistake> {
     };
     let below = step / interval * interval;
     let near = if below == 0 { interval } else { below };
-    Err(Mistake::new(
+    Err(ScenarioError::new(
         range,
         format!(
             "a step is a whole number of scans, and {} is no multiple of the scan interval {}",
@@ -120,11 +120,11 @@ fn scans_of_a_step(suite: &Suite, interval: i64) -> Result<u64, Mistake> {
 }
 
 /// The first scenario that would take too long.
-fn too_long(suite: &Suite, cases: &[Case]) -> Option<Mistake> {
+fn too_long(suite: &Suite, cases: &[Case]) -> Option<ScenarioError> {
     let scans = |case: &Case| case.scans.saturating_mul(case.steps as u64);
     let case = cases.iter().find(|case| scans(case) > MOST_SCANS)?;
     let range = suite.step.map_or(case.range, |(_, range)| range);
-    Some(Mistake::new(
+    Some(ScenarioError::new(
         range,
         format!(
             "\"{}\" would take {} scans, and a scenario has at most {MOST_SCANS}",
@@ -138,14 +138,14 @@ fn too_long(suite: &Suite, cases: &[Case]) -> Option<Mistake> {
 struct Binder<'a> {
     suite: &'a Suite,
     simulation: &'a Simulation,
-    mistakes: &'a mut Vec<Mistake>,
+    errors: &'a mut Vec<ScenarioError>,
     /// Tags that have a row, by direction.
     rows: HashSet<(Direction, String)>,
 }
 
 impl Binder<'_> {
-    fn mistake(&mut self, range: TextRange, message: impl Into<String>, help: impl Into<String>) {
-        self.mistakes.push(Mistake::new(range, message, help));
+    fn error(&mut self, range: TextRange, message: impl Into<String>, help: impl Into<String>) {
+        self.errors.push(ScenarioError::new(range, message, help));
     }
 
     fn scenario(mut self, scenario: &Scenario, scans: u64) -> Case {
@@ -167,7 +167,7 @@ impl Binder<'_> {
                     Direction::Given => "is given by two rows",
                     Direction::Expected => "is expected by two rows",
                 };
-                self.mistake(
+                self.error(
                     row.range,
                     format!("{name} {way} of this scenario"),
                     "leave only one of them",
@@ -196,7 +196,7 @@ impl Binder<'_> {
             if self.simulation.has_serial() {
                 return Some(("PORT.SERIAL".to_owned(), Target::Serial));
             }
-            self.mistake(
+            self.error(
                 row.range,
                 "the program does not use PORT.SERIAL",
                 "the blocks USND, URCV, FMT and SCANTIME without operand do",
@@ -208,7 +208,7 @@ impl Binder<'_> {
             Err(unknown) => {
                 // A heading that is too late.
                 let heading = matches!(row.name.as_str(), "program" | "step" | "interval" | "tolerance");
-                self.mistakes.push(Mistake {
+                self.errors.push(ScenarioError {
                     range: row.range,
                     message: unknown.message,
                     help: heading.then(|| format!("`{}` is before the first scenario", row.name)),
@@ -217,7 +217,7 @@ impl Binder<'_> {
             }
         };
         if row.direction == Direction::Given && point.read_only {
-            self.mistake(
+            self.error(
                 row.range,
                 format!("{} can only be read", point.name),
                 format!("write `{} => ...` to expect values of it", point.name),
@@ -227,7 +227,7 @@ impl Binder<'_> {
         Some((point.name.clone(), Target::Point(point)))
     }
 
-    /// A value for each step. After a mistake the rest of the row is read all the same.
+    /// A value for each step. After an error the rest of the row is read all the same.
     fn values(&mut self, row: &Row, name: &str, ty: Scalar) -> Vec<Option<Value>> {
         let mut complained = false;
         let mut values = Vec::with_capacity(row.cells.len());
@@ -239,7 +239,7 @@ impl Binder<'_> {
                     let value = level(*cell == Cell::High);
                     // One look at such a row is enough.
                     if value.is_none() && !std::mem::replace(&mut complained, true) {
-                        self.mistake(
+                        self.error(
                             *range,
                             format!(
                                 "{name} is {}: _ and - are the levels of a BOOL",
@@ -254,7 +254,7 @@ impl Binder<'_> {
                     Ok(value) => Some(value),
                     Err(problem) => {
                         let (problem, help) = explain(problem, text, ty);
-                        self.mistake(*range, problem, help);
+                        self.error(*range, problem, help);
                         None
                     }
                 },
@@ -269,7 +269,7 @@ impl Binder<'_> {
             return self.suite.tolerance.filter(|_| ty.is_real());
         };
         if row.direction == Direction::Given {
-            self.mistake(
+            self.error(
                 *range,
                 "what is given has no tolerance",
                 "± is in rows with an arrow",
@@ -281,13 +281,13 @@ impl Binder<'_> {
                 "values of {} are equal or not: they have no tolerance",
                 with_article(ty.name())
             );
-            self.mistake(*range, problem, "take the ± away");
+            self.error(*range, problem, "take the ± away");
             return None;
         }
         match Tolerance::parse(text, ty) {
             Ok(tolerance) => Some(tolerance),
             Err(problem) => {
-                self.mistake(
+                self.error(
                     *range,
                     problem,
                     "the tolerance is last in the row, as in: level => 1.0 2.0 ± 0.01",

@@ -2,18 +2,18 @@
 //!
 //! ```text
 //! text --parse--> Suite: what the lines say --bind--> Cases: tags and values --run--> Ran --draw--> what differs
-//!                   \------ mistakes, each with its place ------/
+//!                   \------ errors, each with its place ------/
 //! ```
 //!
-//! [`parse()`] needs no program and never fails: what it cannot read is a [`Mistake`], and it goes on in the next
+//! [`parse()`] needs no program and never fails: what it cannot read is a [`ScenarioError`], and it goes on in the next
 //! line. [`bind()`] asks a compiled program for the tags and reads the values in their types. [`run()`] plays one
 //! case from a cold start, and [`draw()`] shows the rows that came out differently. [`layout()`] puts a file's columns
 //! straight.
 
 mod bind;
 mod draw;
+mod error;
 mod layout;
-mod mistake;
 mod parse;
 mod play;
 mod played;
@@ -26,8 +26,8 @@ mod words;
 
 pub use bind::{Case, bind};
 pub use draw::{Line, LineKind, draw, sentence};
+pub use error::ScenarioError;
 pub use layout::layout;
-pub use mistake::Mistake;
 pub use parse::{Cell, Direction, HEADINGS, Row, Scenario, Suite, parse};
 pub use play::Unmet;
 pub use record::{Recorded, record, recorded_file};

@@ -1,6 +1,6 @@
 //! What the lines of a scenario file say, before anything is known of the program.
 
-use super::mistake::Mistake;
+use super::error::ScenarioError;
 use super::tolerance::Tolerance;
 use super::words::{Word, lines, range};
 use crate::value_text;
@@ -24,7 +24,7 @@ pub struct Suite {
     /// In the order of the file.
     pub scenarios: Vec<Scenario>,
     /// What could not be read.
-    pub mistakes: Vec<Mistake>,
+    pub errors: Vec<ScenarioError>,
 }
 
 /// One scenario.
@@ -51,7 +51,7 @@ pub struct Row {
     pub direction: Direction,
     /// One for each step, with its place.
     pub cells: Vec<(Cell, TextRange)>,
-    /// What is behind `±`.
+    /// What is after `±`.
     pub tolerance: Option<(String, TextRange)>,
 }
 
@@ -86,7 +86,7 @@ pub fn parse(text: &str) -> Suite {
             interval: None,
             tolerance: None,
             scenarios: Vec::new(),
-            mistakes: Vec::new(),
+            errors: Vec::new(),
         },
         names: HashMap::new(),
         tolerance_given: false,
@@ -110,8 +110,8 @@ struct Reader {
 }
 
 impl Reader {
-    fn mistake(&mut self, range: TextRange, message: impl Into<String>, help: impl Into<String>) {
-        self.suite.mistakes.push(Mistake::new(range, message, help));
+    fn error(&mut self, range: TextRange, message: impl Into<String>, help: impl Into<String>) {
+        self.suite.errors.push(ScenarioError::new(range, message, help));
     }
 
     fn line(&mut self, first: Word, rest: &[Word]) {
@@ -132,9 +132,9 @@ impl Reader {
                 let help = match wanted {
                     Some(heading) => format!("write it in small letters: {heading}"),
                     None if rest.is_empty() => "a comment begins with #".to_owned(),
-                    None => "rows are behind a line as in: scenario \"what is shown\"".to_owned(),
+                    None => "rows are after a line as in: scenario \"what is shown\"".to_owned(),
                 };
-                self.mistake(
+                self.error(
                     first.range(),
                     format!(
                         "`{other}` is before the first scenario, where only program, step, interval and \
@@ -148,14 +148,14 @@ impl Reader {
 
     fn program(&mut self, first: Word, rest: &[Word]) {
         let Some((from, to)) = rest.first().zip(rest.last()) else {
-            return self.mistake(
+            return self.error(
                 first.range(),
                 "the program is missing",
                 "name it, as in: program motor.clad",
             );
         };
         if self.suite.program.is_some() {
-            return self.mistake(
+            return self.error(
                 first.range(),
                 "a second program: all scenarios of a file are about one",
                 "put the scenarios of another program into a file of their own",
@@ -180,7 +180,7 @@ impl Reader {
         };
         let [value] = rest else {
             let place = rest.last().map_or(first.range(), Word::range);
-            return self.mistake(
+            return self.error(
                 place,
                 format!("one duration says {what}"),
                 format!("write it as in: {example}"),
@@ -194,11 +194,11 @@ impl Reader {
                 };
                 if slot.is_some() {
                     let twice = format!("`{}` appears here a second time", first.text);
-                    return self.mistake(first.range(), twice, "leave only one of them");
+                    return self.error(first.range(), twice, "leave only one of them");
                 }
                 *slot = Some((nanoseconds, value.range()));
             }
-            _ => self.mistake(
+            _ => self.error(
                 value.range(),
                 format!("`{}` is no duration longer than 0", value.text),
                 format!("write it as in: {example}"),
@@ -212,7 +212,7 @@ impl Reader {
             _ => Err("one number says how far reals may be from what is expected".to_owned()),
         };
         match parsed {
-            Ok(_) if std::mem::replace(&mut self.tolerance_given, true) => self.mistake(
+            Ok(_) if std::mem::replace(&mut self.tolerance_given, true) => self.error(
                 first.range(),
                 "`tolerance` appears here a second time",
                 "leave only one of them; a row may have its own, as in: level => 1.0 2.0 ± 0.01",
@@ -220,7 +220,7 @@ impl Reader {
             Ok(tolerance) => self.suite.tolerance = Some(tolerance),
             Err(problem) => {
                 let place = rest.last().map_or(first.range(), Word::range);
-                self.mistake(place, problem, "write it as in: tolerance 0.001");
+                self.error(place, problem, "write it as in: tolerance 0.001");
             }
         }
     }
@@ -233,19 +233,19 @@ impl Reader {
         let (name, place) = match rest {
             [name, ..] if name.text.starts_with('"') => {
                 if name.unclosed {
-                    self.mistake(name.range(), "the quote behind the name is missing", EXAMPLE);
+                    self.error(name.range(), "the quote after the name is missing", EXAMPLE);
                 } else if let Some(more) = rest.get(1) {
-                    self.mistake(more.range(), "nothing is behind the name of a scenario", EXAMPLE);
+                    self.error(more.range(), "nothing is after the name of a scenario", EXAMPLE);
                 }
                 (name.text.trim_matches('"').trim(), name.range())
             }
             _ => {
-                self.mistake(whole, "a scenario's name is in quotes", EXAMPLE);
+                self.error(whole, "a scenario's name is in quotes", EXAMPLE);
                 ("", whole)
             }
         };
         if name.is_empty() && rest.first().is_some_and(|word| word.text.starts_with('"')) {
-            self.mistake(place, "the scenario has no name", EXAMPLE);
+            self.error(place, "the scenario has no name", EXAMPLE);
         }
         if let Some(other) = self
             .names
@@ -253,7 +253,7 @@ impl Reader {
             .filter(|_| !name.is_empty())
         {
             self.names.insert(name.to_owned(), other);
-            self.mistake(
+            self.error(
                 place,
                 format!("another scenario is called \"{name}\" too"),
                 "give each its own name: reports tell them apart by it",
@@ -269,7 +269,7 @@ impl Reader {
 
     fn row(&mut self, first: Word, rest: &[Word]) {
         if first.text == "=>" || first.text.starts_with(['\'', '"']) || is_levels(first.text) {
-            return self.mistake(
+            return self.error(
                 first.range(),
                 "the row begins with no tag",
                 "a row is a tag and a value for each step, as in: start _-__",
@@ -289,23 +289,23 @@ impl Reader {
         };
         for word in cells {
             if word.text == "=>" {
-                return self.mistake(
+                return self.error(
                     word.range(),
-                    "the arrow is directly behind the tag",
+                    "the arrow is directly after the tag",
                     "write it as in: run => _--_",
                 );
             }
             if word.unclosed {
-                return self.mistake(
+                return self.error(
                     word.range(),
-                    "the quote behind the text is missing",
+                    "the quote after the text is missing",
                     "a text is written as in: 'it works'; a quote in it as $'",
                 );
             }
             push_cells(&mut row.cells, *word);
         }
         if row.cells.is_empty() {
-            return self.mistake(
+            return self.error(
                 first.range(),
                 format!("`{}` has no values", first.text),
                 "give it one for each step: _ low, - high, . as before, or numbers between blanks",
@@ -318,7 +318,7 @@ impl Reader {
         }
     }
 
-    /// What is before `±` or `+-`, and behind it.
+    /// What is before `±` or `+-`, and after it.
     fn split_tolerance<'w, 't>(
         &mut self,
         words: &'w [Word<'t>],
@@ -331,16 +331,16 @@ impl Reader {
         let Some(at) = words.iter().position(|word| sign(word).is_some()) else {
             return (words, None);
         };
-        let behind = &words[at + 1..];
+        let after = &words[at + 1..];
         let touching = sign(&words[at]).unwrap_or_default();
         let place = range(words[at].start, words.last().map_or(0, Word::end));
-        let text = match (touching, behind) {
+        let text = match (touching, after) {
             (text, []) if !text.is_empty() => text,
             ("", [one]) => one.text,
             _ => {
-                self.mistake(
+                self.error(
                     place,
-                    "one number behind ± says how far the values may be away",
+                    "one number after ± says how far the values may be away",
                     "write it last in the row, as in: level => 1.0 2.0 ± 0.01",
                 );
                 return (&words[..at], None);
@@ -373,7 +373,7 @@ impl Reader {
             counted(there, "step"),
             first.name
         );
-        self.mistake(
+        self.error(
             place,
             message,
             "all rows of a scenario have one length: a value for each step",
@@ -383,16 +383,15 @@ impl Reader {
     fn finish(mut self, text: &str) -> Suite {
         let end = TextSize::of(text);
         let start = TextSize::new(if text.starts_with('\u{feff}') { 3 } else { 0 });
-        if self.suite.program.is_none() && !self.suite.mistakes.iter().any(|m| m.message.contains("program"))
-        {
-            self.mistake(
+        if self.suite.program.is_none() && !self.suite.errors.iter().any(|m| m.message.contains("program")) {
+            self.error(
                 TextRange::empty(start),
                 "the program is missing",
                 "name it in the first line, as in: program motor.clad",
             );
         }
         if self.suite.scenarios.is_empty() {
-            self.mistake(
+            self.error(
                 TextRange::empty(end),
                 "there is no scenario in this file",
                 "begin one, as in: scenario \"the pump starts\"",
@@ -403,16 +402,16 @@ impl Reader {
                 .rows
                 .iter()
                 .any(|row| row.direction == Direction::Expected);
-            let mistaken = |mistake: &Mistake| mistake.range.start() > scenario.range.start();
-            if !expects && !self.suite.mistakes.iter().any(mistaken) {
-                self.suite.mistakes.push(Mistake::new(
+            let mistaken = |error: &ScenarioError| error.range.start() > scenario.range.start();
+            if !expects && !self.suite.errors.iter().any(mistaken) {
+                self.suite.errors.push(ScenarioError::new(
                     scenario.range,
                     format!("the scenario \"{}\" expects nothing", scenario.name),
                     "say what must come out, in a row with an arrow, as in: run => _--_",
                 ));
             }
         }
-        self.suite.mistakes.sort_by_key(|mistake| mistake.range.start());
+        self.suite.errors.sort_by_key(|error| error.range.start());
         self.suite
     }
 }

@@ -20,13 +20,13 @@ pub struct Unmet {
 }
 
 impl Case {
-    /// The step whose first scan this is; none if it is within a step, or behind the last.
+    /// The step whose first scan this is; none if it is within a step, or after the last.
     pub fn step_before(&self, scan: u64) -> Option<usize> {
         let step = usize::try_from(scan / self.scans).ok()?;
         (scan.is_multiple_of(self.scans) && step < self.steps).then_some(step)
     }
 
-    /// Gives what is before a step.
+    /// Returns what is before a step.
     pub fn give(&self, step: usize, session: &mut Session) {
         for row in &self.given {
             match (&row.target, row.values.get(step)) {

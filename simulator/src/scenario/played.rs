@@ -8,7 +8,7 @@ use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
 use std::collections::BTreeSet;
 
-/// With more rows than this only outputs are looked at.
+/// With more rows than this only outputs are checked.
 const MOST_ROWS: usize = 8;
 
 /// This many columns can be read; with more a step takes no account of what the outputs do in between.
@@ -93,7 +93,7 @@ impl Played {
         }
     }
 
-    /// Notes what a simulation holds behind its next scan.
+    /// Notes what a simulation holds after its next scan.
     pub(super) fn note(&mut self, simulation: &Simulation) {
         let scan = self.scans;
         self.scans += 1;
@@ -137,7 +137,7 @@ impl Played {
         moments.fold(self.of_given, divisor)
     }
 
-    /// Beside the outputs only a few other tags are looked at: when there are too many of those that change, none is.
+    /// Next to the outputs only a few other tags are checked: when there are too many of those that change, none is.
     fn leave_out_too_many(&mut self) {
         let outputs = self.tracks.iter().filter(|track| track.is_output()).count();
         let levels = self
@@ -149,7 +149,7 @@ impl Played {
         }
     }
 
-    /// Beside the outputs only those are looked at that change: BOOLs, or whatever there is where nothing else comes out of
+    /// Next to the outputs only those are checked that change: BOOLs, or whatever there is where nothing else comes out of
     /// the program.
     pub(super) fn leave_out_what_rests(&mut self) {
         let has_outputs = self.tracks.iter().any(Track::is_output);

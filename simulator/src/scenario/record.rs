@@ -146,7 +146,7 @@ fn not_known(why: NotKnown) -> String {
                 .into()
         }
         NotKnown::LateStart => {
-            "a scenario starts cold, and this session began behind the first scan: restart, do it again, and record then"
+            "a scenario starts cold, and this session began after the first scan: restart, do it again, and record then"
                 .into()
         }
         NotKnown::TooMany => format!(
@@ -170,7 +170,7 @@ fn fits(columns: u64, rows: usize, interval: i64) -> Result<(), String> {
     ))
 }
 
-/// How the file of a recorded scenario may be called that is beside a program: `motor-recorded.ladder-test`.
+/// How the file of a recorded scenario may be called that is next to a program: `motor-recorded.ladder-test`.
 pub fn recorded_file(program: &str) -> String {
     let stem = program.rsplit_once('.').map_or(program, |(stem, _)| stem);
     format!("{stem}-recorded.ladder-test")

@@ -13,7 +13,7 @@ pub(super) const MOST_BLOCKS: u64 = 10_000_000_000;
 /// What came of a scenario.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ran {
-    /// For each row that expects something, what was there at the end of each step; none behind a fault that
+    /// For each row that expects something, what was there at the end of each step; none after a fault that
     /// stopped the simulation.
     pub(super) got: Vec<Vec<Option<Value>>>,
     /// What is not as expected, row by row.

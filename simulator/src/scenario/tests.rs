@@ -32,23 +32,23 @@ fn simulation(program: &str, interval: Option<i64>) -> Simulation {
     Simulation::new(program, options).expect("it compiles")
 }
 
-/// The mistakes of a text, or what comes of its scenarios.
+/// The errors of a text, or what comes of its scenarios.
 fn report(program: &str, text: &str, width: usize) -> String {
     let suite = parse(text);
     let mut simulation = simulation(program, suite.interval.map(|interval| interval.0));
-    let (cases, mistakes) = bind(&suite, &simulation);
+    let (cases, errors) = bind(&suite, &simulation);
     let mut out = String::new();
     let lines = LineIndex::new(text);
-    for mistake in suite.mistakes.iter().chain(&mistakes) {
+    for error in suite.errors.iter().chain(&errors) {
         let (from, to) = (
-            lines.line_column(text, mistake.range.start()),
-            lines.line_column(text, mistake.range.end()),
+            lines.line_column(text, error.range.start()),
+            lines.line_column(text, error.range.end()),
         );
         out.push_str(&format!(
             "{}:{}-{}: {}\n",
-            from.line, from.column, to.column, mistake.message
+            from.line, from.column, to.column, error.message
         ));
-        if let Some(help) = &mistake.help {
+        if let Some(help) = &error.help {
             out.push_str(&format!("    {help}\n"));
         }
     }
@@ -207,7 +207,7 @@ hours => 0.1 0.2 0.32 ± 0.01
 }
 
 #[test]
-fn mistakes_of_the_file() {
+fn errors_of_the_file() {
     check(
         "\
 Program motor.clad
@@ -239,14 +239,14 @@ run => _- ± 1 2
             5:11-15: `much` is no tolerance: write it as in 0.01 or 1%
                 write it as in: tolerance 0.001
             6:1-4: `run` is before the first scenario, where only program, step, interval and tolerance are
-                rows are behind a line as in: scenario "what is shown"
+                rows are after a line as in: scenario "what is shown"
             7:1-14: a scenario's name is in quotes
                 write it as in: scenario "the pump starts"
             9:10-11: `run` has 3 steps, but `start` has 2
                 all rows of a scenario have one length: a value for each step
             10:10-12: the scenario has no name
                 write it as in: scenario "the pump starts"
-            11:18-21: nothing is behind the name of a scenario
+            11:18-21: nothing is after the name of a scenario
                 write it as in: scenario "the pump starts"
             12:1-3: the row begins with no tag
                 a row is a tag and a value for each step, as in: start _-__
@@ -254,13 +254,13 @@ run => _- ± 1 2
                 give it one for each step: _ low, - high, . as before, or numbers between blanks
             14:10-17: another scenario is called "twice" too
                 give each its own name: reports tell them apart by it
-            15:10-15: the quote behind the name is missing
+            15:10-15: the quote after the name is missing
                 write it as in: scenario "the pump starts"
-            16:9-14: the quote behind the text is missing
+            16:9-14: the quote after the text is missing
                 a text is written as in: 'it works'; a quote in it as $'
-            17:7-9: the arrow is directly behind the tag
+            17:7-9: the arrow is directly after the tag
                 write it as in: run => _--_
-            18:11-16: one number behind ± says how far the values may be away
+            18:11-16: one number after ± says how far the values may be away
                 write it last in the row, as in: level => 1.0 2.0 ± 0.01
             2:6-10: a step is a whole number of scans, and 15ms is no multiple of the scan interval 10ms
                 write `step 10ms`, or give another scan interval, as in: interval 1ms
@@ -285,7 +285,7 @@ run => _- ± 1 2
 }
 
 #[test]
-fn mistakes_that_the_program_shows() {
+fn errors_that_the_program_shows() {
     check(
         "\
 program motor.clad
@@ -481,16 +481,16 @@ SYS.FAULT => __--
 #[test]
 fn a_scenario_has_a_bounded_number_of_scans() {
     let text = "program motor.clad\nstep 100000h\nscenario \"long\"\nstart _-_\n";
-    let (_, mistakes) = bind(&parse(text), &simulation(MOTOR, None));
+    let (_, errors) = bind(&parse(text), &simulation(MOTOR, None));
     expect![[r#"
         "long" would take 108000000000 scans, and a scenario has at most 10000000
         shorten the step, or take a longer scan interval, as in: interval 1s"#]]
     .assert_eq(&format!(
         "{}\n{}",
-        mistakes[0].message,
-        mistakes[0].help.as_deref().unwrap_or_default()
+        errors[0].message,
+        errors[0].help.as_deref().unwrap_or_default()
     ));
-    assert_eq!(&text[mistakes[0].range], "100000h");
+    assert_eq!(&text[errors[0].range], "100000h");
     // The most that is allowed.
     let text = "program motor.clad\nstep 100000s\nscenario \"long\"\nstart -\n";
     assert_eq!(bind(&parse(text), &simulation(MOTOR, None)).1, []);
@@ -500,15 +500,15 @@ fn a_scenario_has_a_bounded_number_of_scans() {
 fn a_scenario_does_a_bounded_amount_of_work() {
     let mut simulation = simulation(MOTOR, None);
     let text = "program motor.clad\nstep 1000s\nscenario \"long\"\nstart _-_\nrun => _--\n";
-    let (cases, mistakes) = bind(&parse(text), &simulation);
-    assert_eq!(mistakes, []);
+    let (cases, errors) = bind(&parse(text), &simulation);
+    assert_eq!(errors, []);
     let ran = super::run::run_within(5000, &cases[0], &mut simulation, |_| ());
     assert_eq!(ran.stopped, Some(0));
     assert!(ran.scans < 5000, "{}", ran.scans);
     expect!["all scans together have done the work of more than 5000 blocks; run fewer scans, or make the program do less in each"].assert_eq(&ran.faults[0].message);
 }
 
-/// Whatever a file says, it is read to its end, and every mistake lies in it.
+/// Whatever a file says, it is read to its end, and every error lies in it.
 #[test]
 fn mutated_files_are_read_to_their_end() {
     const TEXT: &str = "\u{feff}program motor.clad # c\r\nstep 20ms\ntolerance 1%\nscenario \"ä ± b\"\n\
@@ -516,16 +516,16 @@ fn mutated_files_are_read_to_their_end() {
     let simulation = simulation(MOTOR, None);
     let check = |text: &str| {
         let suite = parse(text);
-        let (_, mistakes) = bind(&suite, &simulation);
-        for mistake in suite.mistakes.iter().chain(&mistakes) {
-            let range = usize::from(mistake.range.start())..usize::from(mistake.range.end());
+        let (_, errors) = bind(&suite, &simulation);
+        for error in suite.errors.iter().chain(&errors) {
+            let range = usize::from(error.range.start())..usize::from(error.range.end());
             assert!(text.get(range.clone()).is_some(), "{range:?} in {text:?}");
         }
     };
     check(TEXT);
     for (at, letter) in TEXT.char_indices() {
-        let behind = at + letter.len_utf8();
-        check(&format!("{}{}", &TEXT[..at], &TEXT[behind..]));
+        let after = at + letter.len_utf8();
+        check(&format!("{}{}", &TEXT[..at], &TEXT[after..]));
         check(&TEXT[..at]);
         for inserted in [
             "\n",

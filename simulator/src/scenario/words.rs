@@ -1,4 +1,4 @@
-//! The words of a line. A comment goes from `#` to the end of the line; a `#` directly behind a letter or digit
+//! The words of a line. A comment goes from `#` to the end of the line; a `#` directly after a letter or digit
 //! belongs to a literal (`16#FF`, `T#5s`), one inside of quotes to the text.
 
 use ladder_syntax::{TextRange, TextSize};
@@ -37,7 +37,7 @@ pub struct Line<'t> {
     pub start: usize,
     /// What it says, without its end.
     pub text: &'t str,
-    /// LF, CRLF or a lone CR; nothing behind the last line.
+    /// LF, CRLF or a lone CR; nothing after the last line.
     pub end: &'t str,
     /// Its words up to the comment.
     pub words: Vec<Word<'t>>,
@@ -71,8 +71,8 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
         let rest = text.get(at..).filter(|rest| !rest.is_empty())?;
         let length = rest.find(['\n', '\r']).unwrap_or(rest.len());
         let end = match &rest[length..] {
-            behind if behind.starts_with("\r\n") => 2,
-            behind => behind.len().min(1),
+            after if after.starts_with("\r\n") => 2,
+            after => after.len().min(1),
         };
         let line = Line::read(&rest[..length], &rest[length..length + end], at);
         at += length + end;

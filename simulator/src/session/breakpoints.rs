@@ -17,7 +17,7 @@ pub enum Breakpoint {
     /// In front of the block at this place, wherever its code runs: the body of a user-defined block has code for each
     /// place where that is.
     Block(Location),
-    /// Behind the block that changes what a point holds. What is given from outside does not count.
+    /// After the block that changes what a point holds. What is given from outside does not count.
     Change(Point),
 }
 
@@ -53,12 +53,12 @@ pub enum Hit {
 }
 
 impl Session {
-    /// The network that a place in the text belongs to, or else the first one behind it: its number.
+    /// The network that a place in the text belongs to, or else the first one after it: its number.
     pub fn network_at(&self, file: u32, offset: TextSize) -> Option<usize> {
         let networks = self.simulation.program().networks.iter().enumerate();
-        let behind = networks
+        let after = networks
             .filter(|(_, network)| network.location.file == file && network.location.range.end() > offset);
-        behind
+        after
             .min_by_key(|(_, network)| network.location.range.start())
             .map(|(number, _)| number)
     }

@@ -276,7 +276,7 @@ impl Session {
 fn moved_breakpoints(breakpoints: &[Breakpoint], new: &Simulation, moved: &Moved) -> Vec<Breakpoint> {
     let moved = breakpoints.iter().filter_map(|breakpoint| match breakpoint {
         Breakpoint::Network(network) => moved.network(*network).map(Breakpoint::Network),
-        // Where a block went is not known by its place alone: whoever set it sets it anew.
+        // Where a block went is not known by its place alone: a caller that set it sets it again.
         Breakpoint::Block(_) => None,
         Breakpoint::Change(point) => {
             let point = new.resolve(&moved.name(&point.name)).ok();

@@ -63,7 +63,7 @@ pub(super) fn write_cells<T: Cell>(
     new: &[T],
     mut differs: impl FnMut(Range<usize>),
 ) {
-    let (mut at, mut behind) = (0, 0);
+    let (mut at, mut after) = (0, 0);
     while at < new.len() {
         let end = (at + BLOCK).min(new.len());
         if old[at..end] == new[at..end] {
@@ -79,10 +79,10 @@ pub(super) fn write_cells<T: Cell>(
             while at < new.len() && old[at] != new[at] {
                 at += 1;
             }
-            write_run(out, start - behind, &old[start..at], &new[start..at]);
+            write_run(out, start - after, &old[start..at], &new[start..at]);
             old[start..at].copy_from_slice(&new[start..at]);
             differs(start..at);
-            behind = at;
+            after = at;
         }
     }
     write_number(out, 0);
@@ -131,17 +131,17 @@ pub(super) fn move_cells<T: Cell>(bytes: &mut Bytes<'_>, cells: &mut [T]) {
 
 /// Writes how texts differ, makes `old` equal to `new`, and gives each one that differs.
 pub(super) fn write_texts(out: &mut Vec<u8>, old: &mut [Text], new: &[Text], mut differs: impl FnMut(usize)) {
-    let mut behind = 0;
+    let mut after = 0;
     for (at, (old, new)) in old.iter_mut().zip(new).enumerate() {
         if old == new {
             continue;
         }
-        write_number(out, (at - behind) as u64 + 1);
+        write_number(out, (at - after) as u64 + 1);
         write_bytes(out, old.bytes());
         write_bytes(out, new.bytes());
         old.set(new.bytes());
         differs(at);
-        behind = at + 1;
+        after = at + 1;
     }
     write_number(out, 0);
 }

@@ -1,4 +1,4 @@
-//! What was given from outside, scan by scan, since the program began: for as long as the session lasts, since somebody
+//! What was given from outside, scan by scan, since the program began: for as long as the session lasts, since a user
 //! presses much more seldom than scans run.
 
 use super::Session;
@@ -30,7 +30,7 @@ struct One {
 pub(crate) enum NotKnown {
     /// No scans are kept, so nothing is held against anything.
     NoHistory,
-    /// The session began behind the first scan.
+    /// The session began after the first scan.
     LateStart,
     /// More than [`MOST_GIVEN`] values.
     TooMany,

@@ -73,7 +73,7 @@ pub struct Session {
     repeats: bool,
     faults: VecDeque<FaultRecord>,
     breakpoints: Vec<Breakpoint>,
-    /// The run stopped behind a block, and what is there has not been looked at yet.
+    /// The run stopped after a block, and what is there has not been checked yet.
     unseen_network: bool,
     /// Who writes what, for those who ask why.
     writers: OnceCell<Writers>,
@@ -83,7 +83,7 @@ pub struct Session {
     renamed: Vec<Names>,
     /// The programs that ran before this one, the newest last.
     earlier: Vec<Era>,
-    /// Those that ran behind the moment that was stepped back to, the newest first.
+    /// Those that ran after the moment that was stepped back to, the newest first.
     later: Vec<Era>,
 }
 
@@ -129,12 +129,12 @@ impl Session {
         self.simulation.set_brake(brake);
     }
 
-    /// The simulation, to be looked at: values, power, forces, names.
+    /// The simulation, to be checked: values, power, forces, names.
     pub fn simulation(&self) -> &Simulation {
         &self.simulation
     }
 
-    /// Gives a tag a value before the next scan, as the world outside does.
+    /// Sets a tag's value before the next scan, as the world outside does.
     ///
     /// # Errors
     /// The point is read-only, or the value does not fit its type.
@@ -243,8 +243,8 @@ impl Session {
     /// is not kept.
     pub fn go_to(&mut self, scans: u64) -> bool {
         let now = self.simulation.scans();
-        let (behind, ahead) = (self.scans_behind() as u64, self.scans_ahead() as u64);
-        if scans + behind < now || scans > now + ahead {
+        let (after, ahead) = (self.scans_behind() as u64, self.scans_ahead() as u64);
+        if scans + after < now || scans > now + ahead {
             return false;
         }
         if self.simulation.is_open() {
@@ -298,29 +298,29 @@ impl Session {
         self.history.size() + eras.map(Era::size).sum::<usize>()
     }
 
-    /// Begins again from cold: all tags as before the first scan. Forces stay; the history begins anew.
+    /// Begins again from cold: all tags as before the first scan. Forces stay; the history begins again.
     pub fn reset(&mut self) {
         self.go_to_newest();
         self.simulation.reset();
-        self.begin_anew();
+        self.begin_again();
     }
 
-    /// Begins again as after a power failure: retentive tags keep their values. Forces stay; the history begins anew.
+    /// Begins again as after a power failure: retentive tags keep their values. Forces stay; the history begins again.
     pub fn warm_restart(&mut self) {
         self.go_to_newest();
         self.simulation.warm_restart();
-        self.begin_anew();
+        self.begin_again();
     }
 
     /// Begins with the values of retentive tags that were kept elsewhere, see [`Simulation::warm_start`].
     pub fn warm_start(&mut self, kept: &[Kept]) -> Vec<String> {
         self.go_to_newest();
         let complaints = self.simulation.warm_start(kept);
-        self.begin_anew();
+        self.begin_again();
         complaints
     }
 
-    fn begin_anew(&mut self) {
+    fn begin_again(&mut self) {
         self.faults.clear();
         self.changed = false;
         self.repeats = false;

@@ -11,7 +11,7 @@ use ladder_analysis::values::value::Value;
 
 impl Session {
     /// What points held after each of the last scans, the oldest first: for each point up to `scans` values, of which
-    /// the last is from the scan that the simulation is behind. What was given since is not in it. Only kept
+    /// the last is from the scan that the simulation is after. What was given since is not in it. Only kept
     /// scans are known, so there may be fewer, equally many for all points. Where the program was changed a point is the
     /// one of that name, whichever its tag has now, and type; what there was none of before shows nothing, or 0.
     pub fn past(&self, points: &[Point], scans: usize) -> Vec<Vec<Value>> {
@@ -24,7 +24,7 @@ impl Session {
         note(&self.history, &self.simulation, &now, 0, known, &mut past);
         let mut known = known;
         for era in self.earlier.iter().rev() {
-            // An era ends with the scan that the next one begins behind.
+            // An era ends with the scan that the next one begins after.
             let (simulation, history) = era.parts();
             let more = history.known().saturating_sub(1).min(scans - known);
             if known == 0 || more == 0 {

@@ -16,7 +16,7 @@ pub(super) struct Rewind<'h> {
     history: &'h History,
     banks: Banks,
     forces: Forces,
-    /// The scan that it is at the start of: an entry of the history, or the one behind the last, which is open or
+    /// The scan that it is at the start of: an entry of the history, or the one after the last, which is open or
     /// has not begun.
     entry: usize,
     /// The end of the bytes of the entries before it.
@@ -98,7 +98,7 @@ impl<'h> Rewind<'h> {
         true
     }
 
-    /// From the end of the scan before, behind [`Rewind::undo_given`]: goes back over whole spans of scans that nothing is
+    /// From the end of the scan before, after [`Rewind::undo_given`]: goes back over whole spans of scans that nothing is
     /// looked for in, to the end of the scan before those. How many spans it were.
     pub(super) fn undo_spans(&mut self, passes: impl Fn(&Cells, Range<usize>) -> bool) -> usize {
         let mut count = 0;

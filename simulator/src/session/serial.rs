@@ -24,7 +24,7 @@ impl SerialLog {
         count as u32
     }
 
-    /// A log that begins behind what this one shows.
+    /// A log that begins after what this one shows.
     pub(super) fn following(&self) -> SerialLog {
         let bytes: VecDeque<u8> = self.shown().collect();
         SerialLog {

@@ -102,7 +102,7 @@ impl Session {
         self.simulation.begin_scan()
     }
 
-    /// Gives up the scan that is open: the simulation is at its start again, with what was given for it. What was
+    /// Abandons the scan that is open: the simulation is at its start again, with what was given for it. What was
     /// given since is undone.
     pub(super) fn give_up_scan(&mut self) {
         self.simulation.open = false;

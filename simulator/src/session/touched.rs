@@ -56,13 +56,13 @@ impl Touched {
         self.last(point) > 0
     }
 
-    /// Whether what a point shows may have changed in this scan or behind it.
+    /// Whether what a point shows may have changed in this scan or after it.
     pub(super) fn holds_since(&self, point: &Point, scan: i64) -> bool {
         self.last(point) >= mark_of(scan)
     }
 
     /// What has the mark of now: what has changed in the scans that have it, and maybe what had in those that took place
-    /// instead before somebody went back.
+    /// instead before a user went back.
     pub(super) fn in_this_span(&self) -> Cells {
         let cells = |marks: &[u32]| Set::of(marks.iter().map(|mark| *mark == self.now));
         Cells {

@@ -104,9 +104,9 @@ impl Simulation {
             return Some((bodies.blocks.get(&block.location)?.network, block.location));
         }
         if innermost && let Some(network) = code.networks_at(pc).last() {
-            // Its first block, which is behind what begins the network.
-            let behind = code.blocks.partition_point(|place| place.start < pc);
-            let first = code.blocks[behind..].iter().find(|place| place.start < place.end);
+            // Its first block, which is after what begins the network.
+            let after = code.blocks.partition_point(|place| place.start < pc);
+            let first = code.blocks[after..].iter().find(|place| place.start < place.end);
             let location = first.map(|place| place.location).filter(|location| {
                 bodies
                     .blocks
@@ -118,7 +118,7 @@ impl Simulation {
                 location.unwrap_or(self.program.networks[network].location),
             ));
         }
-        // A block's code is behind that of the blocks before it, and a body's is within its block's.
+        // A block's code is after that of the blocks before it, and a body's is within its block's.
         let through = code.blocks.partition_point(|place| place.start <= pc);
         let around = code.blocks[..through].iter().rev().find(|place| pc < place.end)?;
         Some((bodies.blocks.get(&around.location)?.network, around.location))

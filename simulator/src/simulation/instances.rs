@@ -18,7 +18,7 @@ pub struct Instance {
     pub block: usize,
     /// Where it is.
     pub location: Location,
-    /// The block, behind those in whose bodies it is.
+    /// The block, after those in whose bodies it is.
     pub(super) path: Vec<BlockAt>,
     tags: Vec<(TagId, Home)>,
 }

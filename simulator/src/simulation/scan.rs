@@ -68,7 +68,7 @@ impl Simulation {
         self.open
     }
 
-    /// The block that runs next in the scan that is open; none behind the last one.
+    /// The block that runs next in the scan that is open; none after the last one.
     pub fn next_block(&self) -> Option<Location> {
         let code = &self.compiled.code;
         let pc = self.open.then(|| self.machine.open_scan().pc())?;
@@ -98,7 +98,7 @@ impl Simulation {
         }
         let halt = self.machine.run::<true>(&self.compiled.code, until);
         if halt == Halt::Halted {
-            return Stepped::At(self.stands_at(until));
+            return Stepped::At(self.is_at(until));
         }
         self.open = false;
         let stepped = self.settle(halt);
@@ -107,7 +107,7 @@ impl Simulation {
     }
 
     /// The network or block in front of which the scan has halted.
-    fn stands_at(&self, until: Until) -> Location {
+    fn is_at(&self, until: Until) -> Location {
         let code = &self.compiled.code;
         let pc = self.machine.open_scan().pc();
         let network = || {

@@ -114,7 +114,7 @@ impl Trace {
         self.scans += 1;
     }
 
-    /// Writes what is behind the last row.
+    /// Writes what is after the last row.
     pub fn end(mut self, out: &mut String) {
         self.writer.end(&self.header, self.scans, out);
     }

@@ -68,7 +68,7 @@ fn change(session: &mut Session, text: &str) -> String {
     }
 }
 
-/// Runs a program, changes it and runs on: what was lost, and what tags hold before the next scan and behind it.
+/// Runs a program, changes it and runs on: what was lost, and what tags hold before the next scan and after it.
 #[track_caller]
 fn check(old: &str, before: &str, new: &str, after: &str, tags: &str, expected: Expect) {
     let mut session = session(old);
@@ -88,7 +88,7 @@ pub(crate) const MOTOR: &str = "\
 ";
 
 #[test]
-fn what_stands_elsewhere_goes_on() {
+fn what_is_elsewhere_goes_on() {
     // A rung in front, a contact within, a preset that is another one.
     check(
         MOTOR,
@@ -138,7 +138,7 @@ fn edges_belong_to_their_place() {
 }
 
 #[test]
-fn what_cannot_be_kept_is_told() {
+fn what_cannot_be_kept_is_reported() {
     check(
         "VAR n : INT := 5; t : TON; f : ARRAY[1..3] OF INT; gone : INT; old : INT; END_VAR\n\
          +--[ADD]( n, n, 1 )--[MOV]( f[2], 7 )--[MOV]( gone, 3 )--[TON]( t, T#1s )--+\n",
@@ -513,7 +513,7 @@ fn forces_faults_and_breakpoints_stay() {
 }
 
 #[test]
-fn a_program_that_hangs_is_mended() {
+fn a_program_that_hangs_is_fixed() {
     let mut session = session("+--<LBL>( again )--[ADD]( n, n, 1 )--<JMP>( again )--+\n");
     assert!(!session.scan());
     change(&mut session, "+--[ADD]( n, n, 1 )--+\n");

@@ -28,7 +28,7 @@ fn name_of(point: &Point) -> &str {
     point.name.strip_prefix(RENAMED).unwrap_or(&point.name)
 }
 
-/// Gives inputs at random, the same in the same scan of the same program.
+/// Sets inputs at random, the same in the same scan of the same program.
 pub(crate) fn give(session: &mut Session, seed: u64) {
     let mut numbers = Numbers(seed * 2 + 0x9E37_79B9_7F4A_7C15);
     let mut points: Vec<_> = session.simulation().points().to_vec();
@@ -49,7 +49,7 @@ pub(crate) fn give(session: &mut Session, seed: u64) {
     }
 }
 
-/// All that a scan left behind: values, and which power flowed.
+/// All that a scan left after: values, and which power flowed.
 fn picture(session: &Session, count: usize) -> String {
     let simulation = session.simulation();
     let values = simulation
@@ -92,7 +92,7 @@ pub(crate) fn programs() -> Vec<String> {
 fn there_and_back_the_trace_stays() {
     for (number, text) in (0u64..).zip(programs()) {
         let other = format!("{text}\n+--[ ]( zz_in )--[TON]( zz_t, T#50ms )--[OSR]--( )( zz_out )--+\n");
-        // Some programs take no rung behind them.
+        // Some programs take no rung after them.
         let other = program_of(&other).unwrap_or_else(|| program(&text));
         check_there_and_back(&text, &other, number);
     }

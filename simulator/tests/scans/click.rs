@@ -289,12 +289,12 @@ fn the_controller_tells_of_itself() {
 #[test]
 fn outside_its_domain_a_function_stops_the_controller() {
     let mut simulation = simulation(&click(
-        "VAR_INPUT SC : ARRAY[40..46] OF BOOL; END_VAR\nVAR y : REAL := 9.0; x : REAL := -1.0; behind : INT; END_VAR\n\
-         +--[CALC]( y, SQRT(x) )--+\n+--[MOV]( behind, 1 )--+\n",
+        "VAR_INPUT SC : ARRAY[40..46] OF BOOL; END_VAR\nVAR y : REAL := 9.0; x : REAL := -1.0; after : INT; END_VAR\n\
+         +--[CALC]( y, SQRT(x) )--+\n+--[MOV]( after, 1 )--+\n",
     ));
     assert!(simulation.scan());
     assert_eq!(get(&simulation, "SC[46]"), "1");
-    assert_eq!(get(&simulation, "behind"), "1");
+    assert_eq!(get(&simulation, "after"), "1");
     assert_eq!(simulation.status(), Status::Ended);
     assert!(!simulation.scan());
 }

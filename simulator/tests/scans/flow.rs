@@ -5,7 +5,7 @@ use expect_test::expect;
 use ladder_simulator::{Options, Status};
 
 #[test]
-fn a_jump_leaves_at_once_and_goes_to_the_nearest_label_behind() {
+fn a_jump_leaves_at_once_and_goes_to_the_nearest_label_after() {
     check(
         "VAR_INPUT a : BOOL; END_VAR\nVAR x : LINT; y : BOOL; END_VAR\n\
          +--[MOV]( x, 0 )--+\n\
@@ -57,7 +57,7 @@ fn functions_run_when_called_and_keep_their_state_otherwise() {
 
 #[test]
 fn a_function_that_calls_itself_keeps_the_powers_of_each_call() {
-    // The power behind the call is that of its own activation.
+    // The power after the call is that of its own activation.
     check(
         "VAR depth, x : LINT; END_VAR\n\
          +--[MOV]( depth, 0 )--[MOV]( x, 0 )--<CALL>( f )--+\n\
@@ -113,9 +113,9 @@ fn loops() {
         "VAR_INPUT n : INT; out, back : BOOL; END_VAR\nVAR i, x, y, z : INT; END_VAR\n\
          +--[MOV]( i, 0 )--<FOR>( n )--[MOV]( n, 1 )--+\n\
          +--[ADD]( i, i, 1 )--[ADD]( x, x, 1 )--+\n\
-         +--[ ]( out )--[EQ]( i, 2 )--<JMP>( behind )--+\n\
+         +--[ ]( out )--[EQ]( i, 2 )--<JMP>( after )--+\n\
          +--[ADD]( y, y, 1 )--<NEXT>--[ADD]( y, y, 10 )--+\n\
-         +--<LBL>( behind )--[ADD]( z, z, 1 )--+\n",
+         +--<LBL>( after )--[ADD]( z, z, 1 )--+\n",
         "n 3 0 -1 3\nout ___-",
         "x y z",
         expect![[r#"
@@ -180,24 +180,24 @@ fn a_function_called_from_a_loop_has_loops_of_its_own() {
 #[test]
 fn master_control_relay() {
     check(
-        "VAR_INPUT on, jog : BOOL; END_VAR\nVAR before, motor, kept, behind, inner : BOOL; END_VAR\n\
+        "VAR_INPUT on, jog : BOOL; END_VAR\nVAR before, motor, kept, after, inner : BOOL; END_VAR\n\
          +--[ ]( jog )--( )( before )--+\n\
          +--[ ]( on )--<MCR>--+\n\
          +--\\--[ ]( jog )--( )( motor )--+\n\
          \x20  /--(S)( kept )--+\n\
          +--<CALL>( f )--+\n\
          +--\\--( )( inner )--<MCR>--+\n\
-         \x20  /--[ ]( jog )--( )( behind )--+\n\
+         \x20  /--[ ]( jog )--( )( after )--+\n\
          +--<CALL>( f )--+\n\
          +--<FUN>( f )--[ ]( on )--<MCR>--+\n",
         "on  _-_-\njog -___",
-        "before motor kept inner behind",
+        "before motor kept inner after",
         expect![[r#"
             before  -___
             motor   ____
             kept    _---
             inner   ----
-            behind  -___
+            after   -___
         "#]],
     );
 }

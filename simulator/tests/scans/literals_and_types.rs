@@ -93,7 +93,7 @@ fn every_form_of_a_literal() {
 }
 
 #[test]
-fn what_a_dollar_stands_before() {
+fn what_a_dollar_is_before() {
     assert_eq!(starts("STRING", "'$'$$$L$N$R$T$P$41'"), "'$\n\n\r\t\u{c}A");
 }
 

@@ -94,7 +94,7 @@ fn power_never_flows_back() {
     );
 }
 
-/// Line 1 goes to its second `\`. Line 2 is called for: it goes on behind its first `/` to its own first `\`, and
+/// Line 1 goes to its second `\`. Line 2 is called for: it goes on after its first `/` to its own first `\`, and
 /// line 3 begins there; each calls the next line before it comes back.
 #[test]
 fn four_staggered_lines() {
@@ -104,7 +104,7 @@ fn four_staggered_lines() {
 
 /// A line may go on to a rail of its own: what is right of its last `/` comes after the whole line above.
 #[test]
-fn what_hangs_behind_a_join_comes_last() {
+fn what_hangs_after_a_join_comes_last() {
     // run(1): 1, then line 2 up to its `/`: 3; then 2. run(2): 4.
     assert_eq!(order_of("+--1--\\--2--+\n+--3--/--4--+\n"), "1324");
     // run(1): 1, line 2 up to its first `/`: 4; 2, line 2 up to its second: 5; 3. run(2): its `\` asks line 3: 7;
@@ -115,7 +115,7 @@ fn what_hangs_behind_a_join_comes_last() {
     );
 }
 
-/// The branch of line 3 passes line 2 on either side. Behind its second `/` line 3 has a wire of its own, which
+/// The branch of line 3 passes line 2 on either side. After its second `/` line 3 has a wire of its own, which
 /// comes after all.
 #[test]
 fn a_branch_that_passes_and_goes_on() {
@@ -144,7 +144,7 @@ fn a_jump_out_of_a_branch_leaves_the_whole_network() {
 
 /// The branch writes m before the contact that is right of the join reads it: y follows at once.
 #[test]
-fn a_write_in_a_branch_is_seen_behind_the_join() {
+fn a_write_in_a_branch_is_seen_after_the_join() {
     check(
         "VAR_INPUT go : BOOL; END_VAR\nVAR m, y : BOOL; END_VAR\n\
          +--\\--[ ]( go )-----------\\--[ ]( m )--( )( y )--+\n   /--[ ]( go )--( )( m )--/\n",
@@ -179,7 +179,7 @@ fn side_by_side_writes_are_seen_to_the_right() {
         "VAR_INPUT go : BOOL; END_VAR\nVAR m, n, y : BOOL; END_VAR\n\
          +--\\--[/]( n )------------\\--[ ]( m )--\\--[/]( go )--\\--( )( y )--+\n\
          \x20  /--[ ]( go )--( )( m )--/           /--[ ]( m )--( )( n )--/\n",
-        // Scan 1: n is still low; m and, behind it, n go high; y. Scan 2: m falls, and the contact behind it cuts all.
+        // Scan 1: n is still low; m and, after it, n go high; y. Scan 2: m falls, and the contact after it cuts all.
         "go _-__",
         "m n y",
         expect![[r#"

@@ -73,12 +73,12 @@ fn a_timer_that_cannot_count_is_refused() {
 #[test]
 fn a_division_by_zero_is_the_last_scan() {
     let mut simulation = simulation(&ldmicro(
-        "VAR q : INT := 7; z : INT; behind : INT; END_VAR\n\
-         +--[DIV]( q, 5, z )--[MOV]( behind, 1 )--+\n",
+        "VAR q : INT := 7; z : INT; after : INT; END_VAR\n\
+         +--[DIV]( q, 5, z )--[MOV]( after, 1 )--+\n",
     ));
     assert!(simulation.scan());
     assert_eq!(
-        (get(&simulation, "q"), get(&simulation, "behind")),
+        (get(&simulation, "q"), get(&simulation, "after")),
         ("0".into(), "1".into())
     );
     assert_eq!(simulation.status(), Status::Ended);

@@ -41,11 +41,11 @@ fn check(session: &Session, program: &str, expected: Expect) {
     passes(&recorded, program);
 }
 
-/// The scenario is read without a mistake, and passes.
+/// The scenario is read without an error, and passes.
 #[track_caller]
 fn passes(recorded: &Recorded, program: &str) {
     let suite = parse(&recorded.text);
-    assert_eq!(suite.mistakes, [], "{}", recorded.text);
+    assert_eq!(suite.errors, [], "{}", recorded.text);
     let interval = suite.interval.unwrap().0;
     let mut simulation = simulation_with(
         program,
@@ -54,8 +54,8 @@ fn passes(recorded: &Recorded, program: &str) {
             ..Options::default()
         },
     );
-    let (cases, mistakes) = bind(&suite, &simulation);
-    assert_eq!(mistakes, [], "{}", recorded.text);
+    let (cases, errors) = bind(&suite, &simulation);
+    assert_eq!(errors, [], "{}", recorded.text);
     for case in &cases {
         let ran = run(case, &mut simulation, |_| ());
         assert!(
@@ -193,7 +193,7 @@ fn what_cannot_be_recorded_is_said() {
     assert!(
         record(&late, "m", "n")
             .unwrap_err()
-            .contains("began behind the first scan")
+            .contains("began after the first scan")
     );
 }
 

@@ -212,7 +212,7 @@ fn timers_counters_and_bistables_go_on_where_they_were() {
 }
 
 #[test]
-fn the_memory_of_edges_begins_anew() {
+fn the_memory_of_edges_begins_again() {
     check_edges("+--[P]( kept )--[ADD]( n, n, 1 )--+\n");
     check_edges("+--[ ]( kept )--[OSR]--[ADD]( n, n, 1 )--+\n");
 }

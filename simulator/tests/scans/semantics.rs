@@ -1,4 +1,4 @@
-//! The programs of `tests/corpus/semantics` give the traces beside them.
+//! The programs of `tests/corpus/semantics` give the traces next to them.
 
 use crate::support::{set, simulation_with};
 use ladder_simulator::Options;

@@ -166,7 +166,7 @@ fn walk_about(name: &str, text: &str, seed: u64) {
     let last = seen.len() - 1;
     let mut at = last;
     for step in 0..60 {
-        let context = |at: usize| format!("{name}, seed {seed}, step {step}, behind {at} scans");
+        let context = |at: usize| format!("{name}, seed {seed}, step {step}, after {at} scans");
         match dice.roll(8) {
             // Part of a scan, which is then finished or given up.
             5..8 => {
@@ -455,7 +455,7 @@ fn a_run_says_why_it_stopped() {
 }
 
 #[test]
-fn a_restart_begins_the_history_anew() {
+fn a_restart_begins_the_history_again() {
     let mut session = session(
         "VAR RETAIN kept : DINT; END_VAR\nVAR n : DINT; END_VAR\n+--[ADD]( n, n, 1 )--[ADD]( kept, kept, 1 )--+\n",
         HistoryLimits::default(),

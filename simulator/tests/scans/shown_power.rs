@@ -16,7 +16,7 @@ fn power(simulation: &Simulation, text: &str) -> String {
     shown
 }
 
-/// Sets the tags before each scan and shows the power behind the last.
+/// Sets the tags before each scan and shows the power after the last.
 #[track_caller]
 #[allow(clippy::needless_pass_by_value)]
 fn check(text: &str, scans: &[&[(&str, &str)]], expected: Expect) {
@@ -57,7 +57,7 @@ fn the_first_place_of_a_block_is_shown() {
     );
 }
 
-/// A fault behind which more contacts are: what the block would have left stays away.
+/// A fault after which more contacts are: what the block would have left stays away.
 #[test]
 fn a_fault_leaves_a_coil_without_power() {
     check(

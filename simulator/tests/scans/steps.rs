@@ -204,7 +204,7 @@ fn a_run_stops_in_front_of_a_network() {
     assert!(session.remove_breakpoint(&second));
     let run = session.run(2, &never);
     shown.push_str(&described(TWO, &session, &run));
-    // The first network of a program, too, and on the way again behind a step back.
+    // The first network of a program, too, and on the way again after a step back.
     let first = network(&session, TWO, "+--[ ]( x )");
     session.add_breakpoint(first);
     session.step_back(2);
@@ -225,7 +225,7 @@ fn a_run_stops_in_front_of_a_network() {
 }
 
 #[test]
-fn a_run_stops_behind_the_block_that_changes_a_tag() {
+fn a_run_stops_after_the_block_that_changes_a_tag() {
     let never = AtomicBool::new(false);
     let mut session = session(TWO);
     let point = session.simulation().resolve("n").unwrap();

@@ -81,9 +81,9 @@ fn the_body_runs_whenever_the_block_is_reached() {
         "FUNCTION_BLOCK [$B]\nVAR_OUTPUT runs, under : INT; END_VAR\n\
          +--[ADD]( runs, runs, 1 )--+\n+--[ ]( EN )--[ADD]( under, under, 1 )--+\nEND_FUNCTION_BLOCK\n\
          VAR_INPUT en, over : BOOL; END_VAR\nVAR r, u : INT; END_VAR\n\
-         +--[ ]( over )--<JMP>( behind )--+\n\
+         +--[ ]( over )--<JMP>( after )--+\n\
          +--[ ]( en )--[$B]( r, u )--+\n\
-         +--<LBL>( behind )--+\n",
+         +--<LBL>( after )--+\n",
         "en _--_\nover __-_",
         "r u",
         expect![[r#"
@@ -279,10 +279,10 @@ fn fun_in_the_body_of_a_function_shape_defines_a_function_of_the_workspace() {
             k      1 2 3
         "#]],
     );
-    // It ends with the body; what is behind the definition is the program's.
-    let behind = "FUNCTION_BLOCK <$Kit>\n+--<FUN>( f )--( )( x )--+\nEND_FUNCTION_BLOCK\n+--( )( y )--+\n";
+    // It ends with the body; what is after the definition is the program's.
+    let after = "FUNCTION_BLOCK <$Kit>\n+--<FUN>( f )--( )( x )--+\nEND_FUNCTION_BLOCK\n+--( )( y )--+\n";
     check(
-        behind,
+        after,
         "1",
         "y x",
         expect![[r#"

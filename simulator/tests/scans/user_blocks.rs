@@ -27,7 +27,7 @@ fn each_place_has_a_state_of_its_own() {
 }
 
 #[test]
-fn inputs_in_before_and_outputs_out_behind_whatever_en_is() {
+fn inputs_in_before_and_outputs_out_after_whatever_en_is() {
     check(
         "FUNCTION_BLOCK [$Copy]\n\
          VAR_INPUT i : INT := 7; END_VAR\nVAR_OUTPUT o : DINT; e : BOOL; END_VAR\n\
@@ -202,7 +202,7 @@ fn a_block_of_function_shape_acts_where_it_stands() {
 }
 
 #[test]
-fn a_block_of_function_shape_returns_from_the_function_it_stands_in() {
+fn a_block_of_function_shape_returns_from_the_function_it_is_in() {
     let text = format!(
         "{FLOW}FUNCTION_BLOCK <$Outer>\nVAR_INPUT w : INT; END_VAR\nVAR_OUTPUT s, n : INT; END_VAR\n\
          +--[ADD]( n, n, 1 )--<$Guard>( w, s )--[ADD]( n, n, 10 )--+\n\

@@ -172,7 +172,7 @@ fn of_a_long_run_what_changed_before_the_kept_scans_and_what_among_them() {
 
 #[test]
 fn every_way_in_which_power_could_come() {
-    // Two in a row, beside one; a bridge; an input that is on already.
+    // Two in a row, next to one; a bridge; an input that is on already.
     check(
         "+--\\--[ ]( a )--[ ]( b )--\\--[ ]( on )--( )( y )--+\n|  /--[ ]( c )-----------/                        |\n",
         "on ---",

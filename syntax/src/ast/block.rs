@@ -1,6 +1,6 @@
 //! Blocks on a rung: first part, operand list, operands.
 
-use super::{AstNode, Expression, NodeView, TokenView, child, expression_before, expression_behind};
+use super::{AstNode, Expression, NodeView, TokenView, child, expression_after, expression_before};
 use crate::kind::SyntaxKind;
 use rowan::TextRange;
 
@@ -151,9 +151,9 @@ impl<'g> NamedOperand<'g> {
             .find(|t| matches!(t.kind(), SyntaxKind::ASSIGN | SyntaxKind::ARROW))
     }
 
-    /// The value behind it.
+    /// The value after it.
     pub fn value(&self) -> Option<Expression<'g>> {
-        expression_behind(self.0, |kind| {
+        expression_after(self.0, |kind| {
             matches!(kind, SyntaxKind::ASSIGN | SyntaxKind::ARROW)
         })
     }

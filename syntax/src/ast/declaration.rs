@@ -30,7 +30,7 @@ impl<'g> Declaration<'g> {
             .filter(|t| t.kind() == SyntaxKind::IDENT)
     }
 
-    /// The address behind AT.
+    /// The address after AT.
     pub fn address(&self) -> Option<TokenView<'g>> {
         let clause = self.0.children().find(|n| n.kind() == SyntaxKind::AT_CLAUSE)?;
         clause.tokens().find(|t| t.kind() == SyntaxKind::ADDRESS)
@@ -41,7 +41,7 @@ impl<'g> Declaration<'g> {
         child(self.0)
     }
 
-    /// The value behind `:=`.
+    /// The value after `:=`.
     pub fn initial_value(&self) -> Option<Expression<'g>> {
         let value = self
             .0

@@ -1,6 +1,6 @@
 //! Expressions: operands, indices, initial values.
 
-use super::{AstNode, NodeView, TokenView, child, child_expression, expression_before, expression_behind};
+use super::{AstNode, NodeView, TokenView, child, child_expression, expression_after, expression_before};
 use crate::kind::SyntaxKind;
 use rowan::TextRange;
 
@@ -99,7 +99,7 @@ impl<'g> Expression<'g> {
     }
 }
 
-/// Beside operators an expression holds white space, comments and what means nothing.
+/// Next to operators an expression holds white space, comments and what means nothing.
 fn is_operator(kind: SyntaxKind) -> bool {
     !kind.is_trivia() && kind != SyntaxKind::ERROR
 }
@@ -110,7 +110,7 @@ impl<'g> MemberExpression<'g> {
         child_expression(self.0, 0)
     }
 
-    /// The word or bit number behind the point.
+    /// The word or bit number after the point.
     pub fn member(&self) -> Option<TokenView<'g>> {
         self.0
             .tokens()
@@ -143,7 +143,7 @@ impl<'g> RangeExpression<'g> {
 
     /// The last element's index.
     pub fn last(&self) -> Option<Expression<'g>> {
-        expression_behind(self.0, |kind| kind == SyntaxKind::DOT_DOT)
+        expression_after(self.0, |kind| kind == SyntaxKind::DOT_DOT)
     }
 }
 
@@ -172,7 +172,7 @@ impl<'g> BinaryExpression<'g> {
 
     /// The right side.
     pub fn right(&self) -> Option<Expression<'g>> {
-        expression_behind(self.0, is_operator)
+        expression_after(self.0, is_operator)
     }
 }
 

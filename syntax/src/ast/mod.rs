@@ -60,8 +60,8 @@ fn expression_before(node: NodeView<'_>, kind: impl Fn(SyntaxKind) -> bool) -> O
     child_expression(node, 0).filter(|e| e.range().end() <= end)
 }
 
-/// The expression that is behind the first token of a kind.
-fn expression_behind(node: NodeView<'_>, kind: impl Fn(SyntaxKind) -> bool) -> Option<Expression<'_>> {
+/// The expression that is after the first token of a kind.
+fn expression_after(node: NodeView<'_>, kind: impl Fn(SyntaxKind) -> bool) -> Option<Expression<'_>> {
     let start = node.tokens().find(|t| kind(t.kind()))?.text_range().end();
     node.children()
         .filter(|n| n.range().start() >= start)

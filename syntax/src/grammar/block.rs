@@ -28,9 +28,9 @@ pub(super) fn block<B: Builder>(p: &mut Parser<'_, '_, B>, open: SyntaxKind) {
     p.start_node(kind);
     head(p, open);
     // White space is free between the first part and the operand list; without a list it belongs to the rung.
-    let behind_blanks = lexer::blanks_end(p.text.as_bytes(), p.at);
-    if p.byte(behind_blanks) == b'(' {
-        blanks_token(p, behind_blanks);
+    let after_blanks = lexer::blanks_end(p.text.as_bytes(), p.at);
+    if p.byte(after_blanks) == b'(' {
+        blanks_token(p, after_blanks);
         operand_list(p);
     }
     p.finish_node();
@@ -85,7 +85,7 @@ pub(super) fn head<B: Builder>(p: &mut Parser<'_, '_, B>, open: SyntaxKind) -> b
             continue;
         }
         // Something that belongs to no first part: junk in one that is closed, or the end of one that is not.
-        if let Some(junk_end) = recovery::closing_behind_junk(p.text, blanks, closing_byte) {
+        if let Some(junk_end) = recovery::closing_after_junk(p.text, blanks, closing_byte) {
             junk(p, blanks, junk_end);
         } else if literal {
             junk(p, blanks, lexer::in_operands(p.text, blanks).1);
@@ -116,7 +116,7 @@ pub(super) fn head<B: Builder>(p: &mut Parser<'_, '_, B>, open: SyntaxKind) -> b
     user
 }
 
-/// A first part that is closed and holds at most a mnemonic, as nearly all do: the mnemonic, where the blanks behind
+/// A first part that is closed and holds at most a mnemonic, as nearly all do: the mnemonic, where the blanks after
 /// it end, and where the bracket does. What the loop of [`head`] would find, at a fraction of the cost.
 fn plain_head<B: Builder>(p: &Parser<'_, '_, B>, closing: u8) -> Option<(Range<usize>, usize, usize)> {
     let bytes = p.text.as_bytes();
@@ -144,7 +144,7 @@ fn blanks_token<B: Builder>(p: &mut Parser<'_, '_, B>, end: usize) {
     }
 }
 
-/// Whether a `#` directly behind the word belongs to it: in a coil's parentheses it does (LANGUAGE §1), as in
+/// Whether a `#` directly after the word belongs to it: in a coil's parentheses it does (LANGUAGE §1), as in
 /// `(T#5s)` where the first part was forgotten.
 fn takes_hash(text: &str, open: SyntaxKind, kind: SyntaxKind, end: usize) -> bool {
     open == SyntaxKind::L_PAREN
@@ -153,7 +153,7 @@ fn takes_hash(text: &str, open: SyntaxKind, kind: SyntaxKind, end: usize) -> boo
         && text[..end].ends_with(char::is_alphanumeric)
 }
 
-/// Takes characters that mean nothing in a first part, up to `to`, as one mistake.
+/// Takes characters that mean nothing in a first part, up to `to`, as one error.
 fn junk<B: Builder>(p: &mut Parser<'_, '_, B>, from: usize, to: usize) {
     blanks_token(p, from);
     let to = from + p.text[from..to].trim_end_matches([' ', '\t']).len();

@@ -90,7 +90,7 @@ pub(super) fn keyword_at(text: &str, at: usize) -> Option<KeywordLine> {
     keyword(&text[at..lexer::identifier_end(text, at)?])
 }
 
-/// Whether a line that begins with this byte, behind white space and comments, ends a section that is still
+/// Whether a line that begins with this byte, after white space and comments, ends a section that is still
 /// open (LANGUAGE §4).
 pub(super) const fn begins_drawing(byte: u8) -> bool {
     matches!(byte, b'+' | b'|' | b'\\' | b'/' | b'[' | b'<')
@@ -150,7 +150,7 @@ pub(super) fn block_header<B: Builder>(p: &mut Parser<'_, '_, B>) -> (LineKind, 
             }
             rest_of_line(p, DeclarationProblem::Unexpected);
         }
-        (SyntaxKind::NEWLINE | SyntaxKind::EOF, _) => p.error_behind(expected),
+        (SyntaxKind::NEWLINE | SyntaxKind::EOF, _) => p.error_after(expected),
         _ => rest_of_line(p, DeclarationProblem::BlockHeadExpected),
     }
     line_end(p);
@@ -178,7 +178,7 @@ fn blanks<B: Builder>(p: &mut Parser<'_, '_, B>) {
     }
 }
 
-/// What belongs to a line behind its last token: white space, comments, the line end. Anything else begins a
+/// What belongs to a line after its last token: white space, comments, the line end. Anything else begins a
 /// new logical line.
 fn line_end<B: Builder>(p: &mut Parser<'_, '_, B>) {
     blanks(p);
@@ -187,7 +187,7 @@ fn line_end<B: Builder>(p: &mut Parser<'_, '_, B>) {
     }
 }
 
-/// Takes what is here up to the line end as one mistake, if something does.
+/// Takes what is here up to the line end as one error, if something does.
 fn rest_of_line<B: Builder>(p: &mut Parser<'_, '_, B>, problem: DeclarationProblem) {
     blanks(p);
     let from = p.at;
@@ -221,11 +221,11 @@ pub(super) fn declaration<B: Builder>(p: &mut Parser<'_, '_, B>) -> (LineKind, M
     p.look();
     let read = declaration_parts(p);
     if let Err(problem) = read {
-        // What is missing is missing behind what was read, not at the start of the next line's declaration.
+        // What is missing is missing after what was read, not at the start of the next line's declaration.
         let next_line = p.text[p.at..p.ahead.start].contains(['\n', '\r']);
         let ends = p.next() == SyntaxKind::SEMICOLON;
         if next_line || ends_section(p) || problem == DeclarationProblem::SemicolonMissing {
-            p.error_behind(SyntaxErrorKind::BadDeclaration(problem));
+            p.error_after(SyntaxErrorKind::BadDeclaration(problem));
         } else {
             p.declaration_error(problem);
         }
@@ -244,7 +244,7 @@ fn ends_section<B: Builder>(p: &Parser<'_, '_, B>) -> bool {
     p.next() == SyntaxKind::IDENT && p.next_is_word("END_VAR")
 }
 
-/// Skips to behind the next `;`, or to the end of the physical line.
+/// Skips to after the next `;`, or to the end of the physical line.
 fn recover<B: Builder>(p: &mut Parser<'_, '_, B>) {
     let ends =
         |p: &Parser<'_, '_, B>| matches!(p.next(), SyntaxKind::NEWLINE | SyntaxKind::EOF) || ends_section(p);

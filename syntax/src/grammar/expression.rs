@@ -4,7 +4,7 @@
 //! (to the right); unary `-` and `NOT`.
 //!
 //! White space and comments between two parts of an expression belong to the innermost node that holds both;
-//! those behind it belong to what it is in.
+//! those after it belong to what it is in.
 
 use super::{MAX_DEPTH, MAX_TERMS, Parser, recovery};
 use crate::builder::Builder;
@@ -67,8 +67,8 @@ pub(super) fn operand<B: Builder>(p: &mut Parser<'_, '_, B>) {
 /// the list's end follows. What [`expression`] would make of it, at a fraction of the cost.
 fn lone<B: Builder>(p: &Parser<'_, '_, B>) -> Option<SyntaxKind> {
     let node = primary_node(p.next())?;
-    let behind = lexer::blanks_end(p.text.as_bytes(), p.ahead.end);
-    matches!(p.byte(behind), b',' | b')').then_some(node)
+    let after = lexer::blanks_end(p.text.as_bytes(), p.ahead.end);
+    matches!(p.byte(after), b',' | b')').then_some(node)
 }
 
 /// The node of a value of one token.
@@ -93,7 +93,7 @@ const fn missing(place: OperandPlace) -> SyntaxErrorKind {
 /// An expression that must be here.
 pub(super) fn value<B: Builder>(p: &mut Parser<'_, '_, B>, floor: u8, place: OperandPlace) {
     if p.drawing_goes_on() {
-        p.error_behind(missing(place));
+        p.error_after(missing(place));
     } else if ends_operand(p) {
         p.error_ahead(missing(place));
     } else {
@@ -173,15 +173,15 @@ fn prefix<B: Builder>(p: &mut Parser<'_, '_, B>) {
             p.unexpected(Surroundings::Operands, p.ahead.start, p.ahead.end);
             p.bump_as(SyntaxKind::ERROR);
             if !ends_operand(p) {
-                prefix_behind_plus(p);
+                prefix_after_plus(p);
             }
         }
         _ => postfix(p),
     }
 }
 
-/// What is behind a `+` that is no operator; a second one lacks the value before it.
-fn prefix_behind_plus<B: Builder>(p: &mut Parser<'_, '_, B>) {
+/// What is after a `+` that is no operator; a second one lacks the value before it.
+fn prefix_after_plus<B: Builder>(p: &mut Parser<'_, '_, B>) {
     p.space();
     if p.next() == SyntaxKind::MINUS {
         unary(p);
@@ -249,7 +249,7 @@ fn index<B: Builder>(p: &mut Parser<'_, '_, B>, from: usize) {
         p.finish_node();
     }
     if p.next() != SyntaxKind::R_BRACKET
-        && let Some(end) = recovery::closing_behind_junk(p.text, p.ahead.start, b']')
+        && let Some(end) = recovery::closing_after_junk(p.text, p.ahead.start, b']')
     {
         let junk = p.ahead.start;
         while p.ahead.start < end {
@@ -349,7 +349,7 @@ fn primary<B: Builder>(p: &mut Parser<'_, '_, B>) -> bool {
     true
 }
 
-/// Takes tokens that no operand begins with as one mistake, up to what can go on in a list that ends with
+/// Takes tokens that no operand begins with as one error, up to what can go on in a list that ends with
 /// `closing`.
 pub(super) fn junk<B: Builder>(p: &mut Parser<'_, '_, B>, closing: SyntaxKind) {
     let from = p.ahead.start;
@@ -369,7 +369,7 @@ pub(super) fn junk<B: Builder>(p: &mut Parser<'_, '_, B>, closing: SyntaxKind) {
     p.unexpected(Surroundings::Operands, from, p.last_end);
 }
 
-/// Takes the rest of a list that holds too many operands, as one mistake. Iterative on purpose.
+/// Takes the rest of a list that holds too many operands, as one error. Iterative on purpose.
 pub(super) fn rest_of_operands<B: Builder>(p: &mut Parser<'_, '_, B>) {
     p.space();
     let from = p.at;
@@ -390,7 +390,7 @@ pub(super) fn rest_of_operands<B: Builder>(p: &mut Parser<'_, '_, B>) {
     p.error(SyntaxErrorKind::TooMany(Many::Operands), from, p.last_end);
 }
 
-/// Takes the rest of an operand that is too deep or too long, as one mistake. Iterative on purpose.
+/// Takes the rest of an operand that is too deep or too long, as one error. Iterative on purpose.
 fn too_complex<B: Builder>(p: &mut Parser<'_, '_, B>) {
     p.terms = MAX_TERMS;
     p.space();

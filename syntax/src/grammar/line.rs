@@ -15,7 +15,7 @@ use rowan::TextSize;
 pub(crate) struct Entry {
     /// Whether a section is open.
     pub(crate) mode: Mode,
-    /// A logical line ended before it on the same physical line (behind a `;` or END_VAR).
+    /// A logical line ended before it on the same physical line (after a `;` or END_VAR).
     pub(crate) mid_line: bool,
 }
 
@@ -74,7 +74,7 @@ struct Marks {
     comment: bool,
     rail: bool,
     drawing: bool,
-    mistake: bool,
+    error: bool,
 }
 
 fn logical_line<B: Builder>(p: &mut Parser<'_, '_, B>, entry: Entry, marks: &mut Marks) -> (LineKind, Mode) {
@@ -142,7 +142,7 @@ fn rung<B: Builder>(p: &mut Parser<'_, '_, B>, marks: &mut Marks) -> LineKind {
         ) {
             parts += 1;
             if parts > Many::Parts.most() {
-                marks.mistake = true;
+                marks.error = true;
                 rest_of_line(p);
                 continue;
             }
@@ -182,7 +182,7 @@ fn rung<B: Builder>(p: &mut Parser<'_, '_, B>, marks: &mut Marks) -> LineKind {
             }
             // Words, stray characters, closing brackets.
             _ => {
-                marks.mistake = true;
+                marks.error = true;
                 let from = p.at;
                 p.token((SyntaxKind::ERROR, token.1));
                 p.unexpected(Surroundings::Rung, from, token.1);
@@ -191,7 +191,7 @@ fn rung<B: Builder>(p: &mut Parser<'_, '_, B>, marks: &mut Marks) -> LineKind {
     }
     if marks.drawing {
         LineKind::Rung
-    } else if marks.mistake {
+    } else if marks.error {
         LineKind::Stray
     } else if marks.rail {
         LineKind::Rail
@@ -200,7 +200,7 @@ fn rung<B: Builder>(p: &mut Parser<'_, '_, B>, marks: &mut Marks) -> LineKind {
     }
 }
 
-/// Takes what is left of a line that holds too many parts, as one mistake.
+/// Takes what is left of a line that holds too many parts, as one error.
 fn rest_of_line<B: Builder>(p: &mut Parser<'_, '_, B>) {
     let from = p.at;
     let end = memchr::memchr2(b'\n', b'\r', &p.text.as_bytes()[from..]);

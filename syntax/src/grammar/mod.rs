@@ -87,7 +87,7 @@ impl<'t, 'b, B: Builder> Parser<'t, 'b, B> {
         }
     }
 
-    /// The byte at a place; 0 behind the end, which is junk wherever it is.
+    /// The byte at a place; 0 after the end, which is junk wherever it is.
     fn byte(&self, at: usize) -> u8 {
         self.text.as_bytes().get(at).copied().unwrap_or(0)
     }
@@ -214,24 +214,24 @@ impl<'t, 'b, B: Builder> Parser<'t, 'b, B> {
         self.builder.checkpoint()
     }
 
-    /// Records a mistake between two places in the text.
+    /// Records an error between two places in the text.
     fn error(&mut self, kind: SyntaxErrorKind, from: usize, to: usize) {
         let offset = |at: usize| TextSize::new((at - self.start) as u32);
         self.errors
             .push(SyntaxError::new(kind, TextRange::new(offset(from), offset(to))));
     }
 
-    /// Records a mistake at the token ahead; at the end of the line, behind what was read last.
+    /// Records an error at the token ahead; at the end of the line, after what was read last.
     fn error_ahead(&mut self, kind: SyntaxErrorKind) {
         if matches!(self.ahead.kind, SyntaxKind::NEWLINE | SyntaxKind::EOF) {
-            self.error_behind(kind);
+            self.error_after(kind);
         } else {
             self.error(kind, self.ahead.start, self.ahead.end);
         }
     }
 
-    /// Records a mistake as an empty range behind what was read last.
-    fn error_behind(&mut self, kind: SyntaxErrorKind) {
+    /// Records an error as an empty range after what was read last.
+    fn error_after(&mut self, kind: SyntaxErrorKind) {
         self.error(kind, self.last_end, self.last_end);
     }
 
@@ -239,7 +239,7 @@ impl<'t, 'b, B: Builder> Parser<'t, 'b, B> {
         self.error_ahead(SyntaxErrorKind::BadDeclaration(problem));
     }
 
-    /// Records characters that mean nothing where they are. What only blanks part is one mistake.
+    /// Records characters that mean nothing where they are. What only blanks part is one error.
     fn unexpected(&mut self, place: Surroundings, from: usize, to: usize) {
         let place = if self.free_form {
             Surroundings::Declaration
@@ -255,16 +255,13 @@ impl<'t, 'b, B: Builder> Parser<'t, 'b, B> {
                 return;
             }
         }
-        let behind_comment = self.stands_behind_cut_literal(from);
-        let kind = SyntaxErrorKind::UnexpectedCharacter {
-            place,
-            behind_comment,
-        };
+        let after_comment = self.is_after_cut_literal(from);
+        let kind = SyntaxErrorKind::UnexpectedCharacter { place, after_comment };
         self.error(kind, from, to);
     }
 
-    /// Whether a comment ends at `at` whose closing `#` looks like that of a literal: `T` before it, `5s` behind.
-    fn stands_behind_cut_literal(&self, at: usize) -> bool {
+    /// Whether a comment ends at `at` whose closing `#` looks like that of a literal: `T` before it, `5s` after.
+    fn is_after_cut_literal(&self, at: usize) -> bool {
         self.last_comment.is_some_and(|(start, end)| {
             end == at
                 && self.text[start..end - 1].ends_with(char::is_alphanumeric)

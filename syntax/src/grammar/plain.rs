@@ -1,5 +1,5 @@
 //! Plain blocks: nearly all blocks of a program are a mnemonic and a few names and numbers, `[TON]( t1, T#5s )`; and plain
-//! declarations: `start, stop : BOOL;`. They have one reading, without mistakes, and their end is found without taking them
+//! declarations: `start, stop : BOOL;`. They have one reading, without errors, and their end is found without taking them
 //! apart.
 //!
 //! Only a [`Builder`](crate::Builder) that can do without their tokens asks. What is recognized here is a part of
@@ -60,9 +60,9 @@ pub(super) fn plain_declaration(text: &str, at: usize) -> Option<usize> {
     let bytes = text.as_bytes();
     let mut at = at;
     loop {
-        let behind = blanks_end(bytes, plain_name_end(text, at)?);
-        at = blanks_end(bytes, behind + 1);
-        match bytes.get(behind)? {
+        let after = blanks_end(bytes, plain_name_end(text, at)?);
+        at = blanks_end(bytes, after + 1);
+        match bytes.get(after)? {
             b',' => {}
             b':' => break,
             _ => return None,
@@ -100,7 +100,7 @@ fn operand_end(bytes: &[u8], at: usize) -> Option<usize> {
             while byte(end) == b'.' {
                 let member = end + 1;
                 end = word_end(bytes, member);
-                // A number behind the point may go on behind another point.
+                // A number after the point may go on after another point.
                 if !byte(member).is_ascii_alphabetic() || is_special(&bytes[member..end]) {
                     return None;
                 }

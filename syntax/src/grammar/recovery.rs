@@ -1,8 +1,8 @@
 //! Where a bracket that was never closed ends.
 //!
-//! A mistake must not take the rest of the rung with it: an operand list without its `)` ends where the drawing
+//! An error must not take the rest of the rung with it: an operand list without its `)` ends where the drawing
 //! goes on. But `-`, `+`, `[` and `/` also are in expressions, so these guesses are made only where the
-//! parentheses of the line do not pair: in text without mistakes nothing is ever guessed.
+//! parentheses of the line do not pair: in text without errors nothing is ever guessed.
 
 use super::Parser;
 use crate::builder::Builder;
@@ -78,10 +78,10 @@ fn unmatched_parentheses(text: &str, at: usize) -> Vec<usize> {
                 at = lexer::string_end(bytes, at);
                 continue;
             }
-            // Inside parentheses a `#` directly behind a letter or digit belongs to a literal.
+            // Inside parentheses a `#` directly after a letter or digit belongs to a literal.
             b'#' if open.is_empty() || !text[..at].ends_with(char::is_alphanumeric) => {
                 let end = lexer::comment_end(bytes, at);
-                // Behind a comment over lines this may be another line: nothing is known, and nothing guessed.
+                // After a comment over lines this may be another line: nothing is known, and nothing guessed.
                 if memchr::memchr2(b'\n', b'\r', &bytes[at..end]).is_some() {
                     return Vec::new();
                 }
@@ -112,7 +112,7 @@ fn ends_line(text: &str, at: usize) -> bool {
 }
 
 /// Whether the bracket at `at` begins a block with an operand list: at most one word in the first part, and a
-/// parenthesis behind it.
+/// parenthesis after it.
 fn begins_block(text: &str, at: usize) -> bool {
     let bytes = text.as_bytes();
     let close = match bytes.get(at) {
@@ -133,7 +133,7 @@ const REACH: usize = 64;
 
 /// Where the closing bracket is, if what is before it on the line is not drawing or another list. Then
 /// that is no lack of a bracket, but characters that mean nothing.
-pub(super) fn closing_behind_junk(text: &str, at: usize, closing: u8) -> Option<usize> {
+pub(super) fn closing_after_junk(text: &str, at: usize, closing: u8) -> Option<usize> {
     let end = text.len().min(at + REACH);
     let found = text.as_bytes()[at..end].iter().position(|&b| {
         b == closing

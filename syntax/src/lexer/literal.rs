@@ -1,7 +1,7 @@
 //! Where literals, strings and addresses end (LANGUAGE §3).
 //!
 //! Each takes in everything that a literal of its form may hold, so that a wrong literal is one token and one
-//! mistake. What it means is for the analysis to say.
+//! error. What it means is for the analysis to say.
 
 use super::word_end;
 
@@ -9,13 +9,13 @@ use super::word_end;
 pub(super) fn literal_end(text: &str, at: usize) -> usize {
     let bytes = text.as_bytes();
     let mut end = at;
-    // Where the part behind the last `#` begins, and what the parts before it say of it.
+    // Where the part after the last `#` begins, and what the parts before it say of it.
     let mut part = at;
     let mut date = false;
     let mut hexadecimal = false;
     loop {
         end = word_end(text, end);
-        let digit_behind = bytes.get(end + 1).is_some_and(u8::is_ascii_digit);
+        let digit_after = bytes.get(end + 1).is_some_and(u8::is_ascii_digit);
         let before = if end > at { bytes[end - 1] } else { b' ' };
         match bytes.get(end) {
             Some(b'#') if takes_hash(text, end) => {
@@ -31,11 +31,11 @@ pub(super) fn literal_end(text: &str, at: usize) -> usize {
                     end += 1;
                 }
             }
-            Some(b'.') if digit_behind && before.is_ascii_alphanumeric() => end += 1,
-            Some(b'-' | b':') if digit_behind && date => end += 1,
+            Some(b'.') if digit_after && before.is_ascii_alphanumeric() => end += 1,
+            Some(b'-' | b':') if digit_after && date => end += 1,
             // The sign of an exponent; in hexadecimal an E is a digit.
             Some(b'-' | b'+')
-                if digit_behind
+                if digit_after
                     && !hexadecimal
                     && matches!(before, b'e' | b'E')
                     && is_mantissa(&text[part..end - 1]) =>
@@ -47,7 +47,7 @@ pub(super) fn literal_end(text: &str, at: usize) -> usize {
     }
 }
 
-/// Whether the `#` at `at` is directly behind a letter or digit.
+/// Whether the `#` at `at` is directly after a letter or digit.
 pub(super) fn takes_hash(text: &str, at: usize) -> bool {
     text[..at].ends_with(char::is_alphanumeric)
 }
@@ -67,7 +67,7 @@ fn is_mantissa(text: &str) -> bool {
             .all(|b| b.is_ascii_digit() || b == b'.' || b == b'_')
 }
 
-/// Where the address at `at` ends. A `#` directly behind it belongs to it, as behind every letter or digit.
+/// Where the address at `at` ends. A `#` directly after it belongs to it, as after every letter or digit.
 pub(super) fn address_end(text: &str, at: usize) -> usize {
     let bytes = text.as_bytes();
     let mut end = at + 1;
@@ -84,14 +84,14 @@ pub(super) fn address_end(text: &str, at: usize) -> usize {
     end
 }
 
-/// Where the string that opens at `at` ends: behind its closing quote, or before the line end.
+/// Where the string that opens at `at` ends: after its closing quote, or before the line end.
 pub(crate) fn string_end(bytes: &[u8], at: usize) -> usize {
     let mut end = at + 1;
     while let Some(&b) = bytes.get(end) {
         match b {
             b'\'' => return end + 1,
             b'\n' | b'\r' => return end,
-            // `$'` does not end the string; a line end behind `$` still does.
+            // `$'` does not end the string; a line end after `$` still does.
             b'$' if matches!(bytes.get(end + 1), Some(b'\'' | b'$')) => end += 2,
             _ => end += 1,
         }

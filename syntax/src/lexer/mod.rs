@@ -47,7 +47,7 @@ pub(crate) fn on_rung(text: &str, at: usize) -> Token {
         b')' => R_PAREN,
         b'<' => L_ANGLE,
         b'>' => R_ANGLE,
-        // One mistake, not one for each letter.
+        // One error, not one for each letter.
         _ => return (ERROR, run(bytes, at, |b| !is_drawing(b))),
     };
     (kind, at + 1)
@@ -134,7 +134,7 @@ pub(crate) fn in_operands(text: &str, at: usize) -> Token {
     (kind, at + len)
 }
 
-/// A name, a word operator, TRUE or FALSE; or a literal when a `#` is directly behind a letter or digit.
+/// A name, a word operator, TRUE or FALSE; or a literal when a `#` is directly after a letter or digit.
 fn word(text: &str, at: usize) -> Token {
     let Some(end) = identifier_end(text, at) else {
         return (ERROR, junk_end(text, at));
@@ -155,7 +155,7 @@ fn word_kind(word: &str) -> SyntaxKind {
     }
 }
 
-/// Where a run of characters ends that mean nothing among operands: one mistake, not one for each letter.
+/// Where a run of characters ends that mean nothing among operands: one error, not one for each letter.
 fn junk_end(text: &str, at: usize) -> usize {
     let mut chars = text[at..].char_indices();
     chars.next();
@@ -168,7 +168,7 @@ fn junk_end(text: &str, at: usize) -> usize {
             }
         })
         .map_or(text.len(), |(n, _)| at + n);
-    // A digit of another script is a digit: the `#` behind it opens no comment.
+    // A digit of another script is a digit: the `#` after it opens no comment.
     if text.as_bytes().get(end) == Some(&b'#') && literal::takes_hash(text, end) {
         return literal_end(text, end);
     }
@@ -201,7 +201,7 @@ const fn is_operand_character(byte: u8) -> bool {
         )
 }
 
-/// Where the comment that opens at `at` ends: behind the very next `#`, or at the end of the text.
+/// Where the comment that opens at `at` ends: after the very next `#`, or at the end of the text.
 pub(crate) fn comment_end(bytes: &[u8], at: usize) -> usize {
     memchr::memchr(b'#', &bytes[at + 1..]).map_or(bytes.len(), |n| at + 1 + n + 1)
 }

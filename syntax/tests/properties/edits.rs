@@ -14,20 +14,20 @@ fn edit(old: &str, new: &str, more: usize) -> (TextRange, TextSize) {
     while !old.is_char_boundary(start) || !new.is_char_boundary(start) {
         start -= 1;
     }
-    let behind = old[start..]
+    let after = old[start..]
         .bytes()
         .rev()
         .zip(new[start..].bytes().rev())
         .take_while(|(a, b)| a == b)
         .count();
-    let mut behind = behind.saturating_sub(more);
-    while !old.is_char_boundary(old.len() - behind) || !new.is_char_boundary(new.len() - behind) {
-        behind -= 1;
+    let mut after = after.saturating_sub(more);
+    while !old.is_char_boundary(old.len() - after) || !new.is_char_boundary(new.len() - after) {
+        after -= 1;
     }
     let size = |n: usize| TextSize::new(n as u32);
     (
-        TextRange::new(size(start), size(old.len() - behind)),
-        size(new.len() - behind - start),
+        TextRange::new(size(start), size(old.len() - after)),
+        size(new.len() - after - start),
     )
 }
 
@@ -127,7 +127,7 @@ fn edits_of_long_programs() {
     );
 }
 
-/// Edits that change how lines before or behind them are read.
+/// Edits that change how lines before or after them are read.
 #[test]
 fn edits_at_the_edges_of_lines() {
     for (old, from, to, new) in [
@@ -160,7 +160,7 @@ fn edits_at_the_edges_of_lines() {
     }
 }
 
-/// Whole lines that come and go leave all others as they are, the first and those beside them too.
+/// Whole lines that come and go leave all others as they are, the first and those next to them too.
 #[test]
 fn whole_lines_come_and_go() {
     let (declared, drawn) = (

@@ -4,7 +4,7 @@ use crate::invariants::check;
 
 const LENGTH: usize = 20_000;
 
-/// A beginning, and what is repeated behind it.
+/// A beginning, and what is repeated after it.
 const PATTERNS: [(&str, &[&str]); 5] = [
     (
         "",

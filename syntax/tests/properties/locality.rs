@@ -1,4 +1,4 @@
-//! A mistake never leaves its line, an open comment excepted.
+//! An error never leaves its line, an open comment excepted.
 
 use crate::invariants::check;
 use crate::programs::PROGRAMS;
@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use proptest::sample::Index;
 
 /// The text of a line without `#` and line ends. Words that begin a section or block definition mean something to
-/// the lines behind them; declarations may go on over lines.
+/// the lines after them; declarations may go on over lines.
 fn line() -> impl Strategy<Value = String> {
     crate::arbitrary::pieces()
         .prop_map(|text| text.replace(['#', '\n', '\r'], ""))
@@ -21,7 +21,7 @@ fn line() -> impl Strategy<Value = String> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(3000))]
 
-    /// Whatever a line of a drawing is replaced by, the other lines keep their nodes and their mistakes.
+    /// Whatever a line of a drawing is replaced by, the other lines keep their nodes and their errors.
     #[test]
     fn other_lines_stay(program in 0..PROGRAMS.len(), at in any::<Index>(), new in line()) {
         let old = PROGRAMS[program];

@@ -1,4 +1,4 @@
-//! Programs without mistakes, to be spoiled by the properties.
+//! Programs without errors, to be spoiled by the properties.
 
 /// Each uses another part of the language.
 pub(crate) const PROGRAMS: [&str; 6] = [
@@ -48,7 +48,7 @@ END_FUNCTION_BLOCK
 ",
     "\
 +--[ ]( a )--# in the
-wire #--( )( y )--+  # behind #
+wire #--( )( y )--+  # after #
 +--# c ## d #--[P]( öl )--(/)( 温度 )--+
    # alone #
 |  |

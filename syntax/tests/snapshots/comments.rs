@@ -1,11 +1,11 @@
-//! Comments: which of them a mistake is about.
+//! Comments: which of them an error is about.
 
-use crate::show::check_mistakes;
+use crate::show::check_errors;
 use expect_test::expect;
 
 #[test]
 fn over_several_lines() {
-    check_mistakes(
+    check_errors(
         &[
             "+--[ ]( a )--# three\nand more #--( )( w )--+\n",
             "# one\r\n| two\r\n#\r\n+--+",
@@ -30,7 +30,7 @@ fn over_several_lines() {
 
 #[test]
 fn never_closed() {
-    check_mistakes(
+    check_errors(
         &[
             "#",
             "+--+ # tail",
@@ -75,7 +75,7 @@ fn never_closed() {
                 "#" 20..21 UnclosedComment
 
             STRAY_LINE !"x" · # a\n  | y # \n
-                "x" 0..1 UnexpectedCharacter {place: Rung, behind_comment: false}
+                "x" 0..1 UnexpectedCharacter {place: Rung, after_comment: false}
                 "#" 2..3 UnclosedComment
             STRAY_LINE !"$" · # z
 
@@ -86,7 +86,7 @@ fn never_closed() {
 /// A comment that takes in a literal's `#` ends there; the rest of the literal says so.
 #[test]
 fn cut_by_a_literal() {
-    check_mistakes(
+    check_errors(
         &[
             "# +--[TON]( t, T#5s )--+ #",
             "# was 16#FF #",
@@ -97,18 +97,18 @@ fn cut_by_a_literal() {
         ],
         expect![[r##"
             RUNG # +--[TON]( t, T# !"5s" · !")" -- + · #
-                "5s )" 17..21 UnexpectedCharacter {place: Rung, behind_comment: true}
+                "5s )" 17..21 UnexpectedCharacter {place: Rung, after_comment: true}
                 "#" 25..26 UnclosedComment
 
             STRAY_LINE # was 16# !"FF" · #
-                "FF" 9..11 UnexpectedCharacter {place: Rung, behind_comment: true}
+                "FF" 9..11 UnexpectedCharacter {place: Rung, after_comment: true}
                 "#" 12..13 UnclosedComment
 
             STRAY_LINE # plain # !"word"
-                "word" 9..13 UnexpectedCharacter {place: Rung, behind_comment: false}
+                "word" 9..13 UnexpectedCharacter {place: Rung, after_comment: false}
 
             STRAY_LINE # plain # · !"word"
-                "word" 10..14 UnexpectedCharacter {place: Rung, behind_comment: false}
+                "word" 10..14 UnexpectedCharacter {place: Rung, after_comment: false}
 
             RUNG ‹‹[MOV]›‹( ‹NAME_EXPR:y›, # T#‹LITERAL_EXPR:5s››› · # )
                 "#" 17..18 UnclosedComment

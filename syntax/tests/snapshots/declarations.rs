@@ -1,6 +1,6 @@
 //! Sections, declarations and the first and last line of a block definition.
 
-use crate::show::{check_mistakes, check_tree};
+use crate::show::{check_errors, check_tree};
 use expect_test::expect;
 
 #[test]
@@ -153,7 +153,7 @@ fn types_and_values() {
 
 #[test]
 fn free_form() {
-    check_mistakes(
+    check_errors(
         &[
             "VAR\n a\n ,\n b # c #\n :\n\n INT\n ;\nEND_VAR\n",
             "VAR CONSTANT limit : INT := 80; END_VAR\n",
@@ -186,8 +186,8 @@ fn free_form() {
 }
 
 #[test]
-fn declarations_with_mistakes() {
-    check_mistakes(
+fn declarations_with_errors() {
+    check_errors(
         &[
             "VAR\na\nb : INT;\nEND_VAR",
             "VAR\na : INT\nb : INT;\nEND_VAR",
@@ -302,10 +302,10 @@ fn declarations_with_mistakes() {
     );
 }
 
-/// An unfinished section ends at a line of a drawing or of a block definition, with one mistake.
+/// An unfinished section ends at a line of a drawing or of a block definition, with one error.
 #[test]
 fn unfinished_sections() {
-    check_mistakes(
+    check_errors(
         &[
             "VAR\na : INT;\n\n+--[ ]( a )--+\n",
             "VAR\na : INT\n  |\n",
@@ -378,7 +378,7 @@ fn unfinished_sections() {
 
 #[test]
 fn section_ends() {
-    check_mistakes(
+    check_errors(
         &[
             "END_VAR",
             "END_VAR END_VAR",
@@ -455,7 +455,7 @@ fn block_definitions() {
                 NEWLINE@49..50 "\n"
         "##]],
     );
-    check_mistakes(
+    check_errors(
         &[
             "FUNCTION_BLOCK ($B)\nEND_FUNCTION_BLOCK",
             "function_block <$B>\nend_function_block",

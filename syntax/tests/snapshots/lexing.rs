@@ -154,9 +154,9 @@ fn near_literals() {
         expect![[r#"
             5abc  =>  LITERAL 5abc
             1.2.3  =>  LITERAL 1.2.3
-            1..9  =>  LITERAL 1  ERROR ..  LITERAL 9  !UnexpectedCharacter { place: Operands, behind_comment: false }
+            1..9  =>  LITERAL 1  ERROR ..  LITERAL 9  !UnexpectedCharacter { place: Operands, after_comment: false }
             3.  =>  LITERAL 3  DOT .  !MissingOperand { place: Member }
-            .5  =>  ERROR .  LITERAL 5  !UnexpectedCharacter { place: Operands, behind_comment: false }
+            .5  =>  ERROR .  LITERAL 5  !UnexpectedCharacter { place: Operands, after_comment: false }
             16#  =>  LITERAL 16#
             16#GG  =>  LITERAL 16#GG
             T#  =>  LITERAL T#
@@ -215,13 +215,13 @@ fn names_and_addresses() {
             %IX0.3  =>  ADDRESS %IX0.3
             %qw12  =>  ADDRESS %qw12
             %M  =>  ADDRESS %M
-            %  =>  ERROR %  !UnexpectedCharacter { place: Operands, behind_comment: false }
+            %  =>  ERROR %  !UnexpectedCharacter { place: Operands, after_comment: false }
             %IX0.  =>  ADDRESS %IX0  DOT .  !MissingOperand { place: Member }
             SYS.FIRST_SCAN  =>  IDENT SYS  DOT .  IDENT FIRST_SCAN
-            $B  =>  ERROR $  IDENT B  !UnexpectedCharacter { place: Operands, behind_comment: false }
+            $B  =>  ERROR $  IDENT B  !UnexpectedCharacter { place: Operands, after_comment: false }
             x́y  =>  IDENT x́y
-            ²  =>  ERROR ²  !UnexpectedCharacter { place: Operands, behind_comment: false }
-            ٣  =>  ERROR ٣  !UnexpectedCharacter { place: Operands, behind_comment: false }
+            ²  =>  ERROR ²  !UnexpectedCharacter { place: Operands, after_comment: false }
+            ٣  =>  ERROR ٣  !UnexpectedCharacter { place: Operands, after_comment: false }
         "#]],
     );
 }
@@ -252,7 +252,7 @@ fn operators() {
             a AND b or c Xor d  =>  IDENT a  WORD_OPERATOR AND  IDENT b  WORD_OPERATOR or  IDENT c  WORD_OPERATOR Xor  IDENT d
             NOT a  =>  WORD_OPERATOR NOT  IDENT a
             a MOD b SHL c SHR d  =>  IDENT a  WORD_OPERATOR MOD  IDENT b  WORD_OPERATOR SHL  IDENT c  WORD_OPERATOR SHR  IDENT d
-            a : b ; c  =>  IDENT a  ERROR :  IDENT b  ERROR ;  IDENT c  !UnexpectedCharacter { place: Operands, behind_comment: false }  !UnexpectedCharacter { place: Operands, behind_comment: false }
+            a : b ; c  =>  IDENT a  ERROR :  IDENT b  ERROR ;  IDENT c  !UnexpectedCharacter { place: Operands, after_comment: false }  !UnexpectedCharacter { place: Operands, after_comment: false }
             ANDY, notes, ORB  =>  IDENT ANDY  COMMA ,  IDENT notes  COMMA ,  IDENT ORB
             a=>b  =>  IDENT a  ARROW =>  IDENT b
             a:=-1  =>  IDENT a  ASSIGN :=  MINUS -  LITERAL 1
@@ -262,7 +262,7 @@ fn operators() {
     );
 }
 
-/// A `#` directly behind a letter or digit belongs to a literal, one in quotes to the string, and every other one
+/// A `#` directly after a letter or digit belongs to a literal, one in quotes to the string, and every other one
 /// opens a comment.
 #[test]
 fn number_signs() {
@@ -305,9 +305,9 @@ fn number_signs() {
             # c #  =>  COMMENT # c #
             ##  =>  COMMENT ##
             a##  =>  LITERAL a#  !UnclosedComment
-            €5#x  =>  ERROR €  LITERAL 5#x  !UnexpectedCharacter { place: Operands, behind_comment: false }
+            €5#x  =>  ERROR €  LITERAL 5#x  !UnexpectedCharacter { place: Operands, after_comment: false }
             é#x  =>  LITERAL é#x
-            ٣#x  =>  ERROR ٣#x  !UnexpectedCharacter { place: Operands, behind_comment: false }
+            ٣#x  =>  ERROR ٣#x  !UnexpectedCharacter { place: Operands, after_comment: false }
             (a)# c #  =>  IDENT a  COMMENT # c #
             a # c 5#, b  =>  IDENT a  COMMENT # c 5#  COMMA ,  IDENT b
         "#]],

@@ -1,12 +1,12 @@
-//! Broken rungs: one mistake is said once, and the rest of the rung keeps its meaning.
+//! Broken rungs: one error is said once, and the rest of the rung keeps its meaning.
 
-use crate::show::check_mistakes;
+use crate::show::check_errors;
 use expect_test::expect;
 use ladder_syntax::{Many, SyntaxErrorKind};
 
 #[test]
 fn first_part_not_closed() {
-    check_mistakes(
+    check_errors(
         &[
             "+--[TON( t, 5s )--( )( y )--+",
             "+--[ ( a )--( )( y )--+",
@@ -69,7 +69,7 @@ fn first_part_not_closed() {
 
 #[test]
 fn first_part_with_junk() {
-    check_mistakes(
+    check_errors(
         &[
             "+--[TON)( t, 5s )--+",
             "+--(S]( y )--+",
@@ -97,37 +97,37 @@ fn first_part_with_junk() {
                 "]" 7..8 WrongBracket {closing: R_ANGLE}
 
             RUNG + -- ‹‹[T !"ON"]›‹( ‹NAME_EXPR:t› )›› -- +
-                "ON" 6..8 UnexpectedCharacter {place: Head, behind_comment: false}
+                "ON" 6..8 UnexpectedCharacter {place: Head, after_comment: false}
 
             RUNG + -- ‹‹[!">="]›‹( ‹NAME_EXPR:a›, ‹NAME_EXPR:b› )›› -- +
-                ">=" 4..6 UnexpectedCharacter {place: Head, behind_comment: false}
+                ">=" 4..6 UnexpectedCharacter {place: Head, after_comment: false}
 
             RUNG + -- ‹‹[T!"-ON"]›‹( ‹NAME_EXPR:t› )›› -- +
-                "-ON" 5..8 UnexpectedCharacter {place: Head, behind_comment: false}
+                "-ON" 5..8 UnexpectedCharacter {place: Head, after_comment: false}
 
             RUNG + -- ‹‹[TON!", x"]›‹( ‹NAME_EXPR:t› )›› -- +
-                ", x" 7..10 UnexpectedCharacter {place: Head, behind_comment: false}
+                ", x" 7..10 UnexpectedCharacter {place: Head, after_comment: false}
 
             RUNG + -- ‹‹[!"="]›‹( ‹NAME_EXPR:a› )›› -- +
-                "=" 4..5 UnexpectedCharacter {place: Head, behind_comment: false}
+                "=" 4..5 UnexpectedCharacter {place: Head, after_comment: false}
 
             RUNG + -- ‹‹( t!"," !"T#5s" )›› -- +
-                ", T#5s" 6..12 UnexpectedCharacter {place: Head, behind_comment: false}
+                ", T#5s" 6..12 UnexpectedCharacter {place: Head, after_comment: false}
 
             RUNG + -- ‹‹( a !"+ b" )›› -- +
-                "+ b" 7..10 UnexpectedCharacter {place: Head, behind_comment: false}
+                "+ b" 7..10 UnexpectedCharacter {place: Head, after_comment: false}
 
             RUNG + -- ‹‹[$my_block]›‹( ‹NAME_EXPR:a› )›› -- +
                 "$my_block" 4..13 BadBlockName
 
             RUNG + -- ‹‹[!"$"]›‹( ‹NAME_EXPR:a› )›› -- +
-                "$" 4..5 UnexpectedCharacter {place: Head, behind_comment: false}
+                "$" 4..5 UnexpectedCharacter {place: Head, after_comment: false}
 
             RUNG + -- ‹‹[!"$1a"]›‹( ‹NAME_EXPR:a› )›› -- +
-                "$1a" 4..7 UnexpectedCharacter {place: Head, behind_comment: false}
+                "$1a" 4..7 UnexpectedCharacter {place: Head, after_comment: false}
 
             RUNG + -- ‹‹[!"€"]›‹( ‹NAME_EXPR:a› )›› -- +
-                "€" 4..7 UnexpectedCharacter {place: Head, behind_comment: false}
+                "€" 4..7 UnexpectedCharacter {place: Head, after_comment: false}
 
         "#]],
     );
@@ -135,7 +135,7 @@ fn first_part_with_junk() {
 
 #[test]
 fn operand_list_not_closed() {
-    check_mistakes(
+    check_errors(
         &[
             "+--[ ]( a --( )( y )--+",
             "+--[ ]( a--( )( y )--+",
@@ -255,7 +255,7 @@ fn operand_list_not_closed() {
 /// What looks like drawing stays an expression where the parentheses pair.
 #[test]
 fn closed_lists_are_never_cut() {
-    check_mistakes(
+    check_errors(
         &[
             "[CALC]( y, a --b )",
             "[CALC]( y, a --(b) )",
@@ -292,7 +292,7 @@ fn closed_lists_are_never_cut() {
 
 #[test]
 fn operands_missing_or_misplaced() {
-    check_mistakes(
+    check_errors(
         &[
             "[TON]( , 5s )",
             "[TON]( t, )",
@@ -336,7 +336,7 @@ fn operands_missing_or_misplaced() {
                 "5s" 9..11 MissingComma
 
             RUNG ‹‹[TON]›‹( ‹NAME_EXPR:t›!";" ‹LITERAL_EXPR:5s› )››
-                ";" 8..9 UnexpectedCharacter {place: Operands, behind_comment: false}
+                ";" 8..9 UnexpectedCharacter {place: Operands, after_comment: false}
 
             RUNG ‹‹[TON]›‹( ‹NAME_EXPR:t›, ‹NAMED_OPERAND:‹NAME_EXPR:R› :=› )››
                 ")" 15..16 MissingOperand {place: Named}
@@ -375,8 +375,8 @@ fn operands_missing_or_misplaced() {
                 ")" 18..19 MissingOperand {place: List}
 
             RUNG ‹‹[CALC]›‹( ‹NAME_EXPR:y›, ‹BINARY_EXPR:!"+"‹LITERAL_EXPR:5› + !"+"‹NAME_EXPR:b›› )››
-                "+" 11..12 UnexpectedCharacter {place: Operands, behind_comment: false}
-                "+" 16..17 UnexpectedCharacter {place: Operands, behind_comment: false}
+                "+" 11..12 UnexpectedCharacter {place: Operands, after_comment: false}
+                "+" 16..17 UnexpectedCharacter {place: Operands, after_comment: false}
 
             RUNG ‹‹[MOV]›‹( ‹INDEX_EXPR:‹NAME_EXPR:a›[]›, ‹INDEX_EXPR:‹NAME_EXPR:b›[‹RANGE_EXPR:..›]›, ‹INDEX_EXPR:‹NAME_EXPR:c›[‹RANGE_EXPR:‹LITERAL_EXPR:1›..›]›, ‹INDEX_EXPR:‹NAME_EXPR:d›[‹RANGE_EXPR:..‹LITERAL_EXPR:2››]›, ‹INDEX_EXPR:‹NAME_EXPR:e›[‹LITERAL_EXPR:1›!"," !"2"]› )››
                 "]" 9..10 MissingOperand {place: Index}
@@ -384,37 +384,37 @@ fn operands_missing_or_misplaced() {
                 "]" 16..17 MissingOperand {place: Range}
                 "]" 24..25 MissingOperand {place: Range}
                 ".." 29..31 MissingOperand {place: Range}
-                ", 2" 38..41 UnexpectedCharacter {place: Operands, behind_comment: false}
+                ", 2" 38..41 UnexpectedCharacter {place: Operands, after_comment: false}
 
             RUNG ‹‹[MOV]›‹( ‹MEMBER_EXPR:‹NAME_EXPR:a›.›, !"."‹NAME_EXPR:b›, ‹NAME_EXPR:a›!".."‹NAME_EXPR:b› )››
                 "," 9..10 MissingOperand {place: Member}
-                "." 11..12 UnexpectedCharacter {place: Operands, behind_comment: false}
-                ".." 16..18 UnexpectedCharacter {place: Operands, behind_comment: false}
+                "." 11..12 UnexpectedCharacter {place: Operands, after_comment: false}
+                ".." 16..18 UnexpectedCharacter {place: Operands, after_comment: false}
 
             RUNG ‹‹[MOV]›‹( ‹NAME_EXPR:y›, !"["‹LITERAL_EXPR:1›, ‹LITERAL_EXPR:2›!"]" )››
-                "[" 10..11 UnexpectedCharacter {place: Operands, behind_comment: false}
-                "]" 15..16 UnexpectedCharacter {place: Operands, behind_comment: false}
+                "[" 10..11 UnexpectedCharacter {place: Operands, after_comment: false}
+                "]" 15..16 UnexpectedCharacter {place: Operands, after_comment: false}
 
             RUNG ‹‹[MOV]›‹( ‹NAME_EXPR:y› !"|" ‹NAME_EXPR:a› )››
-                "|" 9..10 UnexpectedCharacter {place: Operands, behind_comment: false}
+                "|" 9..10 UnexpectedCharacter {place: Operands, after_comment: false}
 
             RUNG ‹‹[MOV]›‹( ‹NAME_EXPR:y›, !"€" )››
-                "€" 10..13 UnexpectedCharacter {place: Operands, behind_comment: false}
+                "€" 10..13 UnexpectedCharacter {place: Operands, after_comment: false}
 
             RUNG ‹‹[MOV]›‹( ‹NAME_EXPR:y›, ‹NAME_EXPR:a› !"€" ‹NAME_EXPR:b› )››
-                "€" 12..15 UnexpectedCharacter {place: Operands, behind_comment: false}
+                "€" 12..15 UnexpectedCharacter {place: Operands, after_comment: false}
 
             RUNG ‹‹[MOV]›‹( ‹NAME_EXPR:y›, ‹NAME_EXPR:a›)›› · !")"
-                ")" 13..14 UnexpectedCharacter {place: Rung, behind_comment: false}
+                ")" 13..14 UnexpectedCharacter {place: Rung, after_comment: false}
 
             RUNG ‹‹[MOV]›‹( ‹NAME_EXPR:y›, ‹NAME_EXPR:a› !"]"!"]" )››
-                "]]" 12..14 UnexpectedCharacter {place: Operands, behind_comment: false}
+                "]]" 12..14 UnexpectedCharacter {place: Operands, after_comment: false}
 
             RUNG ‹‹[MOV]›‹( ‹NAME_EXPR:y›, ‹LITERAL_EXPR:'a'›, ‹LITERAL_EXPR:'››› \n
                 "( y, 'a', '" 5..16 UnclosedBlock {closing: R_PAREN}
                 "'" 15..16 UnclosedString
             STRAY_LINE !")"
-                ")" 17..18 UnexpectedCharacter {place: Rung, behind_comment: false}
+                ")" 17..18 UnexpectedCharacter {place: Rung, after_comment: false}
 
         "#]],
     );
@@ -422,7 +422,7 @@ fn operands_missing_or_misplaced() {
 
 #[test]
 fn stray_characters_on_a_rung() {
-    check_mistakes(
+    check_errors(
         &[
             "+--hello--+",
             "+--[ ]( a ))--+",
@@ -435,29 +435,29 @@ fn stray_characters_on_a_rung() {
         ],
         expect![[r#"
             RUNG + -- !"hello" -- +
-                "hello" 3..8 UnexpectedCharacter {place: Rung, behind_comment: false}
+                "hello" 3..8 UnexpectedCharacter {place: Rung, after_comment: false}
 
             RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a› )›› !")" -- +
-                ")" 11..12 UnexpectedCharacter {place: Rung, behind_comment: false}
+                ")" 11..12 UnexpectedCharacter {place: Rung, after_comment: false}
 
             STRAY_LINE !"hello" · !"world," · !"this" · !"is" · !"text"
-                "hello world, this is text" 0..25 UnexpectedCharacter {place: Rung, behind_comment: false}
+                "hello world, this is text" 0..25 UnexpectedCharacter {place: Rung, after_comment: false}
 
             RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a› )›› -- !"]" · -- +
-                "]" 13..14 UnexpectedCharacter {place: Rung, behind_comment: false}
+                "]" 13..14 UnexpectedCharacter {place: Rung, after_comment: false}
 
             RUNG + -- · !"a" · !">" · !"b" · -- +
-                "a > b" 4..9 UnexpectedCharacter {place: Rung, behind_comment: false}
+                "a > b" 4..9 UnexpectedCharacter {place: Rung, after_comment: false}
 
             RUNG !"x" · + -- ‹‹( )›‹( ‹NAME_EXPR:y› )›› -- + · !"z"
-                "x" 0..1 UnexpectedCharacter {place: Rung, behind_comment: false}
-                "z" 17..18 UnexpectedCharacter {place: Rung, behind_comment: false}
+                "x" 0..1 UnexpectedCharacter {place: Rung, after_comment: false}
+                "z" 17..18 UnexpectedCharacter {place: Rung, after_comment: false}
 
             RUNG + -- !"\u{a0}" -- +
-                "\u{a0}" 3..5 UnexpectedCharacter {place: Rung, behind_comment: false}
+                "\u{a0}" 3..5 UnexpectedCharacter {place: Rung, after_comment: false}
 
             STRAY_LINE !"*"
-                "*" 0..1 UnexpectedCharacter {place: Rung, behind_comment: false}
+                "*" 0..1 UnexpectedCharacter {place: Rung, after_comment: false}
 
         "#]],
     );
@@ -484,9 +484,8 @@ fn too_many() {
     );
     assert_eq!(errors(&line), [rest]);
     let operands = Many::Operands.most() as usize;
-    let block = |count: usize, behind: &str| {
-        format!("+--[ADD]( y{}{behind} )--( )( z )--+\n", ", a".repeat(count - 1))
-    };
+    let block =
+        |count: usize, after: &str| format!("+--[ADD]( y{}{after} )--( )( z )--+\n", ", a".repeat(count - 1));
     assert_eq!(errors(&block(operands, "")), []);
     let rest = (
         SyntaxErrorKind::TooMany(Many::Operands),
@@ -495,7 +494,7 @@ fn too_many() {
     assert_eq!(errors(&block(operands, ", b, (c + d), R := e")), [rest]);
     let blocks = ladder_syntax::parse(&block(operands, ", b")).syntax();
     let blocks = blocks.descendants().filter(|node| node.kind().is_block()).count();
-    assert_eq!(blocks, 2, "the coil behind it is still a block");
+    assert_eq!(blocks, 2, "the coil after it is still a block");
 }
 
 #[test]
@@ -515,6 +514,6 @@ fn too_complex() {
             .descendants()
             .filter(|n| n.kind().is_block())
             .count();
-        assert_eq!(end, 2, "the coil behind it is still a block");
+        assert_eq!(end, 2, "the coil after it is still a block");
     }
 }

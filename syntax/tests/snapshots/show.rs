@@ -4,15 +4,15 @@ use expect_test::Expect;
 use ladder_syntax::{NodeOrToken, Parse, SyntaxKind, SyntaxNode, parse};
 use std::fmt::Write as _;
 
-/// The indented tree with its mistakes.
+/// The indented tree with its errors.
 #[track_caller]
 pub(crate) fn check_tree(text: &str, expect: Expect) {
     expect.assert_eq(&ladder_syntax::dump(&parse(text)));
 }
 
-/// The mistakes, each under the text that it marks, and the lines in brief.
+/// The errors, each under the text that it marks, and the lines in brief.
 #[track_caller]
-pub(crate) fn check_mistakes(texts: &[&str], expect: Expect) {
+pub(crate) fn check_errors(texts: &[&str], expect: Expect) {
     let mut out = String::new();
     for text in texts {
         let parse = parse(text);

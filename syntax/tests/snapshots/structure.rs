@@ -49,7 +49,7 @@ fn networks_are_chains() {
     );
 }
 
-/// What is behind the last rung of a network belongs to no network.
+/// What is after the last rung of a network belongs to no network.
 #[test]
 fn decoration_between_networks() {
     check(

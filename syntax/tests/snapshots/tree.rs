@@ -76,7 +76,7 @@ fn branches_rails_and_comments() {
     );
 }
 
-/// White space is free inside the brackets and between the two parts; a parenthesis behind a first part is
+/// White space is free inside the brackets and between the two parts; a parenthesis after a first part is
 /// always its operand list.
 #[test]
 fn free_white_space_in_blocks() {

@@ -272,7 +272,7 @@ fn rails() {
     );
 }
 
-/// A comment joins what touches it on both sides; at an end, or beside white space or a bar, it joins nothing.
+/// A comment joins what touches it on both sides; at an end, or next to white space or a bar, it joins nothing.
 #[test]
 fn comments() {
     check(
@@ -352,7 +352,7 @@ fn blocks_touch() {
 }
 
 #[test]
-fn mistakes_act_as_wire() {
+fn errors_act_as_wire() {
     check(
         "+--x--+\n",
         expect![[r#"

@@ -3,7 +3,7 @@
 //!
 //! Programs of each kind (`typed_programs::KINDS`) are opened in `ladder lsp`. A letter is typed in the middle again and again, in a number, in the
 //! name of an operand and in a declaration, and lines of declarations and networks come and go; each time until the diagnostics of that very version arrive. Then everything
-//! else is asked, some of it at once behind the edit, as an editor does, some once the diagnostics are there. Beside it
+//! else is asked, some of it at once after the edit, as an editor does, some once the diagnostics are there. Next to it
 //! is the bare limit: the round trip of a request that the server does not know, which has the same framing, pipes and
 //! scheduling, and no work.
 //!
@@ -19,7 +19,7 @@ use std::time::{Duration, Instant};
 /// So long after the last answer the server has given back what it needed for it.
 const SETTLED: Duration = Duration::from_secs(5);
 
-/// An open document in which somebody types.
+/// An open document in which a user types.
 struct Typing {
     server: Server,
     spot: Spot,
@@ -58,7 +58,7 @@ impl Typing {
         (0..count).map(edit).collect()
     }
 
-    /// From a request to its answer, sent right behind an edit or once its diagnostics are there. What the answer is must
+    /// From a request to its answer, sent right after an edit or once its diagnostics are there. What the answer is must
     /// not be an error.
     fn requests(&mut self, count: usize, method: &str, params: &Value, settled: bool) -> Vec<Duration> {
         let mut params = params.clone();
@@ -102,13 +102,13 @@ fn measure(name: &str, kind: Kind, rungs: usize) {
     println!("{name}, {rungs} rungs, {} bytes", text.len());
     // A longer one is not read, and its edits cost nothing.
     assert!(text.len() <= MAX_OPEN_BYTES && text.lines().count() <= MAX_OPEN_LINES);
-    // A workspace of its own, so that nothing else on the disk is looked at.
+    // A workspace of its own, so that nothing else on the disk is checked.
     let folder = tempfile::tempdir().expect("a folder can be made");
     let file = folder.path().join("bench.clad");
     std::fs::write(folder.path().join("ladder.toml"), "").expect("the folder can be written");
     std::fs::write(&file, text).expect("the folder can be written");
-    if let Some(beside) = &program.beside {
-        std::fs::write(folder.path().join("beside.clad"), beside).expect("the folder can be written");
+    if let Some(next_to) = &program.next_to {
+        std::fs::write(folder.path().join("next to it.clad"), next_to).expect("the folder can be written");
     }
     let uri = format!("file://{}", file.display());
     let mut server = Server::start();
@@ -189,8 +189,8 @@ fn requests(typing: &mut Typing, spot: Spot, rungs: usize) {
     let nothing = json!({});
     let count = if rungs > 2_000 { 40 } else { 100 };
     for (what, method, params, settled) in [
-        ("completion, right behind an edit", "completion", &at, false),
-        ("hover, right behind an edit", "hover", &at, false),
+        ("completion, right after an edit", "completion", &at, false),
+        ("hover, right after an edit", "hover", &at, false),
         ("completion", "completion", &at, true),
         ("hover", "hover", &at, true),
         ("semantic tokens, full", "semanticTokens/full", &nothing, true),

@@ -57,11 +57,11 @@ fn range(numbers: &mut Numbers) -> Option<Range> {
 fn same(document: &Document, model: &Model, unit: Unit) {
     assert_eq!(document.text(), model.text);
     let found = document.findings();
-    let anew = Document::open(&model.text, unit).findings();
-    assert_eq!(found.len(), anew.len(), "findings of\n{}", model.text);
-    for ((place, found), (place_anew, found_anew)) in found.iter().zip(&anew) {
-        assert_eq!(found, found_anew, "in\n{}", model.text);
-        assert_eq!(place, place_anew, "{found:?} in\n{}", model.text);
+    let again = Document::open(&model.text, unit).findings();
+    assert_eq!(found.len(), again.len(), "findings of\n{}", model.text);
+    for ((place, found), (place_again, found_again)) in found.iter().zip(&again) {
+        assert_eq!(found, found_again, "in\n{}", model.text);
+        assert_eq!(place, place_again, "{found:?} in\n{}", model.text);
         let start = model.position(found.range.start().into());
         let end = model.position(found.range.end().into());
         assert_eq!(*place, Range { start, end }, "{found:?} in\n{:?}", model.text);

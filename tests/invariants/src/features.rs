@@ -99,14 +99,14 @@ pub const FEATURES: [(&str, Ask); 20] = [
     }),
     ("the diagram from there on", |it, at, end| {
         let text = it.context.parse.to_string();
-        let mut behind = TextSize::new(0);
+        let mut after = TextSize::new(0);
         for piece in pieces(&it.context, TextRange::new(at, end), 60) {
             assert!(
-                piece.range.start() >= behind && piece.range.end() <= end,
-                "{:?} behind {behind:?} in {text:?}",
+                piece.range.start() >= after && piece.range.end() <= end,
+                "{:?} after {after:?} in {text:?}",
                 piece.range
             );
-            behind = piece.range.end();
+            after = piece.range.end();
             let place = |offset: TextSize| {
                 assert!(piece.range.contains_inclusive(offset));
                 String::new()

@@ -27,7 +27,7 @@ pub(crate) fn text(bytes: &[u8]) -> String {
 pub(crate) struct Numbers<'b>(pub(crate) &'b [u8]);
 
 impl Numbers<'_> {
-    /// A number of one byte; 0 behind the end.
+    /// A number of one byte; 0 after the end.
     pub(crate) fn small(&mut self) -> usize {
         let Some((&first, rest)) = self.0.split_first() else {
             return 0;

@@ -7,7 +7,7 @@
 //! tests/corpora.rs         takes the bytes that are kept in fuzz/    (always)
 //! ```
 //!
-//! Beside the targets are what they and other tests need: programs out of nothing ([`generator`]), what a program
+//! Next to the targets are what they and other tests need: programs out of nothing ([`generator`]), what a program
 //! does ([`trace`]), the language's definition of a network written down a second time ([`mod@reference`]), and all that an
 //! editor asks ([`features`]).
 

@@ -1,4 +1,4 @@
-//! Whatever a client sends, the server lives on, and whoever asks is answered once.
+//! Whatever a client sends, the server lives on, and a caller that asks is answered once.
 //!
 //! The input as a whole is sent as it is; each part of it is sent as the body of a message, unless it holds headers of its
 //! own.
@@ -32,7 +32,7 @@ pub(crate) fn check(data: &[u8]) {
     let runtime = Builder::new_current_thread().enable_all().build();
     let runtime = runtime.expect("a runtime");
     runtime.block_on(async {
-        // A header in a body may take the place of the one that follows, and swallow what is behind it.
+        // A header in a body may take the place of the one that follows, and swallow what is after it.
         let has_headers = data
             .to_ascii_lowercase()
             .windows(HEADER.len())

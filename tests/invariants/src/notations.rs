@@ -84,7 +84,7 @@ fn back(notation: &dyn Notation, converted: &Converted) {
     );
 }
 
-/// A place is one of the lines, or the one behind the last.
+/// A place is one of the lines, or the one after the last.
 fn lies_in(data: &[u8], place: LineColumn) {
     let lines = data.split(|byte| *byte == b'\n').count();
     assert!(

@@ -5,7 +5,7 @@
 use crate::input::{parts, text};
 use crate::simulation::is_small;
 use crate::trace::compile;
-use ladder_simulator::scenario::{self, Mistake};
+use ladder_simulator::scenario::{self, ScenarioError};
 use ladder_simulator::{Options, Simulation};
 use std::ops::Range;
 
@@ -23,7 +23,7 @@ pub(crate) fn check(data: &[u8]) {
     let parts = parts(data);
     let file = text(parts[0]);
     let suite = scenario::parse(&file);
-    lie_in(&file, &suite.mistakes);
+    lie_in(&file, &suite.errors);
     let program = parts.get(1).map_or_else(|| PROGRAM.to_owned(), |part| text(part));
     let Some(program) = compile(&program).filter(|program| is_small(program)) else {
         return;
@@ -37,9 +37,9 @@ pub(crate) fn check(data: &[u8]) {
     let Ok(mut simulation) = Simulation::new(program, options) else {
         return;
     };
-    let (cases, mistakes) = scenario::bind(&suite, &simulation);
-    lie_in(&file, &mistakes);
-    if !suite.mistakes.is_empty() || !mistakes.is_empty() {
+    let (cases, errors) = scenario::bind(&suite, &simulation);
+    lie_in(&file, &errors);
+    if !suite.errors.is_empty() || !errors.is_empty() {
         return;
     }
     let mut left = MOST_SCANS;
@@ -66,10 +66,10 @@ pub(crate) fn check(data: &[u8]) {
     }
 }
 
-fn lie_in(file: &str, mistakes: &[Mistake]) {
-    for mistake in mistakes {
-        let lies = file.get(Range::<usize>::from(mistake.range)).is_some();
-        assert!(lies, "{mistake:?} in:\n{file}");
-        assert!(!mistake.message.is_empty(), "{mistake:?} in:\n{file}");
+fn lie_in(file: &str, errors: &[ScenarioError]) {
+    for error in errors {
+        let lies = file.get(Range::<usize>::from(error.range)).is_some();
+        assert!(lies, "{error:?} in:\n{file}");
+        assert!(!error.message.is_empty(), "{error:?} in:\n{file}");
     }
 }

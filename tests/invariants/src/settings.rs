@@ -9,21 +9,21 @@ use std::path::Path;
 
 pub(crate) fn check(data: &[u8]) {
     let text = input::text(data);
-    let (settings, mistakes) = Settings::examine(Path::new("plant/ladder.toml"), &text);
-    for mistake in &mistakes {
-        let lies = text.get(Range::<usize>::from(mistake.range)).is_some();
-        assert!(lies, "{mistake:?} in:\n{text}");
-        assert!(!mistake.message.is_empty(), "{mistake:?} in:\n{text}");
+    let (settings, errors) = Settings::examine(Path::new("plant/ladder.toml"), &text);
+    for error in &errors {
+        let lies = text.get(Range::<usize>::from(error.range)).is_some();
+        assert!(lies, "{error:?} in:\n{text}");
+        assert!(!error.message.is_empty(), "{error:?} in:\n{text}");
         assert!(
-            mistake.place.line >= 1 && mistake.place.column >= 1,
-            "{mistake:?} in:\n{text}"
+            error.place.line >= 1 && error.place.column >= 1,
+            "{error:?} in:\n{text}"
         );
     }
     let parsed = Settings::parse(Path::new("plant/ladder.toml"), &text);
-    assert_eq!(parsed.is_ok(), mistakes.is_empty(), "{text}");
+    assert_eq!(parsed.is_ok(), errors.is_empty(), "{text}");
     if let Err(error) = parsed {
         assert!(
-            error.to_string().lines().count() >= mistakes.len(),
+            error.to_string().lines().count() >= errors.len(),
             "{error} in:\n{text}"
         );
     }

@@ -1,6 +1,6 @@
 //! The simulator does what the language's definition says, whichever way a scan is run.
 //!
-//! The first byte chooses the kind of program, the second the inputs; each byte behind them is a choice in making it.
+//! The first byte chooses the kind of program, the second the inputs; each byte after them is a choice in making it.
 
 use crate::generator::{Dice, Mode, program_of};
 use crate::input::Numbers;

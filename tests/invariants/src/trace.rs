@@ -123,12 +123,12 @@ fn record(simulation: &mut Simulation, source: &str, stimulus: Stimulus) -> Stri
     text
 }
 
-/// Runs a program beside another that should do the same: all values of the first are looked at in both, in every scan,
+/// Runs a program next to another that should do the same: all values of the first are checked in both, in every scan,
 /// with inputs that the first has. The first difference; none if there is none. Both stop where the first does.
 ///
 /// # Panics
 /// One of the texts is no program.
-pub fn beside(text: &str, other: &str, stimulus: Stimulus) -> Option<String> {
+pub fn next_to(text: &str, other: &str, stimulus: Stimulus) -> Option<String> {
     let start = |text: &str| {
         let program = compile(text).unwrap_or_else(|| panic!("this is no program:\n{text}"));
         let options = Options {
@@ -218,7 +218,7 @@ fn any_value(dice: &mut Dice, ty: Scalar) -> Value {
     }
 }
 
-/// Runs a program of contacts and coils beside the reference, with the same values in all tags now and then.
+/// Runs a program of contacts and coils next to the reference, with the same values in all tags now and then.
 ///
 /// # Panics
 /// A tag, or the power of a block, differs.

@@ -157,12 +157,12 @@ fn block_comment(text: &str) -> usize {
 
 /// The length of a raw text such as `br#".."#`, if one begins here.
 fn raw_text(text: &str) -> Option<usize> {
-    let behind_letters = ["r", "br", "cr"].iter().find_map(|letters| {
+    let after_letters = ["r", "br", "cr"].iter().find_map(|letters| {
         text.strip_prefix(letters)
             .filter(|rest| rest.starts_with(['"', '#']))
     })?;
-    let content = behind_letters.trim_start_matches('#');
-    let hashes = &behind_letters[..behind_letters.len() - content.len()];
+    let content = after_letters.trim_start_matches('#');
+    let hashes = &after_letters[..after_letters.len() - content.len()];
     let content = content.strip_prefix('"')?;
     let end = format!("\"{hashes}");
     let length = content.find(&end)? + end.len();

@@ -47,7 +47,7 @@ fn problem(link: &str, page: &Page, pages: &[Page]) -> Option<String> {
     let file = if path.is_empty() {
         page.path.clone()
     } else {
-        beside(&page.path, path)
+        next_to(&page.path, path)
     };
     let here = page.path.display();
     match pages.iter().find(|other| other.path == file) {
@@ -63,13 +63,13 @@ fn links_of_the_other_texts_lead_to_files() {
     let root = project::root();
     let mut problems = Vec::new();
     for file in project::files(&root, "md") {
-        // Pages of the book link to each other as they are rendered, and are looked at above.
+        // Pages of the book link to each other as they are rendered, and are checked above.
         if file.starts_with(root.join("docs")) {
             continue;
         }
         for link in markdown::read(&project::read(&file)).links {
             let path = link.split('#').next().unwrap_or_default();
-            if !is_external(&link) && !path.is_empty() && !beside(&file, path).exists() {
+            if !is_external(&link) && !path.is_empty() && !next_to(&file, path).exists() {
                 problems.push(format!("{}: `{link}` leads to no file", file.display()));
             }
         }
@@ -82,7 +82,7 @@ fn is_external(link: &str) -> bool {
 }
 
 /// A path as it is seen from the folder of a file, without `..` in it.
-fn beside(file: &Path, path: &str) -> PathBuf {
+fn next_to(file: &Path, path: &str) -> PathBuf {
     let mut whole = file.parent().expect("a file is in a folder").to_owned();
     for component in Path::new(path).components() {
         match component {

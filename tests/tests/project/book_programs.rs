@@ -1,8 +1,8 @@
-//! The programs in the book hold no mistakes and are in the canonical layout.
+//! The programs in the book hold no errors and are in the canonical layout.
 //!
-//! Every block that is marked `clad` is one program. Behind the language may be:
+//! Every block that is marked `clad` is one program. After the language may be:
 //!
-//! - `wrong`: it shows a mistake, and `ladder check` finds something;
+//! - `wrong`: it shows an error, and `ladder check` finds something;
 //! - `sketch`: it is not in the canonical layout, to show something about the drawing.
 //!
 //! `UPDATE_EXPECT=1 cargo test -p ladder-tests` writes the canonical layout into the pages.
@@ -39,7 +39,7 @@ fn place(file: &Path, fence: &Fence) -> String {
 }
 
 #[test]
-fn programs_hold_no_mistakes() {
+fn programs_hold_no_errors() {
     let mut problems = Vec::new();
     for file in texts() {
         for fence in programs(&project::read(&file)) {

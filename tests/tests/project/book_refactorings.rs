@@ -51,10 +51,10 @@ fn drawings_show_what_actions_do() {
             .split_once(" -->")
             .and_then(|(rest, _)| rest.split_once(" | "))
             .unwrap_or_else(|| panic!("a title and a place are in the comment: {rest:.40}"));
-        let mut behind = fences
+        let mut after = fences
             .iter()
             .filter(|fence| fence.line > text[..at].lines().count());
-        let (Some(before), Some(after)) = (behind.next(), behind.next()) else {
+        let (Some(before), Some(after)) = (after.next(), after.next()) else {
             panic!("two drawings are below {title}");
         };
         let made = done(&before.text, title, place);

@@ -70,16 +70,16 @@ fn whole_programs_run() {
             .into_owned();
         let is_python = path.extension().is_some_and(|extension| extension == "py");
         let notation = if is_python { "click" } else { "click-csv" };
-        let beside =
+        let next_to =
             fs::read_dir(path.parent().expect("it lies in a folder")).expect("the folder can be read");
-        let companions: Vec<Companion> = beside
+        let companions: Vec<Companion> = next_to
             .map(|entry| entry.expect("an entry can be read").path())
-            .filter_map(|beside| {
-                let file = beside.file_name()?.to_string_lossy().into_owned();
+            .filter_map(|next_to| {
+                let file = next_to.file_name()?.to_string_lossy().into_owned();
                 let belongs = by_name(notation)?.has_companion(&name, &file);
                 belongs.then(|| Companion {
                     name: file,
-                    bytes: fs::read(&beside).unwrap_or_default(),
+                    bytes: fs::read(&next_to).unwrap_or_default(),
                 })
             })
             .collect();

@@ -160,7 +160,7 @@ const DIFFERENCES: &[Difference] = &[
             (3, "C3_Done", "1"),
             (11, "C3_Done", "1"),
         ],
-        why: "a counter that counts down is on while its value is the set point or less, which 0 is, also behind a reset; \
+        why: "a counter that counts down is on while its value is the set point or less, which 0 is, also after a reset; \
               there it was on from -2 down",
     },
     Difference {

@@ -166,8 +166,8 @@ fn tags(context: &Context) -> Vec<String> {
         let tags = scope.tags.iter().map(|tag| {
             let uses: Vec<Use> = context.uses(tag).collect();
             let what = (&tag.name, tag.ty, tag.role, tag.origin, tag.mistyped);
-            let declared = (tag.retain, tag.constant, &tag.rare.initial, &tag.rare.address);
-            let elsewhere = (context.leads_to(tag), &tag.rare.foreign);
+            let declared = (tag.retain, tag.constant, &tag.cold.initial, &tag.cold.address);
+            let elsewhere = (context.alias_of(tag), &tag.cold.foreign);
             let place = context.place_of(tag);
             format!("{what:?} {declared:?} {elsewhere:?} {place:?} {uses:?}")
         });

@@ -1,6 +1,6 @@
 //! The language reference shows every instruction as the table has it.
 //!
-//! After a change of the table, `UPDATE_EXPECT=1 cargo test -p ladder-tests` writes the pages anew.
+//! After a change of the table, `UPDATE_EXPECT=1 cargo test -p ladder-tests` writes the pages again.
 
 use expect_test::expect_file;
 use ladder_instructions::{Op, TABLE, origin};
@@ -18,7 +18,7 @@ fn the_pages_are_up_to_date() {
 }
 
 #[test]
-fn every_instruction_stands_on_a_page() {
+fn every_instruction_is_on_a_page() {
     for row in TABLE {
         assert!(
             PAGES.iter().any(|page| page.group == row.group),

@@ -66,7 +66,7 @@ fn diagram(row: &[i64]) -> String {
         .collect()
 }
 
-/// Elements with power for one scan after the other, the power behind them, and their variable. A cycle has 10 ms.
+/// Elements with power for one scan after the other, the power after them, and their variable. A cycle has 10 ms.
 const TRACES: &[(&str, &str, &str, &str)] = &[
     (
         "TON Ta 20000 0",

@@ -7,7 +7,7 @@ use ladder_format::program::{
 };
 use ladder_format::{Circuit, Options};
 use ladder_invariants::generator::Dice;
-use ladder_invariants::trace::{Stimulus, beside};
+use ladder_invariants::trace::{Stimulus, next_to};
 use ladder_notations::{Notation, Source, by_name, convert};
 use ladder_syntax::parse;
 use std::sync::Arc;
@@ -41,8 +41,8 @@ enum Rungs {
     Any,
     /// Conditions, and then instructions, timers among them.
     ConditionFirst,
-    /// The same, with conditions of their own in the branches behind.
-    BranchesBehind,
+    /// The same, with conditions of their own in the branches after.
+    BranchesAfter,
 }
 
 const LDMICRO: Says = Says {
@@ -220,7 +220,7 @@ const CLICK: Says = Says {
 const CLICK_CSV: Says = Says {
     notation: "click-csv",
     profile: Some("profile click"),
-    rungs: Rungs::BranchesBehind,
+    rungs: Rungs::BranchesAfter,
     inputs: &["X[1]", "X[2]", "X[3]"],
     outputs: &["Y[1]", "Y[2]"],
     others: &[
@@ -418,18 +418,18 @@ impl Maker<'_> {
             _ => {}
         }
         // Its pins take the rows below it.
-        if has_state && self.says.rungs == Rungs::BranchesBehind {
+        if has_state && self.says.rungs == Rungs::BranchesAfter {
             parts.append(&mut ends);
             return flat(parts);
         }
         for _ in 0..=dice.below(2) {
             let end = dice.of(self.says.actions);
             let end = self.block(dice, end);
-            let condition_behind = self.says.rungs != Rungs::ConditionFirst && dice.one_in(3);
-            ends.push(if condition_behind {
+            let condition_after = self.says.rungs != Rungs::ConditionFirst && dice.one_in(3);
+            ends.push(if condition_after {
                 // Click looks at it before the rung acts: where that makes a difference the writer says so.
                 let condition = match self.says.rungs {
-                    Rungs::BranchesBehind => {
+                    Rungs::BranchesAfter => {
                         let input = dice.of(self.says.inputs);
                         self.block(dice, &format!("[/]( {input} )"))
                     }
@@ -543,7 +543,7 @@ fn check(says: &Says) {
         let back = convert(notation, &source, &Options::default());
         let back = back.unwrap_or_else(|error| panic!("{error}\n{shown}\nof\n{text}"));
         let remarks: Vec<_> = back.report.remarks().collect();
-        // A program of Click ends with END, and a counter is behind an edge: its own software says so.
+        // A program of Click ends with END, and a counter is after an edge: its own software says so.
         let findings = back.findings.iter().filter(|_| says.rungs == Rungs::Any).count();
         assert!(
             remarks.is_empty() && findings == 0,
@@ -552,7 +552,7 @@ fn check(says: &Says) {
         );
         let ladder = back.written.text;
         assert_eq!(networks(&ladder), networks(&text), "{shown}");
-        let different = beside(&ladder, &text, Stimulus { seed, scans: 60 });
+        let different = next_to(&ladder, &text, Stimulus { seed, scans: 60 });
         assert_eq!(different, None, "{ladder}\nof\n{shown}\nof\n{text}");
     }
 }

@@ -160,19 +160,19 @@ impl Lines {
         for (number, placed) in self.placed.iter().enumerate() {
             let (left, right) = placed.columns;
             for other in &self.placed[number + 1..] {
-                let beside = other.columns.0 >= right || other.columns.1 <= left;
+                let next_to = other.columns.0 >= right || other.columns.1 <= left;
                 let apart = other.rows.0 >= placed.rows.1 || other.rows.1 <= placed.rows.0;
-                assert!(beside || apart, "{placed:?} lies on {other:?}\n{text}");
+                assert!(next_to || apart, "{placed:?} lies on {other:?}\n{text}");
             }
             for (upper, lower) in &self.verticals {
-                let beside = upper.0 <= left || upper.0 >= right;
+                let next_to = upper.0 <= left || upper.0 >= right;
                 let apart = upper.1 >= placed.rows.1 || lower.1 <= placed.rows.0;
-                assert!(beside || apart, "a line at {upper:?} crosses {placed:?}\n{text}");
+                assert!(next_to || apart, "a line at {upper:?} crosses {placed:?}\n{text}");
             }
             for (from, to) in &self.wires {
-                let beside = to.0 <= left || from.0 >= right;
+                let next_to = to.0 <= left || from.0 >= right;
                 assert!(
-                    beside || from.1 != placed.wire,
+                    next_to || from.1 != placed.wire,
                     "a wire crosses {placed:?}\n{text}"
                 );
             }
@@ -216,10 +216,10 @@ fn branches_that_are_only_partly_one_line() {
         "+--[ ]( s )--\\--[ ]( a )--( )( x )--+\n|            /--\\--( )( y )--+\n+--[ ]( c )-----/            |\n",
         // The same, read from the other end.
         "+--[ ]( a )--\\--( )( x )--+\n+--[ ]( b )--/--\\--( )( y )--+\n+--[ ]( c )-----/\n",
-        // Two connectors beside each other that only one line can join.
+        // Two connectors next to each other that only one line can join.
         "+--\\--\\--( )( x )--+\n   /--[ ]( a )--/--( )( y )--+\n",
         "+--\\--[ ]( a )--\\--( )( x )--+\n   /--\\  /--\\--/\n      /-----/\n",
-        // Bare wire beside bare wire.
+        // Bare wire next to bare wire.
         "+--\\--\\--( )( x )--+\n   /--/\n",
         "+--\\--\\--\\--( )( x )--+\n   /--/--/--( )( y )--+\n",
         // A comment between two connectors needs its place.

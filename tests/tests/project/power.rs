@@ -1,4 +1,4 @@
-//! The rules that decide on a network's boolean function, beside the reference evaluation tried with every combination
+//! The rules that decide on a network's boolean function, next to the reference evaluation tried with every combination
 //! of values: what they say is so, and where they are silent there is nothing to say.
 
 use ladder_analysis::{Analysis, Rule, analyze};

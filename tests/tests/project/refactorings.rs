@@ -12,7 +12,7 @@ use ladder_instructions::Op;
 use ladder_syntax::{TextRange, TextSize, parse};
 use ladder_tests::generator::{Dice, Mode, program};
 use ladder_tests::project;
-use ladder_tests::trace::{Stimulus, beside};
+use ladder_tests::trace::{Stimulus, next_to};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -119,7 +119,7 @@ fn try_out(what: &str, text: &str, seed: u64, places: usize, tally: &mut Tally) 
             }
             assert_ne!(new, text, "{}", shown());
             let stimulus = Stimulus { seed, scans: 10 };
-            assert_eq!(beside(text, &new, stimulus), None, "{}", shown());
+            assert_eq!(next_to(text, &new, stimulus), None, "{}", shown());
             if let Some(action) = inlined(&after) {
                 *tally.0.entry(name(&action)).or_default() += 1;
                 let back = done(&new, &action);
@@ -134,7 +134,7 @@ fn try_out(what: &str, text: &str, seed: u64, places: usize, tally: &mut Tally) 
                 left.dedup();
                 right.dedup();
                 assert_eq!(left, right, "{}", shown());
-                assert_eq!(beside(text, &back, stimulus), None, "{}", shown());
+                assert_eq!(next_to(text, &back, stimulus), None, "{}", shown());
             }
         }
     }
@@ -178,7 +178,7 @@ fn taken_back(text: &str, new: &str, action: &Action, range: TextRange, shown: &
     }
     let spelled = action.edits(&analysis(text))[0].range;
     let at = TextRange::empty(range.start());
-    // The first edit lies before or behind the cursor; the layout may have moved the block.
+    // The first edit lies before or after the cursor; the layout may have moved the block.
     let after = analysis(new);
     let networks = &after.context.networks;
     let block = analysis(text)

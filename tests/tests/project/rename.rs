@@ -38,8 +38,8 @@ fn model(program: &Program) -> String {
         }
         if c.is_ascii_digit() {
             let end = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
-            let (number, behind) = rest.split_at(end);
-            if let Some(second) = behind.strip_prefix("..") {
+            let (number, after) = rest.split_at(end);
+            if let Some(second) = after.strip_prefix("..") {
                 let end = second.find(|c: char| !c.is_ascii_digit()).unwrap_or(second.len());
                 if end > 0 {
                     rest = &second[end..];
@@ -47,7 +47,7 @@ fn model(program: &Program) -> String {
                 }
             }
             out.push_str(number);
-            rest = behind;
+            rest = after;
             continue;
         }
         out.push(c);

@@ -1,6 +1,6 @@
 //! The book lists every rule.
 //!
-//! After a rule was added or its page changed, `UPDATE_EXPECT=1 cargo test -p ladder-tests` writes the list anew.
+//! After a rule was added or its page changed, `UPDATE_EXPECT=1 cargo test -p ladder-tests` writes the list again.
 
 use std::path::Path;
 

@@ -10,7 +10,7 @@ use ladder_analysis::{Analysis, Applicability, analyze};
 use ladder_format::{Options, apply};
 use ladder_syntax::parse;
 use ladder_tests::generator::{Dice, Mode, program};
-use ladder_tests::trace::{Stimulus, beside};
+use ladder_tests::trace::{Stimulus, next_to};
 use std::sync::Arc;
 
 /// What a slip puts in, or in the place of something else.
@@ -51,7 +51,7 @@ fn damaged(text: &str, dice: &mut Dice) -> String {
 }
 
 /// The text with all safe fixes made, in as many rounds as they need.
-fn mended(text: &str) -> String {
+fn fixed(text: &str) -> String {
     let mut text = text.to_owned();
     for _ in 0..8 {
         let found = analysis(&text).diagnostics().to_vec();
@@ -67,21 +67,21 @@ fn mended(text: &str) -> String {
 
 /// What is wrong with the safe fixes of a damaged program; and whether any was made.
 fn problem(healthy: &str, damaged: &str, seed: u64) -> (bool, Option<String>) {
-    let mended = mended(damaged);
-    if mended == damaged {
+    let fixed = fixed(damaged);
+    if fixed == damaged {
         return (false, None);
     }
     let had_errors = analysis(damaged).has_errors();
-    let has_errors = analysis(&mended).has_errors();
+    let has_errors = analysis(&fixed).has_errors();
     let stimulus = Stimulus { seed, scans: 12 };
     let differs = match (had_errors, has_errors) {
         (true, true) => None,
-        (true, false) => beside(healthy, &mended, stimulus),
-        (false, false) => beside(damaged, &mended, stimulus),
+        (true, false) => next_to(healthy, &fixed, stimulus),
+        (false, false) => next_to(damaged, &fixed, stimulus),
         (false, true) => Some("there are errors now".to_owned()),
     };
     let reported = differs
-        .map(|differs| format!("seed {seed}: {differs}\n{healthy}\ndamaged\n{damaged}\nbecomes\n{mended}"));
+        .map(|differs| format!("seed {seed}: {differs}\n{healthy}\ndamaged\n{damaged}\nbecomes\n{fixed}"));
     (true, reported)
 }
 
@@ -110,6 +110,6 @@ fn a_safe_fix_gives_the_healthy_program_or_leaves_an_error() {
         problems.len(),
         problems[..problems.len().min(3)].join("\n")
     );
-    // Otherwise nothing was looked at.
-    assert!(made as u64 > count, "only {made} programs had anything to mend");
+    // Otherwise nothing was checked.
+    assert!(made as u64 > count, "only {made} programs had anything to fix");
 }

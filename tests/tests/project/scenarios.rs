@@ -1,6 +1,6 @@
 //! Scenarios are the unit tests of programs: every example has some, and so has every instruction.
 //!
-//! `tests/instructions/` has a program for each section of the table of instructions, and beside it the scenarios of
+//! `tests/instructions/` has a program for each section of the table of instructions, and next to it the scenarios of
 //! its rows. A scenario is about the row whose block its name begins with: `[TON] delays the rise`.
 
 use ladder_analysis::analyze;
@@ -48,9 +48,9 @@ impl Tested {
 
     /// The names of the scenarios that pass; what is wrong with the others is added to `problems`.
     fn passed(&mut self, problems: &mut Vec<String>) -> Vec<String> {
-        let (cases, mistakes) = scenario::bind(&self.suite, &self.simulation);
-        for mistake in self.suite.mistakes.iter().chain(&mistakes) {
-            problems.push(format!("{}: {}", self.file.display(), mistake.message));
+        let (cases, errors) = scenario::bind(&self.suite, &self.simulation);
+        for error in self.suite.errors.iter().chain(&errors) {
+            problems.push(format!("{}: {}", self.file.display(), error.message));
         }
         let mut passed = Vec::new();
         for case in &cases {

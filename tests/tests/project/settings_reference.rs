@@ -1,6 +1,6 @@
 //! The page, the schema and the extension have the settings that the reader reads.
 //!
-//! After the table of settings or a rule was changed, `UPDATE_EXPECT=1 cargo test -p ladder-tests` writes them anew.
+//! After the table of settings or a rule was changed, `UPDATE_EXPECT=1 cargo test -p ladder-tests` writes them again.
 
 use expect_test::expect_file;
 use ladder_tests::project::{files, read, root};
@@ -10,7 +10,7 @@ use ladder_workspace::{EditorSettings, Settings, Tree};
 use serde_json::Value;
 use std::path::Path;
 
-/// The text with what is behind `begin`, up to `end`, replaced.
+/// The text with what is after `begin`, up to `end`, replaced.
 fn replaced(text: &str, begin: &str, end: &str, new: &str) -> String {
     let start = text.find(begin).unwrap_or_else(|| panic!("{begin} is missing")) + begin.len();
     let length = text[start..]
@@ -84,12 +84,12 @@ fn every_setting_is_read() {
         for setting in section.settings {
             if setting.place.is_in_file() {
                 let text = |value: &str| format!("[{}]\n{} = {value}\n", section.name, setting.key);
-                let mistakes = |value: &str| Settings::examine(Path::new("ladder.toml"), &text(value)).1;
-                assert_eq!(mistakes(setting.example), [], "{}", text(setting.example));
-                assert_eq!(mistakes("1979-05-27").len(), 1, "{}", text("1979-05-27"));
+                let errors = |value: &str| Settings::examine(Path::new("ladder.toml"), &text(value)).1;
+                assert_eq!(errors(setting.example), [], "{}", text(setting.example));
+                assert_eq!(errors("1979-05-27").len(), 1, "{}", text("1979-05-27"));
             }
             if matches!(setting.place, SetBy::FileOrEditor | SetBy::Editor) {
-                let mistakes = |value: Tree| {
+                let errors = |value: Tree| {
                     let section = (
                         section.name.to_owned(),
                         Tree::Table(vec![(setting.key.to_owned(), value)]),
@@ -101,8 +101,8 @@ fn every_setting_is_read() {
                     Kind::Switch => Tree::Switch(setting.example == "true"),
                     _ => Tree::Text(setting.example.trim_matches('"').to_owned()),
                 };
-                assert_eq!(mistakes(example), [""; 0], "{}.{}", section.name, setting.key);
-                assert_eq!(mistakes(Tree::Other).len(), 1, "{}.{}", section.name, setting.key);
+                assert_eq!(errors(example), [""; 0], "{}.{}", section.name, setting.key);
+                assert_eq!(errors(Tree::Other).len(), 1, "{}.{}", section.name, setting.key);
             }
         }
     }

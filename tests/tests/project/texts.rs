@@ -30,7 +30,7 @@ fn texts_name_no_place_outside_the_project() {
     files.extend(["test", "try", "tests/setup", "fuzz/run"].map(|script| root.join(script)));
     let mut problems = Vec::new();
     for file in files.iter().filter(|file| file.exists()) {
-        // What is not text is not looked at.
+        // What is not text is not checked.
         let Ok(text) = std::fs::read_to_string(file) else {
             continue;
         };

@@ -14,7 +14,7 @@ use crate::{regular, text};
 use std::fs::{File, Metadata};
 use std::path::{Path, PathBuf};
 
-/// A file that a workspace names. The file itself was not looked at yet.
+/// A file that a workspace names. The file itself was not checked yet.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Named {
     /// The workspace.
@@ -51,7 +51,7 @@ impl Named {
     }
 
     /// What is wrong with the name, whatever lies there.
-    pub(crate) fn mistake(&self) -> Option<Problem> {
+    pub(crate) fn error(&self) -> Option<Problem> {
         match name::parts(&self.name) {
             Err(problem) => Some(problem),
             Ok(parts) if self.folder == self.root && name::climbs_out(&parts) => Some(Problem::Outside),

@@ -48,7 +48,7 @@ pub(super) fn climbs_out(parts: &[PathComponent]) -> bool {
     })
 }
 
-/// Names that Windows takes for devices in every folder, and streams beside a file's content.
+/// Names that Windows takes for devices in every folder, and streams next to a file's content.
 fn is_device_of_windows(part: &str) -> bool {
     let stem = part.split(['.', ':']).next().unwrap_or(part).trim_end();
     let numbered = |kind: &str| {

@@ -2,7 +2,7 @@ use super::*;
 use std::fs;
 use tempfile::TempDir;
 
-/// `plant/` with a settings file, two programs and a folder of tests; a file beside it.
+/// `plant/` with a settings file, two programs and a folder of tests; a file next to it.
 fn plant() -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     fs::create_dir_all(folder.path().join("plant/tests")).unwrap();

@@ -36,7 +36,7 @@ pub fn is_scenario(path: &Path) -> bool {
 enum Wanted<'w> {
     Programs,
     Scenarios,
-    /// Those that somebody else knows by their names.
+    /// Those that another user knows by their names.
     Others(&'w dyn Fn(&Path) -> bool),
 }
 
@@ -73,7 +73,7 @@ fn find(paths: &[PathBuf], wanted: Wanted<'_>) -> (Vec<PathBuf>, Vec<FileError>)
 
 impl Root {
     /// The programs of the workspace, sorted; `files` are those that its settings ask for. What cannot be read is
-    /// left out: a program must be usable beside a folder that is not.
+    /// left out: a program must be usable next to a folder that is not.
     pub fn programs(&self, files: &Files) -> Vec<PathBuf> {
         match self {
             Root::Settings(folder) => {
@@ -153,7 +153,7 @@ pub fn survey(folder: &Path, most: usize, stop: impl Fn() -> bool) -> Survey {
 struct Search<'w> {
     wanted: Wanted<'w>,
     found: Vec<PathBuf>,
-    /// The files behind `found`, by their true paths: `.` and `motor.clad` name one file twice.
+    /// The files after `found`, by their true paths: `.` and `motor.clad` name one file twice.
     seen: HashSet<PathBuf>,
     /// By folder, which of its files belong to the workspace.
     belonging: HashMap<PathBuf, Files>,
@@ -228,7 +228,7 @@ impl<'w> Search<'w> {
         }
     }
 
-    /// Whether the settings above a file do not exclude it. Settings that cannot be read exclude nothing: whoever
+    /// Whether the settings above a file do not exclude it. Settings that cannot be read exclude nothing: a caller that
     /// needs them says what is wrong with them.
     fn belongs(&mut self, path: &Path) -> bool {
         let Ok(path) = std::path::absolute(path) else {

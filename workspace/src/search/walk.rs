@@ -27,7 +27,7 @@ impl Walker {
         // Those of the folders above are read, too.
         absolute.ancestors().try_for_each(ignore_files)?;
         let mut builder = WalkBuilder::new(folder);
-        // A folder that is no repository (yet) has its `.gitignore` applied too. What git keeps beside it is one person's
+        // A folder that is no repository (yet) has its `.gitignore` applied too. What git keeps next to it is one person's
         // own, and may be said to lie anywhere.
         builder
             .require_git(false)

@@ -71,7 +71,7 @@ impl EditorSettings {
             "" => message,
             path => format!("`ladder.{path}`: {message}"),
         };
-        let mistakes = reader.finish().into_iter().map(said).collect();
-        (settings, mistakes)
+        let errors = reader.finish().into_iter().map(said).collect();
+        (settings, errors)
     }
 }

@@ -12,17 +12,17 @@ pub enum SettingsError {
     /// It cannot be read.
     File(FileError),
     /// Something in it is wrong.
-    Mistakes {
+    Content {
         /// The file.
         file: PathBuf,
         /// What is wrong, in the order of the text; at least one.
-        mistakes: Vec<Mistake>,
+        errors: Vec<SettingError>,
     },
 }
 
 /// One thing that is wrong in a settings file.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Mistake {
+pub struct SettingError {
     /// Where, in bytes.
     pub range: TextRange,
     /// Where it starts, as people count.
@@ -32,20 +32,20 @@ pub struct Mistake {
 }
 
 impl fmt::Display for SettingsError {
-    /// `plant/ladder.toml:3:1: ..`, a line for each mistake.
+    /// `plant/ladder.toml:3:1: ..`, a line for each error.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (file, mistakes) = match self {
+        let (file, errors) = match self {
             SettingsError::File(error) => return error.fmt(f),
-            SettingsError::Mistakes { file, mistakes } => (file, mistakes),
+            SettingsError::Content { file, errors } => (file, errors),
         };
-        for (index, mistake) in mistakes.iter().enumerate() {
+        for (index, error) in errors.iter().enumerate() {
             let line_end = if index > 0 { "\n" } else { "" };
-            let LineColumn { line, column } = mistake.place;
+            let LineColumn { line, column } = error.place;
             let file = shown::path(from_here(file));
             write!(
                 f,
                 "{line_end}{file}:{line}:{column}: {}",
-                shown::line(&mistake.message)
+                shown::line(&error.message)
             )?;
         }
         Ok(())

@@ -1,4 +1,4 @@
-//! What was written, whoever wrote it: a settings file as TOML, or an editor as JSON.
+//! What was written, a caller that wrote it: a settings file as TOML, or an editor as JSON.
 
 use std::ops::Range;
 use toml::Spanned;
@@ -33,7 +33,7 @@ pub(super) struct Entry {
     pub(super) given: Given,
 }
 
-/// What an editor says of settings, before anybody looked at it.
+/// What an editor says of settings, before anybody checked it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Tree {
     /// Nothing: as if the key were not there.

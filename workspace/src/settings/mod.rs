@@ -13,7 +13,7 @@ mod simulate;
 pub mod table;
 
 pub use editor::EditorSettings;
-pub use error::{Mistake, SettingsError};
+pub use error::{SettingError, SettingsError};
 pub use files::Files;
 pub use given::Tree;
 pub use lint::{Levels, Lint};
@@ -111,21 +111,21 @@ impl Settings {
     /// As [`Settings::read`], from its text. `file` names it in messages and says where its paths start.
     ///
     /// # Errors
-    /// Something in it is wrong; all mistakes are listed.
+    /// Something in it is wrong; all errors are listed.
     pub fn parse(file: &Path, text: &str) -> Result<Settings, SettingsError> {
-        let (settings, mistakes) = Settings::examine(file, text);
-        if mistakes.is_empty() {
+        let (settings, errors) = Settings::examine(file, text);
+        if errors.is_empty() {
             return Ok(settings);
         }
-        Err(SettingsError::Mistakes {
+        Err(SettingsError::Content {
             file: file.to_owned(),
-            mistakes,
+            errors,
         })
     }
 
     /// As [`Settings::parse`], for those who go on with what is right in it: an editor, whose text is half written
     /// most of the time.
-    pub fn examine(file: &Path, text: &str) -> (Settings, Vec<Mistake>) {
+    pub fn examine(file: &Path, text: &str) -> (Settings, Vec<SettingError>) {
         let folder = file.parent().map_or_else(PathBuf::new, Path::to_owned);
         let mut reader = Reader::new(Source::File);
         let settings = match DeTable::parse(text) {
@@ -141,7 +141,7 @@ impl Settings {
                 Settings::default()
             }
         };
-        (settings, mistakes(text, reader.finish()))
+        (settings, errors(text, reader.finish()))
     }
 
     /// Takes the sections that are the project's out of all that is set.
@@ -164,12 +164,12 @@ impl Settings {
 }
 
 /// What was found to be wrong in a text, with its places.
-fn mistakes(text: &str, found: Vec<(Range<usize>, String)>) -> Vec<Mistake> {
+fn errors(text: &str, found: Vec<(Range<usize>, String)>) -> Vec<SettingError> {
     let index = LineIndex::new(text);
     let offset = |at: usize| TextSize::new(at.min(text.len()) as u32);
     let found = found.into_iter().map(|(range, message)| {
         let (start, end) = (offset(range.start), offset(range.end));
-        Mistake {
+        SettingError {
             range: TextRange::new(start, end.max(start)),
             place: index.line_column(text, start),
             message,

@@ -10,7 +10,7 @@ use std::ops::Range;
 /// Settings that are being read.
 pub(super) struct Reader {
     source: Source,
-    mistakes: Vec<(Range<usize>, String)>,
+    errors: Vec<(Range<usize>, String)>,
 }
 
 /// Who wrote them.
@@ -46,7 +46,7 @@ pub(super) struct Table {
     entries: Vec<Entry>,
     /// The keys that there are.
     known: Vec<&'static str>,
-    /// Keys that somebody else may set.
+    /// Keys that another user may set.
     elsewhere: Vec<&'static str>,
     range: Range<usize>,
 }
@@ -55,18 +55,18 @@ impl Reader {
     pub(super) fn new(source: Source) -> Reader {
         Reader {
             source,
-            mistakes: Vec::new(),
+            errors: Vec::new(),
         }
     }
 
     pub(super) fn wrong(&mut self, range: Range<usize>, message: impl Into<String>) {
-        self.mistakes.push((range, message.into()));
+        self.errors.push((range, message.into()));
     }
 
     /// What was found to be wrong, in the order of the places.
     pub(super) fn finish(mut self) -> Vec<(Range<usize>, String)> {
-        self.mistakes.sort_by_key(|(range, _)| range.start);
-        self.mistakes
+        self.errors.sort_by_key(|(range, _)| range.start);
+        self.errors
     }
 
     /// All that is set.
@@ -109,7 +109,7 @@ impl Reader {
         }
     }
 
-    /// The value of a setting, if it is there and whoever wrote this may set it.
+    /// The value of a setting, if it is there and a caller that wrote this may set it.
     pub(super) fn take(&self, table: &mut Table, setting: &Setting) -> Option<Given> {
         if self.source.allows(setting.place) {
             table.take(setting.key)

@@ -7,7 +7,7 @@ use ladder_analysis::program::Program;
 use ladder_simulator::Options;
 use std::path::Path;
 
-/// How programs are run. What is absent is left to whoever runs them.
+/// How programs are run. What is absent is left to a caller that runs them.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Simulate {
     /// The time from one scan to the next, in nanoseconds.
@@ -44,7 +44,7 @@ pub(super) fn read(mut table: Table, folder: &Path, reader: &mut Reader) -> Simu
         let named = Named::in_settings(folder, &file);
         if file.is_empty() {
             reader.wrong(given.range, "name a file, or leave `retain` out");
-        } else if let Some(problem) = named.mistake() {
+        } else if let Some(problem) = named.error() {
             reader.wrong(given.range, format!("`retain` cannot be used: {problem}"));
         } else {
             simulate.retain = Some(named);

@@ -258,13 +258,13 @@ pub const SECTIONS: &[Section] = &[
     },
 ];
 
-/// The names of the settings in a section, for whoever may set them.
+/// The names of the settings in a section, for a caller that may set them.
 pub(super) fn keys(section: &Section, allowed: impl Fn(SetBy) -> bool) -> Vec<&'static str> {
     let settings = section.settings.iter().filter(|setting| allowed(setting.place));
     settings.map(|setting| setting.key).collect()
 }
 
-/// The names of the sections, for whoever may set something in them.
+/// The names of the sections, for a caller that may set something in them.
 pub(super) fn sections(allowed: impl Fn(SetBy) -> bool) -> Vec<&'static str> {
     // The rules are not in the table; they may be set everywhere.
     let open = |section: &&Section| section.name == LINT.name || !keys(section, &allowed).is_empty();

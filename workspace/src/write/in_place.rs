@@ -1,9 +1,9 @@
-//! Writing over the bytes of a file that must stay the one that it is: it has several names, belongs to somebody else, or
+//! Writing over the bytes of a file that must stay the one that it is: it has several names, belongs to another user, or
 //! lies in a folder that takes no new file.
 //!
-//! This is not one step. So the old content is kept in a file of its own until the new one is on the disk: beside it, or
-//! in the folder for temporary files where nothing can be made beside it. What ends the process in between leaves the
-//! backup behind, which is what it is for.
+//! This is not one step. So the old content is kept in a file of its own until the new one is on the disk: next to it, or
+//! in the folder for temporary files where nothing can be made next to it. What ends the process in between leaves the
+//! backup after, which is what it is for.
 
 use super::folder_of;
 use crate::error::Problem;

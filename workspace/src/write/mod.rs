@@ -1,20 +1,20 @@
 //! Putting a new text in a file's place in one step.
 //!
 //! ```text
-//! a file of its own, or a new one     a new file without a name, then the name     beside
+//! a file of its own, or a new one     a new file without a name, then the name     next to
 //! one of several names, or of another
 //! owner, or in a folder that takes
 //! no new file                         a backup, then over the old bytes            in_place
 //! a device, a pipe                    straight through
 //! ```
 
-mod beside;
 mod in_place;
+mod new_file;
 mod temporary;
 
 use crate::error::{FileError, Problem};
-use beside::Beside;
 use in_place::InPlace;
+use new_file::NewFile;
 use std::fs::{self, File, Metadata};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -44,10 +44,10 @@ pub struct Replacement {
 #[derive(Debug)]
 enum Sink {
     /// A new file, which takes the name at the end.
-    Beside(Beside),
+    NewFile(NewFile),
     /// The file must stay the one that it is.
     InPlace(InPlace),
-    /// To replace a device or a pipe by a file would break what is behind it.
+    /// To replace a device or a pipe by a file would break what is after it.
     Through(File),
 }
 
@@ -86,7 +86,7 @@ impl Replacement {
     pub fn commit(self) -> Result<(), FileError> {
         let path = self.path;
         match self.sink {
-            Sink::Beside(new) => new.commit().map_err(|error| FileError::writing(&path, error)),
+            Sink::NewFile(new) => new.commit().map_err(|error| FileError::writing(&path, error)),
             Sink::InPlace(new) => new.commit().map_err(|problem| FileError::new(&path, problem)),
             Sink::Through(_) => Ok(()),
         }
@@ -96,7 +96,7 @@ impl Replacement {
 impl Write for Replacement {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         match &mut self.sink {
-            Sink::Beside(new) => new.file().write(bytes),
+            Sink::NewFile(new) => new.file().write(bytes),
             Sink::InPlace(new) => new.spool().write(bytes),
             Sink::Through(file) => file.write(bytes),
         }
@@ -104,7 +104,7 @@ impl Write for Replacement {
 
     fn flush(&mut self) -> io::Result<()> {
         match &mut self.sink {
-            Sink::Beside(new) => new.file().flush(),
+            Sink::NewFile(new) => new.file().flush(),
             Sink::InPlace(new) => new.spool().flush(),
             Sink::Through(file) => file.flush(),
         }
@@ -115,7 +115,7 @@ fn sink(target: PathBuf, there: Option<&Metadata>) -> io::Result<Sink> {
     if there.is_some_and(has_other_names) {
         return InPlace::of(target).map(Sink::InPlace);
     }
-    let new = match (Beside::of(&target, there), there) {
+    let new = match (NewFile::of(&target, there), there) {
         (Ok(new), _) => new,
         (Err(error), None) => return Err(error),
         // A folder that takes no new file may hold one that can be written all the same.
@@ -123,7 +123,7 @@ fn sink(target: PathBuf, there: Option<&Metadata>) -> io::Result<Sink> {
     };
     match there {
         Some(there) if !new.belongs_to_the_owner_of(there) => InPlace::of(target).map(Sink::InPlace),
-        _ => Ok(Sink::Beside(new)),
+        _ => Ok(Sink::NewFile(new)),
     }
 }
 

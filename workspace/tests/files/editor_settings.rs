@@ -16,16 +16,16 @@ fn text(text: &str) -> Tree {
 }
 
 fn wrong(tree: &Tree, expected: Expect) -> EditorSettings {
-    let (settings, mistakes) = EditorSettings::read(tree);
-    expected.assert_eq(&(mistakes.join("\n") + "\n"));
+    let (settings, errors) = EditorSettings::read(tree);
+    expected.assert_eq(&(errors.join("\n") + "\n"));
     settings
 }
 
 #[test]
 fn nothing_is_what_holds_anyway() {
     for tree in [Tree::Nothing, table(&[]), table(&[("format", Tree::Nothing)])] {
-        let (settings, mistakes) = EditorSettings::read(&tree);
-        assert_eq!(mistakes, Vec::<String>::new());
+        let (settings, errors) = EditorSettings::read(&tree);
+        assert_eq!(errors, Vec::<String>::new());
         assert!(!settings.inlay_hints && settings.code_lens);
         assert_eq!(settings.project.format, ladder_format::Options::default());
     }
@@ -33,7 +33,7 @@ fn nothing_is_what_holds_anyway() {
 
 #[test]
 fn every_key() {
-    let (settings, mistakes) = EditorSettings::read(&table(&[
+    let (settings, errors) = EditorSettings::read(&table(&[
         (
             "format",
             table(&[("width", Tree::Whole(120)), ("spacing", Tree::Whole(3))]),
@@ -52,7 +52,7 @@ fn every_key() {
         ("server", table(&[("path", text("/opt/ladder"))])),
         ("trace", table(&[("server", text("verbose"))])),
     ]));
-    assert_eq!(mistakes, Vec::<String>::new());
+    assert_eq!(errors, Vec::<String>::new());
     assert!(settings.inlay_hints && !settings.code_lens);
     let project = settings.project;
     assert_eq!((project.format.width, project.format.spacing), (120, 3));

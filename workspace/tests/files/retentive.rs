@@ -65,7 +65,7 @@ fn what_is_saved_is_found_again() {
 }
 
 #[test]
-fn a_damaged_file_is_kept_beside_and_never_over_another() {
+fn a_damaged_file_is_kept_next_to_and_never_over_another() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("motor.retain");
     for text in [
@@ -125,7 +125,7 @@ fn a_save_is_due_once_a_second_and_writes_only_what_changed() {
     assert!(file.is_due(Instant::now() + second));
     let late = begun + second;
     file.save(&[kept("n", "INT", &["1"])]).unwrap();
-    assert!(!file.is_due(late), "it was saved behind the beginning");
+    assert!(!file.is_due(late), "it was saved after the beginning");
     assert!(file.is_due(Instant::now() + second));
     fs::remove_file(&path).unwrap();
     file.save(&[kept("n", "INT", &["1"])]).unwrap();

@@ -134,12 +134,12 @@ fn what_is_a_matter_of_taste_is_not_the_projects() {
 }
 
 #[test]
-fn what_is_right_holds_beside_what_is_wrong() {
-    let (settings, mistakes) = Settings::examine(
+fn what_is_right_holds_next_to_what_is_wrong() {
+    let (settings, errors) = Settings::examine(
         Path::new("/plant/ladder.toml"),
         "[format]\nwith = 120\nspacing = 3\n",
     );
-    assert_eq!(mistakes.len(), 1);
+    assert_eq!(errors.len(), 1);
     assert_eq!(settings.format.spacing, 3);
 }
 

@@ -29,14 +29,14 @@ fn branches() {
                 run := (start OR run) AND NOT stop
             "#]],
     );
-    // Three branches behind a contact, and a branch around two.
+    // Three branches after a contact, and a branch around two.
     check(
         "+--[ ]( x )--\\--[ ]( a )----------------\\--( )( y )--+\n             /--\\--[ ]( b )--[ ]( d )--\\--/\n                /--[ ]( c )------------/\n",
         expect![[r#"
                 y := x AND (a OR b AND d OR c)
             "#]],
     );
-    // A bare wire beside a contact, and an inverter behind branches.
+    // A bare wire next to a contact, and an inverter after branches.
     check(
         "+--\\--[ ]( a )--\\--( )( y )--+\n|  /------------/            |\n+--\\--[ ]( a )--\\--[NOT]--( )( z )--+\n|  /--[ ]( b )--/                   |\n",
         expect![[r#"

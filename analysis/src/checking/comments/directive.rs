@@ -38,17 +38,17 @@ impl Word {
 
 /// Reads a comment that is at `at`. None: it is no directive. What is wrong goes to `out`.
 pub(super) fn read(comment: &str, at: TextSize, out: &mut Vec<Diagnostic>) -> Option<Directive> {
-    let Asked { word: name, behind } = asked(comment)?;
+    let Asked { word: name, after } = asked(comment)?;
     let place = TextRange::at(at, TextSize::of(comment));
     let file = match name {
         "allow" => false,
         "allow-file" => true,
-        "fmt" if matches!(behind, "on" | "off") => return Some(Directive::Known),
+        "fmt" if matches!(after, "on" | "off") => return Some(Directive::Known),
         "fmt" => {
             out.push(bad(place, "`fmt` is followed by `on` or `off`"));
             return None;
         }
-        "cycle" if profile::cycle_time(behind).is_some() => return Some(Directive::Says(Word::Cycle)),
+        "cycle" if profile::cycle_time(after).is_some() => return Some(Directive::Says(Word::Cycle)),
         "cycle" => {
             out.push(
                 bad(place, "`cycle` is followed by the time from one scan to the next")
@@ -56,13 +56,13 @@ pub(super) fn read(comment: &str, at: TextSize, out: &mut Vec<Diagnostic>) -> Op
             );
             return None;
         }
-        "profile" => return selected(behind, place, out),
+        "profile" => return selected(after, place, out),
         _ => {
             out.push(unknown(name, place));
             return None;
         }
     };
-    let rules = rules(behind, place, out)?;
+    let rules = rules(after, place, out)?;
     Some(Directive::Allow { rules, file })
 }
 
@@ -143,7 +143,7 @@ pub(super) fn said_before(word: Word, place: TextRange, first: TextRange, line: 
     let word = word.text();
     bad(
         place,
-        format!("`{word}` stands on line {line} already, and the first one counts: this changes nothing"),
+        format!("`{word}` is on line {line} already, and the first one counts: this changes nothing"),
     )
     .help("remove the one that is not meant")
     .related(first, "this one counts")

@@ -81,7 +81,7 @@ fn unused(
             if names.len() == 1 { "finds" } else { "find" }
         ),
     )
-    .help("remove it: it would hide a mistake that is made later");
+    .help("remove it: it would hide an error that is made later");
     found.severity = severity;
     Some(match removal.filter(|_| all) {
         Some(line) => found.fix(Applicability::Safe, "Remove the comment", line, ""),

@@ -67,7 +67,7 @@ pub(super) fn directives(context: &Context) -> Directives {
         let kind = parse.lines()[line].kind;
         let network = context.networks.on_line(line);
         let covers = || match network {
-            // On a line of its own within a network, or behind one of its rungs, it applies to that.
+            // On a line of its own within a network, or after one of its rungs, it applies to that.
             Some(network) => Covers::Network(network.index),
             // Between the things of a file it applies to what is next.
             None => next_thing(context, line),
@@ -93,8 +93,8 @@ fn has_comment_aside(network: NetworkAt<'_>, line: usize) -> bool {
 
 fn is_in_section(context: &Context, line: usize) -> bool {
     let sections = &context.parse.frame().sections;
-    let behind = sections.partition_point(|section| section.lines.start <= line);
-    let above = behind.checked_sub(1).map(|above| &sections[above]);
+    let after = sections.partition_point(|section| section.lines.start <= line);
+    let above = after.checked_sub(1).map(|above| &sections[above]);
     above.is_some_and(|section| section.lines.contains(&line))
 }
 

@@ -8,7 +8,7 @@ use ladder_syntax::{Parse, TextRange, TextSize, is_identifier};
 /// A contact's first part is no longer than this: `┤ ├`, `┤/├`.
 const LONGEST: usize = 3;
 
-/// This many lines above and below a place are drawn anew at once.
+/// This many lines above and below a place are drawn again at once.
 const MOST: usize = 50;
 
 /// What a box-drawing character stands for.
@@ -104,11 +104,11 @@ pub(crate) fn fix(parse: &Parse, at: TextSize) -> Option<Fix> {
     ))
 }
 
-/// A name that stands above a contact or coil.
+/// A name that is above a contact or coil.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Name {
     text: String,
-    /// The column of what it stands above.
+    /// The column of what it is above.
     at: usize,
 }
 
@@ -162,8 +162,8 @@ fn bare(characters: &[char]) -> Vec<(usize, usize)> {
             at += 1;
             continue;
         };
-        let behind = characters[end + 1..].iter().find(|&&c| c != ' ');
-        if behind != Some(&'(') {
+        let after = characters[end + 1..].iter().find(|&&c| c != ' ');
+        if after != Some(&'(') {
             found.push((at, end));
         }
         at = end + 1;
@@ -185,7 +185,7 @@ fn coil(characters: &[char], at: usize) -> Option<usize> {
     (characters[at] == '(').then_some(end)
 }
 
-/// A line in the language's own characters, with the names that stand above it. Connectors pair in their order, so columns need
+/// A line in the language's own characters, with the names that be above it. Connectors pair in their order, so columns need
 /// not be kept.
 fn plain(line: &str, names: &[Name]) -> String {
     let characters: Vec<char> = line.trim_end().chars().collect();

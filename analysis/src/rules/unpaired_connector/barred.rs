@@ -28,7 +28,7 @@ fn bars(row: &Row, columns: &[usize]) -> Option<(usize, usize)> {
     Some((first, last))
 }
 
-/// This many branches between two others are looked at.
+/// This many branches between two others are checked.
 const MOST: usize = 20;
 
 /// The finding, where connectors have no partners because the rungs up to the next one with connectors are such branches.

@@ -1,8 +1,8 @@
-//! The ways to mend a connector without a partner: what is drawn is completed; only the last one takes it away.
+//! The ways to fix a connector without a partner: what is drawn is completed; only the last one takes it away.
 //!
 //! Each of them decides which way power takes, and the drawing does not say for sure: none is safe.
 
-use super::{Side, beside, partner, symbol};
+use super::{Side, next_to, partner, symbol};
 use crate::findings::diagnostic::{Applicability, Fix};
 use crate::findings::excerpt::columns;
 use crate::networks::neighbours::{rung_above, rung_below};
@@ -10,14 +10,14 @@ use ladder_format::Edit;
 use ladder_syntax::wiring::{self, PartKind, Rung};
 use ladder_syntax::{Parse, TextRange, TextSize};
 
-/// This many columns beside a connector its partner is looked for.
+/// This many columns next to a connector its partner is looked for.
 pub(super) const NEAR: usize = 2;
 
 /// A rung with the columns of its parts.
 pub(super) struct Row {
     line: usize,
     pub(super) rung: Rung,
-    /// The first column of each part, and the one behind it.
+    /// The first column of each part, and the one after it.
     pub(super) spans: Vec<(usize, usize)>,
 }
 
@@ -95,18 +95,18 @@ fn too_many(parse: &Parse, row: &Row, kind: PartKind) -> bool {
 /// `/` above `\`: the two are swapped. `/` above `/`, or `\` above `\`: the one that has no partner on its side is
 /// meant the other way.
 fn exchanged(parse: &Parse, spot: Spot<'_>, kind: PartKind, column: usize) -> Option<Fix> {
-    let behind = match kind {
+    let after = match kind {
         PartKind::Down => rung_above(parse, spot.row.line),
         _ => rung_below(parse, spot.row.line),
     };
-    let behind = Row::new(parse, behind?);
+    let after = Row::new(parse, after?);
     let alone = |kind| {
-        let found = behind.near(column, |part| behind.is(part, kind))?;
-        too_many(parse, &behind, kind).then_some(found)
+        let found = after.near(column, |part| after.is(part, kind))?;
+        too_many(parse, &after, kind).then_some(found)
     };
     let own = edit(spot.row.range(parse, spot.part), symbol(partner(kind)));
     if let Some(other) = alone(partner(kind)) {
-        let other = edit(behind.range(parse, other), symbol(kind));
+        let other = edit(after.range(parse, other), symbol(kind));
         let edits = match kind {
             PartKind::Down => vec![other, own],
             _ => vec![own, other],
@@ -193,7 +193,7 @@ fn close(parse: &Parse, other: &Row, kind: PartKind, column: usize) -> Option<Fi
         if is_open(first) {
             let (start, end) = other.spans[first];
             let range = other.range(parse, first);
-            // The connector takes the place of the dash in its column, if wire is left behind it.
+            // The connector takes the place of the dash in its column, if wire is left after it.
             let replaced = (column + 1).saturating_sub(start);
             let edit = if is_wire(first) && replaced <= NEAR + 1 && column + 1 < end {
                 let length = TextSize::new(replaced as u32);
@@ -234,17 +234,17 @@ fn join(parse: &Parse, other: &Row, kind: PartKind, column: usize) -> Option<Fix
     let within = TextSize::new((column - other.spans[wire].0) as u32);
     let at = TextRange::at(other.range(parse, wire).start() + within, TextSize::new(1));
     let meant = symbol(partner(kind));
-    let title = format!("Join with `{meant}` {} it", beside(kind));
+    let title = format!("Join with `{meant}` {} it", next_to(kind));
     Some(guess(title, vec![edit(at, meant)]))
 }
 
 /// The last way out.
 fn take_away(parse: &Parse, spot: Spot<'_>, kind: PartKind) -> Option<Fix> {
     let parts = &spot.row.rung.parts;
-    let touches_behind = parts.get(spot.part + 1).is_some_and(|next| next.touches);
+    let touches_after = parts.get(spot.part + 1).is_some_and(|next| next.touches);
     let title = format!("Replace `{}` with wire", symbol(kind));
     let edits = || vec![edit(spot.row.range(parse, spot.part), "-")];
-    (parts[spot.part].touches && touches_behind).then(|| guess(title, edits()))
+    (parts[spot.part].touches && touches_after).then(|| guess(title, edits()))
 }
 
 fn guess(title: String, edits: Vec<Edit>) -> Fix {

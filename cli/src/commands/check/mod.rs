@@ -1,6 +1,6 @@
-//! `ladder check`: the mistakes in programs.
+//! `ladder check`: the errors in programs.
 
-mod mend;
+mod fix;
 mod report;
 mod stdin;
 mod tally;
@@ -13,9 +13,9 @@ use crate::outcome::{Failure, Outcome};
 use crate::terminal;
 use annotate_snippets::Renderer;
 use clap::{Args, ValueEnum};
+use fix::Fixed;
 use ladder_analysis::{Applicability, Diagnostic};
 use ladder_workspace::FileError;
-use mend::Mended;
 use rayon::prelude::*;
 use report::{Report, Target};
 use std::path::{Path, PathBuf};
@@ -27,8 +27,8 @@ Examples:
   ladder check .                      all programs in this folder
   ladder check --deny warnings .      a warning, too, makes the exit status 1
   ladder check --watch .              again and again, whenever a file changes
-  ladder check --fix motor.clad       mend what can be mended safely
-  ladder check --fix --diff .         only show what would be mended
+  ladder check --fix motor.clad       fix what can be fixed safely
+  ladder check --fix --diff .         only show what would be fixed
   ladder check --format sarif . > out.sarif
   ladder check plant.ld               a program of another system
   ladder check --stdin-filename motor.clad - < draft
@@ -36,9 +36,9 @@ Examples:
 
 Exit status: 0 no errors, 1 errors (with --deny warnings: errors or warnings), 2 a file (or ladder.toml) cannot be read.";
 
-/// Look for mistakes in programs
+/// Look for errors in programs
 ///
-/// Shows each mistake with the lines it is on, the places that have to do with it, and what to do. Global tags,
+/// Shows each error with the lines it is on, the places that have to do with it, and what to do. Global tags,
 /// functions and blocks of the other files in the workspace (the folder of the nearest ladder.toml, else the file's
 /// own folder) are known, also when only one file is named.
 #[derive(Debug, Args)]
@@ -56,9 +56,9 @@ pub(crate) struct Arguments {
     #[arg(long, value_enum)]
     deny: Option<Deny>,
 
-    /// Mend what can be mended safely, keep the drawing aligned, and show what is left
+    /// Fix what can be fixed safely, keep the drawing aligned, and show what is left
     ///
-    /// With `-` the mended text goes to stdout, and what is left to stderr.
+    /// With `-` the fixed text goes to stdout, and what is left to stderr.
     #[arg(long)]
     fix: bool,
 
@@ -123,9 +123,9 @@ impl Arguments {
         self.from.as_deref().map(form::named)
     }
 
-    /// What is mended, if anything is.
-    fn task(&self) -> Option<mend::Task> {
-        self.fix.then_some(mend::Task {
+    /// What is fixed, if anything is.
+    fn task(&self) -> Option<fix::Task> {
+        self.fix.then_some(fix::Task {
             most: if self.unsafe_fixes {
                 Applicability::Unsafe
             } else {
@@ -222,7 +222,7 @@ fn check_files(arguments: &Arguments) -> Result<Round, Failure> {
 
 /// What all that was found means for the exit status.
 fn exit_of(tally: &Tally, arguments: &Arguments) -> Outcome {
-    let would_change = arguments.diff && tally.mended > 0;
+    let would_change = arguments.diff && tally.fixed > 0;
     let denied = arguments.deny == Some(Deny::Warnings) && tally.warnings > 0;
     if tally.errors > 0 || denied || would_change {
         Outcome::Findings
@@ -240,8 +240,8 @@ struct Checked {
     findings: Vec<Diagnostic>,
     /// What is wrong in a file of scenarios.
     problems: Vec<Problem>,
-    /// What was mended.
-    mended: Mended,
+    /// What was fixed.
+    fixed: Fixed,
 }
 
 impl Checked {
@@ -252,27 +252,27 @@ impl Checked {
     }
 }
 
-/// Checks a file. It is written once, at the end, and only if something was mended.
-fn check_file(source: Source, task: Option<mend::Task>, renderer: &Renderer) -> Result<Checked, FileError> {
+/// Checks a file. It is written once, at the end, and only if something was fixed.
+fn check_file(source: Source, task: Option<fix::Task>, renderer: &Renderer) -> Result<Checked, FileError> {
     let checked = check(source, task, renderer);
-    if !checked.mended.fixes.is_empty() && checked.mended.before.is_none() {
+    if !checked.fixed.fixes.is_empty() && checked.fixed.before.is_none() {
         ladder_workspace::write(Path::new(&checked.source.file), checked.source.text.as_bytes())?;
     }
     Ok(checked)
 }
 
-fn check(source: Source, task: Option<mend::Task>, renderer: &Renderer) -> Checked {
+fn check(source: Source, task: Option<fix::Task>, renderer: &Renderer) -> Checked {
     let path = Path::new(&source.file);
     if ladder_workspace::is_scenario(path) {
         return Checked {
-            problems: test::mistakes(path, &source, renderer),
+            problems: test::errors(path, &source, renderer),
             source,
             findings: Vec::new(),
-            mended: Mended::default(),
+            fixed: Fixed::default(),
         };
     }
     if let Some(task) = task {
-        return mend::mend(source, task);
+        return fix::fix(source, task);
     }
     let remarks = source.remarks().into_iter();
     Checked {
@@ -281,7 +281,7 @@ fn check(source: Source, task: Option<mend::Task>, renderer: &Renderer) -> Check
             .collect(),
         findings: source.findings(),
         source,
-        mended: Mended::default(),
+        fixed: Fixed::default(),
     }
 }
 
@@ -295,16 +295,16 @@ fn source(
         return Source::read(file, Some(Form::Ladder)).map(Some);
     }
     let source = Source::read(file, arguments.form())?;
-    may_be_mended(&source, arguments)?;
+    may_be_fixed(&source, arguments)?;
     let workspace = workspaces.of(file)?;
     Ok(workspace.map(|workspace| source.within(workspace)))
 }
 
-/// Refuses to mend what is no ladder text: its fixes are about a text that is nowhere.
-fn may_be_mended(source: &Source, arguments: &Arguments) -> Result<(), Failure> {
+/// Refuses to fix what is no ladder text: its fixes are about a text that is nowhere.
+fn may_be_fixed(source: &Source, arguments: &Arguments) -> Result<(), Failure> {
     match source.foreign() {
         Some(foreign) if arguments.fix => Err(Failure::new(format!(
-            "{}: --fix mends only ladder text, and this file is in the notation `{}`; `ladder convert {0} -o FILE.clad` \
+            "{}: --fix fixes only ladder text, and this file is in the notation `{}`; `ladder convert {0} -o FILE.clad` \
              writes it as ladder text",
             source.file,
             foreign.notation()

@@ -1,6 +1,6 @@
 //! What is written while files are checked, in the chosen form.
 
-use super::mend::Mended;
+use super::fix::Fixed;
 use super::tally::Tally;
 use super::{Checked, Format};
 use crate::diff;
@@ -89,11 +89,11 @@ impl Report {
     /// Writes what was found in a file.
     pub(super) fn add(&mut self, checked: &Checked) -> io::Result<()> {
         let source = &checked.source;
-        self.mended(checked)?;
-        if checked.mended.before.is_some() {
+        self.fixed(checked)?;
+        if checked.fixed.before.is_some() {
             // What is left is for a check of its own.
-            let fixes = checked.mended.fixes.len();
-            self.tally.file_to_mend(&checked.findings, fixes);
+            let fixes = checked.fixed.fixes.len();
+            self.tally.file_to_fix(&checked.findings, fixes);
             return Ok(());
         }
         for problem in &checked.problems {
@@ -118,13 +118,13 @@ impl Report {
             }
             self.tally.count(finding);
         }
-        self.tally.file(checked.mended.fixes.len());
+        self.tally.file(checked.fixed.fixes.len());
         Ok(())
     }
 
     /// Lists the fixes that were made, and shows what would change.
-    fn mended(&mut self, checked: &Checked) -> io::Result<()> {
-        let Mended { fixes, before } = &checked.mended;
+    fn fixed(&mut self, checked: &Checked) -> io::Result<()> {
+        let Fixed { fixes, before } = &checked.fixed;
         let verb = if before.is_some() { "would fix" } else { "fixed" };
         for fix in fixes {
             match self.format {

@@ -1,7 +1,7 @@
 //! `ladder check -`: one text from stdin, as an editor or another program gives it.
 
 use super::report::{Report, Target};
-use super::{Arguments, check, exit_of, may_be_mended};
+use super::{Arguments, check, exit_of, may_be_fixed};
 use crate::findings::Source;
 use crate::form::Form;
 use crate::outcome::{Failure, Outcome};
@@ -12,7 +12,7 @@ use std::io::Write;
 use std::path::Path;
 use std::sync::Arc;
 
-/// Checks the text. With `--fix` stdout has the mended text, whether anything was mended or not, and the findings that
+/// Checks the text. With `--fix` stdout has the fixed text, whether anything was fixed or not, and the findings that
 /// are left go to stderr; with `--diff` it has what would change.
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let given = arguments.stdin_filename.as_deref();
@@ -33,7 +33,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         return Ok(Outcome::Fine);
     }
     let source = source(given, bytes, arguments)?;
-    may_be_mended(&source, arguments)?;
+    may_be_fixed(&source, arguments)?;
     let checked = check(source, arguments.task(), report.renderer());
     if gives_text {
         print(checked.source.text.as_bytes())?;

@@ -12,8 +12,8 @@ pub(super) struct Tally {
     pub(super) errors: usize,
     pub(super) warnings: usize,
     infos: usize,
-    pub(super) mended: usize,
-    /// Nothing was written: what was mended is what would be.
+    pub(super) fixed: usize,
+    /// Nothing was written: what was fixed is what would be.
     only_shown: bool,
     rules: BTreeMap<Rule, Found>,
 }
@@ -44,15 +44,15 @@ impl Tally {
         }
     }
 
-    /// Counts a file, with this many mended findings.
-    pub(super) fn file(&mut self, mended: usize) {
+    /// Counts a file, with this many fixed findings.
+    pub(super) fn file(&mut self, fixed: usize) {
         self.files += 1;
-        self.mended += mended;
+        self.fixed += fixed;
     }
 
-    /// Counts a file of which only what would be mended was shown, with what would be left.
-    pub(super) fn file_to_mend(&mut self, left: &[Diagnostic], mended: usize) {
-        self.file(mended);
+    /// Counts a file of which only what would be fixed was shown, with what would be left.
+    pub(super) fn file_to_fix(&mut self, left: &[Diagnostic], fixed: usize) {
+        self.file(fixed);
         self.only_shown = true;
         for finding in left {
             self.count(finding);
@@ -69,7 +69,7 @@ impl Tally {
         self.errors + self.warnings + self.infos
     }
 
-    /// A line for each rule, the most frequent first. A `*` marks those of which some can be mended
+    /// A line for each rule, the most frequent first. A `*` marks those of which some can be fixed
     /// safely.
     pub(super) fn statistics(&self) -> String {
         let mut rules: Vec<(&Rule, &Found)> = self.rules.iter().collect();
@@ -95,15 +95,15 @@ impl fmt::Display for Tally {
         .map(|(count, one)| counted(count, one))
         .collect();
         let found = if found.is_empty() {
-            "no mistakes found".to_owned()
+            "no errors found".to_owned()
         } else {
             found.join(", ")
         };
         write!(f, "Checked {}: {found}.", counted(self.files, "file"))?;
-        match self.mended {
+        match self.fixed {
             0 => Ok(()),
-            mended if self.only_shown => write!(f, " {} would be mended.", counted(mended, "finding")),
-            mended => write!(f, " Mended {}.", counted(mended, "finding")),
+            fixed if self.only_shown => write!(f, " {} would be fixed.", counted(fixed, "finding")),
+            fixed => write!(f, " Fixed {}.", counted(fixed, "finding")),
         }
     }
 }

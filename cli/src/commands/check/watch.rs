@@ -1,6 +1,6 @@
 //! `ladder check --watch`: the same check again whenever something changes.
 //!
-//! The files are looked at a few times a second. That needs no more of the operating system than a check does, so it
+//! The files are checked a few times a second. That needs no more of the operating system than a check does, so it
 //! works on network drives and in containers as well, and a file that `.gitignore` names is no news.
 
 use super::{Arguments, Format, Round, check_files};
@@ -122,7 +122,7 @@ mod tests {
         write("plant/a.clad", "");
         write("plant/b.clad", "");
         write("plant/line/c.clad", "");
-        write("beside.clad", "");
+        write("next to it.clad", "");
         let paths = [
             folder.path().join("plant/a.clad"),
             folder.path().join("plant/line"),
@@ -151,7 +151,9 @@ mod tests {
         assert!(is_seen(
             |at| fs::write(at.join("plant/line/ladder.toml"), "").unwrap()
         ));
-        assert!(!is_seen(|at| fs::write(at.join("beside.clad"), "+--+").unwrap()));
+        assert!(!is_seen(
+            |at| fs::write(at.join("next to it.clad"), "+--+").unwrap()
+        ));
         assert!(!is_seen(
             |at| fs::write(at.join("plant/notes.txt"), "new").unwrap()
         ));

@@ -109,7 +109,7 @@ fn convert(job: &Job, existing: Existing) -> Result<(Account, Outcome), Failure>
             Source::new(job.input.display().to_string(), converted.written.text)
         }
     };
-    let (bytes, beside) = match job.to {
+    let (bytes, next_to) = match job.to {
         Form::Ladder => (ladder.text.into_bytes(), Vec::new()),
         Form::Foreign(notation) => {
             let writing = notation.write(&ladder.analyze()).map_err(|error| {
@@ -126,24 +126,24 @@ fn convert(job: &Job, existing: Existing) -> Result<(Account, Outcome), Failure>
             (writing.bytes, writing.companions)
         }
     };
-    write(job.output.as_deref(), &bytes, &beside, existing)?;
+    write(job.output.as_deref(), &bytes, &next_to, existing)?;
     let outcome = account.outcome();
     Ok((account, outcome))
 }
 
-/// Writes a program and what belongs beside it. Nothing is written if one of them may not be.
+/// Writes a program and what belongs next to it. Nothing is written if one of them may not be.
 fn write(
     output: Option<&Path>,
     bytes: &[u8],
-    beside: &[Companion],
+    next_to: &[Companion],
     existing: Existing,
 ) -> Result<(), Failure> {
     let mut files = vec![(Output::open(output, existing)?, bytes)];
-    for companion in beside {
+    for companion in next_to {
         let Some(output) = output else {
             let name = shown::line(&companion.name);
             terminal::note(&format!(
-                "{name} belongs beside this program; with -o it is written there"
+                "{name} belongs next to this program; with -o it is written there"
             ));
             continue;
         };

@@ -116,7 +116,7 @@ fn folders_below<'p>(inputs: &[PathBuf], file: &'p Path) -> &'p Path {
     nearest.and_then(Path::parent).unwrap_or(Path::new(""))
 }
 
-/// What was found in a folder beside a program, and belongs to it, is read with that.
+/// What was found in a folder next to a program, and belongs to it, is read with that.
 fn without_companions(jobs: &mut Vec<Job>, named: &HashSet<&Path>) {
     let belongs = |job: &Job, program: &Job| {
         let (Form::Foreign(notation), Some(stem), Some(name)) =

@@ -80,8 +80,8 @@ pub(super) fn print(row: &Instruction, look: &Look, out: &mut impl Write) -> io:
             let first = format!("  {name}  {direction:6}  ");
             let rest = " ".repeat(first.len());
             let text = wrap(&format!("{}{presence}", operand.doc), &first, &rest, *columns);
-            let behind = &text[2 + name.len()..];
-            write!(out, "  {code}{name}{code:#}{behind}")?;
+            let after = &text[2 + name.len()..];
+            write!(out, "  {code}{name}{code:#}{after}")?;
         }
     }
     write!(

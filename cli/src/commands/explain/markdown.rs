@@ -57,7 +57,7 @@ enum Piece<'m> {
     },
     /// A line of a fenced block.
     Code(&'m str),
-    /// The rows of a table without its head: what is first, and what is behind it.
+    /// The rows of a table without its head: what is first, and what is after it.
     Table(Vec<(String, String)>),
 }
 
@@ -153,10 +153,10 @@ pub(super) fn plain(text: &str) -> String {
 fn without_links(line: &str) -> String {
     let mut shown = String::with_capacity(line.len());
     let mut rest = line;
-    while let Some((before, text, behind)) = next_link(rest) {
+    while let Some((before, text, after)) = next_link(rest) {
         shown.push_str(before);
         shown.push_str(text);
-        rest = behind;
+        rest = after;
     }
     shown + rest
 }
@@ -172,8 +172,8 @@ fn next_link(line: &str) -> Option<(&str, &str, &str)> {
         })?
         .0;
     let start = line[..target].rfind('[')?;
-    let (_, behind) = line[target..].split_once(')')?;
-    Some((&line[..start], &line[start + 1..target], behind))
+    let (_, after) = line[target..].split_once(')')?;
+    Some((&line[..start], &line[start + 1..target], after))
 }
 
 #[cfg(test)]

@@ -41,9 +41,9 @@ fn words(text: &str) -> Vec<&str> {
     let mut words = Vec::new();
     let mut rest = text.trim();
     while !rest.is_empty() {
-        let (word, behind) = rest.split_at(end_of_word(rest));
+        let (word, after) = rest.split_at(end_of_word(rest));
         words.push(word);
-        rest = behind.trim_start();
+        rest = after.trim_start();
     }
     words
 }

@@ -73,7 +73,7 @@ impl Selection {
     }
 }
 
-/// Behind this many characters of a line.
+/// After this many characters of a line.
 fn at_column(text: &str, line: TextRange, characters: u32) -> TextSize {
     let bytes: usize = text[line]
         .trim_end_matches(['\r', '\n'])

@@ -40,7 +40,7 @@ impl Writer for Github {
             tally.failed
         )?;
         if tally.broken > 0 {
-            write!(out, ", {} not run for mistakes", counted(tally.broken, "file"))?;
+            write!(out, ", {} not run for errors", counted(tally.broken, "file"))?;
         }
         writeln!(out)
     }

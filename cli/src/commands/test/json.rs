@@ -58,7 +58,8 @@ struct Suite<'a> {
     program: Option<&'a str>,
     seconds: f64,
     /// With the members of the findings of `ladder check`.
-    mistakes: &'a [Problem],
+    #[serde(rename = "mistakes")]
+    errors: &'a [Problem],
     scenarios: Vec<Scenario<'a>>,
 }
 
@@ -68,7 +69,7 @@ impl<'a> Suite<'a> {
             file: &report.file,
             program: report.program.as_ref().map(|program| program.file.as_str()),
             seconds: report.seconds,
-            mistakes: &report.problems,
+            errors: &report.problems,
             scenarios: report.cases.iter().map(Scenario::new).collect(),
         }
     }

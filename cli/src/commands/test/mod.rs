@@ -43,10 +43,10 @@ A file of scenarios, motor.ladder-test, says what goes into a program and what m
   stop    ______-__
   run  => _-----___
 
-One column is one step: _ is low, - is high, . is as before (behind => it is not checked). Numbers are with
+One column is one step: _ is low, - is high, . is as before (after => it is not checked). Numbers are with
 blanks between them.
 
-Exit status: 0 all is as expected, 1 a scenario failed, or a scenario file or its program has mistakes, 2 a file
+Exit status: 0 all is as expected, 1 a scenario failed, or a scenario file or its program has errors, 2 a file
 cannot be read, or no scenario has the name asked for.";
 
 /// Run the scenarios of programs
@@ -226,7 +226,7 @@ fn in_order(
     })
 }
 
-/// The mistakes of a scenario file, and those of its program.
-pub(crate) fn mistakes(path: &Path, source: &Source, renderer: &Renderer) -> Vec<Problem> {
+/// The errors of a scenario file, and those of its program.
+pub(crate) fn errors(path: &Path, source: &Source, renderer: &Renderer) -> Vec<Problem> {
     suite::check(path, source, renderer)
 }

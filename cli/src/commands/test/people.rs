@@ -120,7 +120,7 @@ impl Writer for People {
             parts.push(self.paint(BAD, &format!("{} failed", tally.failed)));
         }
         if tally.broken > 0 {
-            let broken = format!("{} not run for mistakes", counted(tally.broken, "file"));
+            let broken = format!("{} not run for errors", counted(tally.broken, "file"));
             parts.push(self.paint(BAD, &broken));
         }
         writeln!(

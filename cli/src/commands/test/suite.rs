@@ -7,7 +7,7 @@ use annotate_snippets::Renderer;
 use ladder_analysis::program::Location;
 use ladder_analysis::{NotWhole, Severity};
 use ladder_simulator::coverage::Coverage;
-use ladder_simulator::scenario::{self, Case, Mistake, Suite};
+use ladder_simulator::scenario::{self, Case, ScenarioError, Suite};
 use ladder_simulator::{Options, Simulation};
 use ladder_syntax::TextRange;
 use ladder_workspace::{FileError, Named, Settings};
@@ -71,7 +71,7 @@ pub(super) fn run(path: &Path, wishes: &Wishes) -> FileReport {
     report
 }
 
-/// The mistakes of a scenario file, as far as they can be found.
+/// The errors of a scenario file, as far as they can be found.
 pub(super) fn check(path: &Path, source: &Source, renderer: &Renderer) -> Vec<Problem> {
     let wishes = Wishes {
         filter: None,
@@ -102,39 +102,38 @@ impl Ready {
         wishes: &Wishes,
     ) -> Result<Ready, (Vec<Problem>, Option<Arc<Source>>)> {
         let suite = scenario::parse(&source.text);
-        let mistakes = |found: &[Mistake]| -> Vec<Problem> {
-            let mut found: Vec<&Mistake> = suite.mistakes.iter().chain(found).collect();
-            found.sort_by_key(|mistake| mistake.range.start());
+        let errors = |found: &[ScenarioError]| -> Vec<Problem> {
+            let mut found: Vec<&ScenarioError> = suite.errors.iter().chain(found).collect();
+            found.sort_by_key(|error| error.range.start());
             found
                 .into_iter()
                 .map(|found| Problem::of(source, found, &wishes.renderer))
                 .collect()
         };
         let Some((name, range)) = &suite.program else {
-            return Err((mistakes(&[]), None));
+            return Err((errors(&[]), None));
         };
         let named = Named::in_file(path, name);
         let program = named.path();
-        let with_mistakes = |problem: Problem| {
-            let mut problems = mistakes(&[]);
+        let with_errors = |problem: Problem| {
+            let mut problems = errors(&[]);
             problems.insert(0, problem);
             (problems, None)
         };
         let bytes = named
             .read_bytes()
-            .map_err(|error| with_mistakes(missing_program(source, *range, &error, &wishes.renderer)))?;
+            .map_err(|error| with_errors(missing_program(source, *range, &error, &wishes.renderer)))?;
         let program_source = wishes.source(&program, bytes);
-        let program_source =
-            program_source.map_err(|error| with_mistakes(broken_program(&program, &error)))?;
+        let program_source = program_source.map_err(|error| with_errors(broken_program(&program, &error)))?;
         let program_source = Arc::new(program_source);
         let mut simulation =
             compile(&program, &program_source, &suite, &wishes.renderer).map_err(|problems| {
-                let mut all = mistakes(&[]);
+                let mut all = errors(&[]);
                 all.extend(problems);
                 (all, Some(Arc::clone(&program_source)))
             })?;
         let (cases, found) = scenario::bind(&suite, &simulation);
-        let problems = mistakes(&found);
+        let problems = errors(&found);
         if !problems.is_empty() {
             return Err((problems, Some(program_source)));
         }
@@ -238,7 +237,7 @@ fn compile(
         options.interval = interval;
     }
     Simulation::new(program, options).map_err(|error| {
-        let found = Mistake {
+        let found = ScenarioError {
             range: source.range_in_file(error.location.range),
             message: error.message,
             help: None,
@@ -289,7 +288,7 @@ fn broken_program(program: &Path, error: &NotRead) -> Problem {
 
 /// The program that a file names cannot be read: reported where it is named.
 fn missing_program(source: &Source, range: TextRange, error: &FileError, renderer: &Renderer) -> Problem {
-    let found = Mistake {
+    let found = ScenarioError {
         range,
         message: error.to_string(),
         help: Some("a program is named as it is seen from the folder of the scenario file".to_owned()),

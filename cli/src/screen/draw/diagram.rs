@@ -135,7 +135,7 @@ fn draw_line(buffer: &mut Buffer, pane: Rect, row: u16, line: usize, folding: Fo
         let under = marks.get(mark).filter(|mark| mark.start <= offset);
         let column = match place {
             ColumnPlace::Seen(column) if column + cell.width <= pane.width as usize => column as u16,
-            ColumnPlace::Seen(_) | ColumnPlace::Behind => {
+            ColumnPlace::Seen(_) | ColumnPlace::After => {
                 hides_a_block = blocks.last().is_some_and(|(last, _)| last.end > offset);
                 break;
             }
@@ -235,8 +235,8 @@ fn look_of_block(offset: usize, rest: &str, block: &Block, power: Style, scene: 
         let point = &operand.point;
         let inside = (operand.start..operand.end).contains(&offset);
         let before = blank && offset + 1 == operand.start;
-        let behind = blank && offset == operand.end;
-        if !inside && !before && !behind {
+        let after = blank && offset == operand.end;
+        if !inside && !before && !after {
             continue;
         }
         let high = plant.is_high(point);
@@ -255,7 +255,7 @@ fn look_of_block(offset: usize, rest: &str, block: &Block, power: Style, scene: 
                 instead: Some(theme.dot(true)),
             };
         }
-        if behind && forced {
+        if after && forced {
             return Look {
                 style: state,
                 instead: Some('F'),
@@ -285,7 +285,7 @@ fn values_width(line: usize, scene: Scene) -> u16 {
         .unwrap_or(0)
 }
 
-/// The values behind the end of a line. What is there is a comment, and gives way.
+/// The values after the end of a line. What is there is a comment, and gives way.
 fn draw_values(buffer: &mut Buffer, pane: Rect, row: u16, column: u16, line: usize, scene: Scene) {
     let Scene { plant, theme, .. } = scene;
     let mut column = column;

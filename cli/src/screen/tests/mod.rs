@@ -240,14 +240,14 @@ fn grid(buffer: &Buffer, show: impl Fn(&Buffer, u16, u16) -> String) -> String {
     for y in area.top()..area.bottom() {
         // The edge shows where a line begins that begins with blanks.
         let mut line = String::from("|");
-        let mut behind = 0;
+        let mut after = 0;
         for x in area.left()..area.right() {
             // The second column of a wide character holds nothing of its own.
-            if x < behind {
+            if x < after {
                 continue;
             }
             let symbol = show(buffer, x, y);
-            behind = x + ladder_format::display_width(buffer[(x, y)].symbol()).max(1) as u16;
+            after = x + ladder_format::display_width(buffer[(x, y)].symbol()).max(1) as u16;
             line.push_str(&symbol);
         }
         shown.push_str(line.trim_end());

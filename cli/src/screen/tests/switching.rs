@@ -216,7 +216,7 @@ fn forces() {
     bench.check_info(
         "f 1 space",
         expect![[r#"
-            | start is forced: u lets it go, f forces it anew
+            | start is forced: u lets it go, f forces it again
         "#]],
     );
     bench.check_lines(

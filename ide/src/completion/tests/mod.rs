@@ -69,7 +69,7 @@ fn in_plant(rung: &str) -> String {
 const HOLD: &str = "FUNCTION_BLOCK [$Hold]\nVAR_INPUT raw : BOOL; wait : TIME := T#1s; END_VAR\n\
                     VAR_OUTPUT clean : BOOL; END_VAR\n+--[ ]( raw )--( )( clean )--+\nEND_FUNCTION_BLOCK\n";
 
-/// Whatever is written so far and whatever is accepted: the line has no more mistakes than before, and the edit is
+/// Whatever is written so far and whatever is accepted: the line has no more errors than before, and the edit is
 /// one stretch of the cursor's line that holds the cursor.
 #[test]
 fn what_is_accepted_reads() {
@@ -78,22 +78,22 @@ fn what_is_accepted_reads() {
         "+--[GT]( level, limit )--[CALC]( total, MAX(level, 3) * (2 + total) )--(RES)( warmup )--+",
         "+--[$Hold]( start, wait, run )--[SEARCH]( total, EQ, level, row[1..4], FOUND => run )--<JMP>( done )--+",
     ];
-    let mistakes = |text: &str| parse(text).errors().len();
+    let errors = |text: &str| parse(text).errors().len();
     let mut accepted = 0;
     for rung in rungs {
         for cut in 0..=rung.len() {
-            for behind in ["", ")", "]", " --( )( run )--+", &rung[cut..]] {
-                // Every place once, and every third with each of the others behind it.
-                if !behind.is_empty() && cut % 3 != 0 {
+            for after in ["", ")", "]", " --( )( run )--+", &rung[cut..]] {
+                // Every place once, and every third with each of the others after it.
+                if !after.is_empty() && cut % 3 != 0 {
                     continue;
                 }
-                let line = format!("{}{behind}", &rung[..cut]);
+                let line = format!("{}{after}", &rung[..cut]);
                 let text = format!("{PLANT}{line}\n{HOLD}");
-                let before = mistakes(&line);
+                let before = errors(&line);
                 let cursor = TextSize::new((PLANT.len() + cut) as u32);
                 let analysis = analyze(&Arc::new(parse(&text)), "test.clad");
                 let items = completions(&analysis.context, cursor, None).items;
-                // An editor that shows a list behind one column needs one column for all.
+                // An editor that shows a list after one column needs one column for all.
                 let starts: std::collections::BTreeSet<_> =
                     items.iter().map(|item| item.range.start()).collect();
                 assert!(starts.len() < 2, "{line} at {cut}");
@@ -110,7 +110,7 @@ fn what_is_accepted_reads() {
                     let mut new = line.clone();
                     new.replace_range(std::ops::Range::<usize>::from(range), &item.text.plain());
                     assert!(
-                        mistakes(&new) <= before,
+                        errors(&new) <= before,
                         "{} in\n{line} at {cut} gives\n{new}",
                         item.label
                     );

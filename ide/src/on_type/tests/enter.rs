@@ -121,7 +121,7 @@ fn enter_elsewhere() {
 }
 
 #[test]
-fn enter_behind_a_rung_begins_the_next() {
+fn enter_after_a_rung_begins_the_next() {
     check(
         "+--[ ]( a )--( )( y )--+\n$0\n\n+--[ ]( x )--( )( z )--+\n",
         expect![[r#"
@@ -205,7 +205,7 @@ fn enter_behind_a_rung_begins_the_next() {
 }
 
 #[test]
-fn enter_behind_a_branch_leaves_the_rail_where_it_is() {
+fn enter_after_a_branch_leaves_the_rail_where_it_is() {
     const ROW: &str = "+--\\--[ ]( a )--\\--( )( y )--+\n|  /--[ ]( b )--/\n";
     check(
         &format!("{ROW}$0            |"),
@@ -233,7 +233,7 @@ fn enter_behind_a_branch_leaves_the_rail_where_it_is() {
             nothing
         "#]],
     );
-    // A rail that somebody draws.
+    // A rail that a user draws.
     check(
         &format!("{ROW}|\n$0|\n"),
         expect![[r#"
@@ -291,7 +291,7 @@ fn an_enter_that_was_overtaken_is_asked_about_again() {
             nothing
         "#]],
     );
-    // A rail that somebody draws is none that was begun.
+    // A rail that a user draws is none that was begun.
     check_typed(
         "+--\\--[ ]( a )--\\--( )( y )--+\n|  $0",
         '\n',

@@ -9,7 +9,7 @@ use crate::fixture::Fixture;
 use expect_test::Expect;
 use ladder_format::{Options, apply};
 
-/// The character before the cursor is the one that was typed; blanks there are those that an editor puts behind a
+/// The character before the cursor is the one that was typed; blanks there are those that an editor puts after a
 /// line end.
 fn check(text: &str, expected: Expect) {
     let fixture = Fixture::new(text);
@@ -22,7 +22,7 @@ fn check(text: &str, expected: Expect) {
     check_typed(text, typed.unwrap(), expected);
 }
 
-/// The character is asked about once more: others were typed behind it since.
+/// The character is asked about once more: others were typed after it since.
 fn check_typed(text: &str, typed: char, expected: Expect) {
     let fixture = Fixture::new(text);
     let (context, offset, _) = fixture.ask();

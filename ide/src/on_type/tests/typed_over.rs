@@ -103,7 +103,7 @@ fn what_enter_has_begun_is_typed_once_more() {
         |  |
     "#]],
     );
-    // Somebody types faster than the answers come.
+    // A user types faster than the answers come.
     check(
         &format!("{RUNG}+--+--[ ]( b )$0"),
         expect![[r#"
@@ -128,7 +128,7 @@ fn what_enter_has_begun_is_typed_once_more() {
 
     "#]],
     );
-    // None of that behind something else, or in front of it.
+    // None of that after something else, or in front of it.
     check(
         &format!("{RUNG}+---+$0"),
         expect![[r#"

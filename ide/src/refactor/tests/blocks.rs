@@ -111,7 +111,7 @@ fn inline() {
         expect![[r#"
             Draw a parallel contact `new_contact_1` around `[$B]` (no change while it is low)
             Extract the network into the function `function_1`
-            Inline the block `[$B]` here -- mend the mistakes of the file first
+            Inline the block `[$B]` here -- fix the errors of the file first
         "#]],
     );
 }

@@ -65,12 +65,12 @@ fn around_a_part_of_a_rung_with_a_branch_below() {
 }
 
 #[test]
-fn beside_a_coil() {
+fn next_to_a_coil() {
     check(
         "Draw",
         "+--[ ]( a )---------------------( )( r$0un )--+\n",
         expect![[r#"
-            Draw a parallel coil `new_coil_1` beside `run`
+            Draw a parallel coil `new_coil_1` next to `run`
 
             +--[ ]( a )--\--------------------------------------------------( )( run )--\--+
             |            /-------------------------------------------( )( new_coil_1 )--/  |

@@ -70,7 +70,7 @@ fn blocks_are_put_in_at_the_cursor() {
         "VAR a$0 : BOOL; END_VAR\n",
         Redraw::Contact,
         expect![[r#"
-        put the cursor on a rung without mistakes in its drawing, or on an empty line
+        put the cursor on a rung without errors in its drawing, or on an empty line
     "#]],
     );
 }
@@ -175,12 +175,12 @@ fn a_block_goes_to_the_network_above_or_below() {
             there is no rung there
         "#]],
     );
-    // A network with a mistake in its drawing stays as it is.
+    // A network with an error in its drawing stays as it is.
     check(
         "+--[ ]($0 a )--( )( x )--+\n\n+--[ ]( b )--|--( )( y )--+\n",
         Redraw::Down,
         expect![[r#"
-            the drawing of the network there has a mistake
+            the drawing of the network there has an error
         "#]],
     );
 }

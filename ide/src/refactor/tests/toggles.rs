@@ -82,7 +82,7 @@ fn coils() {
         "+--[ ]( a )-------------(S)( r$0un )--+\n",
         expect![[r#"
             Reset `run` instead of setting it (changes what the rung does)
-            Draw a parallel coil `new_coil_1` beside `run`
+            Draw a parallel coil `new_coil_1` next to `run`
             Split the network before `run` (`split_1` carries the power)
             Declare the undeclared tags of the file
             Extract the network into the function `function_1`
@@ -91,7 +91,7 @@ fn coils() {
     titles(
         "+--[ ]( a )-------------(R)( r$0un )--+\n+--[ ]( b )--[TON]( run, 5s )--( )( y )--+\n",
         expect![[r#"
-            Draw a parallel coil `new_coil_1` beside `run`
+            Draw a parallel coil `new_coil_1` next to `run`
             Split the network before `run` (`split_1` carries the power)
             Declare the undeclared tags of the file
             Extract the network into the function `function_1`

@@ -61,7 +61,7 @@ fn completion_of_tags_and_values() {
             $0
         "#]],
     );
-    // What has a row is not proposed, and what is behind the cursor stays.
+    // What has a row is not proposed, and what is after the cursor stays.
     check(
         "start _-\nr$0 _-\n",
         expect![[r#"

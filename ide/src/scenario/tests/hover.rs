@@ -72,7 +72,7 @@ fn hover_says_what_a_row_and_a_value_mean() {
         "start _-.$0\n",
         expect![[r#"
         [.]
-        `start` is not given anew; last it was high (`TRUE`)  
+        `start` is not given again; last it was high (`TRUE`)  
         step 3 of 3: 200ms to 300ms
     "#]],
     );
@@ -80,7 +80,7 @@ fn hover_says_what_a_row_and_a_value_mean() {
         "run =$0> _-\n",
         expect![[r#"
         [=>]
-        What is behind `=>` is expected of the program after each step.
+        What is after `=>` is expected of the program after each step.
     "#]],
     );
     check(

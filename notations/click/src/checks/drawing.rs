@@ -26,8 +26,8 @@ struct Size {
 }
 
 impl Size {
-    /// One behind the other.
-    fn beside(self, other: Size) -> Size {
+    /// One after the other.
+    fn next_to(self, other: Size) -> Size {
         Size {
             columns: self.columns + other.columns,
             rows: self.rows.max(other.rows),
@@ -46,7 +46,7 @@ impl Size {
 fn size_of(condition: &Condition) -> Size {
     let row = Size { columns: 0, rows: 1 };
     match condition {
-        Condition::All(parts) => parts.iter().map(size_of).fold(row, Size::beside),
+        Condition::All(parts) => parts.iter().map(size_of).fold(row, Size::next_to),
         Condition::Any(parts) if parts.is_empty() => row,
         Condition::Any(parts) => parts.iter().map(size_of).fold(Size::default(), Size::above),
         Condition::Contact(contact) => Size {
@@ -79,7 +79,7 @@ fn size(rung: &Rung, out: &mut Found) {
             .fold(size_of(&action.condition), Size::above);
         actions = actions.above(own);
     }
-    let Size { columns, rows } = size_of(&rung.condition).beside(actions);
+    let Size { columns, rows } = size_of(&rung.condition).next_to(actions);
     let too_large = match (columns > COLUMNS, rows > ROWS) {
         (true, _) => format!("{columns} contacts in series, and Click draws {COLUMNS}"),
         (_, true) => format!("{rows} rows, and Click draws {ROWS}"),

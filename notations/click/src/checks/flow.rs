@@ -112,7 +112,7 @@ fn loops(routine: &Routine, out: &mut Found) {
     }
     if let Some(place) = open {
         let message = format!(
-            "the loop has no end: write {} {} behind what it repeats",
+            "the loop has no end: write {} {} after what it repeats",
             out.words.next(),
             out.words.alone()
         );

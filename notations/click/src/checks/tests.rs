@@ -192,7 +192,7 @@ R,C1,..,\"calc(DS1 + 1,DH1,mode=hex)\"",
             3:66 Error click-c0103: loops do not nest: end the loop above with next() first
             4:66 Error click-c0009: next() is alone on its rung, without contacts
             5:66 Error click-end: return() is for subroutines: the main program ends with end()
-            6:66 Error click-c010c: there is no subroutine `nowhere`: its file lies beside this one
+            6:66 Error click-c010c: there is no subroutine `nowhere`: its file lies next to this one
             7:66 Error click-setpoint: DD1 is no set point: write a whole number from 0 to 32767, or an address of DS
             8:66 Error click-c010a: the timer T1 is at 7:66 already: it has one place in a program
             9:66 Warning click-c0208: a counter needs its reset: a row below it with .reset()

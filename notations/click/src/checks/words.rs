@@ -46,7 +46,7 @@ impl Words {
         self.choose("under `if True:`", "on a rung without contacts")
     }
 
-    /// Where an instruction is that nothing else is beside.
+    /// Where an instruction is that nothing else is next to it.
     pub(super) const fn alone_on_rung(self) -> &'static str {
         self.choose(
             "alone on its rung, without contacts: under `if True:`",
@@ -56,7 +56,7 @@ impl Words {
 
     /// How a subroutine is made.
     pub(super) const fn subroutine(self) -> &'static str {
-        self.choose("write it with @sub above it", "its file lies beside this one")
+        self.choose("write it with @sub above it", "its file lies next to this one")
     }
 
     /// How a pin is given.

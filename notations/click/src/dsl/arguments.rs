@@ -3,7 +3,7 @@
 use super::super::address::{Span, Tag};
 use super::super::model::{Condition, CopyOptions, Operand};
 use super::condition::{self, operand, shown, span, tag};
-use super::mistakes::{Mistakes, Unread, expression};
+use super::problems::{Problems, Unread, expression};
 use ruff_python_ast::{Expr, ExprCall};
 
 /// The instructions and the names of their arguments, in the order in which they may be given by place. The first ones
@@ -75,7 +75,7 @@ pub(super) struct Arguments<'e> {
 
 impl<'e> Arguments<'e> {
     pub(super) fn of(
-        mistakes: &mut Mistakes<'_>,
+        problems: &mut Problems<'_>,
         call: &'e ExprCall,
     ) -> Result<(&'static str, Arguments<'e>), Unread> {
         let word = match &*call.func {
@@ -83,17 +83,17 @@ impl<'e> Arguments<'e> {
             _ => "",
         };
         let Some((word, least, names)) = SIGNATURES.iter().find(|(own, ..)| *own == word) else {
-            let shown = shown(mistakes.source(&*call.func));
-            return Err(mistakes.note(call, format!("`{shown}` is no instruction of the DSL")));
+            let shown = shown(problems.source(&*call.func));
+            return Err(problems.note(call, format!("`{shown}` is no instruction of the DSL")));
         };
         let mut given: Vec<(&'static str, &Expr)> = Vec::with_capacity(names.len());
         for (place, argument) in call.arguments.args.iter().enumerate() {
             if let Expr::Starred(_) = argument {
-                return Err(mistakes.note(argument, "`*` is not in the DSL: give the arguments one by one"));
+                return Err(problems.note(argument, "`*` is not in the DSL: give the arguments one by one"));
             }
             let Some(name) = names.get(place) else {
                 let message = format!("`{word}` has no more than {} arguments", names.len());
-                return Err(mistakes.note(argument, message));
+                return Err(problems.note(argument, message));
             };
             given.push((name, argument));
         }
@@ -106,16 +106,16 @@ impl<'e> Arguments<'e> {
                 written => written,
             };
             let Some(name) = names.iter().find(|name| **name == meant) else {
-                return Err(mistakes.note(keyword, format!("`{word}` has no argument `{written}`")));
+                return Err(problems.note(keyword, format!("`{word}` has no argument `{written}`")));
             };
             if given.iter().any(|(there, _)| there == name) {
-                return Err(mistakes.note(keyword, format!("`{written}` is given twice")));
+                return Err(problems.note(keyword, format!("`{written}` is given twice")));
             }
             given.push((name, &keyword.value));
         }
         for name in &names[..*least] {
             if !given.iter().any(|(there, _)| there == name) {
-                return Err(mistakes.note(call, format!("`{word}` lacks its argument `{name}`")));
+                return Err(problems.note(call, format!("`{word}` lacks its argument `{name}`")));
             }
         }
         Ok((word, Arguments { call, given }))
@@ -127,49 +127,49 @@ impl<'e> Arguments<'e> {
     }
 
     /// An argument that is known to be given.
-    pub(super) fn must(&self, mistakes: &mut Mistakes<'_>, name: &str) -> Result<&'e Expr, Unread> {
+    pub(super) fn must(&self, problems: &mut Problems<'_>, name: &str) -> Result<&'e Expr, Unread> {
         let lacks = || format!("the argument `{name}` is missing");
-        self.get(name).ok_or_else(|| mistakes.note(self.call, lacks()))
+        self.get(name).ok_or_else(|| problems.note(self.call, lacks()))
     }
 
-    pub(super) fn operand(&self, mistakes: &mut Mistakes<'_>, name: &str) -> Result<Operand, Unread> {
-        let argument = self.must(mistakes, name)?;
-        operand(mistakes, argument)
+    pub(super) fn operand(&self, problems: &mut Problems<'_>, name: &str) -> Result<Operand, Unread> {
+        let argument = self.must(problems, name)?;
+        operand(problems, argument)
     }
 
-    pub(super) fn tag(&self, mistakes: &mut Mistakes<'_>, name: &str) -> Result<Tag, Unread> {
-        let argument = self.must(mistakes, name)?;
-        tag(mistakes, argument)
+    pub(super) fn tag(&self, problems: &mut Problems<'_>, name: &str) -> Result<Tag, Unread> {
+        let argument = self.must(problems, name)?;
+        tag(problems, argument)
     }
 
-    pub(super) fn span(&self, mistakes: &mut Mistakes<'_>, name: &str) -> Result<Span, Unread> {
-        let argument = self.must(mistakes, name)?;
-        span(mistakes, argument)
+    pub(super) fn span(&self, problems: &mut Problems<'_>, name: &str) -> Result<Span, Unread> {
+        let argument = self.must(problems, name)?;
+        span(problems, argument)
     }
 
-    pub(super) fn flag(&self, mistakes: &mut Mistakes<'_>, name: &str) -> Result<bool, Unread> {
+    pub(super) fn flag(&self, problems: &mut Problems<'_>, name: &str) -> Result<bool, Unread> {
         match self.get(name) {
             None => Ok(false),
             Some(Expr::BooleanLiteral(literal)) => Ok(literal.value),
-            Some(other) => Err(mistakes.note(other, format!("`{name}` is True or False"))),
+            Some(other) => Err(problems.note(other, format!("`{name}` is True or False"))),
         }
     }
 
     /// A condition under a lambda, so that Python does not look at it at once.
-    pub(super) fn pin(&self, mistakes: &mut Mistakes<'_>, name: &str) -> Result<Option<Condition>, Unread> {
+    pub(super) fn pin(&self, problems: &mut Problems<'_>, name: &str) -> Result<Option<Condition>, Unread> {
         match self.get(name) {
             None => Ok(None),
             Some(Expr::Lambda(lambda)) if lambda.parameters.is_none() => {
-                condition::condition(mistakes, &lambda.body).map(Some)
+                condition::condition(problems, &lambda.body).map(Some)
             }
-            Some(other) => Err(mistakes.note(
+            Some(other) => Err(problems.note(
                 other,
                 format!("`{name}` is a condition under a lambda: {name}=lambda: c.Name"),
             )),
         }
     }
 
-    pub(super) fn options(&self, mistakes: &mut Mistakes<'_>) -> Result<CopyOptions, Unread> {
+    pub(super) fn options(&self, problems: &mut Problems<'_>) -> Result<CopyOptions, Unread> {
         match self.get("options") {
             None | Some(Expr::NoneLiteral(_)) => Ok(CopyOptions::default()),
             Some(Expr::StringLiteral(literal)) => {
@@ -187,21 +187,21 @@ impl<'e> Arguments<'e> {
                     named: named.collect(),
                 })
             }
-            Some(other) => Err(mistakes.note(other, "`options` is None or a text")),
+            Some(other) => Err(problems.note(other, "`options` is None or a text")),
         }
     }
 
     /// A text that Python does not put together itself.
     pub(super) fn text(
         &self,
-        mistakes: &mut Mistakes<'_>,
+        problems: &mut Problems<'_>,
         name: &str,
     ) -> Result<(&'e str, &'e Expr), Unread> {
-        match self.must(mistakes, name)? {
+        match self.must(problems, name)? {
             argument @ Expr::StringLiteral(literal) => Ok((literal.value.to_str(), argument)),
             other => {
                 let what = expression(other);
-                Err(mistakes.note(other, format!("`{name}` is a text in quotes, and this is {what}")))
+                Err(problems.note(other, format!("`{name}` is a text in quotes, and this is {what}")))
             }
         }
     }

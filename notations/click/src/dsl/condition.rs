@@ -5,7 +5,7 @@ use super::super::bank::{BANKS, Bank};
 use super::super::model::{
     Bits, Comparison, Condition, Constant, Contact, ContactKind, Operand, Pointer, Relation,
 };
-use super::mistakes::{Mistakes, Unread, expression};
+use super::problems::{Problems, Unread, expression};
 use ruff_python_ast::{CmpOp, Expr, ExprCall, ExprSubscript, Number, Operator, UnaryOp};
 
 /// A range of timers or counters has a contact each, so it may have no more than this many.
@@ -14,14 +14,14 @@ const MOST_IN_RANGE: usize = 32;
 /// A condition of more contacts is not read: its drawing grows with the square of them.
 const MOST_CONTACTS: usize = 500;
 
-/// What is behind `if`, or in a pin's lambda.
-pub(super) fn condition(mistakes: &mut Mistakes<'_>, expr: &Expr) -> Result<Condition, Unread> {
-    let condition = part(mistakes, expr)?;
+/// What is after `if`, or in a pin's lambda.
+pub(super) fn condition(problems: &mut Problems<'_>, expr: &Expr) -> Result<Condition, Unread> {
+    let condition = part(problems, expr)?;
     if contacts(&condition) > MOST_CONTACTS {
         let message = format!(
             "a condition of more than {MOST_CONTACTS} contacts is not read: put parts of it into control relays"
         );
-        return Err(mistakes.note(expr, message));
+        return Err(problems.note(expr, message));
     }
     Ok(condition)
 }
@@ -34,50 +34,50 @@ fn contacts(condition: &Condition) -> usize {
     }
 }
 
-fn part(mistakes: &mut Mistakes<'_>, expr: &Expr) -> Result<Condition, Unread> {
+fn part(problems: &mut Problems<'_>, expr: &Expr) -> Result<Condition, Unread> {
     match expr {
         Expr::BooleanLiteral(literal) if literal.value => Ok(Condition::ALWAYS),
-        Expr::BooleanLiteral(_) => Err(mistakes.note(
+        Expr::BooleanLiteral(_) => Err(problems.note(
             expr,
             "`False` is no condition: a rung is under `if True:` or a real one",
         )),
-        Expr::Attribute(_) | Expr::Subscript(_) => contact(mistakes, expr, expr, ContactKind::Open),
+        Expr::Attribute(_) | Expr::Subscript(_) => contact(problems, expr, expr, ContactKind::Open),
         Expr::Compare(compare) => {
             let [op] = &compare.ops[..] else {
                 let message = "chained comparisons are not in the DSL: write all(a < b, b < c)";
-                return Err(mistakes.note(expr, message));
+                return Err(problems.note(expr, message));
             };
             let Some(relation) = relation(*op) else {
                 let message = format!(
                     "`{}` is not in the DSL: compare with == != < <= > >=",
                     op.as_str()
                 );
-                return Err(mistakes.note(expr, message));
+                return Err(problems.note(expr, message));
             };
-            let left = operand(mistakes, &compare.left)?;
-            let right = operand(mistakes, &compare.comparators[0])?;
+            let left = operand(problems, &compare.left)?;
+            let right = operand(problems, &compare.comparators[0])?;
             Ok(Condition::Compare(Comparison {
-                place: mistakes.place(expr),
+                place: problems.place(expr),
                 left,
                 relation,
                 right,
             }))
         }
-        Expr::Call(call) => called(mistakes, expr, call),
+        Expr::Call(call) => called(problems, expr, call),
         Expr::BoolOp(operation) => {
             let (word, instead) = match operation.op {
                 ruff_python_ast::BoolOp::And => ("and", "all(a, b)"),
                 ruff_python_ast::BoolOp::Or => ("or", "any(a, b)"),
             };
-            Err(mistakes.note(expr, format!("`{word}` is not in the DSL: write {instead}")))
+            Err(problems.note(expr, format!("`{word}` is not in the DSL: write {instead}")))
         }
-        Expr::UnaryOp(operation) if operation.op == UnaryOp::Not => Err(mistakes.note(
+        Expr::UnaryOp(operation) if operation.op == UnaryOp::Not => Err(problems.note(
             expr,
             "`not` is not in the DSL: write nc(a) for a normally closed contact",
         )),
         other => {
             let what = expression(other);
-            Err(mistakes.note(other, format!("{what} is no condition of the DSL")))
+            Err(problems.note(other, format!("{what} is no condition of the DSL")))
         }
     }
 }
@@ -95,7 +95,7 @@ const fn relation(op: CmpOp) -> Option<Relation> {
 }
 
 /// `all(..)`, `any(..)`, `nc(..)`, `re(..)`, `fe(..)`
-fn called(mistakes: &mut Mistakes<'_>, expr: &Expr, call: &ExprCall) -> Result<Condition, Unread> {
+fn called(problems: &mut Problems<'_>, expr: &Expr, call: &ExprCall) -> Result<Condition, Unread> {
     let word = match &*call.func {
         Expr::Name(name) => name.id.as_str(),
         _ => "",
@@ -106,23 +106,23 @@ fn called(mistakes: &mut Mistakes<'_>, expr: &Expr, call: &ExprCall) -> Result<C
         "fe" => Some(ContactKind::Falling),
         "all" | "any" => None,
         _ => {
-            let shown = shown(mistakes.source(&*call.func));
+            let shown = shown(problems.source(&*call.func));
             let message = format!("`{shown}` is no condition of the DSL: it has all, any, nc, re and fe");
-            return Err(mistakes.note(expr, message));
+            return Err(problems.note(expr, message));
         }
     };
     if let Some(keyword) = call.arguments.keywords.first() {
-        return Err(mistakes.note(keyword, format!("`{word}` has no named arguments")));
+        return Err(problems.note(keyword, format!("`{word}` has no named arguments")));
     }
     match (kind, &call.arguments.args[..]) {
-        (Some(kind), [address]) => contact(mistakes, expr, address, kind),
-        (Some(_), _) => Err(mistakes.note(expr, format!("`{word}` takes one address"))),
-        (None, []) => Err(mistakes.note(expr, format!("`{word}` takes one condition or more"))),
+        (Some(kind), [address]) => contact(problems, expr, address, kind),
+        (Some(_), _) => Err(problems.note(expr, format!("`{word}` takes one address"))),
+        (None, []) => Err(problems.note(expr, format!("`{word}` takes one condition or more"))),
         (None, arguments) => {
-            // Each mistake in it is reported.
+            // Each error in it is reported.
             let parts: Vec<_> = arguments
                 .iter()
-                .map(|argument| part(mistakes, argument))
+                .map(|argument| part(problems, argument))
                 .collect();
             let parts = parts.into_iter().collect::<Result<_, _>>()?;
             Ok(match word {
@@ -134,70 +134,70 @@ fn called(mistakes: &mut Mistakes<'_>, expr: &Expr, call: &ExprCall) -> Result<C
 }
 
 fn contact(
-    mistakes: &mut Mistakes<'_>,
+    problems: &mut Problems<'_>,
     whole: &Expr,
     address: &Expr,
     kind: ContactKind,
 ) -> Result<Condition, Unread> {
-    let bits = bits(mistakes, address)?;
+    let bits = bits(problems, address)?;
     if let Bits::Many(span) = &bits {
         if matches!(kind, ContactKind::Rising | ContactKind::Falling) {
-            return Err(mistakes.note(whole, "an edge is that of one address, not of a range"));
+            return Err(problems.note(whole, "an edge is that of one address, not of a range"));
         }
         if matches!(span.bank, Bank::T | Bank::Ct) && span.len() > MOST_IN_RANGE {
             let message = format!("a range of more than {MOST_IN_RANGE} timers or counters is not read");
-            return Err(mistakes.note(whole, message));
+            return Err(problems.note(whole, message));
         }
     }
     Ok(Condition::Contact(Contact {
-        place: mistakes.place(whole),
+        place: problems.place(whole),
         kind,
         bits,
     }))
 }
 
 /// An address or a range.
-pub(super) fn bits(mistakes: &mut Mistakes<'_>, expr: &Expr) -> Result<Bits, Unread> {
+pub(super) fn bits(problems: &mut Problems<'_>, expr: &Expr) -> Result<Bits, Unread> {
     match expr {
         Expr::Subscript(subscript) if matches!(&*subscript.slice, Expr::Slice(_)) => {
-            span(mistakes, expr).map(Bits::Many)
+            span(problems, expr).map(Bits::Many)
         }
-        expr => tag(mistakes, expr).map(Bits::One),
+        expr => tag(problems, expr).map(Bits::One),
     }
 }
 
 /// An address: `ds[1]`, `ds.Level`.
-pub(super) fn tag(mistakes: &mut Mistakes<'_>, expr: &Expr) -> Result<Tag, Unread> {
-    match operand(mistakes, expr)? {
+pub(super) fn tag(problems: &mut Problems<'_>, expr: &Expr) -> Result<Tag, Unread> {
+    match operand(problems, expr)? {
         Operand::Tag(tag) => Ok(tag),
         Operand::Pointer(_) => {
-            Err(mistakes.note(expr, "a pointer is for copy() alone: an address is needed here"))
+            Err(problems.note(expr, "a pointer is for copy() alone: an address is needed here"))
         }
         Operand::Constant(_) => {
-            Err(mistakes.note(expr, "an address is needed here, such as c[1] or c.Start"))
+            Err(problems.note(expr, "an address is needed here, such as c[1] or c.Start"))
         }
     }
 }
 
 /// A range: `ds[1:5]`. As in Python its end is not part of it.
-pub(super) fn span(mistakes: &mut Mistakes<'_>, expr: &Expr) -> Result<Span, Unread> {
+pub(super) fn span(problems: &mut Problems<'_>, expr: &Expr) -> Result<Span, Unread> {
     let Expr::Subscript(subscript) = expr else {
-        return Err(mistakes.note(expr, "a range is needed here, such as ds[1:5]"));
+        return Err(problems.note(expr, "a range is needed here, such as ds[1:5]"));
     };
     let Expr::Slice(slice) = &*subscript.slice else {
-        return Err(mistakes.note(expr, "a range is needed here, such as ds[1:5]"));
+        return Err(problems.note(expr, "a range is needed here, such as ds[1:5]"));
     };
-    let bank = bank(mistakes, &subscript.value)?;
+    let bank = bank(problems, &subscript.value)?;
     let (Some(lower), Some(upper)) = (&slice.lower, &slice.upper) else {
         if let (Some(lower), None, Some(step)) = (&slice.lower, &slice.upper, &slice.step)
             && is_minus_one(step)
         {
-            let first = number(mistakes, lower)?;
+            let first = number(problems, lower)?;
             return Ok(Span { bank, first, last: 0 });
         }
-        return Err(mistakes.note(expr, "a range has a first address and an end, as in ds[1:5]"));
+        return Err(problems.note(expr, "a range has a first address and an end, as in ds[1:5]"));
     };
-    let (first, end) = (number(mistakes, lower)?, number(mistakes, upper)?);
+    let (first, end) = (number(problems, lower)?, number(problems, upper)?);
     match &slice.step {
         None if first < end => Ok(Span {
             bank,
@@ -209,11 +209,11 @@ pub(super) fn span(mistakes: &mut Mistakes<'_>, expr: &Expr) -> Result<Span, Unr
             first,
             last: end + 1,
         }),
-        Some(step) if !is_minus_one(step) => Err(mistakes.note(
+        Some(step) if !is_minus_one(step) => Err(problems.note(
             &**step,
             "a range of the DSL has no step: its addresses are consecutive",
         )),
-        _ => Err(mistakes.note(
+        _ => Err(problems.note(
             expr,
             "this range is empty: as in Python its end is not part of it",
         )),
@@ -232,10 +232,10 @@ fn is_minus_one(expr: &Expr) -> bool {
     }
 }
 
-fn bank(mistakes: &mut Mistakes<'_>, expr: &Expr) -> Result<Bank, Unread> {
+fn bank(problems: &mut Problems<'_>, expr: &Expr) -> Result<Bank, Unread> {
     let Expr::Name(name) = expr else {
         let what = expression(expr);
-        return Err(mistakes.note(
+        return Err(problems.note(
             expr,
             format!("{what} is no address of the DSL: addresses are c[1] or c.Start"),
         ));
@@ -249,11 +249,11 @@ fn bank(mistakes: &mut Mistakes<'_>, expr: &Expr) -> Result<Bank, Unread> {
         shown(&name.id),
         banks.join(" ")
     );
-    Err(mistakes.note(expr, message))
+    Err(problems.note(expr, message))
 }
 
 /// A number of an address. Whether it exists is asked later, with the rules.
-fn number(mistakes: &mut Mistakes<'_>, expr: &Expr) -> Result<u16, Unread> {
+fn number(problems: &mut Problems<'_>, expr: &Expr) -> Result<u16, Unread> {
     let found = match expr {
         Expr::NumberLiteral(literal) => match &literal.value {
             Number::Int(int) => int.as_u16(),
@@ -261,66 +261,66 @@ fn number(mistakes: &mut Mistakes<'_>, expr: &Expr) -> Result<u16, Unread> {
         },
         _ => None,
     };
-    found.ok_or_else(|| mistakes.note(expr, "the number of an address is needed here, from 0 to 65535"))
+    found.ok_or_else(|| problems.note(expr, "the number of an address is needed here, from 0 to 65535"))
 }
 
 /// A value, or where one goes.
-pub(super) fn operand(mistakes: &mut Mistakes<'_>, expr: &Expr) -> Result<Operand, Unread> {
+pub(super) fn operand(problems: &mut Problems<'_>, expr: &Expr) -> Result<Operand, Unread> {
     match expr {
         Expr::Attribute(attribute) => {
-            let bank = bank(mistakes, &attribute.value)?;
+            let bank = bank(problems, &attribute.value)?;
             Ok(Operand::Tag(Tag::nickname(bank, attribute.attr.as_str())))
         }
-        Expr::Subscript(subscript) => indexed(mistakes, expr, subscript),
-        other => constant(mistakes, other).map(Operand::Constant),
+        Expr::Subscript(subscript) => indexed(problems, expr, subscript),
+        other => constant(problems, other).map(Operand::Constant),
     }
 }
 
 /// `ds[1]`, and the pointer `ds[ds.Step]`
-fn indexed(mistakes: &mut Mistakes<'_>, whole: &Expr, subscript: &ExprSubscript) -> Result<Operand, Unread> {
-    let bank = bank(mistakes, &subscript.value)?;
-    let pointer = |mistakes: &mut Mistakes<'_>, by: &Expr, offset| {
-        let by = tag(mistakes, by)?;
+fn indexed(problems: &mut Problems<'_>, whole: &Expr, subscript: &ExprSubscript) -> Result<Operand, Unread> {
+    let bank = bank(problems, &subscript.value)?;
+    let pointer = |problems: &mut Problems<'_>, by: &Expr, offset| {
+        let by = tag(problems, by)?;
         Ok(Operand::Pointer(Pointer { bank, by, offset }))
     };
     match &*subscript.slice {
         Expr::NumberLiteral(_) => {
-            let number = number(mistakes, &subscript.slice)?;
+            let number = number(problems, &subscript.slice)?;
             Ok(Operand::Tag(Tag::number(bank, number)))
         }
-        by @ (Expr::Attribute(_) | Expr::Subscript(_)) => pointer(mistakes, by, 0),
+        by @ (Expr::Attribute(_) | Expr::Subscript(_)) => pointer(problems, by, 0),
         Expr::BinOp(sum) if matches!(sum.op, Operator::Add | Operator::Sub) => {
-            let offset = i32::from(number(mistakes, &sum.right)?);
+            let offset = i32::from(number(problems, &sum.right)?);
             let offset = if sum.op == Operator::Add { offset } else { -offset };
-            pointer(mistakes, &sum.left, offset)
+            pointer(problems, &sum.left, offset)
         }
-        Expr::Slice(_) => Err(mistakes.note(whole, "one address is needed here, not a range")),
+        Expr::Slice(_) => Err(problems.note(whole, "one address is needed here, not a range")),
         other => {
             let what = expression(other);
             let message = format!("{what} is no address: write a number, or ds[..] as a pointer");
-            Err(mistakes.note(other, message))
+            Err(problems.note(other, message))
         }
     }
 }
 
-fn constant(mistakes: &mut Mistakes<'_>, expr: &Expr) -> Result<Constant, Unread> {
+fn constant(problems: &mut Problems<'_>, expr: &Expr) -> Result<Constant, Unread> {
     match expr {
         Expr::BooleanLiteral(literal) => Ok(Constant::Bit(literal.value)),
-        Expr::NumberLiteral(literal) => plain_number(mistakes, expr, &literal.value),
+        Expr::NumberLiteral(literal) => plain_number(problems, expr, &literal.value),
         Expr::UnaryOp(operation) if operation.op == UnaryOp::USub => {
             let Expr::NumberLiteral(literal) = &*operation.operand else {
-                return Err(mistakes.note(expr, "a sign is before a number only"));
+                return Err(problems.note(expr, "a sign is before a number only"));
             };
-            match plain_number(mistakes, expr, &literal.value)? {
+            match plain_number(problems, expr, &literal.value)? {
                 Constant::Int(number) => Ok(Constant::Int(-number)),
                 Constant::Float(number) => Ok(Constant::Float(-number)),
-                _ => Err(mistakes.note(expr, "a hexadecimal number has no sign")),
+                _ => Err(problems.note(expr, "a hexadecimal number has no sign")),
             }
         }
         Expr::StringLiteral(literal) => Ok(Constant::Text(literal.value.to_str().to_owned())),
         other => {
             let what = expression(other);
-            Err(mistakes.note(
+            Err(problems.note(
                 other,
                 format!("{what} is no value of the DSL: it has numbers, texts and addresses"),
             ))
@@ -328,13 +328,13 @@ fn constant(mistakes: &mut Mistakes<'_>, expr: &Expr) -> Result<Constant, Unread
     }
 }
 
-fn plain_number(mistakes: &mut Mistakes<'_>, expr: &Expr, value: &Number) -> Result<Constant, Unread> {
-    let is_hex = mistakes
+fn plain_number(problems: &mut Problems<'_>, expr: &Expr, value: &Number) -> Result<Constant, Unread> {
+    let is_hex = problems
         .source(expr)
         .trim_start_matches(['-', ' '])
         .starts_with(['0'])
         && {
-            let source = mistakes.source(expr).trim_start_matches(['-', ' ']);
+            let source = problems.source(expr).trim_start_matches(['-', ' ']);
             source
                 .get(1..2)
                 .is_some_and(|letter| letter.eq_ignore_ascii_case("x"))
@@ -344,16 +344,16 @@ fn plain_number(mistakes: &mut Mistakes<'_>, expr: &Expr, value: &Number) -> Res
             let number = int.as_u32();
             number
                 .map(Constant::Hex)
-                .ok_or_else(|| mistakes.note(expr, "a hexadecimal number has up to eight digits"))
+                .ok_or_else(|| problems.note(expr, "a hexadecimal number has up to eight digits"))
         }
         Number::Int(int) => {
             let number = int.as_i64();
             number
                 .map(Constant::Int)
-                .ok_or_else(|| mistakes.note(expr, "this number is too large for Click"))
+                .ok_or_else(|| problems.note(expr, "this number is too large for Click"))
         }
         Number::Float(number) if number.is_finite() => Ok(Constant::Float(*number)),
-        _ => Err(mistakes.note(expr, "Click has no such number")),
+        _ => Err(problems.note(expr, "Click has no such number")),
     }
 }
 

@@ -12,7 +12,7 @@ const LONGEST_LINE: usize = 10_000;
 const DEEPEST: usize = 24;
 /// This many levels of indentation.
 const MOST_INDENTED: usize = 24;
-/// What a statement may have one behind the other, between commas, with all the brackets around.
+/// What a statement may have one after the other, between commas, with all the brackets around.
 const LONGEST_CHAIN: usize = 100;
 /// This many of these may a statement have that nest without brackets, and across commas.
 const MOST_LAMBDAS: usize = 24;
@@ -50,7 +50,7 @@ pub(super) fn check(text: &str) -> Result<(), ReadError> {
 }
 
 struct Depth {
-    /// How much is one behind the other since the last comma, for each open bracket.
+    /// How much is one after the other since the last comma, for each open bracket.
     chains: Vec<usize>,
     indents: usize,
     lambdas: usize,

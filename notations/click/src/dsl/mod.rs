@@ -5,7 +5,7 @@ mod arguments;
 mod comments;
 mod condition;
 mod depth;
-mod mistakes;
+mod problems;
 mod program;
 mod recognise;
 pub(super) mod spell;

@@ -6,7 +6,7 @@ use super::arguments::is_instruction;
 use super::comments::Comments;
 use super::condition::{condition, shown};
 use super::depth;
-use super::mistakes::{Mistakes, Unread, expression, statement};
+use super::problems::{Problems, Unread, expression, statement};
 use ladder_notation::{Lines, ReadError};
 use ruff_python_ast::{Expr, Stmt, StmtFunctionDef, StmtIf};
 use ruff_python_parser::parse_module;
@@ -24,7 +24,7 @@ pub(in super::super) fn read(text: &str) -> Result<Program, ReadError> {
         let place = Lines::of(text).place(text, error.location.start().into());
         ReadError::at(place, format!("this is no Python: {}", error.error))
     })?;
-    let mut mistakes = Mistakes::new(text);
+    let mut problems = Problems::new(text);
     let mut comments = Comments::of(text, parsed.tokens());
     let mut routines = Vec::new();
     let mut header = Vec::new();
@@ -35,7 +35,7 @@ pub(in super::super) fn read(text: &str) -> Result<Program, ReadError> {
             .map_or(text.len(), |next| next.start().into());
         match stmt {
             Stmt::FunctionDef(function) => {
-                let mut routine = routine(&mut mistakes, &mut comments, function, next);
+                let mut routine = routine(&mut problems, &mut comments, function, next);
                 if !header.is_empty() {
                     header.append(&mut routine.comments);
                     routine.comments = std::mem::take(&mut header);
@@ -46,14 +46,14 @@ pub(in super::super) fn read(text: &str) -> Result<Program, ReadError> {
                 Some(lines) => header.extend(lines),
                 None => {
                     let what = statement(stmt);
-                    mistakes.note(stmt, format!("{what} outside a function is not in the DSL"));
+                    problems.note(stmt, format!("{what} outside a function is not in the DSL"));
                 }
             },
         }
     }
     // What is at the end belongs to the last routine.
     if let Some(last) = routines.last_mut() {
-        last.behind.extend(comments.before(text.len() + 1));
+        last.after.extend(comments.before(text.len() + 1));
     }
     let mut program = Program::default();
     let mut main = None;
@@ -63,7 +63,7 @@ pub(in super::super) fn read(text: &str) -> Result<Program, ReadError> {
             _ => program.subroutines.push(routine),
         }
     }
-    if main.is_none() && mistakes.is_empty() {
+    if main.is_none() && problems.is_empty() {
         let end = Lines::of(text).place(text, text.len());
         return Err(ReadError::at(
             end,
@@ -71,7 +71,7 @@ pub(in super::super) fn read(text: &str) -> Result<Program, ReadError> {
         ));
     }
     program.main = main.unwrap_or_default();
-    match mistakes.into_error() {
+    match problems.into_error() {
         Some(error) => Err(error),
         None => Ok(program),
     }
@@ -98,46 +98,46 @@ fn docstring(stmt: &Stmt) -> Option<Vec<String>> {
 }
 
 fn routine(
-    mistakes: &mut Mistakes<'_>,
+    problems: &mut Problems<'_>,
     comments: &mut Comments,
     function: &StmtFunctionDef,
     next_start: usize,
 ) -> Routine {
     let above = comments.before(function.start().into());
     let name = function.name.as_str();
-    head(mistakes, function, name);
+    head(problems, function, name);
     let mut routine = Routine {
         name: name.to_owned(),
-        place: mistakes.place(&function.name),
+        place: problems.place(&function.name),
         comments: above,
         rungs: Vec::new(),
-        behind: Vec::new(),
+        after: Vec::new(),
     };
     for (number, stmt) in function.body.iter().enumerate() {
         match stmt {
             Stmt::If(rung) => {
-                if let Ok(rung) = self::rung(mistakes, comments, rung) {
+                if let Ok(rung) = self::rung(problems, comments, rung) {
                     routine.rungs.push(rung);
                 }
             }
             Stmt::Pass(_) => {}
             stmt => match docstring(stmt).filter(|_| number == 0) {
                 Some(lines) => routine.comments.extend(lines),
-                None => _ = mistakes.note(stmt, outside_rung(stmt)),
+                None => _ = problems.note(stmt, outside_rung(stmt)),
             },
         }
     }
     // The comments of the next function are at the left edge.
-    let next = mistakes.text().get(usize::from(function.end())..);
-    let end = next.map_or(0, |rest| mistakes.text().len() - rest.len());
+    let next = problems.text().get(usize::from(function.end())..);
+    let end = next.map_or(0, |rest| problems.text().len() - rest.len());
     let line_end = next.and_then(|rest| rest.find('\n')).unwrap_or(0);
-    routine.behind.extend(comments.before(end));
-    routine.behind.extend(comments.trailing(end + line_end));
-    routine.behind.extend(comments.indented_before(next_start));
+    routine.after.extend(comments.before(end));
+    routine.after.extend(comments.trailing(end + line_end));
+    routine.after.extend(comments.indented_before(next_start));
     routine
 }
 
-/// What is wrong with a statement that is beside the rungs.
+/// What is wrong with a statement that is next to the rungs.
 fn outside_rung(stmt: &Stmt) -> String {
     if let Stmt::Expr(inside) = stmt {
         return match &*inside.value {
@@ -159,55 +159,55 @@ fn outside_rung(stmt: &Stmt) -> String {
 }
 
 /// `def main():`, or `@sub` and another name.
-fn head(mistakes: &mut Mistakes<'_>, function: &StmtFunctionDef, name: &str) {
+fn head(problems: &mut Problems<'_>, function: &StmtFunctionDef, name: &str) {
     let mut is_sub = false;
     for decorator in &function.decorator_list {
         match &decorator.expression {
             Expr::Name(it) if it.id == "sub" && name != "main" => is_sub = true,
             other => {
-                let shown = shown(mistakes.source(other));
+                let shown = shown(problems.source(other));
                 let message = match name {
                     "main" => format!("the main program has no decorator, and this is @{shown}"),
                     _ => format!("@{shown} is not in the DSL: the only decorator is @sub"),
                 };
-                mistakes.note(other, message);
+                problems.note(other, message);
                 is_sub = true;
             }
         }
     }
     if name != "main" && !is_sub {
-        mistakes.note(
+        problems.note(
             &function.name,
             format!("`{name}` is not `main`, so it is a subroutine and has @sub above it"),
         );
     }
     if function.is_async {
-        mistakes.note(function, "`async` is not in the DSL");
+        problems.note(function, "`async` is not in the DSL");
     }
     let parameters = &function.parameters;
     if parameters.iter().next().is_some() {
-        mistakes.note(&**parameters, "functions of the DSL have no parameters");
+        problems.note(&**parameters, "functions of the DSL have no parameters");
     }
     if let Some(parameters) = &function.type_params {
-        mistakes.note(&**parameters, "functions of the DSL have no type parameters");
+        problems.note(&**parameters, "functions of the DSL have no type parameters");
     }
     if let Some(returns) = &function.returns {
-        mistakes.note(&**returns, "functions of the DSL have no types");
+        problems.note(&**returns, "functions of the DSL have no types");
     }
 }
 
 /// A rung of more actions is not read: its drawing grows with the square of them.
 const MOST_ACTIONS: usize = 200;
 
-fn rung(mistakes: &mut Mistakes<'_>, comments: &mut Comments, stmt: &StmtIf) -> Result<Rung, Unread> {
+fn rung(problems: &mut Problems<'_>, comments: &mut Comments, stmt: &StmtIf) -> Result<Rung, Unread> {
     let mut above = comments.before(stmt.start().into());
-    let condition = condition(mistakes, &stmt.test);
+    let condition = condition(problems, &stmt.test);
     for clause in &stmt.elif_else_clauses {
         let message = match clause.test {
             Some(_) => "`elif` is not in the DSL: write a rung of its own",
             None => "`else` is not in the DSL: write a rung of its own with nc(..)",
         };
-        mistakes.note(clause, message);
+        problems.note(clause, message);
     }
     let mut actions: Vec<Action> = Vec::with_capacity(stmt.body.len());
     let mut failed = false;
@@ -216,9 +216,9 @@ fn rung(mistakes: &mut Mistakes<'_>, comments: &mut Comments, stmt: &StmtIf) -> 
         let trailing = comments.trailing(inner.start().into());
         say(&mut actions, &mut above, trailing);
         above.extend(comments.before(inner.start().into()));
-        match act(mistakes, inner) {
+        match act(problems, inner) {
             Ok((what, oneshot)) => actions.push(Action {
-                place: mistakes.place(inner),
+                place: problems.place(inner),
                 condition: Condition::ALWAYS,
                 what,
                 oneshot,
@@ -230,7 +230,7 @@ fn rung(mistakes: &mut Mistakes<'_>, comments: &mut Comments, stmt: &StmtIf) -> 
         say(&mut actions, &mut above, inside);
     }
     let end = usize::from(stmt.end());
-    let line = mistakes.text().get(end..).and_then(|rest| rest.find('\n'));
+    let line = problems.text().get(end..).and_then(|rest| rest.find('\n'));
     let trailing = comments.trailing(line.map_or(usize::MAX, |length| end + length));
     say(&mut actions, &mut above, trailing);
     let condition = condition?;
@@ -238,20 +238,20 @@ fn rung(mistakes: &mut Mistakes<'_>, comments: &mut Comments, stmt: &StmtIf) -> 
         let message = format!(
             "more than {MOST_ACTIONS} actions under one `if` are not read: write the `if` again for the rest"
         );
-        return Err(mistakes.note(stmt, message));
+        return Err(problems.note(stmt, message));
     }
     if failed {
         return Err(Unread);
     }
     Ok(Rung {
-        place: mistakes.place(stmt),
+        place: problems.place(stmt),
         comments: above,
         condition,
         actions,
     })
 }
 
-/// Gives comments to the last action, or to the rung while it has none.
+/// Attaches comments to the last action, or to the rung while it has none.
 fn say(actions: &mut [Action], above: &mut Vec<String>, said: Vec<String>) {
     match actions.last_mut() {
         None => above.extend(said),

@@ -3,7 +3,7 @@
 use super::super::bank::Bank;
 use super::arguments::is_instruction;
 
-/// What lies further down in a file is not looked at, in bytes.
+/// What lies further down in a file is not checked, in bytes.
 const LOOKED_AT: usize = 64 * 1024;
 
 /// See above. Most Python files are something else, so nothing is parsed.

@@ -37,9 +37,9 @@ fn routine(routine: &Routine, is_sub: bool, out: &mut String, report: &mut Repor
     if routine.rungs.is_empty() {
         out.push_str("    pass\n");
     }
-    if !routine.behind.is_empty() {
+    if !routine.after.is_empty() {
         out.push('\n');
-        comments(&routine.behind, "    ", out);
+        comments(&routine.after, "    ", out);
     }
 }
 

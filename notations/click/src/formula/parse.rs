@@ -13,16 +13,16 @@ const LONGEST: usize = 4_096;
 
 /// What is wrong in a formula, and how many bytes are before it.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(in super::super) struct Mistake {
+pub(in super::super) struct FormulaError {
     pub(in super::super) at: usize,
     pub(in super::super) message: String,
 }
 
 /// Reads a formula. Addresses may be written in Click's way (`DS1`, `DS[DS1+99]`, `SUM(DS1..DS4)`) and in the DSL's
 /// (`ds[1]`, `ds.Level`, `ds[ds.Step]`, `SUM(ds[1:5])`), numbers as `42`, `1.5`, `0x1F` and `1Fh`.
-pub(in super::super) fn parse(text: &str) -> Result<Formula, Mistake> {
+pub(in super::super) fn parse(text: &str) -> Result<Formula, FormulaError> {
     if text.len() > LONGEST {
-        return Err(Mistake {
+        return Err(FormulaError {
             at: 0,
             message: format!("a formula of more than {LONGEST} characters is not read"),
         });
@@ -37,7 +37,7 @@ pub(in super::super) fn parse(text: &str) -> Result<Formula, Mistake> {
     if parser.at == text.len() {
         Ok(formula)
     } else {
-        Err(parser.mistake("an operator is expected here"))
+        Err(parser.error("an operator is expected here"))
     }
 }
 
@@ -48,8 +48,8 @@ struct Parser<'t> {
 }
 
 impl<'t> Parser<'t> {
-    fn mistake(&self, message: impl Into<String>) -> Mistake {
-        Mistake {
+    fn error(&self, message: impl Into<String>) -> FormulaError {
+        FormulaError {
             at: self.at,
             message: message.into(),
         }
@@ -73,11 +73,11 @@ impl<'t> Parser<'t> {
         there
     }
 
-    fn expect(&mut self, expected: &str) -> Result<(), Mistake> {
+    fn expect(&mut self, expected: &str) -> Result<(), FormulaError> {
         if self.eat(expected) {
             Ok(())
         } else {
-            Err(self.mistake(format!("`{expected}` is expected here")))
+            Err(self.error(format!("`{expected}` is expected here")))
         }
     }
 
@@ -94,9 +94,12 @@ impl<'t> Parser<'t> {
         }
     }
 
-    fn deeper<T>(&mut self, read: impl FnOnce(&mut Self) -> Result<T, Mistake>) -> Result<T, Mistake> {
+    fn deeper<T>(
+        &mut self,
+        read: impl FnOnce(&mut Self) -> Result<T, FormulaError>,
+    ) -> Result<T, FormulaError> {
         if self.depth == DEEPEST {
-            return Err(self.mistake(format!("more than {DEEPEST} levels are not read")));
+            return Err(self.error(format!("more than {DEEPEST} levels are not read")));
         }
         self.depth += 1;
         let result = read(self);
@@ -114,17 +117,17 @@ impl<'t> Parser<'t> {
         Some((row.0, row.2, row.1.len()))
     }
 
-    fn binary(&mut self, loosest: u8) -> Result<Formula, Mistake> {
+    fn binary(&mut self, loosest: u8) -> Result<Formula, FormulaError> {
         let mut left = self.prefix()?;
         let mut length = 0;
         while let Some((operator, precedence, width)) = self.operator() {
             if precedence < loosest {
                 break;
             }
-            // What is written one behind the other nests to the left, and is walked by recursion later.
+            // What is written one after the other nests to the left, and is walked by recursion later.
             length += 1;
             if length > 8 * DEEPEST {
-                return Err(self.mistake("the formula has too many parts in a row"));
+                return Err(self.error("the formula has too many parts in a row"));
             }
             self.at += width;
             let right = match operator {
@@ -136,7 +139,7 @@ impl<'t> Parser<'t> {
         Ok(left)
     }
 
-    fn prefix(&mut self) -> Result<Formula, Mistake> {
+    fn prefix(&mut self) -> Result<Formula, FormulaError> {
         self.blanks();
         if self.rest().starts_with('-') {
             self.at += 1;
@@ -160,7 +163,7 @@ impl<'t> Parser<'t> {
         self.atom()
     }
 
-    fn atom(&mut self) -> Result<Formula, Mistake> {
+    fn atom(&mut self) -> Result<Formula, FormulaError> {
         if self.eat("(") {
             let inside = self.deeper(|parser| parser.binary(0))?;
             self.expect(")")?;
@@ -171,7 +174,7 @@ impl<'t> Parser<'t> {
         }
         let word = self.word();
         if word.is_empty() {
-            return Err(self.mistake("a number, an address or a function is expected here"));
+            return Err(self.error("a number, an address or a function is expected here"));
         }
         if word.eq_ignore_ascii_case("PI") {
             self.at += word.len();
@@ -199,7 +202,7 @@ impl<'t> Parser<'t> {
         self.address(word).map(Formula::Value)
     }
 
-    fn arguments(&mut self, count: usize) -> Result<Vec<Formula>, Mistake> {
+    fn arguments(&mut self, count: usize) -> Result<Vec<Formula>, FormulaError> {
         self.expect("(")?;
         let mut out = Vec::with_capacity(count);
         for number in 0..count {
@@ -212,7 +215,7 @@ impl<'t> Parser<'t> {
         Ok(out)
     }
 
-    fn sum(&mut self, word: &str) -> Result<Formula, Mistake> {
+    fn sum(&mut self, word: &str) -> Result<Formula, FormulaError> {
         self.at += word.len();
         self.expect("(")?;
         self.blanks();
@@ -220,20 +223,20 @@ impl<'t> Parser<'t> {
         let inside = &rest[..rest.find(')').unwrap_or(rest.len())];
         let span = slice(inside)
             .or_else(|| Span::parse(&inside.replace(':', "..")))
-            .ok_or_else(|| self.mistake("a range such as `ds[1:5]` is expected here"))?;
+            .ok_or_else(|| self.error("a range such as `ds[1:5]` is expected here"))?;
         self.at += inside.len();
         self.expect(")")?;
         Ok(Formula::Sum(span))
     }
 
-    fn number(&mut self) -> Result<Formula, Mistake> {
+    fn number(&mut self) -> Result<Formula, FormulaError> {
         let rest = self.rest();
-        let wrong = self.mistake("this is no number");
+        let wrong = self.error("this is not a number");
         let end = rest
             .find(|c: char| !c.is_ascii_alphanumeric() && c != '.')
             .unwrap_or(rest.len());
         let mut text = &rest[..end];
-        // `1e-3` goes on behind its sign.
+        // `1e-3` goes on after its sign.
         let exponent =
             text.ends_with(['e', 'E']) && !text.starts_with("0x") && rest[end..].starts_with(['-', '+']);
         if exponent {
@@ -257,7 +260,7 @@ impl<'t> Parser<'t> {
         found.map(constant).ok_or(wrong)
     }
 
-    fn address(&mut self, word: &str) -> Result<Operand, Mistake> {
+    fn address(&mut self, word: &str) -> Result<Operand, FormulaError> {
         if let Some(address) = Address::parse(word) {
             self.at += word.len();
             return Ok(Operand::Tag(address.into()));
@@ -269,14 +272,14 @@ impl<'t> Parser<'t> {
             self.at += word.len();
             return Ok(Operand::Constant(Constant::Hex(number)));
         }
-        let unknown = self.mistake(format!("there is no bank or function `{word}`"));
+        let unknown = self.error(format!("there is no bank or function `{word}`"));
         let bank = bank.ok_or(unknown)?;
         self.at += word.len();
         if self.rest().starts_with('.') {
             self.at += 1;
             let name = self.word();
             if name.is_empty() {
-                return Err(self.mistake("a nickname is expected behind the point"));
+                return Err(self.error("a nickname is expected after the point"));
             }
             self.at += name.len();
             return Ok(Operand::Tag(Tag::nickname(bank, name)));
@@ -287,14 +290,14 @@ impl<'t> Parser<'t> {
         if !digits.is_empty() {
             let number = digits
                 .parse()
-                .map_err(|_| self.mistake("there is no such address"))?;
+                .map_err(|_| self.error("there is no such address"))?;
             self.at += digits.len();
             self.expect("]")?;
             return Ok(Operand::Tag(Tag::number(bank, number)));
         }
         let word = self.word();
         let Operand::Tag(by) = self.deeper(|parser| parser.address(word))? else {
-            return Err(self.mistake("a pointer is one address"));
+            return Err(self.error("a pointer is one address"));
         };
         let sign = match () {
             () if self.eat("+") => 1,
@@ -307,7 +310,7 @@ impl<'t> Parser<'t> {
             let digits = self.digits();
             let number: i32 = digits
                 .parse()
-                .map_err(|_| self.mistake("a number is expected here"))?;
+                .map_err(|_| self.error("a number is expected here"))?;
             offset = sign * number;
             self.at += digits.len();
         }
@@ -348,7 +351,7 @@ mod tests {
     fn check(text: &str, expected: Expect) {
         let shown = match parse(text) {
             Ok(formula) => spell::formula(&formula),
-            Err(mistake) => format!("{}: {}", mistake.at, mistake.message),
+            Err(error) => format!("{}: {}", error.at, error.message),
         };
         expected.assert_eq(&shown);
     }
@@ -380,7 +383,7 @@ mod tests {
     }
 
     #[test]
-    fn mistakes_have_their_place() {
+    fn errors_have_their_place() {
         check(
             "ds.A +",
             expect!["6: a number, an address or a function is expected here"],

@@ -52,7 +52,7 @@ fn part(formula: &Formula, spelling: Spelling<'_>) -> (String, u8) {
                 return (text, ATOM);
             }
             let precedence = operator.precedence();
-            let (before, behind) = match operator {
+            let (before, after) = match operator {
                 Operator::Power => (precedence + 1, precedence),
                 _ => (precedence, precedence + 1),
             };
@@ -60,7 +60,7 @@ fn part(formula: &Formula, spelling: Spelling<'_>) -> (String, u8) {
                 "{} {} {}",
                 inside(left, before),
                 operator.sign(),
-                inside(right, behind)
+                inside(right, after)
             );
             (text, precedence)
         }

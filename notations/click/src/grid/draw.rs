@@ -1,7 +1,7 @@
 //! Rungs of the model drawn into cells.
 //!
 //! A rung's condition is at the left, from its first row down. Its outputs share those rows and go further down
-//! where there are more of them; a condition that one of them has for itself is on its row, behind the wire that
+//! where there are more of them; a condition that one of them has for itself is on its row, after the wire that
 //! goes down to all outputs. Pins come below everything, each with its own way from the left rail.
 
 use super::super::model::Condition;
@@ -115,7 +115,7 @@ impl<'m> Shape<'m> {
                 }
                 Shape::series(flat)
             }
-            // A wire beside other branches is all that counts.
+            // A wire next to other branches is all that counts.
             Condition::Any(_) if condition.is_always() => Shape::series(Vec::new()),
             Condition::Any(branches) => {
                 let mut flat = Vec::with_capacity(branches.len());
@@ -217,7 +217,7 @@ impl Sheet<'_> {
         Ok(())
     }
 
-    /// Draws a condition and the outputs behind it; comes back how many rows that takes.
+    /// Draws a condition and the outputs after it; comes back how many rows that takes.
     fn outputs(
         &mut self,
         common: &Shape<'_>,
@@ -289,8 +289,8 @@ impl Sheet<'_> {
                 let mut at = row;
                 let mut last = row;
                 for branch in branches {
-                    let behind = self.shape(branch, at, column)?;
-                    for wire in behind..end {
+                    let after = self.shape(branch, at, column)?;
+                    for wire in after..end {
                         self.wire(at, wire)?;
                     }
                     last = at;

@@ -104,7 +104,7 @@ fn whole(line: &str) -> Option<String> {
     Some(format!("{cells}{},{output}", fill.repeat(missing)))
 }
 
-/// The lines of a rung, short: `..` is wire up to the output, and behind what has no output nothing follows.
+/// The lines of a rung, short: `..` is wire up to the output, and after what has no output nothing follows.
 pub(super) fn kept(rung: &[Row]) -> Vec<String> {
     let short = |(line, row): (String, &Row)| {
         let wires = row

@@ -13,16 +13,16 @@ use std::cell::Cell;
 ///
 /// Why it is none.
 pub(super) fn read(text: &str) -> Result<Formula, String> {
-    let formula = formula::parse(text).map_err(|mistake| {
+    let formula = formula::parse(text).map_err(|error| {
         let before: String = text
-            .get(..mistake.at)
+            .get(..error.at)
             .unwrap_or(text)
             .chars()
             .rev()
             .take(20)
             .collect();
         let before: String = before.chars().rev().collect();
-        format!("behind `{before}` in the formula: {}", mistake.message)
+        format!("after `{before}` in the formula: {}", error.message)
     })?;
     let (mut operands, mut sums) = (Vec::new(), Vec::new());
     formula::operands(&formula, &mut operands);

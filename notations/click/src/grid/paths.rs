@@ -48,9 +48,9 @@ pub(super) fn paths(edges: &[Span], target: usize, budget: &mut Budget) -> Resul
         budget.spend(contacts.sum::<usize>() + walk.steps)?;
         let branches = walk.found.iter().map(|path| {
             path.iter()
-                .fold(Subcircuit::wire(), |before, step| before.behind(step.part(edges)))
+                .fold(Subcircuit::wire(), |before, step| before.after(step.part(edges)))
         });
-        whole = whole.behind(Subcircuit::any(branches.collect()));
+        whole = whole.after(Subcircuit::any(branches.collect()));
     }
     Ok(whole)
 }

@@ -135,12 +135,12 @@ fn model(grid: &Grid) -> (Routine, bool) {
         reader.rung(rung);
     }
     let rungs = std::mem::take(&mut reader.rungs);
-    let behind = reader.finish(&grid.end);
+    let after = reader.finish(&grid.end);
     let whole = reader.findings.is_empty();
     (
         Routine {
             rungs,
-            behind,
+            after,
             ..Routine::default()
         },
         whole,
@@ -331,7 +331,7 @@ fn hostile_rungs_are_refused_soon() {
     let grid = grid_of(&net.repeat(3));
     let (routine, whole) = model(&grid);
     assert!(!whole && routine.rungs.is_empty());
-    assert_eq!(routine.behind.len(), 3 * 64, "the rungs are kept as they are");
+    assert_eq!(routine.after.len(), 3 * 64, "the rungs are kept as they are");
     // Branches in branches, one in each row.
     let mut deep = String::new();
     for row in 0..60 {

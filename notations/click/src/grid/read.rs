@@ -8,13 +8,13 @@ use super::rungs::Reader;
 use ladder_notation::{Finding, LineColumn, Outcome, ReadError, Reading, Report, Source};
 use std::collections::HashMap;
 
-/// Files beside a main program that begin so are its subroutines.
+/// Files next to a main program that begin so are its subroutines.
 const SUBROUTINE: &str = "sub_";
 
 /// The stem that the main program's file has in a folder of Click's ladders.
 const MAIN: &str = "main";
 
-/// Whether a file beside a program holds one of its subroutines.
+/// Whether a file next to a program holds one of its subroutines.
 pub(in super::super) fn is_subroutine_of(program: &str, file: &str) -> bool {
     program == MAIN && stem(file).is_some_and(|stem| stem.starts_with(SUBROUTINE))
 }
@@ -84,7 +84,7 @@ pub(in super::super) fn read(
         program.subroutines.push(routine(&name, &grid, &mut reader));
         before += companion.bytes.split(|byte| *byte == b'\n').count() as u32;
     }
-    let mut nicknames = nicknames::beside(source)?;
+    let mut nicknames = nicknames::next_to(source)?;
     program.nicknames = std::mem::take(&mut nicknames.all);
     nicknames.unused(&program);
     let mut reading = to_ladder(&program);
@@ -107,7 +107,7 @@ fn routine(name: &str, grid: &Grid, reader: &mut Reader) -> Routine {
     for rung in &grid.rungs {
         reader.rung(rung);
     }
-    let behind = reader.finish(&grid.end);
+    let after = reader.finish(&grid.end);
     Routine {
         name: name.to_owned(),
         place: grid
@@ -116,7 +116,7 @@ fn routine(name: &str, grid: &Grid, reader: &mut Reader) -> Routine {
             .and_then(|rung| rung.rows.first())
             .map_or(LineColumn::START, |row| row.place),
         rungs: std::mem::take(&mut reader.rungs),
-        behind,
+        after,
         ..Routine::default()
     }
 }
@@ -224,7 +224,7 @@ impl File<'_> {
     }
 }
 
-/// A mistake in a file whose lines are counted on from others.
+/// An error in a file whose lines are counted on from others.
 struct Later {
     before: u32,
     error: ReadError,

@@ -120,7 +120,7 @@ impl Graph {
         graph
     }
 
-    /// Adds an edge; beside another between the same nets, it becomes a branch of that. What a wire leads round
+    /// Adds an edge; next to another between the same nets, it becomes a branch of that. What a wire leads round
     /// decides nothing.
     fn add(&mut self, edge: Edge) {
         let (from, to) = (edge.from, edge.to);
@@ -130,9 +130,9 @@ impl Graph {
         let between = (from.min(to), from.max(to));
         let other = self.between.get(&between).copied();
         if let Some(there) = other.and_then(|other| self.edges[other].as_mut()) {
-            let beside = edge.part_from(there.from);
+            let next_to = edge.part_from(there.from);
             let part = std::mem::replace(&mut there.part, Subcircuit::wire());
-            there.part = part.beside(beside);
+            there.part = part.next_to(next_to);
             return;
         }
         let index = self.edges.len();
@@ -169,7 +169,7 @@ impl Graph {
                     };
                     let (from, to) = (one.other(net), other.other(net));
                     waiting.extend([from, to]);
-                    let part = one.part_from(from).behind(other.part_from(net));
+                    let part = one.part_from(from).after(other.part_from(net));
                     self.add(Edge { from, to, part });
                 }
                 _ => {}

@@ -83,11 +83,11 @@ impl Default for Reader {
 }
 
 impl Reader {
-    /// The comments behind the last rung.
+    /// The comments after the last rung.
     pub(super) fn finish(&mut self, end: &[Text]) -> Vec<String> {
-        let mut behind = std::mem::take(&mut self.above);
-        behind.extend(end.iter().map(|comment| comment.text.clone()));
-        behind
+        let mut after = std::mem::take(&mut self.above);
+        after.extend(end.iter().map(|comment| comment.text.clone()));
+        after
     }
 
     /// Reads one rung of the grid, which may be several of the model.

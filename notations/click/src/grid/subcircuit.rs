@@ -19,7 +19,7 @@ pub(super) enum Kind {
         /// Power passes it from its right edge to its left one.
         reversed: bool,
     },
-    /// One behind the other. None: a bare wire.
+    /// One after the other. None: a bare wire.
     Series(Vec<Subcircuit>),
     /// Between the same two points, in the order of their first contacts.
     Parallel(Vec<Subcircuit>),
@@ -72,7 +72,7 @@ impl Subcircuit {
     }
 
     /// This, then another.
-    pub(super) fn behind(self, next: Subcircuit) -> Subcircuit {
+    pub(super) fn after(self, next: Subcircuit) -> Subcircuit {
         let (first, contacts) = (self.first.min(next.first), self.contacts + next.contacts);
         let mut parts = self.into_series();
         parts.extend(next.into_series());
@@ -85,7 +85,7 @@ impl Subcircuit {
     }
 
     /// This, and another between the same points.
-    pub(super) fn beside(self, other: Subcircuit) -> Subcircuit {
+    pub(super) fn next_to(self, other: Subcircuit) -> Subcircuit {
         let (first, contacts) = (self.first.min(other.first), self.contacts + other.contacts);
         let mut branches = self.into_branches();
         for branch in other.into_branches() {

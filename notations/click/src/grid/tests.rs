@@ -48,12 +48,12 @@ fn read(text: &str) -> (Routine, Reader) {
     for rung in &grid.rungs {
         reader.rung(rung);
     }
-    let behind = reader.finish(&grid.end);
+    let after = reader.finish(&grid.end);
     let rungs = std::mem::take(&mut reader.rungs);
     (
         Routine {
             rungs,
-            behind,
+            after,
             ..Routine::default()
         },
         reader,
@@ -100,7 +100,7 @@ fn model(routine: &Routine, reader: &Reader) -> String {
         }
         out.push('\n');
     }
-    for comment in &routine.behind {
+    for comment in &routine.after {
         out.push_str(&format!("# {comment}\n"));
     }
     for entry in reader.report.remarks() {

@@ -13,7 +13,7 @@ use super::rungs::{CONTINUES, KEPT};
 use ladder_notation::{Companion, LineColumn, Report};
 use std::collections::HashSet;
 
-/// The grids of a program: that of its main program, and beside it its subroutines and its nicknames. A program that is
+/// The grids of a program: that of its main program, and next to it its subroutines and its nicknames. A program that is
 /// only a subroutine is its grid.
 pub(in super::super) fn write(program: &Program, report: &mut Report) -> (String, Vec<Companion>) {
     let addresses = Addresses::of(program, report);
@@ -45,7 +45,7 @@ pub(in super::super) fn write(program: &Program, report: &mut Report) -> (String
 }
 
 fn is_empty(routine: &Routine) -> bool {
-    routine.rungs.is_empty() && routine.comments.is_empty() && routine.behind.is_empty()
+    routine.rungs.is_empty() && routine.comments.is_empty() && routine.after.is_empty()
 }
 
 /// The grid of a routine. What it cannot say is a comment.
@@ -61,7 +61,7 @@ fn grid(routine: &Routine, addresses: &Addresses, report: &mut Report) -> Grid {
         let continues = writer.comments(&rung.comments);
         writer.rung(rung, continues);
     }
-    writer.comments(&routine.behind);
+    writer.comments(&routine.after);
     writer.keep();
     writer.grid
 }

@@ -49,13 +49,13 @@ impl Back<'_> {
         }
     }
 
-    /// Blocks one behind the other as actions.
+    /// Blocks one after the other as actions.
     pub(super) fn actions(&mut self, blocks: &[&Block]) -> Result<Vec<Action>, Refusal> {
         let mut out = Vec::new();
         let mut oneshot = false;
         let mut rest = blocks;
-        while let [block, behind @ ..] = rest {
-            rest = behind;
+        while let [block, after @ ..] = rest {
+            rest = after;
             if let Some(kept) = self.kept(block) {
                 out.push(kept);
                 continue;
@@ -73,16 +73,16 @@ impl Back<'_> {
                 }
                 _ => {}
             }
-            let (what, used) = self.instruction(block, behind)?;
-            let last = if used == 0 { *block } else { behind[used - 1] };
-            rest = &behind[used..];
+            let (what, used) = self.instruction(block, after)?;
+            let last = if used == 0 { *block } else { after[used - 1] };
+            rest = &after[used..];
             let is_pulse = op(block) == Some(Op::RisingCoil);
             out.push(Action {
                 place: self.place_of(block.location),
                 condition: Condition::ALWAYS,
                 what,
                 oneshot: oneshot || is_pulse,
-                comment: self.comment_behind(last),
+                comment: self.comment_after(last),
             });
         }
         Ok(out)
@@ -102,8 +102,8 @@ impl Back<'_> {
         Ok(())
     }
 
-    /// A block as an instruction, and how many of those behind it belong to it.
-    fn instruction(&mut self, block: &Block, behind: &[&Block]) -> Result<(Instruction, usize), Refusal> {
+    /// A block as an instruction, and how many of those after it belong to it.
+    fn instruction(&mut self, block: &Block, after: &[&Block]) -> Result<(Instruction, usize), Refusal> {
         let arguments = &block.arguments[..];
         let unknown = || format!("Click has no {} like this", self.written(block.location.range));
         let Some(op) = op(block) else {
@@ -153,11 +153,11 @@ impl Back<'_> {
             (Op::Ctd, _) => alone(self.counter(CounterKind::Down, arguments)?),
             (Op::Ctud, _) => alone(self.counter(CounterKind::UpDown, arguments)?),
             (Op::Mov | Op::Typ | Op::Concat, [target, ..]) if self.helper(Some(target)).is_some() => {
-                self.through_helper(arguments, behind).ok_or_else(unknown)?
+                self.through_helper(arguments, after).ok_or_else(unknown)?
             }
             (Op::Mov | Op::Typ, [target, source]) => {
                 let (target, source) = (self.operand(target)?, self.operand(source)?);
-                Ok(self.copy(source, target, behind))
+                Ok(self.copy(source, target, after))
             }
             (Op::Bmov, [target, source]) => {
                 let source = self.span_of(source)?;

@@ -11,7 +11,7 @@ use ladder_instructions::Op;
 
 impl Back<'_> {
     /// A copy; a text goes into several addresses by as many blocks.
-    pub(super) fn copy(&self, source: Operand, target: Operand, behind: &[&Block]) -> (Instruction, usize) {
+    pub(super) fn copy(&self, source: Operand, target: Operand, after: &[&Block]) -> (Instruction, usize) {
         let options = CopyOptions::default();
         let copy = |source, target, used| {
             let options = options.clone();
@@ -32,7 +32,7 @@ impl Back<'_> {
         };
         let mut all = text.clone();
         let mut used = 0;
-        for block in behind {
+        for block in after {
             let expected = Tag::number(Bank::Txt, start.number.saturating_add(used as u16 + 1));
             let (Some(Op::Mov), [target, source]) = (op(block), &block.arguments[..]) else {
                 break;
@@ -52,10 +52,10 @@ impl Back<'_> {
     pub(super) fn through_helper(
         &self,
         arguments: &[Bound],
-        behind: &[&Block],
+        after: &[&Block],
     ) -> Option<Result<(Instruction, usize), Refusal>> {
         let (tag, _) = self.helper(arguments.first())?;
-        let next = behind.first()?;
+        let next = after.first()?;
         let [target, source] = &next.arguments[..] else {
             return None;
         };
@@ -90,7 +90,7 @@ impl Back<'_> {
         })
     }
 
-    /// Characters one behind the other.
+    /// Characters one after the other.
     fn characters(&self, arguments: &[Bound]) -> Result<Span, Refusal> {
         let numbers = arguments.iter().map(|bound| {
             let address = self

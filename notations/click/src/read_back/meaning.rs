@@ -158,7 +158,7 @@ fn pythonic(tag: Tag) -> Tag {
     }
 }
 
-/// A name as Python can hold it: a keyword gets a `_` behind it, a blank becomes one.
+/// A name as Python can hold it: a keyword gets a `_` after it, a blank becomes one.
 pub(in super::super) fn python_name(name: &str) -> String {
     let mut name: String = name
         .chars()

@@ -94,7 +94,7 @@ impl Back<'_> {
     }
 }
 
-/// Gives the shift register of the last rung its clock or its reset.
+/// Sets the clock or the reset of the last rung's shift register.
 fn pin_of_register(rungs: &mut [model::Rung], pin: impl FnOnce(&mut model::Shift)) -> bool {
     let Some(rung) = rungs.last_mut() else {
         return false;

@@ -32,7 +32,7 @@ impl Back<'_> {
             at = usize::from(range.end()).max(at);
             if let Some(name) = self.function(network) {
                 let comments = said.pop().unwrap_or_default();
-                routine.behind.extend(said.concat());
+                routine.after.extend(said.concat());
                 let place = self.place_of(network.location);
                 let before = std::mem::replace(
                     &mut routine,
@@ -41,7 +41,7 @@ impl Back<'_> {
                         place,
                         comments,
                         rungs: Vec::new(),
-                        behind: Vec::new(),
+                        after: Vec::new(),
                     },
                 );
                 self.finish(before, &mut out);
@@ -50,7 +50,7 @@ impl Back<'_> {
             }
             self.network(network, said.concat(), &mut routine);
         }
-        routine.behind.extend(text::between(&self.text[at..]).concat());
+        routine.after.extend(text::between(&self.text[at..]).concat());
         self.finish(routine, &mut out);
         out
     }
@@ -85,18 +85,18 @@ impl Back<'_> {
         match self.rungs(network, &registers, is_reset, routine) {
             Ok(mut rungs) => {
                 if let Some(first) = rungs.first_mut() {
-                    let waiting = std::mem::take(&mut routine.behind);
+                    let waiting = std::mem::take(&mut routine.after);
                     first.comments = waiting.into_iter().chain(said).collect();
                 } else if !is_reset {
                     // They were above a rung of the importer's, and belong to the one that follows.
-                    routine.behind.extend(said);
+                    routine.after.extend(said);
                 }
                 routine.rungs.append(&mut rungs);
             }
             Err(why) => {
                 self.report.entries.truncate(before);
                 let place = self.place_of(network.location);
-                let mut comments = std::mem::take(&mut routine.behind);
+                let mut comments = std::mem::take(&mut routine.after);
                 comments.extend(said);
                 comments.extend(
                     self.written(network.location.range)
@@ -122,7 +122,7 @@ impl Back<'_> {
         }
     }
 
-    /// A network as a rung, or as several where power goes on behind a timer.
+    /// A network as a rung, or as several where power goes on after a timer.
     fn rungs(
         &mut self,
         network: &Network,
@@ -172,7 +172,7 @@ impl Back<'_> {
         let mut condition = condition;
         let mut rest = &parts[split..];
         loop {
-            // Behind a timer or counter its own bit is the power.
+            // After a timer or counter its own bit is the power.
             let state = rest
                 .iter()
                 .position(|part| Self::state_block(network, part).is_some());
@@ -227,7 +227,7 @@ impl Back<'_> {
         is_state.then_some(block)
     }
 
-    /// The actions of what is in series behind a condition; the last part may be branches.
+    /// The actions of what is in series after a condition; the last part may be branches.
     fn branch(&mut self, network: &Network, parts: &[Circuit<usize>]) -> Result<Vec<Action>, Refusal> {
         let mut out = Vec::new();
         let mut blocks: Vec<&Block> = Vec::new();
@@ -252,7 +252,7 @@ impl Back<'_> {
                     );
                     if changes_power && number + 1 < parts.len() {
                         let written = self.written(block.location.range);
-                        return Err(format!("in Click nothing is behind {written}"));
+                        return Err(format!("in Click nothing is after {written}"));
                     }
                     blocks.push(block);
                 }
@@ -262,7 +262,7 @@ impl Back<'_> {
                     out.extend(actions);
                     blocks.clear();
                     if number + 1 < parts.len() {
-                        return Err("in Click nothing is behind branches with instructions".to_owned());
+                        return Err("in Click nothing is after branches with instructions".to_owned());
                     }
                     for branch in branches {
                         let mut parts = Vec::new();
@@ -314,7 +314,7 @@ impl Back<'_> {
         });
         Some(Action {
             place,
-            comment: self.comment_behind(block),
+            comment: self.comment_after(block),
             ..action
         })
     }

@@ -58,7 +58,7 @@ impl Back<'_> {
     fn setpoint(&self, bound: &Bound) -> Result<(Operand, Unit), Refusal> {
         if let Some(value) = time(bound) {
             // Where timers count milliseconds, they do so however the time is written.
-            if self.program.law(self.program.networks[0].location).timing == Timing::Units {
+            if self.program.semantics(self.program.networks[0].location).timing == Timing::Units {
                 return Ok((
                     Operand::Constant(Constant::Int(value / MILLISECOND)),
                     Unit::Milliseconds,

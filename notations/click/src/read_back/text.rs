@@ -1,4 +1,4 @@
-//! What is in the text of a ladder program beside its networks: comments, and what they keep.
+//! What is in the text of a ladder program next to its networks: comments, and what they keep.
 
 use super::Back;
 use ladder_analysis::Analysis;
@@ -60,7 +60,7 @@ fn with_stand_ins(text: &str) -> String {
     out
 }
 
-/// The comments behind declarations, by tag.
+/// The comments after declarations, by tag.
 pub(super) fn declared(program: &Program, text: &str) -> HashMap<TagId, String> {
     let mut out = HashMap::new();
     for (number, tag) in program
@@ -72,8 +72,8 @@ pub(super) fn declared(program: &Program, text: &str) -> HashMap<TagId, String> 
         let at = usize::from(tag.location.range.start());
         let rest = text.get(at..).unwrap_or("");
         let line = rest.lines().next().unwrap_or("");
-        if let Some((_, behind)) = line.split_once(';')
-            && let Some(said) = inside(behind.trim())
+        if let Some((_, after)) = line.split_once(';')
+            && let Some(said) = inside(after.trim())
         {
             out.insert(TagId(number as u32), said);
         }
@@ -153,13 +153,13 @@ pub(super) fn head_end(text: &str) -> usize {
 }
 
 impl Back<'_> {
-    /// The comment in the wire right behind a block.
-    pub(super) fn comment_behind(&self, block: &Block) -> Option<String> {
-        self.comment_after(block.location.range.end().into())
+    /// The comment in the wire right after a block.
+    pub(super) fn comment_after(&self, block: &Block) -> Option<String> {
+        self.comment_from(block.location.range.end().into())
     }
 
-    /// The comment in the wire right behind an offset.
-    pub(super) fn comment_after(&self, end: usize) -> Option<String> {
+    /// The comment in the wire right after an offset.
+    pub(super) fn comment_from(&self, end: usize) -> Option<String> {
         let rest = self.text.get(end..)?.trim_start_matches(['-', ' ', '+']);
         let length = rest.strip_prefix('#')?.find('#')? + 2;
         let said = inside(&rest[..length])?;

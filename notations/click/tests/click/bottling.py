@@ -117,4 +117,4 @@ def first_scan():
 
     if True:
         return
-    # nothing behind it
+    # nothing after it

@@ -112,4 +112,4 @@ def first_scan():
     if True:
         return
 
-    # nothing behind it
+    # nothing after it

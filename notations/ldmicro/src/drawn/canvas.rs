@@ -42,7 +42,7 @@ fn comment(rung: &Rung) -> Option<&str> {
     }
 }
 
-/// The two lines of a comment. Where it has more, they are behind the second one.
+/// The two lines of a comment. Where it has more, they are after the second one.
 fn lines_of(comment: &str) -> Vec<String> {
     let mut lines = vec![String::new()];
     let mut chars = comment.chars();
@@ -123,7 +123,7 @@ impl Canvas {
         }
     }
 
-    /// Draws parts behind each other from a cell on; `last` where the right rail follows. Gives the cells it took.
+    /// Draws parts after each other from a cell on; `last` where the right rail follows. Gives the cells it took.
     fn series(&mut self, parts: &[Node], cell: usize, top: usize, last: bool) -> usize {
         let mut at = cell;
         for (index, part) in parts.iter().enumerate() {

@@ -74,9 +74,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<File, ReadError> {
 fn settings(line: &str) -> Result<Vec<String>, ReadError> {
     let mut lines = Vec::new();
     let mut rest = line;
-    if let Some((name, behind)) = line.strip_prefix("for '").and_then(|line| line.split_once('\'')) {
+    if let Some((name, after)) = line.strip_prefix("for '").and_then(|line| line.split_once('\'')) {
         lines.push(format!("MICRO={name}"));
-        rest = behind;
+        rest = after;
     }
     let parts: Vec<&str> = rest.split(',').map(str::trim).collect();
     let number = |unit: &str, factor: f64| {
@@ -131,7 +131,7 @@ fn drawn_line(number: u32, line: &str) -> Result<Drawn, ReadError> {
 
 fn rungs(drawing: &[Drawn]) -> Result<Vec<Rung>, ReadError> {
     let Some(first) = drawing.first() else {
-        return Err(ReadError::whole("there is no diagram behind `LADDER DIAGRAM:`"));
+        return Err(ReadError::whole("there is no diagram after `LADDER DIAGRAM:`"));
     };
     if let Some(other) = drawing
         .iter()
@@ -153,8 +153,8 @@ fn rungs(drawing: &[Drawn]) -> Result<Vec<Rung>, ReadError> {
         .collect();
     let mut rungs = Vec::new();
     for (index, start) in starts.iter().enumerate() {
-        let behind = starts.get(index + 1).copied().unwrap_or(end);
-        rungs.push(rung(&drawing[*start..behind])?);
+        let after = starts.get(index + 1).copied().unwrap_or(end);
+        rungs.push(rung(&drawing[*start..after])?);
     }
     Ok(rungs)
 }

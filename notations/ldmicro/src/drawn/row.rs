@@ -106,7 +106,7 @@ impl Body<'_> {
         Ok(Found::new(format!("COIL {} {flags}", self.name(1)?), 3))
     }
 
-    /// Where a body ends that was centred in this many cells: with a character behind which wire goes on.
+    /// Where a body ends that was centred in this many cells: with a character after which wire goes on.
     fn end(&self, close: char, cells: usize) -> Option<usize> {
         let before = self.column % CELL;
         let room = cells * CELL;

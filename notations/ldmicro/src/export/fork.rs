@@ -4,7 +4,7 @@ use super::Exporter;
 use crate::field;
 use crate::fork::made::Made;
 use crate::fork::{RESOLUTION, table};
-use crate::kept::{UNSETTLED, behind};
+use crate::kept::{UNSETTLED, after};
 use crate::model::Version;
 use ladder_analysis::program::{Argument, Block, BlockKind, Expr, ExprKind, Place as Operand};
 use ladder_analysis::values::value::Value;
@@ -195,11 +195,11 @@ impl Exporter<'_> {
         range.map_or("", |range| self.text[range].trim())
     }
 
-    /// What the comment right behind a block says that it was.
+    /// What the comment right after a block says that it was.
     fn was(&self, block: &Block) -> Option<String> {
         let rest = self.text[usize::from(block.location.range.end())..].trim_start_matches(['-', ' ']);
         let length = rest.strip_prefix('#')?.find('#')? + 2;
-        behind(&rest[..length], "was:")
+        after(&rest[..length], "was:")
     }
 
     fn in_function(&self, block: &Block) -> bool {

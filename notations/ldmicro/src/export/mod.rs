@@ -7,7 +7,7 @@ use crate::element::{self, Form, ROWS};
 use crate::field::Coil;
 use crate::fork::jumps;
 use crate::fork::made::Made;
-use crate::kept::{Head, behind, comment, kept};
+use crate::kept::{Head, after, comment, kept};
 use crate::model::{Dialect, File, Leaf, Node, Rung, Version};
 use crate::{parse, text};
 use ladder_analysis::Analysis;
@@ -85,7 +85,7 @@ struct Exporter<'p> {
 }
 
 impl Exporter<'_> {
-    /// Gives bits the letters by which LDmicro knows inputs, outputs and relays.
+    /// Names bits by the letters by which LDmicro knows inputs, outputs and relays.
     fn letters(&mut self) {
         let program = self.program;
         let mut taken: HashSet<String> = program.tags.iter().map(|tag| tag.name.clone()).collect();
@@ -203,11 +203,11 @@ impl Exporter<'_> {
         }))
     }
 
-    /// The line that the comment behind a block says it was, if it still means the same.
+    /// The line that the comment after a block says it was, if it still means the same.
     fn before(&self, end: usize, plain: &str) -> Option<String> {
         let rest = self.text[end..].trim_start_matches(['-', ' ']);
         let length = rest.strip_prefix('#')?.find('#')? + 2;
-        let line = behind(&rest[..length], "was:")?;
+        let line = after(&rest[..length], "was:")?;
         element::check(&line).ok()?;
         if jumps::same(&line, plain) {
             return Some(line);

@@ -1,5 +1,5 @@
 //! The rungs of a program in LDmicro's order: functions are as subprograms where a comment keeps their place, or
-//! behind the others.
+//! after the others.
 
 use super::Exporter;
 use super::fork::OWN_END;
@@ -108,10 +108,10 @@ fn placed(main: Vec<Rung>, mut subprograms: Vec<Subprogram>) -> Vec<Rung> {
     out
 }
 
-/// A number that leads to a rung farther on is not looked at.
+/// A number that leads to a rung farther on is not checked.
 const MOST_PASSED: usize = 1_000;
 
-/// Gives the jumps to rungs their numbers, and takes the labels out that only they lead to.
+/// Numbers the rungs that jumps go to, and takes the labels out that only they lead to.
 fn settle(rungs: &mut [Rung]) {
     let count = rungs.len();
     let mut labels: HashMap<String, usize> = HashMap::new();

@@ -1,6 +1,6 @@
 //! Labels, jumps and subprograms of the fork as labels and functions.
 //!
-//! A subprogram is between other rungs and is passed over; a function is behind the main program. So the rungs
+//! A subprogram is between other rungs and is passed over; a function is after the main program. So the rungs
 //! between `SUBPROG` and `ENDSUB` move to the end, and a comment keeps their place. `GOTO 5` leads to a rung by its
 //! number: that rung gets a label.
 
@@ -19,7 +19,7 @@ pub(crate) struct Jumps {
     pub(crate) numbered: BTreeMap<usize, String>,
     /// The block for each element, by its line, or why there is none.
     blocks: HashMap<u32, Result<String, String>>,
-    /// For each rung, and the end behind them, the subprogram that it is in.
+    /// For each rung, and the end after them, the subprogram that it is in.
     within: Vec<Option<usize>>,
     /// For each rung the first one from there on that becomes a network.
     networks: Vec<usize>,
@@ -136,7 +136,7 @@ impl Jumps {
                 continue;
             }
             if self.subprogram(*index).is_none() {
-                let why = "a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, \
+                let why = "a function is made of one SUBPROG and one ENDSUB after it, each alone in its rung, \
                            with no other between them";
                 self.blocks.insert(leaf.line, Err(why.to_owned()));
             }
@@ -154,7 +154,7 @@ impl Jumps {
         Ok(format!("<JMP>( {label} )"))
     }
 
-    /// A jump to the rung with a number, counted from 1. What lies behind the last one is the end of the cycle.
+    /// A jump to the rung with a number, counted from 1. What lies after the last one is the end of the cycle.
     fn numbered(
         &mut self,
         file: &File,

@@ -1,4 +1,4 @@
-//! What LDmicro's fork has beside LDmicro 2.2: elements of its own, and other fields of the old ones.
+//! What LDmicro's fork has next to LDmicro 2.2: elements of its own, and other fields of the old ones.
 //!
 //! ```text
 //! line --read--> Read: an instruction, or a block that the program brings along (made)
@@ -77,7 +77,7 @@ impl<'l> Read<'l> {
     }
 }
 
-/// An element as the fork has it; none for what LDmicro 2.2 has too. The mistake says why there is nothing like it here.
+/// An element as the fork has it; none for what LDmicro 2.2 has too. The error says why there is nothing like it here.
 pub(super) fn read(text: &str, dialect: Dialect) -> Option<Result<Read<'_>, String>> {
     let fields = field::fields(text);
     if let Some(row) = table::row_of(text) {
@@ -157,7 +157,7 @@ fn own<'l>(form: Form, fields: &[&'l str], dialect: Dialect) -> Result<Read<'l>,
             read.remark = match made {
                 Made::ShiftRight => {
                     shifted(fields[2])?;
-                    Some("that the sign of a number below 0 stays is what SR0 beside it suggests")
+                    Some("that the sign of a number below 0 stays is what SR0 next to it suggests")
                 }
                 Made::ToBcd | Made::FromBcd => {
                     Some("here for numbers from 0 to 9999; what LDmicro makes of others is not documented")

@@ -1,4 +1,4 @@
-//! The elements that only LDmicro's fork has, each beside what it becomes here.
+//! The elements that only LDmicro's fork has, each next to what it becomes here.
 
 use super::super::field::Slot;
 use super::made::{Made, MadeTimer};

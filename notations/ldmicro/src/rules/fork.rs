@@ -145,7 +145,7 @@ fn jumps(file: &File, all: &[&Leaf], out: &mut Vec<Finding>) {
         let Some((word, name)) = leaf.text.split_once(' ') else {
             continue;
         };
-        // A number behind the last rung leads to the end.
+        // A number after the last rung leads to the end.
         let rung = name.parse::<usize>().is_ok_and(|rung| rung > 0);
         let missing = match word {
             "GOTO" if !has("LABEL", name) && !rung => "LABEL",

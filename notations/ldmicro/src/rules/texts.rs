@@ -49,7 +49,7 @@ pub(super) fn findings(version: Version, leaf: &Leaf, out: &mut Vec<Finding>) {
     }
 }
 
-/// The text: character codes behind their number, or the text itself in the fork's files.
+/// The text: character codes after their number, or the text itself in the fork's files.
 fn text_of(fields: &[&str]) -> String {
     let codes = fields.get(2..).unwrap_or_default();
     let length = fields.get(1).and_then(|length| length.parse::<usize>().ok());
@@ -63,7 +63,7 @@ fn text_of(fields: &[&str]) -> String {
     }
 }
 
-/// How long the escape behind a backslash is, and whether it stands for the variable.
+/// How long the escape after a backslash is, and whether it stands for the variable.
 fn escape(version: Version, rest: &str) -> Option<(usize, bool)> {
     let minus = usize::from(rest.starts_with('-'));
     let c = rest[minus..].chars().next()?;

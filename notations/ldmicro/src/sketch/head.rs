@@ -25,7 +25,7 @@ impl Importer<'_> {
             .collect();
         let given: Vec<&str> = self.file.io.iter().map(|(_, entry)| name_of(entry)).collect();
         let spelled: Vec<&str> = given.iter().filter_map(|name| self.tags.listed(name)).collect();
-        // Where the declarations cannot show the list as it is, it is kept beside them.
+        // Where the declarations cannot show the list as it is, it is kept next to them.
         if spelled != listed || spelled.len() != given.len() {
             lines.extend(self.file.io.iter().map(|(_, entry)| format!("IO {entry}")));
         }

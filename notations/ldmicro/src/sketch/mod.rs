@@ -94,7 +94,7 @@ impl<'f> Importer<'f> {
         made.collect()
     }
 
-    /// The main program, behind it the subprograms, and what blocks they need.
+    /// The main program, after it the subprograms, and what blocks they need.
     fn program(&mut self) {
         let mut next = 0;
         for at in 0..self.jumps.subprograms.len() {
@@ -206,7 +206,7 @@ impl<'f> Importer<'f> {
                     if index + 1 < parts.len() {
                         self.passes_on(branches);
                     }
-                    // What is in a branch by itself has nothing behind it.
+                    // What is in a branch by itself has nothing after it.
                     let branches = branches.iter();
                     let branches = branches.map(|branch| match self.nodes(std::slice::from_ref(branch)) {
                         mut one if one.len() == 1 => one.remove(0),
@@ -219,7 +219,7 @@ impl<'f> Importer<'f> {
         out
     }
 
-    /// Branches that end in a coil or the like, with something behind them.
+    /// Branches that end in a coil or the like, with something after them.
     fn passes_on(&mut self, branches: &[Node]) {
         let ends = |leaf: &&&Leaf| element::row_of(&leaf.text).is_some_and(|row| row.ends_rung);
         let all = leaves(branches);
@@ -228,7 +228,7 @@ impl<'f> Importer<'f> {
             .find(ends)
             .filter(|_| self.file.version == Version::V02)
         {
-            let why = "what is behind these branches has the power that comes out of any of them here; in \
+            let why = "what is after these branches has the power that comes out of any of them here; in \
                        LDmicro's fork it has what goes in";
             let place = LineColumn::line(leaf.line);
             self.reading.report.approximated(place, "PARALLEL", why);

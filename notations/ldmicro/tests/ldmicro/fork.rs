@@ -362,7 +362,7 @@ fn every_element() {
         END_FUNCTION_BLOCK
 
         FUNCTION_BLOCK [$CTChigh]
-        # Counts up; beyond max it begins anew at init, with power for one scan. #
+        # Counts up; beyond max it begins again at init, with power for one scan. #
         VAR_IN_OUT
             c : INT;
         END_VAR
@@ -373,7 +373,7 @@ fn every_element() {
         END_FUNCTION_BLOCK
 
         FUNCTION_BLOCK [$CTRlowfrom]
-        # Counts down; below max it begins anew at init, with power for one scan. #
+        # Counts down; below max it begins again at init, with power for one scan. #
         VAR_IN_OUT
             c : INT;
         END_VAR
@@ -389,7 +389,7 @@ fn every_element() {
         1:1 #PORTA: approximated: it is spelled `_PORTA` here
         1:1 big: approximated: it has 4 bytes in LDmicro, and 16 bits here
         25:1 SR0 n m k: approximated: where the number of bits is below 0, there is a fault here
-        26:1 SHR n n 2: approximated: that the sign of a number below 0 stays is what SR0 beside it suggests
+        26:1 SHR n n 2: approximated: that the sign of a number below 0 stays is what SR0 next to it suggests
         36:1 BIN2BCD n m: approximated: here for numbers from 0 to 9999; what LDmicro makes of others is not documented
         37:1 BCD2BIN n m: approximated: here for numbers from 0 to 9999; what LDmicro makes of others is not documented
         101:1 SWAP n m: refused: which bit goes where is not documented

@@ -288,10 +288,10 @@ fn jumps_that_lead_nowhere() {
             26:1 GOTO 1: refused: rung 1 is in another subprogram, or in none
             33:1 LABEL twice: refused: there is another label `twice`, which the jumps lead to
             34:1 GOSUB other: refused: there is no subprogram `other` that could be made a function
-            37:1 SUBPROG outer: refused: a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, with no other between them
-            46:1 ENDSUB outer: refused: a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, with no other between them
-            49:1 SUBPROG beside: refused: a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, with no other between them
-            53:1 ENDSUB beside: refused: a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, with no other between them
+            37:1 SUBPROG outer: refused: a function is made of one SUBPROG and one ENDSUB after it, each alone in its rung, with no other between them
+            46:1 ENDSUB outer: refused: a function is made of one SUBPROG and one ENDSUB after it, each alone in its rung, with no other between them
+            49:1 SUBPROG beside: refused: a function is made of one SUBPROG and one ENDSUB after it, each alone in its rung, with no other between them
+            53:1 ENDSUB beside: refused: a function is made of one SUBPROG and one ENDSUB after it, each alone in its rung, with no other between them
             11:1 ldmicro-element: `GOTO nowhere` stays as a comment: there is no label `nowhere`
             11:1 ldmicro-jump: GOTO 'nowhere': there is no LABEL 'nowhere'
             12:1 ldmicro-element: `GOTO inside` stays as a comment: it leads out of its subprogram, or into one, to `inside`
@@ -304,11 +304,11 @@ fn jumps_that_lead_nowhere() {
             33:1 ldmicro-jump: LABEL 'twice' is there already, on line 17
             34:1 ldmicro-element: `GOSUB other` stays as a comment: there is no subprogram `other` that could be made a function
             34:1 ldmicro-jump: GOSUB 'other': there is no SUBPROG 'other'
-            37:1 ldmicro-element: `SUBPROG outer` stays as a comment: a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, with no other between them
-            46:1 ldmicro-element: `ENDSUB outer` stays as a comment: a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, with no other between them
-            49:1 ldmicro-element: `SUBPROG beside` stays as a comment: a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, with no other between them
+            37:1 ldmicro-element: `SUBPROG outer` stays as a comment: a function is made of one SUBPROG and one ENDSUB after it, each alone in its rung, with no other between them
+            46:1 ldmicro-element: `ENDSUB outer` stays as a comment: a function is made of one SUBPROG and one ENDSUB after it, each alone in its rung, with no other between them
+            49:1 ldmicro-element: `SUBPROG beside` stays as a comment: a function is made of one SUBPROG and one ENDSUB after it, each alone in its rung, with no other between them
             49:1 ldmicro-jump: SUBPROG must be alone in its rung
-            53:1 ldmicro-element: `ENDSUB beside` stays as a comment: a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, with no other between them
+            53:1 ldmicro-element: `ENDSUB beside` stays as a comment: a function is made of one SUBPROG and one ENDSUB after it, each alone in its rung, with no other between them
         "#]],
     );
     assert_eq!(there_and_back(text.as_bytes()), Ok(text));
@@ -349,7 +349,7 @@ fn a_relay_in_a_subprogram_and_branches_that_go_on() {
 
             +--[ ]( Xa )------------------------------------------------------------<MCR>--+
             11:1 SUBPROG sub: approximated: what its MASTER_RELAY does ends with the function here
-            22:1 PARALLEL: approximated: what is behind these branches has the power that comes out of any of them here; in LDmicro's fork it has what goes in
+            22:1 PARALLEL: approximated: what is after these branches has the power that comes out of any of them here; in LDmicro's fork it has what goes in
             22:1 ldmicro-rightmost: COIL must be the rightmost element of its rung
             23:1 ldmicro-rightmost: COIL must be the rightmost element of its rung
         "#]],

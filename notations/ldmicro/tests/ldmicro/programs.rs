@@ -15,7 +15,7 @@ pub(crate) fn converted(bytes: &[u8]) -> Result<Converted, String> {
     convert(notation(), &source, &Options::default()).map_err(|error| error.to_string())
 }
 
-/// The ladder text, what there is to say about it, and LDmicro's own findings; or the mistake.
+/// The ladder text, what there is to say about it, and LDmicro's own findings; or the error.
 pub(crate) fn read(text: &str) -> String {
     let converted = match converted(text.as_bytes()) {
         Ok(converted) => converted,
@@ -364,7 +364,7 @@ END_VAR
 #[test]
 fn wide_rungs_are_refused() {
     let rung = format!("RUNG\nPARALLEL\n{}END\nEND\n", "OSR\n".repeat(65));
-    let expected = "79:1: there are more than 64 parts beside each other: make several rungs of it";
+    let expected = "79:1: there are more than 64 parts next to each other: make several rungs of it";
     assert_eq!(read(&program(&rung)).trim_end(), expected);
 }
 

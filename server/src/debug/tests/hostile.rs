@@ -96,7 +96,7 @@ fn every_request_is_answered_once_in_every_phase() {
             for arguments in arguments(&program) {
                 let said = client.ask(command, arguments.clone());
                 let message = said[0]["message"].as_str().unwrap_or_default();
-                assert!(!message.contains("mistake of its own"), "{command} {arguments}");
+                assert!(!message.contains("error of its own"), "{command} {arguments}");
                 assert!(
                     said[0]["success"] == true || !message.is_empty(),
                     "{command} {arguments}"

@@ -171,7 +171,7 @@ fn variables_of_a_moment_that_is_over_are_none() {
     assert_eq!(client.body("variables", asked)["variables"], json!([]));
 }
 
-/// Nobody takes a scenario for passed that was only looked at.
+/// Nobody takes a scenario for passed that was only checked.
 #[test]
 fn a_scenario_that_is_ended_by_hand_has_not_passed() {
     let scenarios = "program own.clad\nscenario \"two steps\"\na => 0 0\nscenario \"wrong\"\na => 1 0\n";

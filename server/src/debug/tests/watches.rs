@@ -50,7 +50,7 @@ fn values_have_the_types_of_the_language() {
 }
 
 #[test]
-fn mistakes_are_told_in_words() {
+fn errors_are_reported_in_words() {
     check(&[
         ("cuont > 5", "error: there is no tag `cuont`; did you mean count?"),
         (

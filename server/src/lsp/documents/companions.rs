@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use ladder_analysis::{Diagnostic as Finding, Severity};
 use ladder_simulator::Simulation;
-use ladder_simulator::scenario::{self, Mistake};
+use ladder_simulator::scenario::{self, ScenarioError};
 use ladder_syntax::TextRange;
 use ladder_workspace::{Named, Settings};
 use tower_lsp::ls_types::Diagnostic;
@@ -60,13 +60,15 @@ async fn look_at(shared: Arc<Shared>, first: Arc<Revision>, _work: Work) {
     let mut next = Some(first);
     while let Some(revision) = next {
         if shared.companions.is_current(&revision) {
-            let (beside, job) = (shared.clone(), revision.clone());
+            let (next_to, job) = (shared.clone(), revision.clone());
             let looked = blocking(move |_| {
-                if !beside.agreed().pulls_diagnostics {
-                    let found = diagnostics_of(&beside, &job);
-                    beside.outbox.diagnostics(&beside.companions, job.clone(), found);
+                if !next_to.agreed().pulls_diagnostics {
+                    let found = diagnostics_of(&next_to, &job);
+                    next_to
+                        .outbox
+                        .diagnostics(&next_to.companions, job.clone(), found);
                 }
-                foreign::tell_preview(&beside, &job);
+                foreign::tell_preview(&next_to, &job);
             });
             if let Err(error) = looked.await {
                 let message = format!("no diagnostics for {}: {}", revision.uri, error.message);
@@ -84,7 +86,7 @@ pub(crate) fn closed(shared: &Arc<Shared>, uri: &str) {
         shared.outbox.no_diagnostics(uri);
     }
     if Kind::of(uri, "") == Kind::Settings {
-        settings_file::tell_anew(shared, uri);
+        settings_file::tell_again(shared, uri);
     }
 }
 
@@ -103,16 +105,16 @@ pub(crate) fn diagnostics_of(shared: &Shared, revision: &Revision) -> Vec<Diagno
 
 fn settings(revision: &Revision) -> Vec<Diagnostic> {
     let path = address::path_of(&revision.uri);
-    let (_, mistakes) = Settings::examine(path.as_deref().unwrap_or(Path::new("")), &revision.text());
-    let mistakes = mistakes.into_iter();
-    mistakes
-        .map(|mistake| error(revision, mistake.range, BAD_SETTING, mistake.message))
+    let (_, errors) = Settings::examine(path.as_deref().unwrap_or(Path::new("")), &revision.text());
+    let errors = errors.into_iter();
+    errors
+        .map(|error| error_at(revision, error.range, BAD_SETTING, error.message))
         .collect()
 }
 
 fn scenarios(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
     let suite = scenario::parse(&revision.text());
-    let mut mistakes = suite.mistakes.clone();
+    let mut errors = suite.errors.clone();
     let mut found = Vec::new();
     if let (Some((name, range)), Some(path)) = (&suite.program, address::path_of(&revision.uri)) {
         let program = Named::in_file(&path, name).locate();
@@ -120,10 +122,10 @@ fn scenarios(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
         match program
             .and_then(|program| compiled(shared, &program, suite.interval.map(|(interval, _)| interval)))
         {
-            Ok(simulation) => mistakes.extend(scenario::bind(&suite, &simulation).1),
+            Ok(simulation) => errors.extend(scenario::bind(&suite, &simulation).1),
             Err(NotReady::Missing(message)) => {
                 let help = "a program is named as it is seen from the folder of the scenario file";
-                found.push(error(
+                found.push(error_at(
                     revision,
                     *range,
                     BAD_SCENARIO,
@@ -137,11 +139,11 @@ fn scenarios(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
             }
         }
     }
-    let said = |Mistake { range, message, help }| {
+    let said = |ScenarioError { range, message, help }| {
         let help = help.map(|help| format!("\n{help}"));
-        error(revision, range, BAD_SCENARIO, message + &help.unwrap_or_default())
+        error_at(revision, range, BAD_SCENARIO, message + &help.unwrap_or_default())
     };
-    found.extend(mistakes.into_iter().map(said));
+    found.extend(errors.into_iter().map(said));
     found.sort_by_key(|it| (it.range.start.line, it.range.start.character));
     found
 }
@@ -179,6 +181,6 @@ fn is_error(finding: &Finding) -> bool {
     finding.severity == Severity::Error
 }
 
-fn error(revision: &Revision, range: TextRange, code: &str, message: String) -> Diagnostic {
+fn error_at(revision: &Revision, range: TextRange, code: &str, message: String) -> Diagnostic {
     convert::diagnostic(convert::range_in(revision, range), Severity::Error, code, message)
 }

@@ -52,9 +52,9 @@ pub(crate) fn changed(shared: &Arc<Shared>, params: &DidChangeConfigurationParam
     }
     // The other sections, if there are any, are those of other servers.
     if let Some(settings) = params.settings.get(SECTION).cloned() {
-        let told_as = shared.editor_settings_asked();
+        let reported_as = shared.editor_settings_asked();
         shared.in_background(move |shared| {
-            if shared.editor_settings_asked_last(told_as) {
+            if shared.editor_settings_asked_last(reported_as) {
                 follow(shared, &settings);
             }
         });
@@ -86,9 +86,9 @@ async fn pull(shared: Arc<Shared>) {
 
 /// Takes new settings. Where there are open files, their workspaces are read again: for a blocking thread.
 fn take(shared: &Shared, settings: &Value) {
-    let (settings, mistakes) = EditorSettings::read(&tree(settings));
+    let (settings, errors) = EditorSettings::read(&tree(settings));
     shared.set_editor(settings);
-    shared.report_settings_once(mistakes.join("\n"));
+    shared.report_settings_once(errors.join("\n"));
 }
 
 /// Takes new settings, and does what follows from them: findings and hints may be other ones.

@@ -61,7 +61,7 @@ fn publish(shared: &Shared, revision: &Arc<Revision>) {
         .diagnostics(&shared.documents, revision.clone(), found);
 }
 
-/// The diagnostics of a program. The other open files of its workspace are looked at again if they
+/// The diagnostics of a program. The other open files of its workspace are checked again if they
 /// see something else in it than before. For a blocking thread.
 pub(crate) fn look_at(shared: &Arc<Shared>, revision: &Revision) -> Vec<Diagnostic> {
     let diagnostics = of_open(shared, revision);
@@ -69,14 +69,14 @@ pub(crate) fn look_at(shared: &Arc<Shared>, revision: &Revision) -> Vec<Diagnost
     diagnostics
 }
 
-/// Has the other open files of a program's workspace looked at again if they see something else in it than before.
+/// Has the other open files of a program's workspace checked again if they see something else in it than before.
 fn tell_others(shared: &Arc<Shared>, revision: &Revision) {
     if let Some(place) = revision.place().filter(|_| shared.documents.is_current(revision)) {
-        let news = revision.tell_neighbours();
-        if news.for_others {
+        let affected = revision.tell_neighbours();
+        if affected.for_others {
             refresh_others(shared, &[&place.path], Some(&revision.uri));
         }
-        if news.for_itself {
+        if affected.for_itself {
             look_again(shared, &revision.uri);
         }
         simulate_with(shared, &place.path, Some(&revision.uri));
@@ -89,11 +89,11 @@ fn tell_others(shared: &Arc<Shared>, revision: &Revision) {
 /// what it finds.
 fn refresh_others(shared: &Arc<Shared>, paths: &[impl AsRef<Path>], but: Option<&str>) {
     for other in shared.documents.all() {
-        let beside = other.place().is_some_and(|place| {
+        let next_to = other.place().is_some_and(|place| {
             let together = |path: &Path| shared.neighbours.together(&place.path, path);
             paths.iter().any(|path| together(path.as_ref()))
         });
-        if beside && Some(&*other.uri) != but {
+        if next_to && Some(&*other.uri) != but {
             look_again(shared, &other.uri);
         }
     }
@@ -107,10 +107,10 @@ fn simulate_with(shared: &Arc<Shared>, path: &Path, but: Option<&str>) {
         return;
     }
     for other in shared.documents.all() {
-        let beside = other
+        let next_to = other
             .place()
             .is_some_and(|place| shared.neighbours.together(&place.path, path));
-        if beside && Some(&*other.uri) != but {
+        if next_to && Some(&*other.uri) != but {
             shared.sessions.follow_others(&other);
         }
     }

@@ -54,9 +54,9 @@ pub(crate) async fn will_rename(
     shared: &Arc<Shared>,
     params: RenameFilesParams,
 ) -> Result<Option<WorkspaceEdit>> {
-    let beside = shared.clone();
+    let next_to = shared.clone();
     blocking(move |cancel| {
-        let shared = beside;
+        let shared = next_to;
         let files = params.files.iter();
         let renames: Vec<(PathBuf, PathBuf)> = files
             .filter_map(|file| Some((path_of(&file.old_uri)?, path_of(&file.new_uri)?)))
@@ -134,7 +134,7 @@ fn renamed_program(file: &Path, text: &str, renames: &[(PathBuf, PathBuf)]) -> O
 fn after(path: &Path, renames: &[(PathBuf, PathBuf)]) -> PathBuf {
     let rename = renames.iter().find(|(old, _)| path.starts_with(old));
     match rename.and_then(|(old, new)| Some((path.strip_prefix(old).ok()?, new))) {
-        // Joining nothing would leave a slash behind.
+        // Joining nothing would leave a slash after.
         Some((rest, new)) if rest.as_os_str().is_empty() => new.clone(),
         Some((rest, new)) => new.join(rest),
         None => path.to_owned(),

@@ -1,7 +1,7 @@
 //! The folders that the client has open.
 //!
 //! Which workspace a program belongs to is for `ladder.toml` to say, not for the client. But the programs below its
-//! folders count before any of them is open: in the diagnostics of a workspace and in searches, and a mistake in a
+//! folders count before any of them is open: in the diagnostics of a workspace and in searches, and an error in a
 //! `ladder.toml` is shown at once. So they are read at the beginning, while the client goes on.
 
 use std::path::{Path, PathBuf};
@@ -15,7 +15,7 @@ use crate::document::address::path_of;
 use crate::lsp::documents::progress::Progress;
 use crate::lsp::session::shared::Shared;
 
-/// No more files and folders than these are looked at below one folder.
+/// No more files and folders than these are checked below one folder.
 const MOST: usize = 200_000;
 
 /// Takes the folders that the client has open at first.

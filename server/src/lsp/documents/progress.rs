@@ -74,7 +74,7 @@ impl Progress {
         Progress { steps: Some(sender) }
     }
 
-    /// Tells how far the work is: how much of how much, and what is looked at now.
+    /// Tells how far the work is: how much of how much, and what is checked now.
     pub(crate) fn report(&self, done: usize, all: usize, at: &Path) {
         if let Some(steps) = &self.steps {
             let name = at.file_name().unwrap_or_default().to_string_lossy();

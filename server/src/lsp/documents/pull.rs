@@ -73,10 +73,10 @@ pub(crate) async fn document(
 ) -> Result<DocumentDiagnosticReportResult> {
     let uri = params.text_document.uri;
     watch::look_around(shared);
-    let beside = shared.clone();
+    let next_to = shared.clone();
     let previous = params.previous_result_id;
     blocking(move |_| {
-        let shared = beside;
+        let shared = next_to;
         let previous = previous.as_deref();
         if let Some(revision) = shared.companions.get(uri.as_str()) {
             return related(
@@ -102,7 +102,7 @@ pub(crate) async fn document(
     .await
 }
 
-/// `workspace/diagnostic`: of the open documents, of the programs in the client's folders, of those beside open ones,
+/// `workspace/diagnostic`: of the open documents, of the programs in the client's folders, of those next to open ones,
 /// and of the settings files.
 pub(crate) async fn workspace(
     shared: &Arc<Shared>,
@@ -110,9 +110,9 @@ pub(crate) async fn workspace(
 ) -> Result<WorkspaceDiagnosticReportResult> {
     let token = params.work_done_progress_params.work_done_token.clone();
     let progress = Progress::of_request(shared, token, "Checking ladder programs");
-    let beside = shared.clone();
+    let next_to = shared.clone();
     let reports = blocking(move |cancel| {
-        let shared = beside;
+        let shared = next_to;
         folders::read(&shared, &progress, &|| cancel.is_cancelled());
         let known: HashMap<&str, &str> = params
             .previous_result_ids

@@ -1,4 +1,4 @@
-//! Diagnostics of settings files that nobody has open: a mistake in `ladder.toml` concerns every program below it.
+//! Diagnostics of settings files that nobody has open: an error in `ladder.toml` concerns every program below it.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -16,7 +16,7 @@ use crate::document::position::{self, Encoding};
 use crate::lsp::{convert, session::shared::Shared};
 
 /// A settings file was closed: what was reported of it was withdrawn, and is reported again.
-pub(crate) fn tell_anew(shared: &Arc<Shared>, uri: &str) {
+pub(crate) fn tell_again(shared: &Arc<Shared>, uri: &str) {
     if let Some(path) = path_of(uri) {
         let mut sent = shared
             .settings_files
@@ -34,7 +34,7 @@ pub(crate) fn tell(shared: &Shared) {
     let open = open_files(shared);
     let mut wrong: BTreeMap<PathBuf, Vec<Diagnostic>> = BTreeMap::new();
     for file in shared.neighbours.settings_files() {
-        if !file.mistakes.is_empty() && !open.contains(&file.path) {
+        if !file.errors.is_empty() && !open.contains(&file.path) {
             wrong.insert(file.path.clone(), diagnostics(&file, agreed.encoding));
         }
     }
@@ -47,7 +47,7 @@ pub(crate) fn tell(shared: &Shared) {
         return;
     }
     if agreed.pulls_diagnostics {
-        // The client asks for them, beside those of a program; one that does not take them there gets a message.
+        // The client asks for them, next to those of a program; one that does not take them there gets a message.
         if !agreed.related_documents {
             for (path, diagnostics) in &wrong {
                 if sent.get(path) == Some(diagnostics) {
@@ -69,8 +69,8 @@ pub(crate) fn tell(shared: &Shared) {
                     .diagnostics_on_disk(&uri_of(path), diagnostics.clone());
             }
         }
-        let mended = sent.keys().filter(|path| !wrong.contains_key(*path));
-        for path in mended.filter(|path| !open.contains(path)) {
+        let fixed = sent.keys().filter(|path| !wrong.contains_key(*path));
+        for path in fixed.filter(|path| !open.contains(path)) {
             shared.outbox.no_diagnostics(&uri_of(path));
         }
     }
@@ -106,11 +106,11 @@ pub(crate) fn of_program(shared: &Shared, program: &Path) -> Option<(PathBuf, Ve
 /// What is wrong in a settings file.
 pub(crate) fn diagnostics(file: &SettingsFile, encoding: Encoding) -> Vec<Diagnostic> {
     let rope = Rope::from_str(&file.text);
-    let mistakes = file.mistakes.iter();
-    mistakes
-        .map(|mistake| {
-            let range = convert::range(position::range(&rope, encoding, mistake.range.into()));
-            convert::diagnostic(range, Severity::Error, BAD_SETTING, mistake.message.clone())
+    let errors = file.errors.iter();
+    errors
+        .map(|error| {
+            let range = convert::range(position::range(&rope, encoding, error.range.into()));
+            convert::diagnostic(range, Severity::Error, BAD_SETTING, error.message.clone())
         })
         .collect()
 }

@@ -35,7 +35,7 @@ pub(crate) fn chosen<T>(
     (chosen, left_out)
 }
 
-/// The finding that says how many there are beside those that are shown.
+/// The finding that says how many there are next to those that are shown.
 pub(crate) fn rest(left_out: usize) -> Option<Diagnostic> {
     (left_out > 0).then(|| {
         let message = format!(

@@ -112,7 +112,7 @@ pub(crate) fn saved(shared: &Arc<Shared>, params: &DidSaveTextDocumentParams) {
     }
 }
 
-/// Files beside the open documents were changed, made or removed.
+/// Files next to the open documents were changed, made or removed.
 pub(crate) fn watched(shared: &Arc<Shared>, params: &DidChangeWatchedFilesParams) {
     let paths = params.changes.iter();
     let paths: Vec<_> = paths

@@ -1,7 +1,7 @@
 //! What a person is typing: the findings of a rung wait until the cursor has left it, or the person saves the file.
 //!
 //! A client that says where its cursor is (`ladder.cursor`) has its changes taken for typing. What is found in the network
-//! of the last change is held back, since half a rung is full of mistakes that nobody has made yet; so are half a section of
+//! of the last change is held back, since half a rung is full of errors that nobody has made yet; so are half a section of
 //! declarations and half a comment. A client that says nothing gets all findings at once.
 //!
 //! An editor that saves by itself after a while does so in the middle of a rung: that ends nothing.
@@ -66,8 +66,8 @@ fn part(revision: &Revision, context: &Context, number: u32) -> TextRange {
         return TextRange::new(begun, line.end());
     }
     let networks = &context.networks;
-    let behind = networks.partition_point(|network| network.range.end() <= start);
-    match networks.get(behind) {
+    let after = networks.partition_point(|network| network.range.end() <= start);
+    match networks.get(after) {
         Some(network) if network.range.start() <= start => network.range.cover(line),
         _ => line,
     }
@@ -100,7 +100,7 @@ fn show(shared: &Arc<Shared>, uri: &str) {
 }
 
 /// `ladder.cursor`: the cursor is somewhere else. What a change finds is recorded before anything is waited for, so
-/// that the next change is one of somebody who types.
+/// that the next change is one of a user who types.
 pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) -> Result<LSPAny> {
     let Cursor { uri, line } = argument_of(CURSOR, params.arguments).map_err(error)?;
     let Some(line) = line else {
@@ -113,15 +113,15 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
     let Some(waiting) = shared.typed.follow(&uri) else {
         return Ok(LSPAny::Null);
     };
-    let beside = shared.clone();
+    let next_to = shared.clone();
     blocking(move |_| {
-        let stays = beside.documents.get(&uri).is_some_and(|revision| {
+        let stays = next_to.documents.get(&uri).is_some_and(|revision| {
             let at = TextRange::empty(revision.offset(Position { line, character: 0 }));
             let names = revision.names();
             names.is_some_and(|names| part(&revision, names.context(), waiting).contains_range(at))
         });
-        if !stays && beside.typed.release(&uri) {
-            show(&beside, &uri);
+        if !stays && next_to.typed.release(&uri) {
+            show(&next_to, &uri);
         }
     })
     .await?;

@@ -1,4 +1,4 @@
-//! The files beside the open documents: a client that can is asked to report changes; for any other the server looks
+//! The files next to the open documents: a client that can is asked to report changes; for any other the server looks
 //! for itself, now and then.
 
 use std::sync::{Arc, PoisonError};

@@ -8,7 +8,7 @@ use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{Location, Position, Range, TextDocumentPositionParams, Uri};
 
 use crate::document::Revision;
-use crate::document::elsewhere::{Elsewhere, FileText};
+use crate::document::other_files::{FileText, OtherFiles};
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, session::shared::Shared};
 use ladder_analysis::context::Context;
@@ -18,7 +18,7 @@ use ladder_syntax::{TextRange, TextSize};
 pub(crate) struct Asked {
     pub(crate) revision: Arc<Revision>,
     pub(crate) context: Arc<Context>,
-    pub(crate) elsewhere: Elsewhere,
+    pub(crate) elsewhere: OtherFiles,
 }
 
 impl Asked {
@@ -39,7 +39,7 @@ pub(crate) async fn about<T: Send + 'static>(
     };
     let (documents, companions) = (Arc::clone(&shared.documents), Arc::clone(&shared.companions));
     blocking(move |cancel| {
-        let elsewhere = Elsewhere::of(&revision, &documents, &companions, cancel);
+        let elsewhere = OtherFiles::of(&revision, &documents, &companions, cancel);
         let context = Arc::clone(revision.names()?.context());
         job(&Asked {
             revision,
@@ -64,7 +64,7 @@ pub(crate) async fn about_place<T: Send + 'static>(
 
 /// The files that an answer names, each read once.
 pub(crate) struct Places<'e> {
-    elsewhere: &'e Elsewhere,
+    elsewhere: &'e OtherFiles,
     files: HashMap<Arc<str>, Option<(Uri, FileText)>>,
 }
 

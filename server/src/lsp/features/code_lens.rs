@@ -68,7 +68,7 @@ fn data(revision: &Revision, kind: &str, name: TextSize) -> Value {
     json!({ "uri": &*revision.uri, "at": at, "kind": kind })
 }
 
-/// The address of the scenarios beside a program, if there are any.
+/// The address of the scenarios next to a program, if there are any.
 fn scenarios(revision: &Revision) -> Option<String> {
     let path = address::path_of(&revision.uri)?.with_extension("ladder-test");
     path.is_file().then(|| address::uri_of(&path))

@@ -24,7 +24,7 @@ use crate::lsp::{convert, markup, session::agreed::Agreed, session::shared::Shar
 /// The characters that open a list by themselves. Which of them do so in which place is for `ladder-ide` to say.
 const TRIGGERS: [&str; 8] = ["[", "(", "<", ".", "$", "%", ",", ":"];
 
-/// This many files of a folder are looked at.
+/// This many files of a folder are checked.
 const MOST_FILES: usize = 10_000;
 
 /// What the server offers. A client that cannot ask for documentation later is not asked to: some wait for the answer
@@ -84,7 +84,7 @@ async fn in_scenarios(
     let agreed = shared.agreed();
     about_scenarios(shared, revision, move |asked| {
         let offset = asked.offset(position);
-        let programs = programs_beside(&asked.revision);
+        let programs = programs_next_to(&asked.revision);
         let found = ladder_ide::scenario_completions(&asked.read(), offset, &programs, trigger);
         let mut proposed = Proposed::new(agreed, &asked.revision, offset);
         let items = found.items.into_iter().map(|item| {
@@ -114,7 +114,7 @@ async fn in_scenarios(
 }
 
 /// The programs in the folder of a scenario file, by name.
-fn programs_beside(revision: &Revision) -> Vec<String> {
+fn programs_next_to(revision: &Revision) -> Vec<String> {
     let folder = revision.place().and_then(|place| place.path.parent());
     let Some(entries) = folder.and_then(|folder| std::fs::read_dir(folder).ok()) else {
         return Vec::new();
@@ -174,8 +174,8 @@ impl Proposed<'_> {
             item.text.plain()
         };
         let several_lines = new_text.contains('\n');
-        let behind = TextRange::new(cursor, item.range.end());
-        let cut = agreed.cuts_behind && !behind.is_empty();
+        let after = TextRange::new(cursor, item.range.end());
+        let cut = agreed.cuts_after && !after.is_empty();
         let range = if cut {
             TextRange::new(item.range.start(), cursor)
         } else {
@@ -185,9 +185,9 @@ impl Proposed<'_> {
         self.count += 1;
         CompletionItem {
             command: cut.then(|| Command {
-                title: "Take the place of what is behind".to_owned(),
+                title: "Take the place of what is after".to_owned(),
                 command: CUT.to_owned(),
-                arguments: Some(vec![what_to_cut(revision, behind)]),
+                arguments: Some(vec![what_to_cut(revision, after)]),
             }),
             kind: Some(kind(item.kind)),
             detail: Some(item.detail).filter(|detail| !detail.is_empty()),
@@ -206,10 +206,10 @@ impl Proposed<'_> {
     }
 }
 
-/// A stretch of a line, and what is behind it.
+/// A stretch of a line, and what is after it.
 fn what_to_cut(revision: &Revision, range: TextRange) -> Value {
-    let behind = revision.rest_of_line(range.end());
-    json!({ "cut": revision.stretch(range.into()), "before": behind })
+    let after = revision.rest_of_line(range.end());
+    json!({ "cut": revision.stretch(range.into()), "before": after })
 }
 
 const fn kind(kind: CompletionKind) -> CompletionItemKind {
@@ -229,7 +229,7 @@ const fn kind(kind: CompletionKind) -> CompletionItemKind {
     }
 }
 
-/// What leads to the documentation, once somebody looks at the proposal.
+/// What leads to the documentation, once a user looks at the proposal.
 fn data(revision: &Revision, topic: &Topic) -> Option<Value> {
     let uri = &*revision.uri;
     Some(match topic {

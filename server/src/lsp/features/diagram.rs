@@ -1,4 +1,4 @@
-//! `ladder.diagram`: the diagram of an open program, for a page beside its text.
+//! `ladder.diagram`: the diagram of an open program, for a page next to its text.
 
 use std::sync::Arc;
 

@@ -40,7 +40,8 @@ pub(crate) async fn hover(shared: &Arc<Shared>, params: HoverParams) -> Result<O
             let hover = ladder_ide::hover(&asked.context, offset)?;
             let range = Some(convert::range_in(&asked.revision, hover.range));
             let mut text = markup::linked(hover.markdown, &asked.revision.uri);
-            if let Some(elsewhere) = ladder_ide::used_elsewhere(&asked.context, offset, &asked.elsewhere) {
+            if let Some(elsewhere) = ladder_ide::used_in_other_files(&asked.context, offset, &asked.elsewhere)
+            {
                 text = format!("{text}\n\n---\n\n{elsewhere}");
             }
             if !values.is_empty() {

@@ -1,4 +1,4 @@
-//! `textDocument/documentLink`: what comments name on the web, and the files beside the document that there are.
+//! `textDocument/documentLink`: what comments name on the web, and the files next to the document that there are.
 
 use std::sync::Arc;
 

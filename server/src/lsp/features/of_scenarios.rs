@@ -1,4 +1,4 @@
-//! What requests about a scenario file have in common: its text, and the program that it is about with the files beside
+//! What requests about a scenario file have in common: its text, and the program that it is about with the files next to
 //! that, open or not.
 
 use std::path::Path;
@@ -9,8 +9,8 @@ use tower_lsp::ls_types::{Position, Uri};
 
 use super::asked::Asked;
 use crate::cancel::Cancel;
-use crate::document::elsewhere::Elsewhere;
 use crate::document::membership::Membership;
+use crate::document::other_files::OtherFiles;
 use crate::document::{Kind, Revision, address};
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, session::shared::Shared};
@@ -87,7 +87,7 @@ fn program(shared: &Shared, revision: &Revision, suite: &Suite, cancel: &Cancel)
         .ok()?;
     let program = shown(shared, &path).or_else(|| on_disk(shared, &path))?;
     let context = Arc::clone(program.names()?.context());
-    let elsewhere = Elsewhere::of(&program, &shared.documents, &shared.companions, cancel);
+    let elsewhere = OtherFiles::of(&program, &shared.documents, &shared.companions, cancel);
     Some(Asked {
         revision: program,
         context,

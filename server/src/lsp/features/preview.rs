@@ -25,16 +25,16 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
                 "{uri} is not open as a program of another system; open it as one first"
             )))
         })?;
-    let beside = shared.clone();
+    let next_to = shared.clone();
     let previewed = blocking(move |_| {
         let failed = |message: String| Err(Failure::Failed(format!("{}:{message}", revision.name())));
         match revision.opened() {
             Some(Ok(opened)) => {
-                beside.previews.begin(&revision.uri, opened.foreign().ladder());
+                next_to.previews.begin(&revision.uri, opened.foreign().ladder());
                 let previewed = foreign::previewed(&revision, opened);
                 // A change that came meanwhile was sent to nobody.
-                if let Some(newest) = beside.companions.get(&revision.uri) {
-                    foreign::tell_preview(&beside, &newest);
+                if let Some(newest) = next_to.companions.get(&revision.uri) {
+                    foreign::tell_preview(&next_to, &newest);
                 }
                 Ok(previewed)
             }

@@ -9,7 +9,7 @@ use tower_lsp::ls_types::{
 
 use super::asked::{Asked, about_place};
 use super::of_scenarios::{about_scenarios, scenarios_at};
-use crate::document::{Revision, together};
+use crate::document::{Revision, in_parallel};
 use crate::lsp::{convert, session::shared::Shared};
 use ladder_ide::{Highlight, Reference, Usage, highlights};
 
@@ -43,7 +43,7 @@ pub(crate) async fn references(
 fn locations(asked: &Asked, mut found: Vec<Reference>, declarations: bool) -> Vec<Location> {
     found.retain(|it| declarations || !it.usage.declares());
     let files: Vec<&[Reference]> = found.chunk_by(|a, b| a.file == b.file).collect();
-    together::map(&files, |places| in_file(asked, places)).concat()
+    in_parallel::map(&files, |places| in_file(asked, places)).concat()
 }
 
 /// The places in one file.

@@ -13,9 +13,9 @@ use tower_lsp::ls_types::{
 };
 
 use crate::document::Revision;
+use crate::document::in_parallel;
 use crate::document::position::{self, Position};
 use crate::document::sweep::Sweep;
-use crate::document::together;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, session::shared::Shared};
 
@@ -101,7 +101,7 @@ async fn tokens(
         let Some(range) = range else {
             let lines = names.context().parse.lines().len();
             let firsts: Vec<usize> = (0..lines).step_by(STRETCH).collect();
-            let stretches = together::map(&firsts, |&first| {
+            let stretches = in_parallel::map(&firsts, |&first| {
                 Some(encode(
                     &names.semantic_tokens_of(first..lines.min(first + STRETCH)),
                 ))
@@ -118,7 +118,7 @@ async fn tokens(
 /// This many lines are gone through at once. Those of a short program are too few for a second thread.
 const STRETCH: usize = 256;
 
-/// The tokens of stretches, each behind the one before it.
+/// The tokens of stretches, each after the one before it.
 fn joined(stretches: Vec<Encoded>) -> Arc<Vec<SemanticToken>> {
     let mut all = Vec::new();
     let mut last = Position::default();
@@ -203,13 +203,13 @@ fn encoded(revision: &Revision, tokens: &[Token], several_lines: bool) -> Encode
 fn difference(old: &[SemanticToken], new: &[SemanticToken]) -> Option<SemanticTokensEdit> {
     let before = old.iter().zip(new).take_while(|(a, b)| a == b).count();
     let (old, new) = (&old[before..], &new[before..]);
-    let behind = old
+    let after = old
         .iter()
         .rev()
         .zip(new.iter().rev())
         .take_while(|(a, b)| a == b)
         .count();
-    let (old, new) = (&old[..old.len() - behind], &new[..new.len() - behind]);
+    let (old, new) = (&old[..old.len() - after], &new[..new.len() - after]);
     (!old.is_empty() || !new.is_empty()).then(|| SemanticTokensEdit {
         start: before as u32 * 5,
         delete_count: old.len() as u32 * 5,
@@ -222,7 +222,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_what_differs_is_told() {
+    fn only_what_differs_is_reported() {
         let tokens = |numbers: &[u32]| -> Vec<SemanticToken> {
             let token = |&delta_start| SemanticToken {
                 delta_start,

@@ -34,7 +34,7 @@ pub(crate) async fn signature_help(
         let offset = revision.offset(convert::our_position(place.position));
         let help = revision.names()?.signature_help(offset)?;
         let active = &help.signatures[help.active];
-        // One behind the last means that none of them is meant.
+        // One after the last means that none of them is meant.
         let parameter = active.active.unwrap_or(active.parameters.len()) as u32;
         Some(SignatureHelp {
             active_signature: Some(help.active as u32),

@@ -119,7 +119,7 @@ fn pace(real_time: Option<bool>, speed: Option<f64>) -> Result<Option<Pace>> {
 
 /// The client has shown what a session sent it.
 pub(crate) fn has_shown(shared: &Arc<Shared>, OfSession { session }: OfSession) {
-    // One that has ended meanwhile is no mistake.
+    // One that has ended meanwhile is no error.
     if let Ok(session) = shared.sessions.get(&session) {
         drop(session.ask(Action::HasShown, Cancel::default()));
     }
@@ -239,7 +239,7 @@ async fn report(client: Client, mut before: State, mut states: watch::Receiver<S
         client.send_notification::<SimulationState>(sent).await;
         tokio::time::sleep(REPORT).await;
     }
-    // A thread that ends without saying so has met a mistake in the scan engine; the client must not go on
+    // A thread that ends without saying so has met an error in the scan engine; the client must not go on
     // showing a program that runs.
     let last = states.borrow().clone();
     if last.status != Status::Ended {

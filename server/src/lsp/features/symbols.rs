@@ -12,7 +12,7 @@ use tower_lsp::ls_types::{
 use super::asked::{Asked, Places, about};
 use super::of_scenarios::{about_scenarios, scenarios_at};
 use crate::document::Revision;
-use crate::document::elsewhere::Elsewhere;
+use crate::document::other_files::OtherFiles;
 use crate::document::positions::Positions;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, session::shared::Shared};
@@ -128,7 +128,7 @@ pub(crate) async fn symbols(
             if cancel.is_cancelled() {
                 break;
             }
-            let elsewhere = Elsewhere::of(&revision, &documents, &companions, cancel);
+            let elsewhere = OtherFiles::of(&revision, &documents, &companions, cancel);
             if seen.contains(&revision.uri) {
                 continue;
             }

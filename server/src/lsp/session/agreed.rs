@@ -5,7 +5,7 @@ use tower_lsp::ls_types::{
     PositionEncodingKind, TextDocumentClientCapabilities, WorkspaceFileOperationsClientCapabilities,
 };
 
-use super::commands::{Commands, cuts_behind};
+use super::commands::{Commands, cuts_after};
 use crate::document::position::Encoding;
 
 /// What the client can take, as plain answers to the questions that the handlers ask.
@@ -37,9 +37,9 @@ pub(crate) struct Agreed {
     pub(crate) completion_markdown: bool,
     /// The documentation of completions cannot be asked for later.
     pub(crate) documented_at_once: bool,
-    /// Of a completion's edit the client replaces only what is before the cursor. What is behind it the client
+    /// Of a completion's edit the client replaces only what is before the cursor. What is after it the client
     /// cuts with a command.
-    pub(crate) cuts_behind: bool,
+    pub(crate) cuts_after: bool,
     /// Symbols of a document may hold others.
     pub(crate) nested_symbols: bool,
     /// How many stretches of a document the client wants to fold.
@@ -58,7 +58,7 @@ pub(crate) struct Agreed {
     pub(crate) file_operations: Reported,
     /// The client asks for diagnostics, so none are published.
     pub(crate) pulls_diagnostics: bool,
-    /// The client takes diagnostics of other files beside those that it asks for.
+    /// The client takes diagnostics of other files next to those that it asks for.
     pub(crate) related_documents: bool,
     /// The client can be notified that diagnostics have changed.
     pub(crate) refreshes_diagnostics: bool,
@@ -207,7 +207,7 @@ impl Agreed {
                 let resolved = it.resolve_support.as_ref();
                 resolved.is_some_and(|it| it.properties.iter().all(|name| name != "documentation"))
             }),
-            cuts_behind: cuts_behind(client),
+            cuts_after: cuts_after(client),
             resolves_edits: actions.is_some_and(|it| {
                 let resolved = it.resolve_support.as_ref();
                 let edits = resolved.is_some_and(|it| it.properties.iter().any(|name| name == "edit"));
@@ -362,7 +362,7 @@ mod tests {
                 snippets: true,
                 completion_markdown: true,
                 documented_at_once: true,
-                cuts_behind: true,
+                cuts_after: true,
                 nested_symbols: true,
                 fold_limit: Some(5000),
             }

@@ -48,10 +48,10 @@ impl Commands {
     }
 }
 
-/// Cuts what was behind the cursor and belongs to what was accepted: the text, and what is behind it on its line.
+/// Cuts what was after the cursor and belongs to what was accepted: the text, and what is after it on its line.
 pub(crate) const CUT: &str = "ladder.completion.cut";
 
-/// Whether the client names the command that cuts, because it replaces nothing behind the cursor by itself.
-pub(crate) fn cuts_behind(client: &ClientCapabilities) -> bool {
+/// Whether the client names the command that cuts, because it replaces nothing after the cursor by itself.
+pub(crate) fn cuts_after(client: &ClientCapabilities) -> bool {
     names_command(client, CUT)
 }

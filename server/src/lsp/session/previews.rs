@@ -12,12 +12,12 @@ pub(crate) struct Previews {
 }
 
 impl Previews {
-    /// Whether somebody follows the ladder text of a program.
+    /// Whether a user follows the ladder text of a program.
     pub(crate) fn follow(&self, uri: &str) -> bool {
         self.lock().contains_key(uri)
     }
 
-    /// From now on somebody does, who has this text.
+    /// From now on a user does, who has this text.
     pub(crate) fn begin(&self, uri: &str, text: &str) {
         self.lock().insert(uri.to_owned(), text.to_owned());
     }
@@ -27,7 +27,7 @@ impl Previews {
         self.lock().remove(uri);
     }
 
-    /// Whether this is news to the one who follows. True once: it is sent then.
+    /// Whether this is new to the one who follows. True once: it is sent then.
     pub(crate) fn is_news(&self, previewed: &Previewed) -> bool {
         let mut sent = self.lock();
         let last = sent.get_mut(&previewed.uri);

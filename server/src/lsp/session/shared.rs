@@ -37,7 +37,7 @@ pub(crate) struct Shared {
     editor: RwLock<Arc<EditorSettings>>,
     /// How often the client was asked for its settings, or sent them.
     editor_asked: AtomicU64,
-    /// What was reported last about mistakes in them.
+    /// What was reported last about errors in them.
     settings_complaint: Mutex<String>,
     /// What was reported of settings files that are not open.
     pub(crate) settings_files: Sent,
@@ -45,7 +45,7 @@ pub(crate) struct Shared {
     pub(crate) found: Found,
     /// Whether the client is about to be notified that diagnostics have changed.
     pub(crate) refresh_due: AtomicBool,
-    /// When the files on disk were last looked at for a client that does not report changes.
+    /// When the files on disk were last checked for a client that does not report changes.
     pub(crate) looked_around: Mutex<Option<Instant>>,
     /// The folders that the client has open.
     pub(crate) folders: Mutex<Vec<PathBuf>>,
@@ -57,9 +57,9 @@ pub(crate) struct Shared {
     /// The open texts that are not ladder text: settings files, scenarios, programs of other systems, and what the
     /// client sends besides. They are apart, so that nobody takes one for ladder text.
     pub(crate) companions: Arc<Documents>,
-    /// Which of them are programs whose ladder text somebody follows.
+    /// Which of them are programs whose ladder text a user follows.
     pub(crate) previews: Arc<Previews>,
-    /// The files beside them.
+    /// The files next to them.
     pub(crate) neighbours: Arc<Neighbours>,
     pub(crate) sessions: Sessions,
     /// What a person is typing.

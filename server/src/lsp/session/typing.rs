@@ -11,7 +11,7 @@ use crate::document::Revision;
 /// What is known of a document in which a person types.
 #[derive(Debug, Default)]
 struct Typing {
-    /// The line of the change that waits to be looked at.
+    /// The line of the change that waits to be checked.
     line: Option<u32>,
     /// The editor is about to save the document by itself.
     saves_itself: bool,

@@ -9,7 +9,7 @@ use sysinfo::{Pid, ProcessRefreshKind, ProcessStatus, ProcessesToUpdate, System}
 
 use crate::lsp::session::shared::Shared;
 
-/// How often the parent is looked at.
+/// How often the parent is checked.
 const INTERVAL: Duration = Duration::from_secs(2);
 
 /// Tells [`Shared::orphaned`] when the process is gone. Its starting time is compared too, since the system

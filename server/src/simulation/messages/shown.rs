@@ -12,7 +12,7 @@ pub struct Shown {
     /// Lines of the text, from 0.
     #[serde(default)]
     pub lines: Vec<Lines>,
-    /// Tags beside those that these lines name.
+    /// Tags next to those that these lines name.
     #[serde(default)]
     pub tags: Vec<String>,
 }
@@ -36,7 +36,7 @@ pub struct Show {
     /// Lines of the text, from 0.
     #[serde(default)]
     pub lines: Vec<Lines>,
-    /// Tags beside those that these lines name.
+    /// Tags next to those that these lines name.
     #[serde(default)]
     pub tags: Vec<String>,
 }
@@ -88,7 +88,7 @@ pub struct Operand {
     pub range: Range,
     /// Its block.
     pub block: Range,
-    /// The tags whose values belong beside it, the most telling one first: of a timer `t1.ET` and `t1.Q`.
+    /// The tags whose values belong next to it, the most telling one first: of a timer `t1.ET` and `t1.Q`.
     pub tags: Vec<String>,
     /// The power of the block, or what the contact does, shows the value already.
     #[serde(default, skip_serializing_if = "is_false")]

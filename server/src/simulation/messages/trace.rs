@@ -54,7 +54,7 @@ pub struct Traced {
     pub interval_ms: f64,
     /// The first scan that is drawn.
     pub first: u64,
-    /// The last scan that is drawn; it may lie behind the newest.
+    /// The last scan that is drawn; it may lie after the newest.
     pub last: u64,
     /// How many scans a column stands for.
     pub per: u64,
@@ -62,7 +62,7 @@ pub struct Traced {
     pub oldest: u64,
     /// The newest scan that is recorded.
     pub newest: u64,
-    /// The scan that the simulation is behind.
+    /// The scan that the simulation is after.
     pub here: u64,
     /// The scans that one can go to.
     pub reach: Reach,
@@ -155,7 +155,7 @@ pub enum TracedKind {
     Unknown,
 }
 
-/// The number of a column, and what is drawn there and in those behind it up to the next that is listed: of a BOOL 0, 1, or 2
+/// The number of a column, and what is drawn there and in those after it up to the next that is listed: of a BOOL 0, 1, or 2
 /// where it was both; of a number the least, the greatest and the last value; of a text the last one.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]

@@ -123,16 +123,16 @@ pub struct PassOrStop {
     pub block: Option<String>,
     /// Whether it stops power, or else passes it on.
     pub stops: bool,
-    /// The block, its place and what it looked at, for people.
+    /// The block, its place and what it checked, for people.
     pub text: String,
-    /// What it looked at, with the values of that moment.
+    /// What it checked, with the values of that moment.
     pub values: Vec<Reading>,
     /// Why these were so, as far as that was followed.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub because: Vec<TagReason>,
 }
 
-/// A value that a block looked at.
+/// A value that a block checked.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub struct Reading {

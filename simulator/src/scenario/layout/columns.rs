@@ -14,7 +14,7 @@ pub(super) struct Columns {
     names: usize,
     /// Of each step: whether a blank is before it, and how wide it is.
     steps: Vec<(bool, usize)>,
-    /// Where the comments behind rows begin.
+    /// Where the comments after rows begin.
     comments: usize,
     /// For each step of the longest row, where it was and where it goes.
     moves: Vec<(usize, usize)>,
@@ -37,7 +37,7 @@ impl Columns {
         columns
     }
 
-    /// A row with the comment behind it.
+    /// A row with the comment after it.
     pub(super) fn line(&self, row: &Row, comment: Option<&str>, text: &str) -> String {
         let mut line = self.row(row, text);
         if let Some(comment) = comment {

@@ -98,7 +98,7 @@ fn shapes(suite: &Suite, lines: &[Line<'_>]) -> Vec<Shape> {
         } else if let Some(row) = suite.scenarios.get(next.0).and_then(|it| it.rows.get(next.1))
             && row.range == first.range()
         {
-            // A row with a mistake in it may hold words that nothing was made of.
+            // A row with an error in it may hold words that nothing was made of.
             if line.words.last().map(|last| last.range().end()) == end_of(row) {
                 shape = Shape::Row(next.0, next.1);
             }
@@ -158,7 +158,7 @@ fn is_blank(line: &Line<'_>) -> bool {
     line.words.is_empty() && line.comment.is_none()
 }
 
-/// A heading with one blank behind its first word; a program's name keeps its blanks.
+/// A heading with one blank after its first word; a program's name keeps its blanks.
 fn heading(line: &Line<'_>, text: &str) -> String {
     let [first, rest @ ..] = line.words.as_slice() else {
         return String::new();
@@ -171,7 +171,7 @@ fn heading(line: &Line<'_>, text: &str) -> String {
     format!("{} {rest}", first.text)
 }
 
-/// With the comment of a line behind it.
+/// With the comment of a line after it.
 fn with_comment(mut written: String, line: &Line<'_>) -> String {
     if let Some(comment) = line.comment() {
         if !written.is_empty() {

@@ -36,7 +36,7 @@ pub(super) fn moved(comment: &str, moves: &[(usize, usize)]) -> String {
     }
 }
 
-/// Where a column goes: it stays as far behind the step that it is over.
+/// Where a column goes: it stays as far after the step that it is over.
 fn place(column: usize, moves: &[(usize, usize)]) -> usize {
     let step = moves.partition_point(|(stood, _)| *stood <= column);
     let (stood, goes) = moves[step.saturating_sub(1)];

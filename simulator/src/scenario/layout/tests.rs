@@ -31,10 +31,10 @@ fn said(suite: &Suite) -> String {
             ));
         }
     }
-    let mut mistakes: Vec<&str> = suite.mistakes.iter().map(|it| it.message.as_str()).collect();
-    // Where nothing is before a line, the missing program and its mistake have one place.
-    mistakes.sort_unstable();
-    out.push_str(&mistakes.join("\n"));
+    let mut errors: Vec<&str> = suite.errors.iter().map(|it| it.message.as_str()).collect();
+    // Where nothing is before a line, the missing program and its error have one place.
+    errors.sort_unstable();
+    out.push_str(&errors.join("\n"));
     out
 }
 

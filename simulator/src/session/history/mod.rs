@@ -40,7 +40,7 @@ pub(super) struct History {
     bytes_here: usize,
     /// What was given for the scan that runs.
     pub(super) given: Given,
-    /// What was given behind the newest scan, while the simulation is before it.
+    /// What was given after the newest scan, while the simulation is before it.
     waiting: Given,
     serial: SerialLog,
     scratch: Vec<u8>,
@@ -97,7 +97,7 @@ impl History {
         self.entries.len() - self.here
     }
 
-    /// After how many scans the values are known, the one that the simulation is behind among them.
+    /// After how many scans the values are known, the one that the simulation is after among them.
     pub(super) fn known(&self) -> usize {
         if !self.is_on() {
             return 0;
@@ -149,7 +149,7 @@ impl History {
         self.entries.len()
     }
 
-    /// Begins behind what another program sent through the serial port.
+    /// Begins after what another program sent through the serial port.
     pub(super) fn follow_serial(&mut self, earlier: &History) {
         self.serial = earlier.serial.following();
     }

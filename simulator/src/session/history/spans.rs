@@ -27,7 +27,7 @@ impl Span {
     }
 }
 
-/// The spans of which all scans are kept, but for some behind which something was stepped back.
+/// The spans of which all scans are kept, but for some after which something was stepped back.
 #[derive(Debug, Default)]
 pub(in crate::session) struct Spans {
     kept: VecDeque<Span>,
@@ -94,7 +94,7 @@ impl Spans {
         }
     }
 
-    /// This scan and those behind it have not happened.
+    /// This scan and those after it have not happened.
     pub(in crate::session) fn forget_from(&mut self, scan: i64) {
         self.start = None;
         while let Some(newest) = self.kept.back()

@@ -40,13 +40,13 @@ impl History {
         scans
     }
 
-    /// Goes forward one kept scan. None if there is none; else whether something was given behind it, which is
+    /// Goes forward one kept scan. None if there is none; else whether something was given after it, which is
     /// given again now.
     pub(in crate::session) fn forward(&mut self, simulation: &mut Simulation) -> Option<bool> {
         (self.forward_by(simulation, 1) == 1).then(|| self.give_what_waits(simulation))
     }
 
-    /// Goes forward up to this many kept scans; how many it were. What was given behind the newest one still waits.
+    /// Goes forward up to this many kept scans; how many it were. What was given after the newest one still waits.
     pub(in crate::session) fn forward_by(&mut self, simulation: &mut Simulation, scans: usize) -> usize {
         let scans = scans.min(self.ahead());
         for _ in 0..scans {
@@ -101,7 +101,7 @@ impl History {
         self.go(self.bytes_here, given, Way::Back);
     }
 
-    /// What was given behind the newest scan is set aside, for when the simulation comes forward again: it leaves this
+    /// What was given after the newest scan is set aside, for when the simulation comes forward again: it leaves this
     /// history.
     pub(in crate::session) fn set_aside(&mut self, simulation: &Simulation) {
         let given = self.take_up(simulation);
@@ -109,7 +109,7 @@ impl History {
         self.waiting = given;
     }
 
-    /// Gives what was set aside, if the simulation is behind the newest scan again. Whether that is anything.
+    /// Returns what was set aside, if the simulation is after the newest scan again. Whether that is anything.
     pub(in crate::session) fn give_what_waits(&mut self, simulation: &mut Simulation) -> bool {
         if self.ahead() > 0 || self.waiting.is_nothing() {
             return false;

@@ -175,7 +175,7 @@ impl Inquiry<'_> {
         question.when.is_some_and(|when| when.entry == self.history.here)
     }
 
-    /// The end of a scan: what was another value here was given behind it.
+    /// The end of a scan: what was another value here was given after it.
     fn at_end_before(&mut self, rewind: &Rewind<'_>) {
         let entry = rewind.entry();
         let mut at = 0;

@@ -6,7 +6,7 @@ use expect_test::{Expect, expect};
 use ladder_analysis::values::value::Value;
 use std::fmt::Write;
 
-/// A motor that is started in scan 3 and one that never is, behind this many rungs in which something changes all the time.
+/// A motor that is started in scan 3 and one that never is, after this many rungs in which something changes all the time.
 fn run(rungs: usize, scans: u64, limits: HistoryLimits) -> Session {
     let mut text = String::new();
     for rung in 0..rungs {

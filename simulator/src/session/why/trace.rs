@@ -1,5 +1,5 @@
 //! One scan again: the last write of a tag, and the powers around it. The scan runs through but for the networks that
-//! may write the tag: there it halts in front of each block and behind it.
+//! may write the tag: there it halts in front of each block and after it.
 
 use super::place;
 use super::writers::Writers;
@@ -46,7 +46,7 @@ pub(super) struct Traced {
     pub(super) powers: Vec<bool>,
     /// Of each contact whether it would pass power on.
     pub(super) conducts: HashMap<usize, bool>,
-    /// What blocks of the network looked at.
+    /// What blocks of the network checked.
     pub(super) values: HashMap<usize, Vec<(Point, Value)>>,
     /// Where the scan was in front of them.
     pub(super) positions: HashMap<usize, Limit>,
@@ -154,7 +154,7 @@ impl Halts {
 
     fn mark(&self, code: &mut Code, on: bool) {
         for &pc in &self.all {
-            // The last block of a program has nothing behind it.
+            // The last block of a program has nothing after it.
             if let Some(stops) = code.stops.get_mut(pc as usize) {
                 *stops = if on {
                     *stops | stop::MARK

@@ -4,7 +4,7 @@
 #[derive(Debug, Clone)]
 pub struct Dice {
     state: u64,
-    /// Choices that were made already; the row goes on behind them.
+    /// Choices that were made already; the row goes on after them.
     made: std::vec::IntoIter<u8>,
 }
 
@@ -17,7 +17,7 @@ impl Dice {
         }
     }
 
-    /// The row that bytes make: whoever changes a byte changes one choice, or a few. Behind the last one the row is that
+    /// The row that bytes make: a caller that changes a byte changes one choice, or a few. After the last one the row is that
     /// of a seed.
     pub fn of_bytes(bytes: &[u8]) -> Dice {
         Dice {

@@ -150,7 +150,7 @@ impl Pen {
         }
         let ends_railed = rung.len() > 1 && rung.last() == Some(&Item::Rail);
         if self.decorated && dice.one_in(4) {
-            text.push_str(dice.of(&["  # behind #", "  # behind #  # more #", " "]));
+            text.push_str(dice.of(&["  # after #", "  # after #  # more #", " "]));
         } else if !ends_railed && dice.one_in(3) {
             text.push_str("   |");
         }

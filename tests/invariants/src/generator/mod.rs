@@ -111,7 +111,7 @@ fn wild(dice: &mut Dice) -> String {
     let count = 2 + dice.below(6);
     let mut networks = region.networks(dice, &mut scope, &[], count);
     for (number, function) in functions.iter().enumerate() {
-        // One calls only those behind it: no recursion.
+        // One calls only those after it: no recursion.
         let region = Region {
             functions: &functions[number + 1..],
             ..region

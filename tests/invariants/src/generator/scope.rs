@@ -75,9 +75,9 @@ pub(super) struct Tag {
     pub(super) ty: Type,
     /// Where it is declared.
     pub(super) section: Section,
-    /// What is behind the `:=`.
+    /// What is after the `:=`.
     pub(super) initial: Option<String>,
-    /// What is behind `AT`.
+    /// What is after `AT`.
     pub(super) address: Option<String>,
 }
 

@@ -212,7 +212,7 @@ impl Writer {
 
     fn skip(&mut self, dice: &mut Dice) {
         self.labels += 1;
-        let label = format!("behind_{}", self.labels);
+        let label = format!("after_{}", self.labels);
         let conditions = self.conditions(dice, 1);
         self.draw(dice, &conditions, &[format!("<JMP>( {label} )")]);
         let conditions = self.conditions(dice, 2);

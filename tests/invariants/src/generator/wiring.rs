@@ -82,7 +82,7 @@ fn is_live(network: &Network) -> bool {
     if parts.iter().any(Vec::is_empty) {
         return false;
     }
-    // A comment that nothing is before or behind is no wire.
+    // A comment that nothing is before or after is no wire.
     let loose = |rung: &Vec<Item>| {
         let edge = |item: Option<&Item>| matches!(item, None | Some(Item::Gap));
         (0..rung.len()).any(|n| {
@@ -103,7 +103,7 @@ fn is_live(network: &Network) -> bool {
             .any(|(rung, power)| is_dark(rung, power))
 }
 
-/// Gives the empty blocks their texts.
+/// Fills in the texts of the empty blocks.
 fn fill(
     dice: &mut Dice,
     network: &mut Network,

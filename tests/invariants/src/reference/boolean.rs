@@ -35,7 +35,7 @@ pub struct Boolean {
     pub power: Vec<bool>,
     /// The EN of every block likewise.
     pub enabled: Vec<bool>,
-    /// What the tag of every block is behind it, likewise.
+    /// What the tag of every block is after it, likewise.
     pub left: Vec<bool>,
 }
 

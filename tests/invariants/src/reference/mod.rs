@@ -23,7 +23,7 @@ pub enum DrawnPart {
     Down,
     /// `/`
     Up,
-    /// White space: a new segment begins behind it.
+    /// White space: a new segment begins after it.
     Gap,
 }
 

@@ -94,7 +94,7 @@ pub(super) const OTHERS: &[&str] = &[
     "# note #\n",
 ];
 
-/// Networks, without the blank line behind them.
+/// Networks, without the blank line after them.
 pub(super) const NETWORKS: &[&str] = &[
     "+--\\--[ ]( a )--\\--( )( y )--+\n|  /--[/]( a )--/",
     "+--[ ]( x )--<MCR>--+",

@@ -169,13 +169,13 @@ impl MadeCounter {
                 networks.push(format!(
                     "{counts}--[ADD]( c, c, 1 )--[GT]( c, max )--( )( ENO )--[MOV]( c, init )"
                 ));
-                "Counts up; beyond max it begins anew at init, with power for one scan."
+                "Counts up; beyond max it begins again at init, with power for one scan."
             }
             Count::Reverse => {
                 networks.push(format!(
                     "{counts}--[SUB]( c, c, 1 )--[LT]( c, max )--( )( ENO )--[MOV]( c, init )"
                 ));
-                "Counts down; below max it begins anew at init, with power for one scan."
+                "Counts down; below max it begins again at init, with power for one scan."
             }
         };
         let inputs: &[&str] = if self.count.returns() || self.from_variable {

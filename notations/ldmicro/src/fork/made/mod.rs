@@ -121,7 +121,7 @@ impl Count {
         Count::ALL.into_iter().find(|count| count.word() == word)
     }
 
-    /// Whether it begins anew at its first value, so that it needs it all the time.
+    /// Whether it begins again at its first value, so that it needs it all the time.
     pub(crate) const fn returns(self) -> bool {
         matches!(self, Count::Round | Count::Reverse)
     }

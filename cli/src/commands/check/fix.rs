@@ -1,4 +1,4 @@
-//! `--fix`: what can be mended is mended, and the drawing stays aligned.
+//! `--fix`: what can be fixed is fixed, and the drawing stays aligned.
 
 use super::Checked;
 use crate::findings::Source;
@@ -9,10 +9,10 @@ use ladder_syntax::LineColumn;
 use ladder_workspace::shown;
 use std::fmt;
 
-/// A fix may bring out what another mistake hid; this many rounds are enough for all that was seen.
+/// A fix may bring out what another error hid; this many rounds are enough for all that was seen.
 const ROUNDS: usize = 16;
 
-/// What is mended.
+/// What is fixed.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Task {
     /// Only safe fixes, or guesses as well.
@@ -39,20 +39,20 @@ impl fmt::Display for Applied {
     }
 }
 
-/// What came of mending a file.
+/// What came of fixing a file.
 #[derive(Debug, Default)]
-pub(super) struct Mended {
+pub(super) struct Fixed {
     /// The fixes in the order in which they were made.
     pub(super) fixes: Vec<Applied>,
     /// The text as it was, where only what would change is shown.
     pub(super) before: Option<String>,
 }
 
-/// Mends a text. Where it came from is not written.
-pub(super) fn mend(mut source: Source, task: Task) -> Checked {
+/// Fixes a text. Where it came from is not written.
+pub(super) fn fix(mut source: Source, task: Task) -> Checked {
     let options = source.format_options();
     let mut findings = source.findings();
-    let mut mended = Mended {
+    let mut fixed = Fixed {
         fixes: Vec::new(),
         before: (!task.writes).then(|| source.text.clone()),
     };
@@ -74,7 +74,7 @@ pub(super) fn mend(mut source: Source, task: Task) -> Checked {
             most = Applicability::Safe;
             continue;
         }
-        mended.fixes.extend(fixes.iter().map(|(finding, fix)| Applied {
+        fixed.fixes.extend(fixes.iter().map(|(finding, fix)| Applied {
             file: source.file.clone(),
             place: source.place(finding.range.start()),
             rule: finding.rule,
@@ -86,7 +86,7 @@ pub(super) fn mend(mut source: Source, task: Task) -> Checked {
         source,
         findings,
         problems: Vec::new(),
-        mended,
+        fixed,
     }
 }
 

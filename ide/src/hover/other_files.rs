@@ -11,7 +11,7 @@ use std::sync::Arc;
 const MOST: usize = 6;
 
 /// How often each other file writes, reads or names what is at an offset. None where none does.
-pub fn used_elsewhere(context: &Context, offset: TextSize, workspace: &dyn Workspace) -> Option<String> {
+pub fn used_in_other_files(context: &Context, offset: TextSize, workspace: &dyn Workspace) -> Option<String> {
     if !context.others.have_files() {
         return None;
     }
@@ -65,7 +65,7 @@ mod tests {
     fn check(text: &str, expected: Expect) {
         let fixture = Fixture::new(text);
         let (context, offset, others) = fixture.ask();
-        let shown = used_elsewhere(context, offset, &others);
+        let shown = used_in_other_files(context, offset, &others);
         expected.assert_eq(&format!("{}\n", shown.unwrap_or_else(|| "nothing".to_owned())));
     }
 

@@ -14,17 +14,17 @@ const MOST_COMPARED: usize = 4000;
 
 /// How places of the text that runs are found in the editor's, and the other way round.
 #[derive(Debug)]
-pub(super) struct Sight {
+pub(super) struct LineMap {
     running: Arc<Revision>,
     shown: Arc<Revision>,
     /// Of each line of the text that runs the line that shows it. None if both texts are the same.
     lines: Option<Vec<Option<u32>>>,
 }
 
-impl Sight {
-    pub(super) fn new(running: Arc<Revision>, shown: Arc<Revision>) -> Sight {
+impl LineMap {
+    pub(super) fn new(running: Arc<Revision>, shown: Arc<Revision>) -> LineMap {
         let lines = (!running.is(&shown)).then(|| corresponding(&running, &shown));
-        Sight {
+        LineMap {
             running,
             shown,
             lines,
@@ -48,7 +48,7 @@ impl Sight {
             return Some(place);
         };
         let line = |line: u32| lines.get(line as usize).copied().flatten();
-        // A network ends at the start of the line behind it.
+        // A network ends at the start of the line after it.
         let ends_line = place.end.character == 0 && place.end.line > place.start.line;
         place.start.line = line(place.start.line)?;
         place.end.line = if ends_line {
@@ -63,8 +63,8 @@ impl Sight {
     pub(super) fn range_or_near(&self, range: TextRange) -> Range {
         self.range(range).unwrap_or_else(|| {
             let first = self.running.range(range).start.line as usize;
-            let behind = self.lines.iter().flat_map(|lines| lines.iter().skip(first));
-            let line = behind.flatten().next().copied();
+            let after = self.lines.iter().flat_map(|lines| lines.iter().skip(first));
+            let line = after.flatten().next().copied();
             let line = line.unwrap_or_else(|| self.shown.last_line());
             let start = self.shown.line_start(line);
             self.shown.range(TextRange::empty(start))
@@ -84,8 +84,8 @@ impl Sight {
 
     /// The stretches of the text that runs which some lines of the editor show.
     pub(super) fn stretches(&self, first: u32, last: u32) -> Vec<TextRange> {
-        let stretch = |first: u32, behind: u32| {
-            let (start, end) = (self.running.line_start(first), self.running.line_start(behind));
+        let stretch = |first: u32, after: u32| {
+            let (start, end) = (self.running.line_start(first), self.running.line_start(after));
             TextRange::new(start.min(end), end)
         };
         let Some(lines) = &self.lines else {
@@ -97,13 +97,13 @@ impl Sight {
                 continue;
             }
             match stretches.last_mut() {
-                Some((_, behind)) if *behind == line => *behind += 1,
+                Some((_, after)) if *after == line => *after += 1,
                 _ => stretches.push((line, line + 1)),
             }
         }
         stretches
             .into_iter()
-            .map(|(first, behind)| stretch(first, behind))
+            .map(|(first, after)| stretch(first, after))
             .collect()
     }
 
@@ -132,8 +132,8 @@ fn corresponding(old: &Revision, new: &Revision) -> Vec<Option<u32>> {
     for (line, place) in found.iter_mut().enumerate().take(start) {
         *place = Some(line as u32);
     }
-    for behind in 1..=end {
-        found[old_lines.len() - behind] = Some((new_lines.len() - behind) as u32);
+    for after in 1..=end {
+        found[old_lines.len() - after] = Some((new_lines.len() - after) as u32);
     }
     let (old_middle, new_middle) = (start..old_lines.len() - end, start..new_lines.len() - end);
     if old_middle.len().max(new_middle.len()) > MOST_COMPARED {

@@ -8,17 +8,17 @@ use ropey::Rope;
 use super::Revision;
 use super::position::{self, Range};
 
-/// The files beside a document whose places were asked for: each is read once.
-pub(crate) struct Beside<'r> {
+/// The files next to a document whose places were asked for: each is read once.
+pub(crate) struct OtherPlaces<'r> {
     revision: &'r Revision,
     /// Address and text.
     files: HashMap<String, Option<(String, Rope)>>,
 }
 
-impl<'r> Beside<'r> {
-    /// Those beside this one. None was asked for yet.
+impl<'r> OtherPlaces<'r> {
+    /// Those next to this one. None was asked for yet.
     pub(crate) fn new(revision: &'r Revision) -> Self {
-        Beside {
+        OtherPlaces {
             revision,
             files: HashMap::new(),
         }
@@ -27,7 +27,7 @@ impl<'r> Beside<'r> {
     /// A range in one of them: the file's address, and the range.
     pub(crate) fn range(&mut self, file: &str, range: TextRange) -> Option<(String, Range)> {
         if !self.files.contains_key(file) {
-            let found = self.revision.text_beside(file);
+            let found = self.revision.text_next_to(file);
             let found = found.map(|(address, text)| (address, Rope::from_str(&text)));
             self.files.insert(file.to_owned(), found);
         }

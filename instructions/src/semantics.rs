@@ -1,13 +1,13 @@
 //! What programs of a profile do otherwise (LANGUAGE §5.8): one value for each difference.
 //!
-//! Whoever must tell profiles apart asks for the one difference that it is about, never for the profile: a new profile
-//! is a new [`Law`], and nothing else where its differences are among these.
+//! A caller that must tell profiles apart asks for the one difference that it is about, never for the profile: a new profile
+//! is a new [`Semantics`], and nothing else where its differences are among these.
 
 use crate::profile::Profile;
 
-/// The differences of a profile. [`Law::IEC`] is what the language says where nothing else is said.
+/// The differences of a profile. [`Semantics::IEC`] is what the language says where nothing else is said.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Law {
+pub struct Semantics {
     /// What timers count.
     pub timing: Timing,
     /// How counters count.
@@ -32,7 +32,7 @@ pub struct Law {
     pub truth: Truth,
     /// Where the memory of an edge is kept.
     pub edges: Edges,
-    /// The power behind `(S)`.
+    /// The power after `(S)`.
     pub set_power: SetPower,
     /// What `<MCR>` does.
     pub relay: Relay,
@@ -163,7 +163,7 @@ pub enum Edges {
     OfTag,
 }
 
-/// The power behind `(S)`.
+/// The power after `(S)`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum SetPower {
     /// The tag.
@@ -175,7 +175,7 @@ pub enum SetPower {
 /// What `<MCR>` does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Relay {
-    /// Gives its EN to the rails; its own network is always live.
+    /// Passes its EN to the rails; its own network is always live.
     Power,
     /// The same while the rails are live; while they are dead it makes them live. Its own network is like any other.
     Toggle,
@@ -200,9 +200,9 @@ pub enum Serial {
     EverySecondScan,
 }
 
-impl Law {
+impl Semantics {
     /// The language as it is.
-    pub const IEC: Law = Law {
+    pub const IEC: Semantics = Semantics {
         timing: Timing::Clock,
         counting: Counting::Saturating,
         states: States::OneBlock,
@@ -222,7 +222,7 @@ impl Law {
     };
 
     /// LDmicro 2.2, as its simulator does it.
-    pub const LDMICRO: Law = Law {
+    pub const LDMICRO: Semantics = Semantics {
         timing: Timing::Scans,
         counting: Counting::Wrapping,
         states: States::Shared,
@@ -232,11 +232,11 @@ impl Law {
         relay: Relay::Toggle,
         tables: Tables::Open,
         serial: Serial::EverySecondScan,
-        ..Law::IEC
+        ..Semantics::IEC
     };
 
     /// Click controllers, as their maker describes them.
-    pub const CLICK: Law = Law {
+    pub const CLICK: Semantics = Semantics {
         timing: Timing::Units,
         counting: Counting::Comparing,
         states: States::Writable,
@@ -246,11 +246,11 @@ impl Law {
         conversion: Conversion::Clamped,
         controller: Controller::Banks,
         reals: Width::Bits32,
-        ..Law::IEC
+        ..Semantics::IEC
     };
 
     /// iot-ladder-editor, as the code that it generates does it.
-    pub const IOT: Law = Law {
+    pub const IOT: Semantics = Semantics {
         timing: Timing::Ticks,
         counting: Counting::Latching,
         states: States::Shared,
@@ -259,18 +259,18 @@ impl Law {
         truth: Truth::NotZero,
         edges: Edges::OfTag,
         set_power: SetPower::En,
-        ..Law::IEC
+        ..Semantics::IEC
     };
 }
 
 impl Profile {
     /// What its programs do otherwise.
-    pub const fn law(self) -> &'static Law {
+    pub const fn semantics(self) -> &'static Semantics {
         match self {
-            Profile::Iec => &Law::IEC,
-            Profile::Ldmicro => &Law::LDMICRO,
-            Profile::Click => &Law::CLICK,
-            Profile::Iot => &Law::IOT,
+            Profile::Iec => &Semantics::IEC,
+            Profile::Ldmicro => &Semantics::LDMICRO,
+            Profile::Click => &Semantics::CLICK,
+            Profile::Iot => &Semantics::IOT,
         }
     }
 }

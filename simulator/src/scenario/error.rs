@@ -2,9 +2,9 @@
 
 use ladder_syntax::TextRange;
 
-/// A mistake in a scenario file.
+/// An error in a scenario file.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Mistake {
+pub struct ScenarioError {
     /// Where, in bytes.
     pub range: TextRange,
     /// What is wrong.
@@ -13,9 +13,13 @@ pub struct Mistake {
     pub help: Option<String>,
 }
 
-impl Mistake {
-    pub(super) fn new(range: TextRange, message: impl Into<String>, help: impl Into<String>) -> Mistake {
-        Mistake {
+impl ScenarioError {
+    pub(super) fn new(
+        range: TextRange,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) -> ScenarioError {
+        ScenarioError {
             range,
             message: message.into(),
             help: Some(help.into()),

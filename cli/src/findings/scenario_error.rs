@@ -1,10 +1,10 @@
-//! Mistakes in scenario files, shown like findings in programs.
+//! Errors in scenario files, shown like findings in programs.
 
 use super::source::Source;
 use crate::outcome::Failure;
 use crate::terminal;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer};
-use ladder_simulator::scenario::Mistake;
+use ladder_simulator::scenario::ScenarioError;
 use ladder_workspace::{SettingsError, shown};
 
 /// What is where the name of a rule would.
@@ -26,38 +26,38 @@ impl From<SettingsError> for Failure {
 
 /// What is wrong in a settings file, each with its excerpt; None if it is not about places in it.
 fn render_settings(error: &SettingsError, renderer: &Renderer) -> Option<String> {
-    let SettingsError::Mistakes { file, mistakes } = error else {
+    let SettingsError::Content { file, errors } = error else {
         return None;
     };
     let text = ladder_workspace::read(file).ok()?;
     let here = std::env::current_dir().ok();
     let named = here.and_then(|here| file.strip_prefix(here).ok()).unwrap_or(file);
     let source = Source::new(named.display().to_string(), text);
-    let shown = mistakes.iter().map(|mistake| {
-        let mistake = Mistake {
-            range: mistake.range,
-            message: mistake.message.clone(),
+    let shown = errors.iter().map(|error| {
+        let error = ScenarioError {
+            range: error.range,
+            message: error.message.clone(),
             help: None,
         };
-        render_as(SETTING, &source, &mistake, renderer)
+        render_as(SETTING, &source, &error, renderer)
     });
     Some(shown.collect::<Vec<_>>().join("\n\n"))
 }
 
-/// A mistake with its excerpt, without a line end behind it.
-pub(crate) fn render(source: &Source, mistake: &Mistake, renderer: &Renderer) -> String {
-    render_as(NAME, source, mistake, renderer)
+/// An error with its excerpt, without a line end after it.
+pub(crate) fn render(source: &Source, error: &ScenarioError, renderer: &Renderer) -> String {
+    render_as(NAME, source, error, renderer)
 }
 
-fn render_as(name: &str, source: &Source, mistake: &Mistake, renderer: &Renderer) -> String {
-    let excerpt = super::full::Excerpt::of(source, source.lines(mistake.range));
-    let mut group = Group::with_title(Level::ERROR.primary_title(shown::line(&mistake.message)).id(name))
+fn render_as(name: &str, source: &Source, error: &ScenarioError, renderer: &Renderer) -> String {
+    let excerpt = super::full::Excerpt::of(source, source.lines(error.range));
+    let mut group = Group::with_title(Level::ERROR.primary_title(shown::line(&error.message)).id(name))
         .element(
             excerpt
                 .snippet(source)
-                .annotation(AnnotationKind::Primary.span(excerpt.span(mistake.range))),
+                .annotation(AnnotationKind::Primary.span(excerpt.span(error.range))),
         );
-    if let Some(help) = &mistake.help {
+    if let Some(help) = &error.help {
         group = group.element(Level::HELP.message(shown::line(help)));
     }
     renderer.render(&[group])

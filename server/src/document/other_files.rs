@@ -18,12 +18,12 @@ use ropey::Rope;
 use super::on_disk::OnDisk;
 use super::position::{self, Range};
 use super::positions::Positions;
-use super::{Documents, Kind, Revision, address, together};
+use super::{Documents, Kind, Revision, address, in_parallel};
 use crate::cancel::Cancel;
 
 /// The files of a document's workspace, the document itself among them. They are looked for when they are first asked
 /// for: most requests stay within their document.
-pub(crate) struct Elsewhere {
+pub(crate) struct OtherFiles {
     own: Arc<Revision>,
     documents: Arc<Documents>,
     companions: Arc<Documents>,
@@ -75,7 +75,7 @@ pub(crate) struct FileText {
     encoding: position::Encoding,
     /// How many ranges were asked for, up to [`FEW`].
     asked: Cell<u32>,
-    /// For those behind them.
+    /// For those after them.
     positions: OnceCell<Positions>,
 }
 
@@ -118,16 +118,16 @@ impl FileText {
     }
 }
 
-impl Elsewhere {
-    /// The files beside a document, as they are when they are first asked for. `documents` are the open programs,
+impl OtherFiles {
+    /// The files next to a document, as they are when they are first asked for. `documents` are the open programs,
     /// `companions` other open files. Once it is cancelled it finds no more files.
     pub(crate) fn of(
         own: &Arc<Revision>,
         documents: &Arc<Documents>,
         companions: &Arc<Documents>,
         cancel: &Cancel,
-    ) -> Elsewhere {
-        Elsewhere {
+    ) -> OtherFiles {
+        OtherFiles {
             own: Arc::clone(own),
             documents: Arc::clone(documents),
             companions: Arc::clone(companions),
@@ -206,8 +206,8 @@ impl Elsewhere {
             };
             let suite = ladder_simulator::scenario::parse(&text);
             let program = suite.program.as_ref().and_then(|(program, _)| {
-                let beside = Named::in_file(&path, program).locate().ok()?;
-                Some(place.neighbours.view(&beside).0)
+                let next_to = Named::in_file(&path, program).locate().ok()?;
+                Some(place.neighbours.view(&next_to).0)
             });
             let (name, _) = place.neighbours.view(&path);
             let shown = ScenarioFile {
@@ -260,7 +260,7 @@ impl Elsewhere {
     }
 }
 
-impl Workspace for Elsewhere {
+impl Workspace for OtherFiles {
     fn file(&self, name: &str) -> Option<Arc<Context>> {
         let files = self.files();
         if self.cancel.is_cancelled() {
@@ -282,7 +282,7 @@ impl Workspace for Elsewhere {
                 look(number, names.context());
             }
         }
-        together::each(&files.closed, |number, (_, file)| {
+        in_parallel::each(&files.closed, |number, (_, file)| {
             if !self.cancel.is_cancelled()
                 && which.takes(|| file.text().into())
                 && let Some(context) = files.context(file)
@@ -329,7 +329,7 @@ mod tests {
         let own = open("own.clad");
         open("other.clad");
         let cancel = Cancel::default();
-        let elsewhere = Elsewhere::of(&own, &documents, &companions, &cancel);
+        let elsewhere = OtherFiles::of(&own, &documents, &companions, &cancel);
         let shown = || {
             let shown = AtomicUsize::new(0);
             elsewhere.show(Which::All, &|_, _| {

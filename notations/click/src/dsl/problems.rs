@@ -5,7 +5,7 @@ use ruff_python_ast::{Expr, Stmt};
 use ruff_text_size::Ranged;
 
 /// A text, and what in it is not the DSL.
-pub(super) struct Mistakes<'t> {
+pub(super) struct Problems<'t> {
     text: &'t str,
     lines: Lines,
     all: Vec<(LineColumn, String)>,
@@ -15,9 +15,9 @@ pub(super) struct Mistakes<'t> {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Unread;
 
-impl<'t> Mistakes<'t> {
-    pub(super) fn new(text: &'t str) -> Mistakes<'t> {
-        Mistakes {
+impl<'t> Problems<'t> {
+    pub(super) fn new(text: &'t str) -> Problems<'t> {
+        Problems {
             text,
             lines: Lines::of(text),
             all: Vec::new(),
@@ -167,19 +167,19 @@ mod tests {
         for statement in statements {
             let first = statement.split('\n').next().unwrap_or_default();
             let outside = statement.replace("\n        ", "\n");
-            let beside = statement.replace("\n        ", "\n    ");
+            let next_to = statement.replace("\n        ", "\n    ");
             for (place, text) in [
                 ("outside", format!("{outside}\ndef main():\n    pass\n")),
                 (
-                    "beside the rungs",
-                    format!("def main():\n    if True:\n        end()\n    {beside}\n"),
+                    "next to the rungs",
+                    format!("def main():\n    if True:\n        end()\n    {next_to}\n"),
                 ),
                 (
                     "in a rung",
                     format!("def main():\n    if c.A:\n        {statement}\n"),
                 ),
             ] {
-                // What may be there is no mistake.
+                // What may be there is no error.
                 if super::super::read(&text).is_err() {
                     shown.push_str(&format!("{first} {place}: {}\n", said(&text)));
                 }
@@ -187,70 +187,70 @@ mod tests {
         }
         expect![[r#"
             def a(): pass outside: `a` is not `main`, so it is a subroutine and has @sub above it
-            def a(): pass beside the rungs: a function inside another is not in the DSL: a function has rungs, each under an `if`
+            def a(): pass next to the rungs: a function inside another is not in the DSL: a function has rungs, each under an `if`
             def a(): pass in a rung: a function inside another is not in the DSL
             class A: pass outside: a class outside a function is not in the DSL
-            class A: pass beside the rungs: a class is not in the DSL: a function has rungs, each under an `if`
+            class A: pass next to the rungs: a class is not in the DSL: a function has rungs, each under an `if`
             class A: pass in a rung: a class is not in the DSL
             return outside: `return` outside a function is not in the DSL
-            return beside the rungs: `return` is under an `if`: write `if True:` above it
+            return next to the rungs: `return` is under an `if`: write `if True:` above it
             del x outside: `del` outside a function is not in the DSL
-            del x beside the rungs: `del` is not in the DSL: a function has rungs, each under an `if`
+            del x next to the rungs: `del` is not in the DSL: a function has rungs, each under an `if`
             del x in a rung: `del` is not in the DSL
             type A = int outside: `type` outside a function is not in the DSL
-            type A = int beside the rungs: `type` is not in the DSL: a function has rungs, each under an `if`
+            type A = int next to the rungs: `type` is not in the DSL: a function has rungs, each under an `if`
             type A = int in a rung: `type` is not in the DSL
             x = 1 outside: an assignment outside a function is not in the DSL
-            x = 1 beside the rungs: an assignment is not in the DSL: a function has rungs, each under an `if`
+            x = 1 next to the rungs: an assignment is not in the DSL: a function has rungs, each under an `if`
             x = 1 in a rung: an assignment is not in the DSL
             x += 1 outside: an assignment outside a function is not in the DSL
-            x += 1 beside the rungs: an assignment is not in the DSL: a function has rungs, each under an `if`
+            x += 1 next to the rungs: an assignment is not in the DSL: a function has rungs, each under an `if`
             x += 1 in a rung: an assignment is not in the DSL
             x: int = 1 outside: an assignment outside a function is not in the DSL
-            x: int = 1 beside the rungs: an assignment is not in the DSL: a function has rungs, each under an `if`
+            x: int = 1 next to the rungs: an assignment is not in the DSL: a function has rungs, each under an `if`
             x: int = 1 in a rung: an assignment is not in the DSL
             for _ in range(3): pass outside: `for` outside a function is not in the DSL
-            for _ in range(3): pass beside the rungs: `for` is under an `if`: write `if True:` above it
+            for _ in range(3): pass next to the rungs: `for` is under an `if`: write `if True:` above it
             while True: pass outside: `while` outside a function is not in the DSL
-            while True: pass beside the rungs: `while` is not in the DSL: a function has rungs, each under an `if`
+            while True: pass next to the rungs: `while` is not in the DSL: a function has rungs, each under an `if`
             while True: pass in a rung: `while` is not in the DSL
             if c.A: pass outside: `if` outside a function is not in the DSL
             if c.A: pass in a rung: an `if` inside another is not in the DSL: write all(..) with both
             with x: pass outside: `with` outside a function is not in the DSL
-            with x: pass beside the rungs: `with` is not in the DSL: a function has rungs, each under an `if`
+            with x: pass next to the rungs: `with` is not in the DSL: a function has rungs, each under an `if`
             with x: pass in a rung: `with` is not in the DSL
             match x: outside: `match` outside a function is not in the DSL
-            match x: beside the rungs: `match` is not in the DSL: a function has rungs, each under an `if`
+            match x: next to the rungs: `match` is not in the DSL: a function has rungs, each under an `if`
             match x: in a rung: `match` is not in the DSL
             raise x outside: `raise` outside a function is not in the DSL
-            raise x beside the rungs: `raise` is not in the DSL: a function has rungs, each under an `if`
+            raise x next to the rungs: `raise` is not in the DSL: a function has rungs, each under an `if`
             raise x in a rung: `raise` is not in the DSL
             try: pass outside: `try` outside a function is not in the DSL
-            try: pass beside the rungs: `try` is not in the DSL: a function has rungs, each under an `if`
+            try: pass next to the rungs: `try` is not in the DSL: a function has rungs, each under an `if`
             try: pass in a rung: `try` is not in the DSL
             assert x outside: `assert` outside a function is not in the DSL
-            assert x beside the rungs: `assert` is not in the DSL: a function has rungs, each under an `if`
+            assert x next to the rungs: `assert` is not in the DSL: a function has rungs, each under an `if`
             assert x in a rung: `assert` is not in the DSL
             import os outside: an import outside a function is not in the DSL
-            import os beside the rungs: an import is not in the DSL: a function has rungs, each under an `if`
+            import os next to the rungs: an import is not in the DSL: a function has rungs, each under an `if`
             import os in a rung: an import is not in the DSL
             from os import path outside: an import outside a function is not in the DSL
-            from os import path beside the rungs: an import is not in the DSL: a function has rungs, each under an `if`
+            from os import path next to the rungs: an import is not in the DSL: a function has rungs, each under an `if`
             from os import path in a rung: an import is not in the DSL
             global x outside: `global` outside a function is not in the DSL
-            global x beside the rungs: `global` is not in the DSL: a function has rungs, each under an `if`
+            global x next to the rungs: `global` is not in the DSL: a function has rungs, each under an `if`
             global x in a rung: `global` is not in the DSL
             nonlocal x outside: `nonlocal` outside a function is not in the DSL
-            nonlocal x beside the rungs: `nonlocal` is not in the DSL: a function has rungs, each under an `if`
+            nonlocal x next to the rungs: `nonlocal` is not in the DSL: a function has rungs, each under an `if`
             nonlocal x in a rung: `nonlocal` is not in the DSL
             5 outside: an expression by itself outside a function is not in the DSL
-            5 beside the rungs: a number outside a rung is not in the DSL
+            5 next to the rungs: a number outside a rung is not in the DSL
             5 in a rung: a number is no action of the DSL
             break outside: `break` outside a function is not in the DSL
-            break beside the rungs: `break` is not in the DSL: a function has rungs, each under an `if`
+            break next to the rungs: `break` is not in the DSL: a function has rungs, each under an `if`
             break in a rung: `break` is not in the DSL
             continue outside: `continue` outside a function is not in the DSL
-            continue beside the rungs: `continue` is not in the DSL: a function has rungs, each under an `if`
+            continue next to the rungs: `continue` is not in the DSL: a function has rungs, each under an `if`
             continue in a rung: `continue` is not in the DSL
         "#]]
         .assert_eq(&shown);

@@ -8,12 +8,12 @@ use crate::values::value::Value;
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
-/// What few tags have: it is read through [`Rare`].
+/// What few tags have: it is read through [`Cold`].
 #[derive(Debug, Clone)]
-pub struct RareFacts {
+pub struct ColdFacts {
     /// Initial values; empty for the type's own.
     pub initial: Vec<Value>,
-    /// The address behind AT, or the address itself.
+    /// The address after AT, or the address itself.
     pub address: Option<Box<str>>,
     /// The tag that this entry leads to, if it is one of another scope.
     pub(crate) lead: Option<Entry>,
@@ -22,11 +22,11 @@ pub struct RareFacts {
 }
 
 /// Of most tags.
-static NONE: RareFacts = RareFacts::NONE;
+static NONE: ColdFacts = ColdFacts::NONE;
 
-impl RareFacts {
+impl ColdFacts {
     /// Nothing of it.
-    pub(crate) const NONE: RareFacts = RareFacts {
+    pub(crate) const NONE: ColdFacts = ColdFacts {
         initial: Vec::new(),
         address: None,
         lead: None,
@@ -34,31 +34,31 @@ impl RareFacts {
     };
 }
 
-/// [`RareFacts`] of a tag, which takes memory only where there are some.
+/// [`ColdFacts`] of a tag, which takes memory only where there are some.
 #[derive(Debug, Clone, Default)]
-pub struct Rare(Option<Box<RareFacts>>);
+pub struct Cold(Option<Box<ColdFacts>>);
 
-impl From<RareFacts> for Rare {
-    fn from(facts: RareFacts) -> Rare {
+impl From<ColdFacts> for Cold {
+    fn from(facts: ColdFacts) -> Cold {
         let is_any = !facts.initial.is_empty()
             || facts.address.is_some()
             || facts.lead.is_some()
             || facts.foreign.is_some();
-        Rare(is_any.then(|| Box::new(facts)))
+        Cold(is_any.then(|| Box::new(facts)))
     }
 }
 
-impl Deref for Rare {
-    type Target = RareFacts;
+impl Deref for Cold {
+    type Target = ColdFacts;
 
-    fn deref(&self) -> &RareFacts {
+    fn deref(&self) -> &ColdFacts {
         self.0.as_deref().unwrap_or(&NONE)
     }
 }
 
-impl DerefMut for Rare {
-    fn deref_mut(&mut self) -> &mut RareFacts {
-        self.0.get_or_insert_with(|| Box::new(RareFacts::NONE))
+impl DerefMut for Cold {
+    fn deref_mut(&mut self) -> &mut ColdFacts {
+        self.0.get_or_insert_with(|| Box::new(ColdFacts::NONE))
     }
 }
 
@@ -75,9 +75,9 @@ mod tests {
 
     #[test]
     fn nothing_takes_nothing() {
-        assert!(Rare::from(RareFacts::NONE).0.is_none());
-        let mut rare = Rare::from(RareFacts::NONE);
-        rare.lead = Some((1, 2));
-        assert_eq!(rare.lead, Some((1, 2)));
+        assert!(Cold::from(ColdFacts::NONE).0.is_none());
+        let mut cold = Cold::from(ColdFacts::NONE);
+        cold.lead = Some((1, 2));
+        assert_eq!(cold.lead, Some((1, 2)));
     }
 }

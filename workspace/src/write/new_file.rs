@@ -1,6 +1,6 @@
 //! A new file that takes the name of the old one when it is whole.
 //!
-//! On Linux it has no name until then: whatever ends the process before leaves nothing behind. Elsewhere, and on file
+//! On Linux it has no name until then: whatever ends the process before leaves nothing after. Elsewhere, and on file
 //! systems that know no such files, it has a temporary name from the beginning.
 
 use super::folder_of;
@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 
 /// The new file.
 #[derive(Debug)]
-pub(super) struct Beside {
+pub(super) struct NewFile {
     stage: Stage,
     target: PathBuf,
     /// The mode to keep; none for a new file.
@@ -25,10 +25,10 @@ enum Stage {
     Named(Temporary),
 }
 
-impl Beside {
-    pub(super) fn of(target: &Path, there: Option<&Metadata>) -> io::Result<Beside> {
+impl NewFile {
+    pub(super) fn of(target: &Path, there: Option<&Metadata>) -> io::Result<NewFile> {
         let private = there.is_some();
-        Ok(Beside {
+        Ok(NewFile {
             stage: stage(target, private)?,
             target: target.to_owned(),
             mode: there.map(Metadata::permissions),
