@@ -24,8 +24,8 @@ return function(t, messages)
     end
   end)
 
-  local RAILS = '|' .. (' '):rep(58) .. '|'
-  local BRANCHES = '|  |' .. (' '):rep(16) .. '|' .. (' '):rep(38) .. '|'
+  local RAILS = '|' .. (' '):rep(78) .. '|'
+  local BRANCHES = '|  |' .. (' '):rep(16) .. '|' .. (' '):rep(58) .. '|'
 
   t.step('three scans with start high give power to exactly these cells', function()
     local bufnr = t.open('motor.clad')
@@ -35,21 +35,21 @@ return function(t, messages)
     assert(ladder.wait(), 'no answer to the first step')
     t.equal('the live cells after one scan', {
       '',
-      '+--\\--[ ]( start )--\\--[/]( stop )-------------( )( run )--+',
+      '+--\\--[ ]( start )--\\--[/]( stop )---------------------------------( )( run )--+',
       '',
       '   /--              /',
       '',
-      '+--[ ]( run )--------',
+      '+--[ ]( run )----------------------------',
     }, t.powered(bufnr))
     vim.cmd('Ladder step 2')
     assert(ladder.wait(), 'no answer to the further steps')
     t.equal('the live cells after three scans', {
       '',
-      '+--\\--[ ]( start )--\\--[/]( stop )-------------( )( run )--+',
+      '+--\\--[ ]( start )--\\--[/]( stop )---------------------------------( )( run )--+',
       '',
       '   /--[ ]( run )----/',
       '',
-      '+--[ ]( run )--------[TON]( warmup, T#20ms )--( )( lamp )--+',
+      '+--[ ]( run )----------------------------[TON]( warmup, T#20ms )--( )( lamp )--+',
     }, t.powered(bufnr))
     t.equal('the dead cells', { '', '', BRANCHES, RAILS, '', '' }, t.highlighted(bufnr, 'LadderPowerOff'))
     t.equal('the number of scans', 3, ladder.state().scan)
@@ -93,11 +93,11 @@ return function(t, messages)
     assert(ladder.wait(), 'no answer')
     t.equal('the drawing', {
       '# Größe: a motor with a seal-in contact, and a lamp when it has warmed up #',
-      '+--\\--[ ]( start )--\\--[/]( stop )-------------( )( run )--+',
-      '|  |                |                                      |',
-      '|  /--[ ]( run )----/                                      |',
-      '                            20ms',
-      '+--[ ]( run )--------[TON]( warmup, T#20ms )--( )( lamp )--+',
+      '+--\\--[ ]( start )--\\--[/]( stop )---------------------------------( )( run )--+',
+      '|  |                |                                                          |',
+      '|  /--[ ]( run )----/                                                          |',
+      '                                                20ms',
+      '+--[ ]( run )----------------------------[TON]( warmup, T#20ms )--( )( lamp )--+',
     }, t.seen(bufnr))
     t.equal('the status line', 'paused, scan 3, 30ms', vim.b[bufnr].ladder_status)
     assert(vim.wo.winbar:find('paused, scan 3, 30ms', 1, true), vim.wo.winbar)
@@ -110,7 +110,7 @@ return function(t, messages)
     end
     assert(ladder.wait(), 'no answer')
     t.equal('the live cells with the seal-in', {
-      '+--\\--              \\--[/]( stop )-------------( )( run )--+',
+      '+--\\--              \\--[/]( stop )---------------------------------( )( run )--+',
       '   /--[ ]( run )----/',
     }, { t.powered(bufnr)[2], t.powered(bufnr)[4] })
     vim.cmd('Ladder force stop 1')
