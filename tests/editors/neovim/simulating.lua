@@ -212,8 +212,8 @@ return function(t, messages)
       return ('%d:%d %s'):format(item.lnum, item.col, item.text)
     end, vim.fn.getqflist())
     t.equal('the list', {
-      '2:48 run is 0 since the start',
-      '2:48   ( )( run ) wrote it in line 2',
+      '2:68 run is 0 since the start',
+      '2:68   ( )( run ) wrote it in line 2',
       '0:0   blocked by',
       '2:7   x [ ]( start ) (line 2, column 7): start is 0',
       '0:0     start is 0 since the start: nothing else was given',

@@ -12,7 +12,7 @@ export const RUNG = '+--[ ]( first )--[/]( second )--( )( third )--+';
 /** What is not aligned, and what a save makes of it. */
 export const SAVED = 'crooked-typed.clad';
 export const CROOKED = '+-[ ]( crooked )-( )( rung )-+';
-const ALIGNED = '+--[ ]( crooked )---------( )( rung )--+';
+const ALIGNED = '+--[ ]( crooked )-------------------------------------------------( )( rung )--+';
 
 /** The lines of the editor that is active, as the page shows them. */
 export function lines(page) {
