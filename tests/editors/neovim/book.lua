@@ -1,5 +1,5 @@
--- Programs of the book, typed key by key: once by somebody who looks at the screen and goes on behind what
--- the editor has begun, and once by somebody who looks at the book only, and types every character. Both get the
+-- Programs of the book, typed key by key: once by a user who looks at the screen and goes on after what
+-- the editor has begun, and once by a user who looks at the book only, and types every character. Both get the
 -- program that is in the book.
 return function(t)
   local typing = require('typing')
@@ -28,7 +28,7 @@ return function(t)
     return vim.split(vim.trim(done.stdout), '\n')
   end
 
-  --- The text beside the cursor.
+  --- The text next to the cursor.
   local function beside(keys)
     local line, column = unpack(keys:lua('return { vim.api.nvim_get_current_line(), vim.api.nvim_win_get_cursor(0)[2] }'))
     return line:sub(1, column), line:sub(column + 1)
@@ -112,7 +112,7 @@ return function(t)
     end
     t.equal(where .. ': the program', table.concat(aligned(lines), '\n'), table.concat(aligned(found), '\n'))
     t.equal(where .. ': what was in the way', {}, notes)
-    t.equal(where .. ': mistakes while it was typed', 0, red)
+    t.equal(where .. ': errors while it was typed', 0, red)
     keys:close()
   end
 
@@ -136,7 +136,7 @@ return function(t)
     '../language/types.md',
   }) do
     for how, looks in vim.spairs({ ['who looks at the screen'] = true, ['who looks at the book only'] = false }) do
-      t.step(('the programs of %s, typed by somebody %s'):format(page, how), function()
+      t.step(('the programs of %s, typed by a user %s'):format(page, how), function()
         for _, lines in ipairs(programs(page)) do
           type_program(lines, looks, ('%s:%d'):format(page, lines.line))
         end

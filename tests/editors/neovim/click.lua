@@ -35,7 +35,7 @@ return function(t, messages)
     assert(hover.result.contents.value:find('[LT]( Level, Limit )', 1, true), hover.result.contents.value)
   end)
 
-  t.step('the diagram of a Click program is beside it, and follows what is typed', function()
+  t.step('the diagram of a Click program is next to it, and follows what is typed', function()
     local program = vim.fn.bufnr(vim.env.LADDER_SCRATCH .. '/tank.py')
     vim.cmd.buffer(program)
     local click = require('ladder.click')

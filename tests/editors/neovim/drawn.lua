@@ -26,7 +26,7 @@ return function(t)
     keys:close()
   end
 
-  t.step('three parallel branches drawn the natural way, typed by hand, are drawn anew by the fix', function()
+  t.step('three parallel branches drawn the natural way, typed by hand, are drawn again by the fix', function()
     local drawn = {
       '+--\\--[ ]( a )--\\--( )( y )--+',
       '|  |--[ ]( b )--|            |',
@@ -52,7 +52,7 @@ return function(t)
     })
   end)
 
-  t.step('a drawing with box-drawing characters, pasted, is drawn anew by the fix', function()
+  t.step('a drawing with box-drawing characters, pasted, is drawn again by the fix', function()
     local pasted = {
       '├──┬──[ ]( a )──┬──( )( y )──┤',
       '│  └──[ ]( b )──┘            │',

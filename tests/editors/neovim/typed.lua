@@ -86,7 +86,7 @@ return function(t)
       keys:press(letter)
       -- Neovim asks for each key, and closes a list that has become empty for good.
       vim.wait(150)
-      t.equal('the list behind ' .. letter, 1, keys:lua('return vim.fn.pumvisible()'))
+      t.equal('the list after ' .. letter, 1, keys:lua('return vim.fn.pumvisible()'))
     end
     keys:choose('[TON]')
     keys:expect('the block', { '+--[TON]( t, T#1s )--' })
@@ -160,7 +160,7 @@ return function(t)
     keys:close()
   end)
 
-  t.step('behind the declarations a rung begins at the left', function()
+  t.step('after the declarations a rung begins at the left', function()
     local keys = typing.open(t, { '' })
     local declared = { 'VAR', '    a : BOOL;', 'END_VAR' }
     typed(keys, {

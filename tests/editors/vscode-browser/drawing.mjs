@@ -13,7 +13,7 @@ const RUNGS = [
 export const TEXT = `${RUNGS.join('\n')}\n`;
 
 const [RUNG, TIMED, , APART] = RUNGS;
-/** What is done: where the cursor is, how many columns are selected behind it, the key behind the leader, and the lines that come. */
+/** What is done: where the cursor is, how many columns are selected after it, the key after the leader, and the lines that come. */
 const CASES = [
     {
         name: 'draws a contact',

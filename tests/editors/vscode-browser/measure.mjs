@@ -1,4 +1,4 @@
-// What a simulation costs in VS Code: how long somebody waits, and how busy the editor is. Prints a table.
+// What a simulation costs in VS Code: how long a user waits, and how busy the editor is. Prints a table.
 import { execFileSync } from 'node:child_process';
 import { chmodSync, writeFileSync } from 'node:fs';
 import { loadavg, tmpdir } from 'node:os';
@@ -38,7 +38,7 @@ function prepare() {
 /** Has a part of a page write down when it shows another text: when that is painted, not when it is known. */
 function watch(frame, selector) {
     return frame.evaluate((wanted) => {
-        // No more than this part is looked at: what looks is itself work of the page.
+        // No more than this part is inspected: what looks is itself work of the page.
         const part = document.querySelector(wanted);
         const text = () => /\b(running|paused|ended)\b.{1,3}scan \d.*/.exec(part.textContent)?.[0] ?? '';
         window.shownTexts = [];

@@ -1,4 +1,4 @@
-// A diagram typed by hand: keys are pressed in the page, and what is in the editor is looked at.
+// A diagram typed by hand: keys are pressed in the page, and what is in the editor is checked.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -40,7 +40,7 @@ export async function typing(page, { step, until, screenshot, project }) {
         await page.keyboard.press('Control+Z');
         await shows('the rung again', RUNG);
     });
-    await step('Enter behind a rung begins the next one', async () => {
+    await step('Enter after a rung begins the next one', async () => {
         await page.locator('.editor-group-container.active .view-line', { hasText: 'first' }).click();
         await page.keyboard.press('Control+Home');
         await page.keyboard.press('End');
@@ -81,7 +81,7 @@ export async function typing(page, { step, until, screenshot, project }) {
         await page.keyboard.press('Backspace');
         await page.keyboard.press('Backspace');
     });
-    await step('a half-typed rung has no mistakes until it is left', async () => {
+    await step('a half-typed rung has no errors until it is left', async () => {
         await page.keyboard.type('[ ]( fourth )--[TON', { delay: 30 });
         await page.keyboard.press('Escape');
         // Longer than the answer takes.

@@ -1,4 +1,4 @@
---- Values beside their operands, drawn over blanks and wires: text put between the elements of a line would push the
+--- Values next to their operands, drawn over blanks and wires: text put between the elements of a line would push the
 --- drawing apart.
 require('ladder.highlight')
 

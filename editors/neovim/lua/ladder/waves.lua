@@ -71,7 +71,7 @@ local function bit(tag, window)
   for place = 1, window.count do
     local now, text = level(place), ' '
     if now == 2 then
-      -- A single change leads from the level before to the one behind.
+      -- A single change leads from the level before to the one after.
       local behind = level(place + 1)
       local is_edge = before and behind and before ~= behind and before ~= 2 and behind ~= 2
       text = is_edge and (behind == 1 and '╱' or '╲') or '▒'
@@ -174,7 +174,7 @@ function M.axis(ticks, window, per)
   return cells
 end
 
---- The column of the next change behind one, or before it.
+--- The column of the next change after one, or before it.
 --- @param tag ladder.TraceTag
 --- @param column integer
 --- @param way 1|-1
