@@ -226,7 +226,7 @@ export function showPower(simulation: Simulation): vscode.Disposable {
         ...kinds,
         all,
         simulation.onDidChange((document) => {
-            if (!all.news(simulation.of(document)?.state.status === 'running')) {
+            if (!all.changed(simulation.of(document)?.state.status === 'running')) {
                 withTheRest(() => update(vscode.window.visibleTextEditors.filter((editor) => editor.document === document), false));
             }
         }),

@@ -33,7 +33,7 @@ export class Pace {
      * @param isHurried whether more will come soon, as from a program that runs; otherwise it is shown at once
      * @returns whether it is shown now
      */
-    news(isHurried: boolean): boolean {
+    changed(isHurried: boolean): boolean {
         const wait = isHurried ? this.#every - (Date.now() - this.#shown) : 0;
         if (wait <= 0) {
             this.now();

@@ -39,6 +39,6 @@ export function showStatus(simulation: Simulation): vscode.Disposable {
     return vscode.Disposable.from(
         item,
         pace,
-        simulation.onDidChange(() => pace.news(simulation.current?.state.status === 'running')),
+        simulation.onDidChange(() => pace.changed(simulation.current?.state.status === 'running')),
     );
 }

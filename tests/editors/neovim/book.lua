@@ -29,7 +29,7 @@ return function(t)
   end
 
   --- The text next to the cursor.
-  local function beside(keys)
+  local function around(keys)
     local line, column = unpack(keys:lua('return { vim.api.nvim_get_current_line(), vim.api.nvim_win_get_cursor(0)[2] }'))
     return line:sub(1, column), line:sub(column + 1)
   end
@@ -56,7 +56,7 @@ return function(t)
   --- @param looks boolean whether what the editor has begun is seen, and left as it is
   --- @param notes string[] takes what was in the way
   local function type_line(keys, wanted, looks, notes)
-    local left = beside(keys)
+    local left = around(keys)
     local at = looks and there(left, wanted) or 0
     -- A rail or another rung is typed over what was begun.
     if looks and at == 0 and vim.trim(left) ~= '' and wanted ~= '' and not wanted:match('^[#EFV+|]') then
@@ -64,7 +64,7 @@ return function(t)
       keys:press('<C-u>')
     end
     while at < #wanted do
-      local _, right = beside(keys)
+      local _, right = around(keys)
       -- The editor has written the rest already.
       if looks and vim.trim(right) ~= '' and vim.trim(right) == vim.trim(wanted:sub(at + 1)) then
         return
@@ -78,7 +78,7 @@ return function(t)
         table.insert(notes, 'a list opened at ' .. wanted:sub(1, at))
       end
     end
-    local _, right = beside(keys)
+    local _, right = around(keys)
     if looks and vim.trim(right) ~= '' and vim.trim(right) ~= '|' then
       table.insert(notes, ('"%s" was left behind "%s"'):format(right, wanted))
     end

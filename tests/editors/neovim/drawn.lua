@@ -6,7 +6,7 @@ return function(t)
   --- what it draws; then at its undo.
   local function fixed(keys, title, wanted)
     local before = keys:lines()
-    t.eventually('a mistake', function()
+    t.eventually('an error', function()
       return keys:lua('return #vim.diagnostic.get(0, { severity = 1 })') > 0
     end)
     keys:press('gg0')
@@ -18,7 +18,7 @@ return function(t)
       title
     )
     keys:expect(title, wanted)
-    t.eventually('no mistake', function()
+    t.eventually('no error', function()
       return keys:lua('return #vim.diagnostic.get(0, { severity = 1 })') == 0
     end)
     keys:press('u')

@@ -341,7 +341,7 @@ return function(t, messages)
     t.equal('the text', text, vim.api.nvim_buf_get_lines(bufnr, 0, -1, false))
     t.eventually('the motor again', run_is(1))
     vim.api.nvim_buf_set_text(bufnr, 1, at, 1, at + 2, { '' })
-    scan = t.eventually('the mistake', function()
+    scan = t.eventually('the error', function()
       return ladder.state(bufnr).stale and ladder.state(bufnr)
     end).scan
     t.eventually('more scans of the last good program', function()

@@ -57,9 +57,9 @@ function colours(frame, kinds) {
         const isSeen = (colour) => !/^rgba\(.*, 0(\.[0-4]\d*)?\)$/.test(colour);
         const ground = (node) => {
             for (let at = node; at; at = at.parentElement) {
-                const behind = getComputedStyle(at).backgroundColor;
-                if (isSeen(behind)) {
-                    return behind;
+                const back = getComputedStyle(at).backgroundColor;
+                if (isSeen(back)) {
+                    return back;
                 }
             }
             return undefined;
@@ -67,31 +67,31 @@ function colours(frame, kinds) {
         return wanted.map(([selector, property, least]) => {
             const node = document.querySelector(selector);
             // What a slider is at is on the ground of the page.
-            const behind = node && ground(property === 'accentColor' ? node.parentElement : node);
-            return { selector, least, front: node && getComputedStyle(node)[property], behind };
+            const back = node && ground(property === 'accentColor' ? node.parentElement : node);
+            return { selector, least, front: node && getComputedStyle(node)[property], back };
         });
     }, kinds);
 }
 
 /** How well two colours are told apart, from 1 to 21. */
-function contrast(front, behind) {
+function contrast(front, back) {
     const luminance = (colour) => {
         const parts = colour.match(/\d+(\.\d+)?/g).slice(0, 3).map((part) => Number(part) / 255);
         const [red, green, blue] = parts.map((part) => (part <= 0.03928 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4));
         return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
     };
-    const [light, dark] = [luminance(front), luminance(behind)].sort((a, b) => b - a);
+    const [light, dark] = [luminance(front), luminance(back)].sort((a, b) => b - a);
     return (light + 0.05) / (dark + 0.05);
 }
 
 /** Of colours those that are not clear enough against their background, in words. */
 function faint(all) {
-    return all.flatMap(({ selector, least, front, behind }) => {
-        if (!front || !behind || front === 'none') {
-            return [`${selector}: ${front} on ${behind}`];
+    return all.flatMap(({ selector, least, front, back }) => {
+        if (!front || !back || front === 'none') {
+            return [`${selector}: ${front} on ${back}`];
         }
-        const found = contrast(front, behind);
-        return found >= least ? [] : [`${selector}: ${front} on ${behind} is ${found.toFixed(1)}`];
+        const found = contrast(front, back);
+        return found >= least ? [] : [`${selector}: ${front} on ${back} is ${found.toFixed(1)}`];
     });
 }
 
@@ -276,7 +276,7 @@ export async function access(page, { step, until, weights, row, screenshot, useT
                 const kinds = [...new Set(parts.map(({ color }) => color))];
                 found = [
                     ...(kinds.length >= 3 ? [] : [`the text has the colours ${kinds.join('; ')}`]),
-                    ...faint(kinds.map((front) => ({ selector: 'the text', least: 4.5, front, behind: text }))),
+                    ...faint(kinds.map((front) => ({ selector: 'the text', least: 4.5, front, back: text }))),
                     ...faint(await colours(diagram, DIAGRAM)),
                     ...faint(await colours(trace, TRACE)),
                 ];

@@ -48,7 +48,7 @@ const fileOf = (page, line) => `book-${basename(page, '.md')}-${line}.clad`;
 
 /** @param project the folder that is open */
 export async function book(page, { step, until, project }) {
-    const mistakes = page.locator('.editor-group-container.active .monaco-editor .squiggly-error');
+    const errors = page.locator('.editor-group-container.active .monaco-editor .squiggly-error');
     for (const name of PAGES) {
         await step(`the programs of ${name}, typed by a user who looks at the book only`, async () => {
             for (const { line, lines } of programs(name)) {
@@ -57,7 +57,7 @@ export async function book(page, { step, until, project }) {
                 await open(page, file);
                 await page.locator('.editor-group-container.active .monaco-editor .view-lines').click();
                 await page.keyboard.type(lines.join('\n'), { delay: KEY });
-                await until(`no mistake in ${where}`, 5, async () => (await mistakes.count()) === 0);
+                await until(`no error in ${where}`, 5, async () => (await errors.count()) === 0);
                 await page.keyboard.press('Control+S');
                 await until(`${file} to be saved`, 5, () => statSync(join(project, file)).size > 0);
                 await page.waitForTimeout(100);

@@ -184,7 +184,7 @@ function tell(rows) {
         ['step, ms', ...rows.map(({ step }) => ms(step))],
         ['back, ms', ...rows.map(({ back }) => ms(back))],
         ['pause, ms', ...rows.map(({ pause }) => ms(pause))],
-        ['pause, beside the diagram', ...rows.map(({ pauseInDiagram }) => ms(pauseInDiagram))],
+        ['pause, next to the diagram', ...rows.map(({ pauseInDiagram }) => ms(pauseInDiagram))],
         ['why (the server), ms', ...rows.map(({ why }) => ms(why))],
         ['page at rest, thread busy', ...rows.map(({ rest }) => share(rest.page))],
         ['thread of the page busy', ...rows.map(({ text }) => share(text.page))],

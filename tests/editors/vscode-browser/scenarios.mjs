@@ -107,7 +107,7 @@ export async function scenarios(page, { step, until, screenshot, holdTest }) {
     const tree = page.locator('.test-explorer-tree');
     const result = (name) => tree.locator('.monaco-list-row', { hasText: FILE }).locator(`.codicon-testing-${name}-icon`);
     /** A motor that nothing stops is what the second scenario wants: its coil becomes one that sets. */
-    const mend = async () => {
+    const fix = async () => {
         await cursorTo(page, 2, 49);
         await page.keyboard.press('Shift+ArrowRight');
         await page.keyboard.type('S');
@@ -124,7 +124,7 @@ export async function scenarios(page, { step, until, screenshot, holdTest }) {
         await profiles.getByRole('checkbox', { name: /^Run/ }).first().click();
         await profiles.getByRole('button', { name: 'OK' }).click();
         await open(page, 'motor.clad');
-        await mend();
+        await fix();
         await result('passed').waitFor({ timeout: 15000 });
         await undo();
         await result('failed').waitFor({ timeout: 15000 });
@@ -132,7 +132,7 @@ export async function scenarios(page, { step, until, screenshot, holdTest }) {
     });
     await step('of two changes in quick succession the later one is shown, also where the earlier one takes longer', async () => {
         const held = holdTest();
-        await mend();
+        await fix();
         await until('the run of the first change', 10, held.hasBegun);
         await undo();
         await until('both runs to end', 20, () => held.ended() === 2);

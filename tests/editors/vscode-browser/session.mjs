@@ -358,11 +358,11 @@ const parts = (page) => ({
 
 /** What the probe finds in the extension host. It leaves a simulation and the view of its tags. */
 async function probed() {
-    let told = 0;
+    let reported = 0;
     await until('the probe to end', 150, () => {
         const lines = readFileSync(report, 'utf8').trimEnd().split('\n').filter(Boolean).map((line) => JSON.parse(line));
-        for (const line of lines.slice(told)) {
-            told += 1;
+        for (const line of lines.slice(reported)) {
+            reported += 1;
             if (!line.done) {
                 tell(line);
             }

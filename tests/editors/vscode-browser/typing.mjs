@@ -26,7 +26,7 @@ export function lines(page) {
 const place = (page, line, column) => page.getByText(new RegExp(`Ln ${line}, Col ${column}( |$)`)).first().waitFor({ timeout: 5000 });
 
 export async function typing(page, { step, until, screenshot, project }) {
-    const mistakes = page.locator('.editor-group-container.active .monaco-editor .squiggly-error');
+    const errors = page.locator('.editor-group-container.active .monaco-editor .squiggly-error');
     await step('a line becomes a comment and comes back, each in one step of undo', async () => {
         await open(page, NAME);
         await page.locator('.editor-group-container.active .view-line', { hasText: 'first' }).click();
@@ -86,9 +86,9 @@ export async function typing(page, { step, until, screenshot, project }) {
         await page.keyboard.press('Escape');
         // Longer than the answer takes.
         await page.waitForTimeout(600);
-        assert.equal(await mistakes.count(), 0);
+        assert.equal(await errors.count(), 0);
         await page.locator('.editor-group-container.active .view-line', { hasText: 'first' }).click();
-        await until('the mistake', 5, async () => (await mistakes.count()) > 0);
+        await until('the error', 5, async () => (await errors.count()) > 0);
     });
     await step('an instruction is found by what it is for, and comes with its operands', async () => {
         await page.locator('.editor-group-container.active .view-line', { hasText: 'fourth' }).click();

@@ -36,9 +36,9 @@ local function files(bufnr)
   if vim.bo[bufnr].filetype == 'laddertest' then
     return { file }
   end
-  local beside = vim.fn.fnamemodify(file, ':r') .. '.ladder-test'
-  if vim.bo[bufnr].filetype == 'clad' and vim.uv.fs_stat(beside) then
-    return { beside }
+  local scenarios = vim.fn.fnamemodify(file, ':r') .. '.ladder-test'
+  if vim.bo[bufnr].filetype == 'clad' and vim.uv.fs_stat(scenarios) then
+    return { scenarios }
   end
   error('there are no scenarios: open a file that ends in .ladder-test', 0)
 end

@@ -74,7 +74,7 @@ export class Layout {
         this.lineCount = lineCount;
         for (const { first, last, count } of changes) {
             const more = count - (last - first + 1);
-            const behind = first + count;
+            const end = first + count;
             const kept = this.#segments.filter((segment) => segment.last < first || segment.first <= first || segment.last > last);
             for (const segment of kept) {
                 if (segment.last < first) {
@@ -84,9 +84,9 @@ export class Layout {
                     segment.first += more;
                     segment.last += more;
                 } else if (segment.first <= first) {
-                    segment.last = segment.last >= last ? segment.last + more : behind - 1;
+                    segment.last = segment.last >= last ? segment.last + more : end - 1;
                 } else {
-                    segment.first = behind;
+                    segment.first = end;
                     segment.last += more;
                 }
             }

@@ -212,8 +212,8 @@ export class Page {
         const known = this.layout.segments.filter(({ first, last }) => first <= lines.last + 200 && last >= lines.first - 200);
         const keys = known.flatMap(({ piece }) => (piece && this.#svgs.has(piece.key) ? [piece.key] : []));
         // Declarations take no room: what comes after them may be in sight, too.
-        const behind = { first: lines.first, last: lines.last + AHEAD };
-        this.#send({ type: 'ask', lines: behind, rail: this.#rail, known: [...new Set(keys)] });
+        const ahead = { first: lines.first, last: lines.last + AHEAD };
+        this.#send({ type: 'ask', lines: ahead, rail: this.#rail, known: [...new Set(keys)] });
     }
 
     /** The rail goes to the right end of the page. */

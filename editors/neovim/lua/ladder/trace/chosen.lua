@@ -67,9 +67,9 @@ function M.set(source, tags)
   -- An empty list would be written as an object. Where nothing can be written, nothing is remembered.
   local text = #entries > 0 and vim.json.encode(entries) or '[]'
   pcall(vim.fn.mkdir, vim.fs.dirname(file()), 'p')
-  local beside = ('%s.%d'):format(file(), vim.fn.getpid())
-  if pcall(vim.fn.writefile, { text }, beside) then
-    vim.uv.fs_rename(beside, file())
+  local temporary = ('%s.%d'):format(file(), vim.fn.getpid())
+  if pcall(vim.fn.writefile, { text }, temporary) then
+    vim.uv.fs_rename(temporary, file())
   end
 end
 
