@@ -221,7 +221,7 @@ impl Context {
     /// Whether a tag stands for all at its direct address: of most tags that is so.
     pub(crate) fn is_first_at_address(&self, tag: &TagFacts) -> bool {
         let first = self.at_address.all(tag).first();
-        first.is_none_or(|(scope, first)| std::ptr::eq(&self.scopes[*scope].tags[*first], tag))
+        first.is_none_or(|(scope, first)| std::ptr::eq(&raw const self.scopes[*scope].tags[*first], tag))
     }
 
     /// The tag that stands for all at a tag's direct address: of most tags that is the tag itself.

@@ -22,7 +22,9 @@ pub(super) fn check(
         for tag in facts.tags.iter().filter(|tag| !tag.is_alias()) {
             wanted.one_more()?;
             let view = TagView::new(scope, tag, &around);
-            rules.iter().for_each(|check| check(&view, &mut found));
+            for check in &rules {
+                check(&view, &mut found);
+            }
         }
     }
     Some(found)

@@ -6,6 +6,8 @@ use super::power_rules::Table;
 use super::survey::{Survey, SurveyedBlock};
 use super::tag_view::TagView;
 use super::wiring_walk::Walk;
+// The list names every rule of this room; that is what it is for.
+#[allow(clippy::wildcard_imports)]
 use super::*;
 use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;

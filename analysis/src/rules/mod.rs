@@ -229,7 +229,9 @@ pub(crate) fn of_file(context: &Context, settings: &RuleSettings, out: &mut Vec<
             None
         }
     });
-    all.iter().for_each(|check| check(context, out));
+    for check in all {
+        check(context, out);
+    }
 }
 
 /// Asks the rules about the program as a whole.
@@ -241,7 +243,9 @@ pub(crate) fn of_program(survey: &Survey<'_>, settings: &RuleSettings, out: &mut
             None
         }
     });
-    all.iter().for_each(|check| check(survey, out));
+    for check in all {
+        check(survey, out);
+    }
     let of_flow = checks(settings, |check| {
         if let Check::Flow(check) = check {
             Some(check)

@@ -143,7 +143,7 @@ fn blocks_in(file: &Context, body: Body) -> Vec<FileBody> {
 }
 
 fn bodies(context: &Context) -> Vec<Body> {
-    let mut bodies = context.bodies.to_vec();
+    let mut bodies = context.bodies.clone();
     bodies.sort_unstable();
     bodies.dedup();
     bodies

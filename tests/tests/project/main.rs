@@ -7,6 +7,7 @@ mod click_programs;
 mod click_traces;
 mod crates;
 mod every_feature;
+mod fuzz_words;
 mod incremental;
 mod instruction_reference;
 mod iot_traces;
