@@ -104,7 +104,7 @@ pub(crate) fn rename_symbol(
     fixed(own, symbol)?;
     let new = spelling::checked(symbol, new)?;
     // All places of all that must go by one name.
-    let symbols = labels::together(own, symbol, workspace);
+    let symbols = labels::of_one_name(own, symbol, workspace);
     let key = Name::new(&new);
     let is_other = symbol.name() != Some(&key);
     if is_other {
