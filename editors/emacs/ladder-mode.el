@@ -8,7 +8,7 @@
 ;;; Commentary:
 
 ;; The major mode for ladder diagrams (.clad) and their scenarios (.ladder-test).  The language server `ladder lsp'
-;; comes through Eglot: mistakes, completion, explanations, references, renaming and alignment.  The simulation, with
+;; comes through Eglot: errors, completion, explanations, references, renaming and alignment.  The simulation, with
 ;; the power flow drawn into the text, is in `ladder-simulation'.
 ;;
 ;;   (add-to-list 'load-path "/path/to/ladder/editors/emacs")
@@ -29,7 +29,7 @@
 Without it the program is looked for on `exec-path', and where
 Cargo installs programs."
   :type '(choice (const :tag "Look for it" nil) file)
-  ;; A file that somebody sent must not choose what is run.
+  ;; A file that a user sent must not choose what is run.
   :risky t)
 
 (defcustom ladder-format-on-save nil
@@ -121,7 +121,7 @@ A comment cannot hold a `#': what is to be written the server knows."
 
 (defun ladder--literal-p (position)
   "Whether the `#' at POSITION is part of a literal, as in T#5s.
-That is so behind a letter or digit, in parentheses and in declarations."
+That is so after a letter or digit, in parentheses and in declarations."
   (save-excursion
     (goto-char position)
     (and (not (bolp))

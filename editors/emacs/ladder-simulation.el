@@ -272,7 +272,7 @@ Without one a tag is asked for, with VERB."
     (when (equal (plist-get (buffer-local-value 'ladder--state buffer) :session) (plist-get state :session))
       (with-current-buffer buffer
         (if (equal (plist-get state :status) "ended")
-            ;; The program came to its end, or the session did: the one can be looked at.
+            ;; The program came to its end, or the session did: the one can be inspected.
             (if (plist-get state :power) (ladder--receive state) (ladder--forget))
           (ladder--receive state))))))
 

@@ -13,7 +13,7 @@ return {
       attach(vim.fs.root(bufnr, { 'ladder.toml', '.git' }))
     end
   end,
-  -- Neovim 0.11 asks for diagnostics, but not again when another file changes them, unless it is told to.
+  -- Neovim 0.11 asks for diagnostics, but not again when another file changes them, unless it is asked to.
   capabilities = {
     workspace = { diagnostics = { refreshSupport = true } },
     -- What the lenses above networks may do here: see `commands`.

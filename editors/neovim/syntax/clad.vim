@@ -15,7 +15,7 @@ syntax match cladWire /-\+/
 syntax match cladRail /[+|]/
 syntax match cladConnector /[\\/]/
 
-" A block: its first part says what it is, the parentheses behind it what it works on.
+" A block: its first part says what it is, the parentheses after it what it works on.
 syntax match cladBlock /\[[^][#()]*\]/ nextgroup=cladOperands skipwhite
 syntax match cladContact /\[\s*[PN\/]\?\s*\]/ nextgroup=cladOperands skipwhite
 syntax match cladFlow /<\$\?\w*>/ nextgroup=cladOperands skipwhite
@@ -25,7 +25,7 @@ syntax region cladOperands matchgroup=cladBracket start=/(/ end=/)/ oneline cont
 syntax region cladNested start=/(/ end=/)/ oneline contained transparent
       \ contains=cladNested,cladString,cladLiteral,cladNumber,cladConstant,cladNamed,cladOperator,cladTag,cladInnerComment
 
-" A # right behind a letter or digit belongs to a literal: no comment begins there.
+" A # right after a letter or digit belongs to a literal: no comment begins there.
 syntax region cladInnerComment start=/\%([[:alnum:]]\|[^\d0-\d127]\)\@4<!#/ end=/#/ contained contains=cladTodo
 syntax match cladTag /\%([[:alpha:]_%]\|[^\d0-\d127]\)\%([[:alnum:]_.]\|[^\d0-\d127]\)*/ contained
 syntax match cladNamed /\<\w\+\ze\s*\%(:=\|=>\)/ contained
@@ -86,7 +86,7 @@ highlight default link cladSection Keyword
 highlight default link cladAt Keyword
 highlight default link cladType Type
 
-" Where a line begins as a rung does, no comment is open: colours are worked out from there, whatever stands above. A comment
+" Where a line begins as a rung does, no comment is open: colours are worked out from there, whatever is above. A comment
 " with such a line in it is coloured by the server's tokens.
 syntax sync clear
 syntax sync match cladSyncRung grouphere NONE /^[+|\\/\[<]/

@@ -3,7 +3,7 @@ if exists('b:current_syntax')
   finish
 endif
 
-" What a row is about stands first; behind an arrow stands what is expected.
+" What a row is about is first; after an arrow is what is expected.
 syntax match laddertestTag /^\s*[^ \t#"'=]\+/
 syntax match laddertestArrow /=>/
 syntax match laddertestHeading /^\s*\%(program\|step\|interval\|tolerance\)\>/
@@ -15,7 +15,7 @@ syntax match laddertestHigh /\%([ \t_.]\)\@<=-\+\ze\%([ \t_.]\|$\)/
 syntax match laddertestNumber /\%(\s\)\@<=-\?\d[0-9A-Za-z_.:#-]*/
 syntax match laddertestNumber /\%(\s\)\@<=\a\+#[0-9A-Za-z_.:-]\+/
 syntax match laddertestTolerance /\%(±\|+-\)\s*\S\+/
-" A # right behind a letter or digit belongs to a literal.
+" A # right after a letter or digit belongs to a literal.
 syntax match laddertestComment /\%([[:alnum:]]\)\@1<!#.*$/
 
 highlight default link laddertestTag Identifier

@@ -1,4 +1,4 @@
-// Click programs in Python: opened as such when a person says so, with their diagram beside them.
+// Click programs in Python: opened as such when a person says so, with their diagram next to them.
 import * as vscode from 'vscode';
 
 import { drawingOf, Drawings, SCHEME } from './drawings.ts';
@@ -40,7 +40,7 @@ export class Click implements vscode.Disposable {
         }
     }
 
-    /** Shows the diagram of the active editor's program beside it. */
+    /** Shows the diagram of the active editor's program next to it. */
     async preview(): Promise<void> {
         const document = vscode.window.activeTextEditor?.document;
         if (document?.languageId === CLICK) {

@@ -100,13 +100,13 @@ async function trace(simulation: Simulation, view: TraceView, given: Tag | undef
     }
 }
 
-/** Opens what was done so far as a new file of scenarios; a person saves it beside the program. */
+/** Opens what was done so far as a new file of scenarios; a person saves it next to the program. */
 async function record(simulation: Simulation): Promise<void> {
     const recorded = await simulation.record();
     if (recorded) {
         const document = await vscode.workspace.openTextDocument({ language: 'ladder-test', content: recorded.text });
         await vscode.window.showTextDocument(document, vscode.ViewColumn.Beside);
-        const parts = [`Save it as ${recorded.file} beside the program to run it`, ...(recorded.notes ?? [])];
+        const parts = [`Save it as ${recorded.file} next to the program to run it`, ...(recorded.notes ?? [])];
         void vscode.window.showInformationMessage(`Ladder: ${parts.join('; ')}.`);
     }
 }

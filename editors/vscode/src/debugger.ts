@@ -56,7 +56,7 @@ class Configurations implements vscode.DebugConfigurationProvider {
     }
 }
 
-/** The programs of the workspace, for the list behind "Show all automatic debug configurations". */
+/** The programs of the workspace, for the list under "Show all automatic debug configurations". */
 const programs: vscode.DebugConfigurationProvider = {
     async provideDebugConfigurations() {
         const files = await vscode.workspace.findFiles('**/*.clad', undefined, 100);

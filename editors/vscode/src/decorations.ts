@@ -31,10 +31,10 @@ function kindsOf(options: vscode.DecorationRenderOptions): Kinds {
     return { calm: style(options), restless: style(options) };
 }
 
-// Weight and line beside the colours, so that all is seen without colours too: what has power is bold, a contact that
+// Weight and line along with the colours, so that all is seen without colours too: what has power is bold, a contact that
 // lets it through is underlined, one that does not is neither; what changes too fast to follow has a dotted line. Bold
 // letters are as wide as others in a fixed font.
-// The weight is in the style sheet beside the line: a decoration that names a weight itself makes the editor take the letters
+// The weight is in the style sheet next to the line: a decoration that names a weight itself makes the editor take the letters
 // for such of many widths, and measure each of them on the page whenever it is drawn.
 const BOLD = 'font-weight: bold';
 const looks: Readonly<Record<Look, Kinds>> = {
@@ -104,7 +104,7 @@ function draw(
 
 /**
  * The place in the text that a label hangs on, and where the label is from there. If it is shown on a blank line it hangs on
- * that: the editor makes the line anew with each value, and takes one under the pointer for one that the pointer has left.
+ * that: the editor makes the line again with each value, and takes one under the pointer for one that the pointer has left.
  */
 function hangsOn(document: vscode.TextDocument, { at: { line, character }, side, column }: Label) {
     const other = line + { above: -1, below: 1, between: 0 }[side];
@@ -226,7 +226,7 @@ export function showPower(simulation: Simulation): vscode.Disposable {
         ...kinds,
         all,
         simulation.onDidChange((document) => {
-            if (!all.news(simulation.of(document)?.state.status === 'running')) {
+            if (!all.changed(simulation.of(document)?.state.status === 'running')) {
                 withTheRest(() => update(vscode.window.visibleTextEditors.filter((editor) => editor.document === document), false));
             }
         }),

@@ -19,7 +19,7 @@ export class Drawings {
     /** The programs' addresses by those of their drawings. */
     readonly #programs = new Map<string, string>();
 
-    /** The program is open, and a drawing shows what it becomes. The server's answer begins anew: versions may, too. */
+    /** The program is open, and a drawing shows what it becomes. The server's answer begins again: versions may, too. */
     begin(drawing: string, previewed: Previewed): void {
         this.#programs.set(drawing, previewed.uri);
         const known = this.#newest.get(previewed.uri);

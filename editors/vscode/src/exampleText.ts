@@ -15,9 +15,9 @@ VAR
 END_VAR
 
 # Start, held by the motor's own contact until stop is pressed #
-+--\\--[ ]( start )--\\--[/]( stop )-------------( )( run )--+
-|  /--[ ]( run )----/                                      |
++--\\--[ ]( start )--\\--[/]( stop )---------------------------------( )( run )--+
+|  /--[ ]( run )----/                                                          |
 
 # Warm-up #
-+--[ ]( run )---------[TON]( warmup, T#5s )--( )( ready )--+
++--[ ]( run )-----------------------------[TON]( warmup, T#5s )--( )( ready )--+
 `;

@@ -1,5 +1,5 @@
 // What changes faster than anybody can follow while a program runs. It has a look of its own, which stays as it is: drawn
-// with each state it would show chance, since most scans lie between two states, and the editor makes a line anew for each
+// with each state it would show chance, since most scans lie between two states, and the editor makes a line again for each
 // change of it, under the pointer too, which it then takes for having left.
 import type { Power } from './protocol.ts';
 

@@ -57,7 +57,7 @@ const toPosition = ({ line, character }: Position) => new vscode.Position(line, 
 const toLocation = ({ uri, range }: Location) =>
     new vscode.Location(vscode.Uri.parse(uri), new vscode.Range(toPosition(range.start), toPosition(range.end)));
 
-/** Shows places beside a position, as the editor shows references. */
+/** Shows places next to a position, as the editor shows references. */
 export async function showReferences(uri: string, position: Position, places: Location[]): Promise<void> {
     await vscode.commands.executeCommand(
         'editor.action.showReferences',

@@ -5,7 +5,7 @@ export function isDrawn(line: string): boolean {
     return /^\s*[+|\\/]/.test(line) || /[\])>]-|-[[(<\\/+]/.test(line);
 }
 
-/** The places on a drawn line where a person goes on: at operands, in front of blocks, and behind the last wire. */
+/** The places on a drawn line where a person goes on: at operands, in front of blocks, and after the last wire. */
 function stops(line: string): number[] {
     const found = new Set<number>();
     for (const { index, 0: text } of line.matchAll(/\(\s*(?=[^)\s])|,\s*/g)) {
@@ -19,7 +19,7 @@ function stops(line: string): number[] {
     return [...found].filter((stop) => stop > 0).sort((a, b) => a - b);
 }
 
-/** The next stop behind (or, backwards, in front of) a column; the end of the line or its column where there is none. */
+/** The next stop after (or, backwards, in front of) a column; the end of the line or its column where there is none. */
 export function nextStop(line: string, column: number, backwards: boolean): number {
     const all = stops(line);
     return backwards

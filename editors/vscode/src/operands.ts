@@ -6,7 +6,7 @@ interface Place {
     readonly character: number;
 }
 
-/** Whether a place is in a range or just behind it, where the cursor is after typing. */
+/** Whether a place is in a range or just after it, where the cursor is after typing. */
 function isAround({ start, end }: Operand['range'], { line, character }: Place): boolean {
     const afterStart = line > start.line || (line === start.line && character >= start.character);
     const beforeEnd = line < end.line || (line === end.line && character <= end.character);

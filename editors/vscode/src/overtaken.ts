@@ -12,7 +12,7 @@ export interface Typed {
 }
 
 export class Overtaken {
-    /** Somebody asks about them already. */
+    /** A user asks about them already. */
     isCatchingUp = false;
     readonly #typed: Typed[] = [];
 

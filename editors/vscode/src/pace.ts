@@ -12,7 +12,7 @@ export function withTheRest(draw: () => void): void {
 const NEXT_STATE = 100;
 
 /**
- * Shows something no more often than somebody can read it: together with a state that comes anyway, so that the editor
+ * Shows something no more often than a user can read it: together with a state that comes anyway, so that the editor
  * draws both at once. If no state comes it is shown a little later by itself.
  */
 export class Pace {
@@ -33,7 +33,7 @@ export class Pace {
      * @param isHurried whether more will come soon, as from a program that runs; otherwise it is shown at once
      * @returns whether it is shown now
      */
-    news(isHurried: boolean): boolean {
+    changed(isHurried: boolean): boolean {
         const wait = isHurried ? this.#every - (Date.now() - this.#shown) : 0;
         if (wait <= 0) {
             this.now();

@@ -28,7 +28,7 @@ export interface Power {
     readonly contact?: Contact;
 }
 
-/** An operand in a line that is shown, and the tags whose values belong beside it. */
+/** An operand in a line that is shown, and the tags whose values belong next to it. */
 export interface Operand {
     readonly range: Range;
     readonly block: Range;
@@ -208,7 +208,7 @@ export interface Previewed {
     readonly text: string;
 }
 
-/** The commands beside those of the simulator. */
+/** The commands besides those of the simulator. */
 /** What a key does to a drawing. */
 export type EditKind =
     | 'contact' | 'closedContact' | 'coil' | 'block' | 'branch' | 'invert' | 'left' | 'right' | 'up' | 'down' | 'delete';

@@ -1,4 +1,4 @@
-// What scenarios exercise, drawn beside the networks.
+// What scenarios exercise, drawn next to the networks.
 import * as vscode from 'vscode';
 
 import { textOf } from './diskText.ts';

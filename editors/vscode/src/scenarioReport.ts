@@ -27,7 +27,7 @@ export function report(
         return;
     }
     const [first, ...others] = scenario.differences;
-    // The first line is beside the row, too; the drawing has it at its end.
+    // The first line is next to the row, too; the drawing has it at its end.
     const sentence = first?.message ?? 'A fault stopped the program.';
     const drawn = new vscode.TestMessage(new vscode.MarkdownString(`${sentence}\n\n\`\`\`text\n${scenario.diagram ?? ''}\n\`\`\``));
     const at = (line: number, column: number) =>

@@ -183,7 +183,7 @@ export class Server implements vscode.Disposable {
 
     readonly simulate: Send = (name, argument) => this.#request(`ladder.simulate.${name}`, argument);
 
-    /** Asks for the lenses of a document anew. */
+    /** Asks for the lenses of a document again. */
     refreshLenses(document: vscode.TextDocument): void {
         this.#client?.getFeature(CodeLensRequest.method).getProvider(document)?.onDidChangeCodeLensEmitter.fire();
     }
@@ -193,7 +193,7 @@ export class Server implements vscode.Disposable {
         void this.#client?.sendNotification(shownNotification, { session });
     }
 
-    /** Asks for one of the commands beside those of the simulator. */
+    /** Asks for one of the commands besides those of the simulator. */
     execute<Name extends keyof OtherCommands>(
         name: Name,
         argument: OtherCommands[Name]['argument'],

@@ -2,7 +2,7 @@
 // the folder that Cargo installs programs into.
 //
 // What is started is always named by its whole path. A bare name would be looked for by the operating system, and
-// Windows looks in the current folder first: a folder that somebody opened must not bring its own `ladder.exe`.
+// Windows looks in the current folder first: a folder that a user opened must not bring its own `ladder.exe`.
 import { posix, win32 } from 'node:path';
 
 export interface Place {
@@ -28,7 +28,7 @@ export interface Surroundings {
     readonly isFile: (path: string) => boolean;
 }
 
-/** The first place that has a program; a setting goes first even if it names nothing, so that the mistake is seen. */
+/** The first place that has a program; a setting goes first even if it names nothing, so that the error is seen. */
 export function findServer(surroundings: Surroundings): Place {
     const { setting, extensionPath, home, platform, isFile } = surroundings;
     const wanted = setting.trim().replace(/^~(?=[/\\])/, () => home);

@@ -6,7 +6,7 @@ export type Fit =
     | { readonly fits: false; readonly why: 'other-program'; readonly printed: string }
     | { readonly fits: false; readonly why: 'older' | 'newer'; readonly server: string; readonly extension: string };
 
-/** The numbers of a version; what is behind them (`-rc.1`) says nothing about what fits. */
+/** The numbers of a version; what is after them (`-rc.1`) says nothing about what fits. */
 function numbers(version: string): readonly [number, number, number] | undefined {
     const [, major, minor, patch] = /^(\d+)\.(\d+)\.(\d+)(?:[-+].*)?$/.exec(version) ?? [];
     return major === undefined ? undefined : [Number(major), Number(minor), Number(patch)];

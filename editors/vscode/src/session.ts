@@ -25,7 +25,7 @@ export class Session {
     powerChanges = 0;
     /** How many commands had taken effect in the last picture; an answer comes before the picture of it. */
     seen = 0;
-    /** The number of the last hit that was told. */
+    /** The number of the last hit that was reported. */
     hits = 0;
     /** The editor was given something of it to draw, and has not said yet that it has taken that. */
     isDrawing = false;

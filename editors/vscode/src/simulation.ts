@@ -52,7 +52,7 @@ export class Simulation implements vscode.Disposable {
         return this.#sessions.get(document.uri.toString());
     }
 
-    /** The session of the ladder document that was looked at last. */
+    /** The session of the ladder document that was shown last. */
     get current(): Session | undefined {
         return this.#lastDocument && this.of(this.#lastDocument);
     }
@@ -96,7 +96,7 @@ export class Simulation implements vscode.Disposable {
         this.#listedTags = names;
     }
 
-    /** Somebody else shows lines of documents, until that ends. */
+    /** Another view shows lines of documents, until that ends. */
     alsoShows(lines: (document: vscode.TextDocument) => Lines | undefined): vscode.Disposable {
         this.#shownElsewhere.add(lines);
         return new vscode.Disposable(() => this.#shownElsewhere.delete(lines));
@@ -167,7 +167,7 @@ export class Simulation implements vscode.Disposable {
         return session && (await this.#tell(session.command('why', { tag })));
     }
 
-    /** A run stops behind the block that changes the tag, or no longer does. */
+    /** A run stops after the block that changes the tag, or no longer does. */
     async toggleBreakOnChange(tag: string): Promise<void> {
         const session = this.current;
         if (session) {

@@ -5,7 +5,7 @@ import { Pace } from './pace.ts';
 import type { State } from './protocol.ts';
 import type { Simulation } from './simulation.ts';
 
-/** Nobody reads it more often, and the editor lays its bar out anew each time. In milliseconds. */
+/** Nobody reads it more often, and the editor lays its bar out again each time. In milliseconds. */
 const UPDATE_EVERY = 200;
 
 const STALE = 'The text has errors; the last program without any runs on, and is shown in the lines that are still the same.';
@@ -39,6 +39,6 @@ export function showStatus(simulation: Simulation): vscode.Disposable {
     return vscode.Disposable.from(
         item,
         pace,
-        simulation.onDidChange(() => pace.news(simulation.current?.state.status === 'running')),
+        simulation.onDidChange(() => pace.changed(simulation.current?.state.status === 'running')),
     );
 }

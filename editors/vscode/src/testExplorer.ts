@@ -139,7 +139,7 @@ export class TestExplorer implements vscode.Disposable {
         const watcher = vscode.workspace.createFileSystemWatcher(WATCHED);
         let waits: NodeJS.Timeout | undefined;
         let last: Promise<unknown> = Promise.resolve();
-        // One after the other: what an earlier text gave must not be shown behind what a later one did.
+        // One after the other: what an earlier text gave must not be shown after what a later one did.
         const next = () => {
             last = last.catch(() => undefined).then(() => (token.isCancellationRequested ? undefined : this.#run(request, coverage)));
         };
@@ -256,7 +256,7 @@ export class TestExplorer implements vscode.Disposable {
         this.#findings.set(uri, findings);
     }
 
-    /** Debugs one scenario behind the other; each says by its exit status whether it passed. */
+    /** Debugs one scenario after the other; each says by its exit status whether it passed. */
     async #debug(request: vscode.TestRunRequest, token: vscode.CancellationToken): Promise<void> {
         const run = this.#controller.createTestRun(request);
         try {

@@ -1,5 +1,5 @@
 // What the drawing does of itself while a person types, also for one who types faster than the answers come. VS Code drops
-// the edits behind a key that another has overtaken; here they are asked for again, for the text as it is by then.
+// the edits after a key that another has overtaken; here they are asked for again, for the text as it is by then.
 import * as vscode from 'vscode';
 
 import { BegunRung } from './begunRung.ts';
@@ -26,7 +26,7 @@ async function make(document: vscode.TextDocument, version: number, edits: vscod
 }
 
 /**
- * The edits without what would be put where the cursor is: VS Code moves the cursor behind it, and the rest of a word, or of a
+ * The edits without what would be put where the cursor is: VS Code moves the cursor after it, and the rest of a word, or of a
  * branch that its right rail was drawn for, is typed in the wrong place. It is drawn with Enter, or when the file is saved.
  */
 function besideCursor(document: vscode.TextDocument, edits: vscode.TextEdit[]): vscode.TextEdit[] {
@@ -97,7 +97,7 @@ export class TypedAhead implements vscode.Disposable {
             for (let next = waiting.late(); next && !document.isClosed; next = waiting.late()) {
                 const { version } = document;
                 const line = document.lineAt(Math.min(next.line, document.lineCount - 1));
-                // Nothing was written on it: behind Enter the next one was pressed.
+                // Nothing was written on it: after Enter the next one was pressed.
                 if (line.isEmptyOrWhitespace) {
                     waiting.remove(next);
                     continue;

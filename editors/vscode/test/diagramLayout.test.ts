@@ -27,7 +27,7 @@ test('only what is in sight is asked for, and not twice', () => {
     const layout = opened();
     assert.deepEqual(layout.wanted(0, 400), { first: 0, last: 10 });
     layout.take(drawn(1, 0, 20, [network('a', 0, 1), network('b', 3)]));
-    // Blank lines take no room: what is behind them comes into sight.
+    // Blank lines take no room: what is after them comes into sight.
     assert.deepEqual(shown(layout), ['a@0-1', '-@2-2', 'b@3-3', '-@4-20']);
     assert.deepEqual(layout.wanted(0, 100), undefined);
     assert.deepEqual(layout.wanted(0, 400), { first: 21, last: 27 });
@@ -91,7 +91,7 @@ test('a network that is half typed is shown as it was', () => {
     assert.equal(layout.at(23)?.piece?.kind, 'broken');
 });
 
-test('a mistake that swallows several networks leaves all of them as they were', () => {
+test('an error that swallows several networks leaves all of them as they were', () => {
     const layout = opened();
     layout.take(drawn(1, 0, 14, [network('a', 1), network('b', 3, 4), network('c', 6), network('d', 10)]));
     layout.edit(2, 1000, [{ first: 3, last: 3, count: 1 }]);
@@ -102,7 +102,7 @@ test('a mistake that swallows several networks leaves all of them as they were',
     assert.deepEqual(shown(layout), ['-@0-0', 'a@1-1', '-@2-2', 'b@3-4', '-@5-5', 'c@6-6', '-@7-9', 'd@10-10', '-@11-14']);
 });
 
-test('what somebody looks at stays where it is', () => {
+test('what a user looks at stays where it is', () => {
     const layout = opened();
     layout.take(drawn(1, 100, 109, [network('a', 100), network('b', 105)]));
     const anchor = layout.anchorAt(layout.topOf(105) + 10);

@@ -41,19 +41,19 @@ function source(lines: readonly number[], tags: Tag[]): Source & { tags: Map<str
 test('a page is sent the lines that it shows, and then of what changes there', () => {
     const feed = new Feed();
     const program = source([0, 1, 2], [tag('a0', false), tag('a1', false), tag('a2', false)]);
-    const first = feed.news(program, { first: 0, last: 1 });
+    const first = feed.changes(program, { first: 0, last: 1 });
     assert.equal(first.whole, true);
     assert.deepEqual(first.power, [[0, 3, false, 'open'], [0, 12, false], [1, 3, false, 'open'], [1, 12, false]]);
     assert.deepEqual(first.operands, [[0, 8, ['a0'], true], [1, 8, ['a1'], true]]);
     assert.deepEqual(first.tags.map(({ name }) => name), ['a0', 'a1']);
 
-    const nothing = feed.news(program, { first: 0, last: 1 });
+    const nothing = feed.changes(program, { first: 0, last: 1 });
     assert.deepEqual([nothing.whole, nothing.power, nothing.operands, nothing.tags], [false, [], [], []]);
 
     (program.power.get(1) as Map<number, Power>).set(3, { range: at(1, 3), on: true, contact: 'closed' });
     program.tags.set('a1', tag('a1', true));
     program.tags.set('a2', tag('a2', true));
-    const second = feed.news(program, { first: 0, last: 1 });
+    const second = feed.changes(program, { first: 0, last: 1 });
     assert.deepEqual([second.power, second.tags.map(({ name }) => name)], [[[1, 3, true, 'closed']], ['a1']]);
 });
 
@@ -64,18 +64,18 @@ test('what changes too fast to follow is said once, and as it is when the run is
     const sent: string[] = [];
     for (let time = 0; time < 20; time += 1) {
         (running.power.get(0) as Map<number, Power>).set(12, { range: at(0, 12), on: time % 2 === 1 });
-        sent.push(...feed.news(program, { first: 0, last: 0 }, true, time * 33).power.map(([, character, on, does]) => `${character} ${does ?? on}`));
+        sent.push(...feed.changes(program, { first: 0, last: 0 }, true, time * 33).power.map(([, character, on, does]) => `${character} ${does ?? on}`));
     }
     assert.deepEqual(sent, ['3 open', '12 false', '12 true', '12 false', '12 true', '12 false', '12 true', '12 flickers']);
     program.state = { ...state, status: 'paused' };
-    assert.deepEqual(feed.news(program, { first: 0, last: 0 }, true, 700).power, [[0, 12, true]]);
+    assert.deepEqual(feed.changes(program, { first: 0, last: 0 }, true, 700).power, [[0, 12, true]]);
 });
 
 test('values may wait, but not those of lines that come into sight', () => {
     const feed = new Feed();
     const program = source([0, 1], [tag('a0', 1), tag('a1', 1)]);
     const values = (last: number, withValues: boolean) =>
-        feed.news(program, { first: 0, last }, withValues).tags.map(({ name, value }) => `${name} ${value}`);
+        feed.changes(program, { first: 0, last }, withValues).tags.map(({ name, value }) => `${name} ${value}`);
     assert.deepEqual(values(0, false), ['a0 1']);
     program.tags.set('a0', tag('a0', 2));
     assert.deepEqual([values(0, false), values(1, false), values(1, true), values(1, true)], [[], ['a1 1'], ['a0 2'], []]);
@@ -84,12 +84,12 @@ test('values may wait, but not those of lines that come into sight', () => {
 test('of another text, and after it has forgotten, all is sent again', () => {
     const feed = new Feed();
     const program = source([0], [tag('a0', false)]);
-    const news = () => feed.news(program, { first: 0, last: 0 });
-    assert.deepEqual([news().power.length, news().power.length], [2, 0]);
+    const changes = () => feed.changes(program, { first: 0, last: 0 });
+    assert.deepEqual([changes().power.length, changes().power.length], [2, 0]);
     program.texts += 1;
-    assert.deepEqual([news().whole, news().whole], [true, false]);
+    assert.deepEqual([changes().whole, changes().whole], [true, false]);
     feed.forget();
-    assert.equal(news().power.length, 2);
+    assert.equal(changes().power.length, 2);
 });
 
 function update(more: Partial<LiveUpdate>): LiveUpdate {

@@ -30,14 +30,14 @@ test('what has come to rest is drawn again as it is, though not at once: it chan
     assert.deepEqual(shown(flicker, 500, 100, Array(7).fill(true)), [true, true, true, true, true, true, false]);
 });
 
-test('nothing flickers where nothing runs, and steps by hand begin anew', () => {
+test('nothing flickers where nothing runs, and steps by hand begin again', () => {
     const flicker = new Flicker();
     shown(flicker, 0, 33, ALTERNATING);
     assert.equal(flicker.among([piece(3, true)], false, 270).size, 0);
     assert.deepEqual(shown(flicker, 300, 33, [false, true]), [false, false]);
 });
 
-test('what was out of sight begins anew', () => {
+test('what was out of sight begins again', () => {
     const flicker = new Flicker();
     shown(flicker, 0, 33, ALTERNATING);
     flicker.among([], true, 260);

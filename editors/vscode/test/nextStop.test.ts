@@ -17,7 +17,7 @@ function marks(line: string): string {
     }
 }
 
-test('Tab goes from operand to operand, then behind the wire, and inserts nothing', () => {
+test('Tab goes from operand to operand, then after the wire, and inserts nothing', () => {
     for (const [line, stops] of [
         [
             '+--[ ]( a )--[TON]( t, T#1s )--',

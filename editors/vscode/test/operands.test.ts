@@ -17,7 +17,7 @@ function operand(block: string, name: string): Operand {
 const timer = '[TON]( warmup, 5s, R := stop )';
 const operands = [operand('[ ]( run )', 'run'), operand(timer, 'warmup'), operand(timer, 'stop')];
 
-test('the operand at a place: around it, behind it, or the first one of the block', () => {
+test('the operand at a place: around it, after it, or the first one of the block', () => {
     for (const [text, offset, tag] of [
         ['run', 0, 'run'],
         ['run', 3, 'run'],

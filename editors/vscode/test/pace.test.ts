@@ -9,7 +9,7 @@ test('of a run something is shown now and then, with a state', () => {
     const shown: number[] = [];
     const pace = new Pace(200, () => shown.push(Date.now() - 10_000));
     for (let state = 0; state < 20; state += 1) {
-        pace.news(true);
+        pace.changed(true);
         mock.timers.tick(30);
     }
     assert.deepEqual(shown, [0, 210, 420]);
@@ -19,8 +19,8 @@ test('of a run something is shown now and then, with a state', () => {
     }
     assert.deepEqual(shown, [0, 210, 420, 720]);
     // At rest at once.
-    assert.deepEqual([pace.news(true), pace.news(false)], [true, true]);
-    pace.news(true);
+    assert.deepEqual([pace.changed(true), pace.changed(false)], [true, true]);
+    pace.changed(true);
     pace.dispose();
     mock.timers.tick(1000);
     assert.equal(shown.length, 6);

@@ -16,7 +16,7 @@ test('a line is restless from its second change on, until it has been still for 
     assert.deepEqual(look(5000, 'a', 'a', 'a'), []);
 });
 
-test('a line that was out of sight begins anew', () => {
+test('a line that was out of sight begins again', () => {
     const restless = new Restless();
     restless.among(new Map([[7, 'a']]), 0);
     restless.among(new Map([[7, 'b']]), 30);

@@ -23,7 +23,7 @@ const state: State = {
 
 const nothing = { lines: [], tags: [] };
 
-// Only the address and the version of the document are looked at.
+// Only the address and the version of the document are used.
 const document = { uri: { toString: () => 'file:///motor.clad' }, version: 1 } as unknown as Session['document'];
 
 /** A server that answers when it is asked to, and a list of what it was sent. */
@@ -95,6 +95,6 @@ test('what is sent is kept, until its lines are shown no more', async () => {
     const label = { tag: 'Run', at: range(4).start, side: 'above', column: 0 } as const;
     assert.equal(session.take({ ...state, delta: true, tags: [], power: [], labels: [label] }), true);
     session.take({ ...state, delta: true, tags: [], power: [] });
-    assert.deepEqual(session.labels, [label], 'until it is told of others');
+    assert.deepEqual(session.labels, [label], 'until it is given others');
     assert.equal(sent.at(-1), 'show {"lines":[{"first":4,"last":9}],"tags":[],"session":"s1"}');
 });

@@ -35,7 +35,7 @@ test('panning goes no further than what is recorded, and follows again at its en
     assert.ok(follows(end));
 });
 
-test('a window with room behind the newest does not jump', () => {
+test('a window with room after the newest does not jump', () => {
     assert.deepEqual(panned({ first: 1, last: 1000, oldest: 1, newest: 30 }, -10), { span: 1000 });
 });
 

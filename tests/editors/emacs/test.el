@@ -119,21 +119,21 @@
   (ladder-format)
   (goto-char (point-min))
   (search-forward "stop")
-  (same "the rung" "+--\\--[ ]( start )--\\--[/]( stop )-------------( )( run )--+"
+  (same "the rung" "+--\\--[ ]( start )--\\--[/]( stop )---------------------------------( )( run )--+"
         (buffer-substring-no-properties (line-beginning-position) (line-end-position)))
   (open "saved.clad" "+-[ ](a)-( )(b)-+\n")
   (let ((ladder-format-on-save t))
     (insert " ")
     (delete-char -1)
     (save-buffer))
-  (same "the saved rung" "+--[ ]( a )------------------( )( b )--+\n" (buffer-string)))
+  (same "the saved rung" "+--[ ]( a )----------------------------------------------------------( )( b )--+\n" (buffer-string)))
 
 (step "comments are toggled, without what would end them"
   (open "motor.clad")
   (let ((before (buffer-string)))
     (search-forward "[TON]")
     (ladder-toggle-comment)
-    (same "the line" "# +--[ ]( run )--------[TON]( warmup, 20ms )--( )( lamp )--+ #"
+    (same "the line" "# +--[ ]( run )----------------------------[TON]( warmup, 20ms )--( )( lamp )--+ #"
           (buffer-substring-no-properties (line-beginning-position) (line-end-position)))
     (ladder-toggle-comment)
     (same "the text" (string-replace "T#20ms" "20ms" before) (buffer-string))))
@@ -157,9 +157,9 @@
   (ladder-step 3)
   (same "the header" " paused, scan 3, 30ms" (substring (ladder--header) 0 21))
   (same "what has power"
-        '("" "+--\\--[ ]( start )--\\--[/]( stop )-------------( )( run )--+"
+        '("" "+--\\--[ ]( start )--\\--[/]( stop )---------------------------------( )( run )--+"
           "" "   /--[ ]( run )----/" ""
-          "+--[ ]( run )--------[TON]( warmup, T#20ms )--( )( lamp )--+" "")
+          "+--[ ]( run )----------------------------[TON]( warmup, T#20ms )--( )( lamp )--+" "")
         (eventually "the lamp to have power"
           (let ((shown (faced 'ladder-power-on)))
             (and (string-search "lamp" (nth 5 shown)) shown)))))

@@ -11,7 +11,7 @@ export function notesSince(file, moment) {
 const TICK = 10;
 
 function ticks(file) {
-    // Behind the name, which may have blanks and brackets in it.
+    // After the name, which may have blanks and brackets in it.
     const fields = readFileSync(file, 'utf8').replace(/^.*\) /s, '').split(' ');
     return (Number(fields[11]) + Number(fields[12])) * TICK;
 }

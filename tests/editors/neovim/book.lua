@@ -1,5 +1,5 @@
--- Programs of the book, typed key by key: once by somebody who looks at the screen and goes on behind what
--- the editor has begun, and once by somebody who looks at the book only, and types every character. Both get the
+-- Programs of the book, typed key by key: once by a user who looks at the screen and goes on after what
+-- the editor has begun, and once by a user who looks at the book only, and types every character. Both get the
 -- program that is in the book.
 return function(t)
   local typing = require('typing')
@@ -28,8 +28,8 @@ return function(t)
     return vim.split(vim.trim(done.stdout), '\n')
   end
 
-  --- The text beside the cursor.
-  local function beside(keys)
+  --- The text next to the cursor.
+  local function around(keys)
     local line, column = unpack(keys:lua('return { vim.api.nvim_get_current_line(), vim.api.nvim_win_get_cursor(0)[2] }'))
     return line:sub(1, column), line:sub(column + 1)
   end
@@ -56,7 +56,7 @@ return function(t)
   --- @param looks boolean whether what the editor has begun is seen, and left as it is
   --- @param notes string[] takes what was in the way
   local function type_line(keys, wanted, looks, notes)
-    local left = beside(keys)
+    local left = around(keys)
     local at = looks and there(left, wanted) or 0
     -- A rail or another rung is typed over what was begun.
     if looks and at == 0 and vim.trim(left) ~= '' and wanted ~= '' and not wanted:match('^[#EFV+|]') then
@@ -64,7 +64,7 @@ return function(t)
       keys:press('<C-u>')
     end
     while at < #wanted do
-      local _, right = beside(keys)
+      local _, right = around(keys)
       -- The editor has written the rest already.
       if looks and vim.trim(right) ~= '' and vim.trim(right) == vim.trim(wanted:sub(at + 1)) then
         return
@@ -78,7 +78,7 @@ return function(t)
         table.insert(notes, 'a list opened at ' .. wanted:sub(1, at))
       end
     end
-    local _, right = beside(keys)
+    local _, right = around(keys)
     if looks and vim.trim(right) ~= '' and vim.trim(right) ~= '|' then
       table.insert(notes, ('"%s" was left behind "%s"'):format(right, wanted))
     end
@@ -112,7 +112,7 @@ return function(t)
     end
     t.equal(where .. ': the program', table.concat(aligned(lines), '\n'), table.concat(aligned(found), '\n'))
     t.equal(where .. ': what was in the way', {}, notes)
-    t.equal(where .. ': mistakes while it was typed', 0, red)
+    t.equal(where .. ': errors while it was typed', 0, red)
     keys:close()
   end
 
@@ -136,7 +136,7 @@ return function(t)
     '../language/types.md',
   }) do
     for how, looks in vim.spairs({ ['who looks at the screen'] = true, ['who looks at the book only'] = false }) do
-      t.step(('the programs of %s, typed by somebody %s'):format(page, how), function()
+      t.step(('the programs of %s, typed by a user %s'):format(page, how), function()
         for _, lines in ipairs(programs(page)) do
           type_program(lines, looks, ('%s:%d'):format(page, lines.line))
         end

@@ -13,7 +13,7 @@ return function(t, messages)
     vim.api.nvim_buf_set_text(bufnr, 5, at, 5, at + #old, { new })
   end
 
-  t.step('what a change could not keep is told, and stepping back goes across the change', function()
+  t.step('what a change could not keep is reported, and stepping back goes across the change', function()
     local bufnr = t.open('motor.clad')
     for _, command in ipairs({ 'start', 'set start 1', 'step 3' }) do
       vim.cmd('Ladder ' .. command)

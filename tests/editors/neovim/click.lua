@@ -35,7 +35,7 @@ return function(t, messages)
     assert(hover.result.contents.value:find('[LT]( Level, Limit )', 1, true), hover.result.contents.value)
   end)
 
-  t.step('the diagram of a Click program is beside it, and follows what is typed', function()
+  t.step('the diagram of a Click program is next to it, and follows what is typed', function()
     local program = vim.fn.bufnr(vim.env.LADDER_SCRATCH .. '/tank.py')
     vim.cmd.buffer(program)
     local click = require('ladder.click')
@@ -52,7 +52,7 @@ return function(t, messages)
         return vim.startswith(line, '+--') and line:find(name, 1, true)
       end, vim.api.nvim_buf_get_lines(drawing, 0, -1, false))[1]
     end
-    t.equal('a rung', '+--[/]( Start )-------------------------------( )( Lamp )--+', rung('Lamp'))
+    t.equal('a rung', '+--[/]( Start )---------------------------------------------------( )( Lamp )--+', rung('Lamp'))
     vim.api.nvim_buf_set_lines(program, 6, 7, false, { '        out(y.Idle)' })
     t.eventually('the other coil', function()
       return rung('Idle')

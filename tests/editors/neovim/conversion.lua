@@ -8,7 +8,7 @@ return function(t, messages)
       return vim.api.nvim_get_current_buf() ~= bufnr and vim.bo.filetype == 'clad'
     end)
     local lines = vim.api.nvim_buf_get_lines(0, 0, -1, false)
-    t.equal('the last line', '|  /--[ ]( Q0 )--[ ]( M1 )--/                              |', lines[#lines])
+    t.equal('the last line', '|  /--[ ]( Q0 )--[ ]( M1 )--/                                                  |', lines[#lines])
     t.equal('its file', '', vim.api.nvim_buf_get_name(0))
     t.equal('the message', 'ladder: 4 translated, 0 approximated, 0 refused', messages[#messages])
     local remark = vim.fn.getqflist()[1]

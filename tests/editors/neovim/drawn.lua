@@ -6,7 +6,7 @@ return function(t)
   --- what it draws; then at its undo.
   local function fixed(keys, title, wanted)
     local before = keys:lines()
-    t.eventually('a mistake', function()
+    t.eventually('an error', function()
       return keys:lua('return #vim.diagnostic.get(0, { severity = 1 })') > 0
     end)
     keys:press('gg0')
@@ -18,7 +18,7 @@ return function(t)
       title
     )
     keys:expect(title, wanted)
-    t.eventually('no mistake', function()
+    t.eventually('no error', function()
       return keys:lua('return #vim.diagnostic.get(0, { severity = 1 })') == 0
     end)
     keys:press('u')
@@ -26,7 +26,7 @@ return function(t)
     keys:close()
   end
 
-  t.step('three parallel branches drawn the natural way, typed by hand, are drawn anew by the fix', function()
+  t.step('three parallel branches drawn the natural way, typed by hand, are drawn again by the fix', function()
     local drawn = {
       '+--\\--[ ]( a )--\\--( )( y )--+',
       '|  |--[ ]( b )--|            |',
@@ -46,13 +46,13 @@ return function(t)
     keys:expect('what was typed', drawn)
     keys:press('<Esc>')
     fixed(keys, 'Draw it with `/--\\`', {
-      '+--\\--[ ]( a )--------\\------( )( y )--+',
-      '|  /--\\--[ ]( b )--\\--/                |',
-      '|     /--[ ]( c )--/                   |',
+      '+--\\--[ ]( a )--------\\----------------------------------------------( )( y )--+',
+      '|  /--\\--[ ]( b )--\\--/                                                        |',
+      '|     /--[ ]( c )--/                                                           |',
     })
   end)
 
-  t.step('a drawing with box-drawing characters, pasted, is drawn anew by the fix', function()
+  t.step('a drawing with box-drawing characters, pasted, is drawn again by the fix', function()
     local pasted = {
       '├──┬──[ ]( a )──┬──( )( y )──┤',
       '│  └──[ ]( b )──┘            │',
@@ -65,8 +65,8 @@ return function(t)
       keys:expect('what was pasted', pasted)
       keys:press('<Esc>')
       fixed(keys, 'Draw it with - +', {
-        '+--\\--[ ]( a )--\\------------( )( y )--+',
-        '|  /--[ ]( b )--/                      |',
+        '+--\\--[ ]( a )--\\----------------------------------------------------( )( y )--+',
+        '|  /--[ ]( b )--/                                                              |',
       })
     end
   end)

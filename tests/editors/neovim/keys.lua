@@ -56,9 +56,9 @@ return function(t, messages)
     t.open('motor.clad')
     t.clear(messages)
     vim.cmd('Ladder keys')
-    local told = messages[1]
+    local listed = messages[1]
     for _, key in ipairs(keys.all) do
-      assert(told:find(key[1], 1, true), key[1] .. ' is not listed:\n' .. told)
+      assert(listed:find(key[1], 1, true), key[1] .. ' is not listed:\n' .. listed)
     end
     vim.cmd('bwipeout!')
   end)

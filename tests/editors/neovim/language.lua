@@ -1,4 +1,4 @@
--- What the language server says: the text, its mistakes, what is proposed, renamed and aligned.
+-- What the language server says: the text, its errors, what is proposed, renamed and aligned.
 return function(t)
   local ladder = require('ladder')
 
@@ -67,7 +67,7 @@ return function(t)
     vim.cmd('bwipeout!')
   end)
 
-  t.step('a mistake in ladder.toml is shown at its place, and other files in TOML are left alone', function()
+  t.step('an error in ladder.toml is shown at its place, and other files in TOML are left alone', function()
     local folder = vim.env.LADDER_SCRATCH .. '/settings'
     vim.fn.mkdir(folder)
     vim.fn.writefile({ '[format]', 'with = 120' }, folder .. '/ladder.toml')

@@ -1,4 +1,4 @@
--- What a simulation costs in Neovim: how long somebody waits, and how busy the editor is. Writes a table.
+-- What a simulation costs in Neovim: how long a user waits, and how busy the editor is. Writes a table.
 local ladder = require('ladder')
 local sessions = require('ladder.session')
 

@@ -3,7 +3,7 @@ return function(t)
   local program = require('ladder.program')
   local versions = require('ladder.version')
 
-  t.step('the folder of Cargo comes behind the PATH', function()
+  t.step('the folder of Cargo comes after the PATH', function()
     local function find(path, there, here)
       return program.find('ladder', {
         path = path,

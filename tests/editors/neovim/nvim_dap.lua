@@ -27,7 +27,7 @@ end
 
 local stops, looks = {}, 0
 
---- Does something, and waits until the program stands and nvim-dap has all that it shows.
+--- Does something, and waits until the program is halted and nvim-dap has all that it shows.
 --- @return table stopped, string[] stack the names and lines of the frames
 local function stops_after(act)
   local dap = require('dap')
@@ -51,7 +51,7 @@ local function stops_after(act)
   return stopped, stack
 end
 
---- The value of an expression where the program stands.
+--- The value of an expression where the program is halted.
 local function value(expression)
   local found
   require('dap').session():evaluate(expression, function(err, result)
@@ -165,7 +165,7 @@ t.step('breakpoints have conditions, count their hits, and write', function()
   local _, stack = stops_after(dap.continue)
   t.equal('the scan', '7', value('SYS.SCAN'))
   t.equal('the stack', { 'divide ' .. line('[DIV]'), 'main ' .. line('[TON]( hold') }, stack)
-  -- One that is set while the program stands.
+  -- One that is set while the program is halted.
   dap.clear_breakpoints()
   go_to('[ADD]( sum')
   dap.set_breakpoint()
@@ -217,7 +217,7 @@ t.step('tags are in scopes, and are changed there and in the console', function(
   repl.execute('SUM(marks[1..4]) + presses * divisor')
   writes('\n30')
   repl.execute('presses +')
-  writes('a value is missing beside this operator')
+  writes('a value is missing next to this operator')
   -- The names that go on with what is written.
   local column, items
   vim.fn.complete = function(at, found)
@@ -293,7 +293,7 @@ t.step('a fault is shown where it is', function()
   finish(vim.cmd.DapTerminate)
 end)
 
-t.step('a restart begins anew, with a configuration that has changed', function()
+t.step('a restart begins again, with a configuration that has changed', function()
   open_counter()
   local dap = require('dap')
   begin({ divisor = 2 })

@@ -77,10 +77,10 @@ return function(t, messages)
       vim.o.background = background
       -- While Neovim starts, as it does here, it does not say so itself.
       vim.api.nvim_exec_autocmds('OptionSet', { pattern = 'background' })
-      local behind = luminance(vim.api.nvim_get_hl(0, { name = 'Normal' }).bg)
+      local back = luminance(vim.api.nvim_get_hl(0, { name = 'Normal' }).bg)
       for _, group in ipairs({ 'LadderPowerOff', 'LadderBlocks', 'LadderValue', 'LadderPowerOn' }) do
         local front = luminance(vim.api.nvim_get_hl(0, { name = group, link = false }).fg)
-        local contrast = (math.max(front, behind) + 0.05) / (math.min(front, behind) + 0.05)
+        local contrast = (math.max(front, back) + 0.05) / (math.min(front, back) + 0.05)
         assert(contrast >= 4.5, ('%s has a contrast of %.1f on %s'):format(group, contrast, background))
       end
     end

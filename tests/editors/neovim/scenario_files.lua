@@ -53,7 +53,7 @@ return function(t)
     vim.cmd('bwipeout!')
   end)
 
-  t.step('in a row the tags of a file that the program uses are proposed behind its name', function()
+  t.step('in a row the tags of a file that the program uses are proposed after its name', function()
     local keys = require('typing').open(t, { '+--<CALL>( count )--( )( run )--+' }, {}, {
       ['lib.clad'] = {
         'VAR',

@@ -24,8 +24,8 @@ return function(t, messages)
     end
   end)
 
-  local RAILS = '|' .. (' '):rep(58) .. '|'
-  local BRANCHES = '|  |' .. (' '):rep(16) .. '|' .. (' '):rep(38) .. '|'
+  local RAILS = '|' .. (' '):rep(78) .. '|'
+  local BRANCHES = '|  |' .. (' '):rep(16) .. '|' .. (' '):rep(58) .. '|'
 
   t.step('three scans with start high give power to exactly these cells', function()
     local bufnr = t.open('motor.clad')
@@ -35,21 +35,21 @@ return function(t, messages)
     assert(ladder.wait(), 'no answer to the first step')
     t.equal('the live cells after one scan', {
       '',
-      '+--\\--[ ]( start )--\\--[/]( stop )-------------( )( run )--+',
+      '+--\\--[ ]( start )--\\--[/]( stop )---------------------------------( )( run )--+',
       '',
       '   /--              /',
       '',
-      '+--[ ]( run )--------',
+      '+--[ ]( run )----------------------------',
     }, t.powered(bufnr))
     vim.cmd('Ladder step 2')
     assert(ladder.wait(), 'no answer to the further steps')
     t.equal('the live cells after three scans', {
       '',
-      '+--\\--[ ]( start )--\\--[/]( stop )-------------( )( run )--+',
+      '+--\\--[ ]( start )--\\--[/]( stop )---------------------------------( )( run )--+',
       '',
       '   /--[ ]( run )----/',
       '',
-      '+--[ ]( run )--------[TON]( warmup, T#20ms )--( )( lamp )--+',
+      '+--[ ]( run )----------------------------[TON]( warmup, T#20ms )--( )( lamp )--+',
     }, t.powered(bufnr))
     t.equal('the dead cells', { '', '', BRANCHES, RAILS, '', '' }, t.highlighted(bufnr, 'LadderPowerOff'))
     t.equal('the number of scans', 3, ladder.state().scan)
@@ -85,7 +85,7 @@ return function(t, messages)
     assert(ladder.wait(), 'no answer')
   end)
 
-  t.step('values are beside their operands, where they can be seen', function()
+  t.step('values are next to their operands, where they can be seen', function()
     local bufnr = t.open('motor.clad')
     vim.cmd('Ladder start')
     vim.cmd('Ladder set start 1')
@@ -93,11 +93,11 @@ return function(t, messages)
     assert(ladder.wait(), 'no answer')
     t.equal('the drawing', {
       '# Größe: a motor with a seal-in contact, and a lamp when it has warmed up #',
-      '+--\\--[ ]( start )--\\--[/]( stop )-------------( )( run )--+',
-      '|  |                |                                      |',
-      '|  /--[ ]( run )----/                                      |',
-      '                            20ms',
-      '+--[ ]( run )--------[TON]( warmup, T#20ms )--( )( lamp )--+',
+      '+--\\--[ ]( start )--\\--[/]( stop )---------------------------------( )( run )--+',
+      '|  |                |                                                          |',
+      '|  /--[ ]( run )----/                                                          |',
+      '                                                20ms',
+      '+--[ ]( run )----------------------------[TON]( warmup, T#20ms )--( )( lamp )--+',
     }, t.seen(bufnr))
     t.equal('the status line', 'paused, scan 3, 30ms', vim.b[bufnr].ladder_status)
     assert(vim.wo.winbar:find('paused, scan 3, 30ms', 1, true), vim.wo.winbar)
@@ -110,7 +110,7 @@ return function(t, messages)
     end
     assert(ladder.wait(), 'no answer')
     t.equal('the live cells with the seal-in', {
-      '+--\\--              \\--[/]( stop )-------------( )( run )--+',
+      '+--\\--              \\--[/]( stop )---------------------------------( )( run )--+',
       '   /--[ ]( run )----/',
     }, { t.powered(bufnr)[2], t.powered(bufnr)[4] })
     vim.cmd('Ladder force stop 1')
@@ -212,8 +212,8 @@ return function(t, messages)
       return ('%d:%d %s'):format(item.lnum, item.col, item.text)
     end, vim.fn.getqflist())
     t.equal('the list', {
-      '2:48 run is 0 since the start',
-      '2:48   ( )( run ) wrote it in line 2',
+      '2:68 run is 0 since the start',
+      '2:68   ( )( run ) wrote it in line 2',
       '0:0   blocked by',
       '2:7   x [ ]( start ) (line 2, column 7): start is 0',
       '0:0     start is 0 since the start: nothing else was given',
@@ -242,7 +242,7 @@ return function(t, messages)
     vim.cmd('cclose | Ladder stop')
   end)
 
-  t.step('a warm restart begins anew', function()
+  t.step('a warm restart begins again', function()
     t.open('motor.clad')
     vim.cmd('Ladder start')
     vim.cmd('Ladder step 3')
@@ -319,7 +319,7 @@ return function(t, messages)
     vim.cmd('Ladder stop')
   end)
 
-  t.step('a change while the program runs takes effect, a mistake does not, and undo brings all back', function()
+  t.step('a change while the program runs takes effect, an error does not, and undo brings all back', function()
     local bufnr = t.open('motor.clad')
     for _, command in ipairs({ 'start', 'set start 1', 'run' }) do
       vim.cmd('Ladder ' .. command)
@@ -335,27 +335,27 @@ return function(t, messages)
     -- The closed contact becomes an open one.
     local at = text[2]:find('[/]( stop', 1, true)
     vim.api.nvim_buf_set_text(bufnr, 1, at, 1, at + 1, { ' ' })
-    local changed = t.eventually('no power behind the contact', run_is(0))
-    assert(changed.scan > scan and not changed.stale, 'it began anew')
+    local changed = t.eventually('no power after the contact', run_is(0))
+    assert(changed.scan > scan and not changed.stale, 'it began again')
     vim.cmd('silent undo')
     t.equal('the text', text, vim.api.nvim_buf_get_lines(bufnr, 0, -1, false))
     t.eventually('the motor again', run_is(1))
     vim.api.nvim_buf_set_text(bufnr, 1, at, 1, at + 2, { '' })
-    scan = t.eventually('the mistake', function()
+    scan = t.eventually('the error', function()
       return ladder.state(bufnr).stale and ladder.state(bufnr)
     end).scan
     t.eventually('more scans of the last good program', function()
       return ladder.state(bufnr).stale and ladder.state(bufnr).scan > scan + 5
     end)
     vim.cmd('silent undo')
-    t.eventually('the motor without a mistake', function()
+    t.eventually('the motor without an error', function()
       local state = run_is(1)()
       return state and not state.stale
     end)
     vim.cmd('Ladder stop | bwipeout!')
   end)
 
-  t.step('a fault is told at its place and in the bar, also while the program runs', function()
+  t.step('a fault is reported at its place and in the bar, also while the program runs', function()
     local bufnr = t.open('motor.clad')
     vim.api.nvim_buf_set_lines(bufnr, 0, -1, false, {
       'VAR_INPUT  go : BOOL;  zero : INT;  END_VAR',

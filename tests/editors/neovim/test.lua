@@ -1,4 +1,4 @@
--- A person's first hour in Neovim, step by step: open, see a mistake, ask, align, simulate.
+-- A person's first hour in Neovim, step by step: open, see an error, ask, align, simulate.
 package.path = vim.env.LADDER_ROOT .. '/tests/editors/neovim/?.lua;' .. package.path
 local t = require('harness')
 

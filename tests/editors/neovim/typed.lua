@@ -86,7 +86,7 @@ return function(t)
       keys:press(letter)
       -- Neovim asks for each key, and closes a list that has become empty for good.
       vim.wait(150)
-      t.equal('the list behind ' .. letter, 1, keys:lua('return vim.fn.pumvisible()'))
+      t.equal('the list after ' .. letter, 1, keys:lua('return vim.fn.pumvisible()'))
     end
     keys:choose('[TON]')
     keys:expect('the block', { '+--[TON]( t, T#1s )--' })
@@ -145,14 +145,14 @@ return function(t)
   end
 
   t.step('Enter begins the next rung, once more a line further down, and then none', function()
-    local rung = '+--[ ]( a )------------------( )( y )--+'
+    local rung = '+--[ ]( a )----------------------------------------------------------( )( y )--+'
     local keys = typing.open(t, { '+--[ ]( a )--( )( y )--+' })
     typed(keys, {
       { 'A<CR>', { rung, '+--' } },
       { '[/]( b )--( )( z )--+', { rung, '+--[/]( b )--( )( z )--+' } },
-      { '<CR>', { rung, '+--[/]( b )------------------( )( z )--+', '+--' } },
-      { '<CR>', { rung, '+--[/]( b )------------------( )( z )--+', '', '+--' } },
-      { '<CR>', { rung, '+--[/]( b )------------------( )( z )--+', '', '', '' } },
+      { '<CR>', { rung, '+--[/]( b )----------------------------------------------------------( )( z )--+', '+--' } },
+      { '<CR>', { rung, '+--[/]( b )----------------------------------------------------------( )( z )--+', '', '+--' } },
+      { '<CR>', { rung, '+--[/]( b )----------------------------------------------------------( )( z )--+', '', '', '' } },
     })
     t.equal('the cursor', { 5, 0 }, keys:cursor())
     keys:write({ rung }, 1, 0)
@@ -160,7 +160,7 @@ return function(t)
     keys:close()
   end)
 
-  t.step('behind the declarations a rung begins at the left', function()
+  t.step('after the declarations a rung begins at the left', function()
     local keys = typing.open(t, { '' })
     local declared = { 'VAR', '    a : BOOL;', 'END_VAR' }
     typed(keys, {
@@ -181,7 +181,7 @@ return function(t)
       { 'i\\', { '+--\\[ ]( a )--( )( y )--+' } },
       { '--<Left><Left><CR>', { '+--\\--[ ]( a )--( )( y )--+', '|  /--' } },
       { '[ ]( b )', { '+--\\--[ ]( a )--( )( y )--+', '|  /--[ ]( b )' } },
-      { '/', { '+--\\--[ ]( a )--\\------------( )( y )--+', '|  /--[ ]( b )--/                      |' } },
+      { '/', { '+--\\--[ ]( a )--\\----------------------------------------------------( )( y )--+', '|  /--[ ]( b )--/                                                              |' } },
     })
     keys:close()
   end)
@@ -192,21 +192,21 @@ return function(t)
       { 'i+--\\--[ ]( a )<CR>', { '+--\\--[ ]( a )', '|  /--' } },
       { '[ ]( b )/', { '+--\\--[ ]( a )--\\--', '|  /--[ ]( b )--/' } },
       { '<Up><End>( )( y )--+', { '+--\\--[ ]( a )--\\--( )( y )--+', '|  /--[ ]( b )--/' } },
-      { '<Esc>', { '+--\\--[ ]( a )--\\------------( )( y )--+', '|  /--[ ]( b )--/                      |' } },
+      { '<Esc>', { '+--\\--[ ]( a )--\\----------------------------------------------------( )( y )--+', '|  /--[ ]( b )--/                                                              |' } },
     })
     keys:close()
   end)
 
   t.step('leaving insert mode draws the network, and undo takes it back with what was typed', function()
-    local before = { '+--[ ]( a )------------------( )( y )--+', '', '+-[ ]( x )-( )( z )-+' }
+    local before = { '+--[ ]( a )----------------------------------------------------------( )( y )--+', '', '+-[ ]( x )-( )( z )-+' }
     local keys = typing.open(t, before)
     keys:lua('vim.api.nvim_win_set_cursor(0, { 1, 8 })')
     typed(keys, {
-      { 'along_name<Esc>', { '+--[ ]( along_name )---------( )( y )--+', '', '+-[ ]( x )-( )( z )-+' } },
+      { 'along_name<Esc>', { '+--[ ]( along_name )-------------------------------------------------( )( y )--+', '', '+-[ ]( x )-( )( z )-+' } },
       { 'u', before },
     })
     keys:lua('vim.g.ladder_draw = false')
-    typed(keys, { { '1G09lix<Esc>', { '+--[ ]( ax )------------------( )( y )--+', '', '+-[ ]( x )-( )( z )-+' } } })
+    typed(keys, { { '1G09lix<Esc>', { '+--[ ]( ax )----------------------------------------------------------( )( y )--+', '', '+-[ ]( x )-( )( z )-+' } } })
     keys:close()
   end)
 
@@ -214,7 +214,7 @@ return function(t)
     local keys = typing.open(t, { '+-[ ]( x )-( )( z )-+' }, { 'let g:ladder_format_on_save = v:true' })
     keys:press(':w<CR>')
     t.eventually('the file to be formatted', function()
-      return vim.deep_equal({ '+--[ ]( x )------------------( )( z )--+' }, vim.fn.readfile(keys.file))
+      return vim.deep_equal({ '+--[ ]( x )----------------------------------------------------------( )( z )--+' }, vim.fn.readfile(keys.file))
     end)
     keys:close()
     local plain = typing.open(t, { '+-[ ]( x )-( )( z )-+' })
@@ -224,7 +224,7 @@ return function(t)
   end)
 
   t.step('a half-typed rung is not red until insert mode is left', function()
-    local keys = typing.open(t, { '+--[ ]( a )------------------( )( y )--+', '' })
+    local keys = typing.open(t, { '+--[ ]( a )----------------------------------------------------------( )( y )--+', '' })
     local function found()
       return #keys:lua('return vim.diagnostic.get(0)')
     end
@@ -244,7 +244,7 @@ return function(t)
   end)
 
   t.step('the first finding does not shift the text, and other files keep their margin', function()
-    local keys = typing.open(t, { '+--[ ]( a )------------------( )( y )--+', '' }, { 'set signcolumn=auto' })
+    local keys = typing.open(t, { '+--[ ]( a )----------------------------------------------------------( )( y )--+', '' }, { 'set signcolumn=auto' })
     local function margin()
       return keys:lua('vim.cmd.redraw() return vim.fn.getwininfo(vim.fn.win_getid())[1].textoff')
     end
@@ -269,20 +269,20 @@ return function(t)
   end)
 
   t.step('Enter between two rungs that touch begins one, and leaving it there takes it back', function()
-    local first, last = '+--[ ]( a )------------------( )( y )--+', '+--[ ]( x )------------------( )( z )--+'
+    local first, last = '+--[ ]( a )----------------------------------------------------------( )( y )--+', '+--[ ]( x )----------------------------------------------------------( )( z )--+'
     local keys = typing.open(t, { first, last })
     typed(keys, {
       { 'A<CR>', { first, '+--', last } },
       { '<Esc>', { first, '', last } },
       { 'u', { first, last } },
       { 'ggo', { first, '+--', last } },
-      { '[/]( b )--( )( v )--+<Esc>', { first, '+--[/]( b )------------------( )( v )--+', last } },
+      { '[/]( b )--( )( v )--+<Esc>', { first, '+--[/]( b )----------------------------------------------------------( )( v )--+', last } },
     })
     keys:close()
   end)
 
   t.step('a rung that was begun goes when the cursor leaves it, with the undo of Enter', function()
-    local first, last = '+--[ ]( a )------------------( )( y )--+', '+--[ ]( x )------------------( )( z )--+'
+    local first, last = '+--[ ]( a )----------------------------------------------------------( )( y )--+', '+--[ ]( x )----------------------------------------------------------( )( z )--+'
     local keys = typing.open(t, { first, last })
     typed(keys, {
       { 'A<CR>', { first, '+--', last } },
@@ -308,16 +308,16 @@ return function(t)
   end)
 
   t.step('keys draw: each is one step of undo', function()
-    local before = { '+--[ ]( a )------------------( )( y )--+' }
+    local before = { '+--[ ]( a )----------------------------------------------------------( )( y )--+' }
     local keys = typing.open(t, before)
     for _, case in ipairs({
-      { '0f-2h', 'c', { '+--[ ]( contact_1 )--[ ]( a )--------------------( )( y )--+' } },
-      { '013l', 'C', { '+--[ ]( a )--[/]( contact_1 )--------------------( )( y )--+' } },
-      { '$', 'q', { '+--[ ]( a )---( )( y )--( )( coil_1 )--+' } },
-      { '013l', 'f', { '+--[ ]( a )--------------[TON]( timer_1, T#1s )--( )( y )--+' } },
-      { '04l', 'b', { '+--\\--[ ]( a )--------------\\--------------------( )( y )--+', '|  /--[ ]( new_contact_1 )--/                              |' } },
-      { '04l', 'e', { '+--[/]( a )------------------( )( y )--+' } },
-      { '04l', 'd', { '+----------------------------( )( y )--+' } },
+      { '0f-2h', 'c', { '+--[ ]( contact_1 )--[ ]( a )----------------------------------------( )( y )--+' } },
+      { '013l', 'C', { '+--[ ]( a )--[/]( contact_1 )----------------------------------------( )( y )--+' } },
+      { '$', 'q', { '+--[ ]( a )-------------------------------------------( )( y )--( )( coil_1 )--+' } },
+      { '013l', 'f', { '+--[ ]( a )----------------------------------[TON]( timer_1, T#1s )--( )( y )--+' } },
+      { '04l', 'b', { '+--\\--[ ]( a )--------------\\----------------------------------------( )( y )--+', '|  /--[ ]( new_contact_1 )--/                                                  |' } },
+      { '04l', 'e', { '+--[/]( a )----------------------------------------------------------( )( y )--+' } },
+      { '04l', 'd', { '+--------------------------------------------------------------------( )( y )--+' } },
       { '$8h', 'h', { '+------------( )( y )--[ ]( a )--+' } },
     }) do
       keys:press(case[1] .. '\\' .. case[2])
@@ -335,7 +335,7 @@ return function(t)
   end)
 
   t.step('keys move a block along its rung and to another: each is one step of undo', function()
-    local above, below = '+--[ ]( a )--[/]( b )--------( )( y )--+', '+--[ ]( c )------------------( )( z )--+'
+    local above, below = '+--[ ]( a )--[/]( b )------------------------------------------------( )( y )--+', '+--[ ]( c )----------------------------------------------------------( )( z )--+'
     local keys = typing.open(t, { above, '', below })
     local function first(line)
       return (line or ''):gsub('%-+', '-')

@@ -8,14 +8,14 @@ keyboard.__index = keyboard
 --- @param t table the harness
 --- @param lines string[] the program
 --- @param setup string[]|nil commands of Ex before the file is opened
---- @param beside table<string, string[]>|nil other files of the folder, by name
-function M.open(t, lines, setup, beside)
+--- @param others table<string, string[]>|nil other files of the folder, by name
+function M.open(t, lines, setup, others)
   local folder = vim.fn.tempname()
   vim.fn.mkdir(folder, 'p')
   vim.fn.writefile({}, folder .. '/ladder.toml')
   local file = folder .. '/typed.clad'
   vim.fn.writefile(lines, file)
-  for name, text in pairs(beside or {}) do
+  for name, text in pairs(others or {}) do
     vim.fn.writefile(text, folder .. '/' .. name)
   end
   local command = { vim.v.progpath, '--clean', '--embed', '-u', vim.env.LADDER_ROOT .. '/tests/editors/neovim/init.lua' }

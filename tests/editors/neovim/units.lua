@@ -52,7 +52,7 @@ return function(t)
     local edge = require('ladder.waves').edge
     t.equal('the next change', 7, edge(columns, 3, 1))
     t.equal('the change before', 7, edge(columns, 9, -1))
-    t.equal('behind the last', nil, edge(columns, 9, 1))
+    t.equal('after the last', nil, edge(columns, 9, 1))
     t.equal('a long name', 'conve…', (require('ladder.waves').line(require('ladder.waves').cells('conveyor', 6))))
   end)
 end

@@ -1,4 +1,4 @@
--- The tags, the diagram and the trace beside the program.
+-- The tags, the diagram and the trace next to the program.
 
 --- The buffer of the diagram that is shown, and its window.
 local function diagram()
@@ -68,7 +68,7 @@ return function(t)
     vim.cmd('Ladder stop')
   end)
 
-  t.step('the diagram beside the text is live, and its keys work on what the cursor is on', function()
+  t.step('the diagram next to the text is live, and its keys work on what the cursor is on', function()
     local bufnr = t.open('motor.clad')
     local text = vim.api.nvim_get_current_win()
     vim.cmd('Ladder diagram')
@@ -184,7 +184,7 @@ return function(t)
     t.equal('the line of the value', row_of('level') - 1, row_of('60'))
     vim.ui.input = ask
     vim.api.nvim_feedkeys(vim.keycode('<F10>'), 'x', false)
-    t.eventually('the power behind it', function()
+    t.eventually('the power after it', function()
       return t.values(bufnr, { 'high' }) == 'high=1'
     end)
     vim.api.nvim_feedkeys('q', 'x', false)

@@ -18,7 +18,7 @@ VAR_OUTPUT  out, lamp : BOOL;  END_VAR
 
 const THEMES = ['Default Dark Modern', 'Default Light Modern', 'Default High Contrast', 'Default High Contrast Light'];
 
-/** What has to be told from its ground, and how well: text by 4.5 to 1, lines and shapes by 3. */
+/** What has to be clear against its background, and how well: text by 4.5 to 1, lines and shapes by 3. */
 const DIAGRAM = [
     ['line.on', 'stroke', 3],
     ['line.off', 'stroke', 3],
@@ -51,47 +51,47 @@ const TRACE = [
     ['#fit', 'color', 4.5],
 ];
 
-/** The colour of the first of each kind, and that of what is behind it. */
+/** The colour of the first of each kind, and that of its background. */
 function colours(frame, kinds) {
     return frame.evaluate((wanted) => {
         const isSeen = (colour) => !/^rgba\(.*, 0(\.[0-4]\d*)?\)$/.test(colour);
         const ground = (node) => {
             for (let at = node; at; at = at.parentElement) {
-                const behind = getComputedStyle(at).backgroundColor;
-                if (isSeen(behind)) {
-                    return behind;
+                const back = getComputedStyle(at).backgroundColor;
+                if (isSeen(back)) {
+                    return back;
                 }
             }
             return undefined;
         };
         return wanted.map(([selector, property, least]) => {
             const node = document.querySelector(selector);
-            // What a slider stands at is on the ground of the page.
-            const behind = node && ground(property === 'accentColor' ? node.parentElement : node);
-            return { selector, least, front: node && getComputedStyle(node)[property], behind };
+            // What a slider is at is on the ground of the page.
+            const back = node && ground(property === 'accentColor' ? node.parentElement : node);
+            return { selector, least, front: node && getComputedStyle(node)[property], back };
         });
     }, kinds);
 }
 
-/** How well two colours are told from each other, from 1 to 21. */
-function contrast(front, behind) {
+/** How well two colours are told apart, from 1 to 21. */
+function contrast(front, back) {
     const luminance = (colour) => {
         const parts = colour.match(/\d+(\.\d+)?/g).slice(0, 3).map((part) => Number(part) / 255);
         const [red, green, blue] = parts.map((part) => (part <= 0.03928 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4));
         return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
     };
-    const [light, dark] = [luminance(front), luminance(behind)].sort((a, b) => b - a);
+    const [light, dark] = [luminance(front), luminance(back)].sort((a, b) => b - a);
     return (light + 0.05) / (dark + 0.05);
 }
 
-/** Of colours those that are not told well enough from what is behind them, in words. */
+/** Of colours those that are not clear enough against their background, in words. */
 function faint(all) {
-    return all.flatMap(({ selector, least, front, behind }) => {
-        if (!front || !behind || front === 'none') {
-            return [`${selector}: ${front} on ${behind}`];
+    return all.flatMap(({ selector, least, front, back }) => {
+        if (!front || !back || front === 'none') {
+            return [`${selector}: ${front} on ${back}`];
         }
-        const found = contrast(front, behind);
-        return found >= least ? [] : [`${selector}: ${front} on ${behind} is ${found.toFixed(1)}`];
+        const found = contrast(front, back);
+        return found >= least ? [] : [`${selector}: ${front} on ${back} is ${found.toFixed(1)}`];
     });
 }
 
@@ -262,7 +262,7 @@ export async function access(page, { step, until, weights, row, screenshot, useT
         await diagram.locator('.value', { hasText: /60/ }).waitFor({ timeout: 10_000 });
     });
     for (const theme of THEMES) {
-        await step(`all is told from its ground in ${theme}`, async () => {
+        await step(`all is clear against its background in ${theme}`, async () => {
             await useTheme(theme);
             await diagram.locator('g.element', { has: diagram.locator('text', { hasText: /^level$/ }) }).first().focus();
             const ground = () => diagram.evaluate(() => getComputedStyle(document.body).backgroundColor);
@@ -276,7 +276,7 @@ export async function access(page, { step, until, weights, row, screenshot, useT
                 const kinds = [...new Set(parts.map(({ color }) => color))];
                 found = [
                     ...(kinds.length >= 3 ? [] : [`the text has the colours ${kinds.join('; ')}`]),
-                    ...faint(kinds.map((front) => ({ selector: 'the text', least: 4.5, front, behind: text }))),
+                    ...faint(kinds.map((front) => ({ selector: 'the text', least: 4.5, front, back: text }))),
                     ...faint(await colours(diagram, DIAGRAM)),
                     ...faint(await colours(trace, TRACE)),
                 ];

@@ -1,4 +1,4 @@
-// The programs of eight pages of the book, typed key by key by somebody who looks at the book only: every character, and
+// The programs of eight pages of the book, typed key by key by a user who looks at the book only: every character, and
 // Enter at the end of a line. What is saved is the program that is in the book.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -20,7 +20,7 @@ const PAGES = [
     '../language/layout.md',
 ];
 
-/** Milliseconds behind a key: somebody who types faster than the answers come, whom the editor's own aids can still follow. */
+/** Milliseconds after a key: a user who types faster than the answers come, whom the editor's own aids can still follow. */
 const KEY = 25;
 
 /** The programs of a page that are right, each with the number of its first line. */
@@ -48,16 +48,16 @@ const fileOf = (page, line) => `book-${basename(page, '.md')}-${line}.clad`;
 
 /** @param project the folder that is open */
 export async function book(page, { step, until, project }) {
-    const mistakes = page.locator('.editor-group-container.active .monaco-editor .squiggly-error');
+    const errors = page.locator('.editor-group-container.active .monaco-editor .squiggly-error');
     for (const name of PAGES) {
-        await step(`the programs of ${name}, typed by somebody who looks at the book only`, async () => {
+        await step(`the programs of ${name}, typed by a user who looks at the book only`, async () => {
             for (const { line, lines } of programs(name)) {
                 const file = fileOf(name, line);
                 const where = `${name}:${line}`;
                 await open(page, file);
                 await page.locator('.editor-group-container.active .monaco-editor .view-lines').click();
                 await page.keyboard.type(lines.join('\n'), { delay: KEY });
-                await until(`no mistake in ${where}`, 5, async () => (await mistakes.count()) === 0);
+                await until(`no error in ${where}`, 5, async () => (await errors.count()) === 0);
                 await page.keyboard.press('Control+S');
                 await until(`${file} to be saved`, 5, () => statSync(join(project, file)).size > 0);
                 await page.waitForTimeout(100);

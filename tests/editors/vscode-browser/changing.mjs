@@ -65,7 +65,7 @@ export async function changing(page, { step, until, weights, row, screenshot }) 
         for (const key of ['x', 'Backspace', 'Control+Z', 'Control+Shift+Z']) {
             await page.keyboard.press(key);
             for (let look = 0; look < 15; look += 1) {
-                assert.equal(await bold(LAMP), before[0], `behind ${key}`);
+                assert.equal(await bold(LAMP), before[0], `after ${key}`);
                 await page.waitForTimeout(20);
             }
         }

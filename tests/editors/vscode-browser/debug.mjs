@@ -35,7 +35,7 @@ async function expand(page, scope) {
     }
 }
 
-/** Picks from the menu of a tag. A click that comes too soon behind the opening of a menu is none to the editor. */
+/** Picks from the menu of a tag. A click that comes too soon after the opening of a menu is none to the editor. */
 async function fromMenu(page, tag, title) {
     await row(page, tag).click({ button: 'right' });
     await page.locator('.action-label', { hasText: title }).first().hover({ timeout: 5000 });

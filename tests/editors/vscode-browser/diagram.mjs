@@ -1,4 +1,4 @@
-// The diagram beside the text, as somebody uses it: what is drawn, clicked and typed there.
+// The diagram next to the text, as a user uses it: what is drawn, clicked and typed there.
 import assert from 'node:assert/strict';
 
 import { command, cursorTo, open } from './palette.mjs';
@@ -47,7 +47,7 @@ async function openFirst(page, name) {
     await open(page, name);
 }
 
-/** The line of the network that has this operand, as its number beside it says. */
+/** The line of the network that has this operand, as its number next to it says. */
 async function lineOf(frame, operand) {
     const piece = frame.locator('.piece', { has: frame.locator('text', { hasText: new RegExp(`^${operand}$`) }) }).first();
     return Number(await piece.locator('.gutter').textContent());
@@ -61,7 +61,7 @@ export const programs = {
 
 export async function diagram(page, { step, until, screenshot }) {
     let frame;
-    await step('the diagram is beside the text, and shows the power', async () => {
+    await step('the diagram is next to the text, and shows the power', async () => {
         await openFirst(page, 'motor.clad');
         // A hint at a tab would lie over the diagram.
         await page.mouse.move(0, 0);
@@ -101,7 +101,7 @@ export async function diagram(page, { step, until, screenshot }) {
         await press(frame, 'stop');
         await until('stop in the diagram', 10, async () => /stop is 1$/.test(await words(frame, 'stop')));
         await command(page, 'Ladder: Step One Scan');
-        await until('no power behind it', 10, async () => /blocks the power that comes/.test(await words(frame, 'stop')));
+        await until('no power after it', 10, async () => /blocks the power that comes/.test(await words(frame, 'stop')));
         await page.locator('.monaco-editor .view-line span', { hasText: 'stop' }).first().waitFor({ timeout: 10_000 });
         const off = await frame.locator('line.off').first().evaluate((line) => getComputedStyle(line).strokeDasharray);
         assert.notEqual(off, 'none');
@@ -184,7 +184,7 @@ export async function diagram(page, { step, until, screenshot }) {
         await page.keyboard.press('Control+Z');
         await until('the drawing', 10, async () => (await frame.locator('.piece.held').count()) === 0);
     });
-    await step('a mistake that swallows all networks below it leaves them as they were', async () => {
+    await step('an error that swallows all networks below it leaves them as they were', async () => {
         await cursorTo(page, await lineOf(frame, 'start'), 1);
         await page.keyboard.type('# ');
         await until('two networks as they were', 10, async () => (await frame.locator('.piece.held g.element').count()) >= 5);

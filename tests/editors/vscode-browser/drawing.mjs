@@ -5,15 +5,15 @@ import { lines } from './typing.mjs';
 /** The program that is drawn in: its name in the project, and its text. */
 export const NAME = 'drawn.clad';
 const RUNGS = [
-    '+--[ ]( first )--[/]( second )--------( )( third )--+',
-    '+--[ ]( fourth )------[TON]( warm, 5s )--( )( up )--+',
+    '+--[ ]( first )--[/]( second )-----------------------------------( )( third )--+',
+    '+--[ ]( fourth )---------------------------------[TON]( warm, 5s )--( )( up )--+',
     '',
-    '+--[ ]( fifth )-----------------------( )( sixth )--+',
+    '+--[ ]( fifth )--------------------------------------------------( )( sixth )--+',
 ];
 export const TEXT = `${RUNGS.join('\n')}\n`;
 
 const [RUNG, TIMED, , APART] = RUNGS;
-/** What is done: where the cursor is, how many columns are selected behind it, the key behind the leader, and the lines that come. */
+/** What is done: where the cursor is, how many columns are selected after it, the key after the leader, and the lines that come. */
 const CASES = [
     {
         name: 'draws a contact',
@@ -32,7 +32,7 @@ const CASES = [
     {
         name: 'draws a coil',
         line: 1,
-        column: 50,
+        column: 76,
         key: 'q',
         drawn: ['+--[ ]( first )--[/]( second )--------------------( )( third )--( )( coil_1 )--+', TIMED, '', APART],
     },
@@ -50,8 +50,8 @@ const CASES = [
         selected: 28,
         key: 'b',
         drawn: [
-            '+--\\--[ ]( first )--[/]( second )--\\--( )( third )--+',
-            '|  /--[ ]( new_contact_1 )---------/                |',
+            '+--\\--[ ]( first )--[/]( second )--\\-----------------------------( )( third )--+',
+            '|  /--[ ]( new_contact_1 )---------/                                           |',
             TIMED,
             '',
             APART,
@@ -62,28 +62,28 @@ const CASES = [
         line: 1,
         column: 5,
         key: 'Shift+E',
-        drawn: ['+--[/]( first )--[/]( second )--------( )( third )--+', TIMED, '', APART],
+        drawn: ['+--[/]( first )--[/]( second )-----------------------------------( )( third )--+', TIMED, '', APART],
     },
     {
         name: 'deletes a block with its wire',
         line: 2,
-        column: 24,
+        column: 50,
         key: 'Delete',
-        drawn: [RUNG, '+--[ ]( fourth )-------------------------( )( up )--+', '', APART],
+        drawn: [RUNG, '+--[ ]( fourth )----------------------------------------------------( )( up )--+', '', APART],
     },
     {
         name: 'moves a contact on along its rung',
         line: 1,
         column: 5,
         key: 'ArrowRight',
-        drawn: ['+--[/]( second )--[ ]( first )--------( )( third )--+', TIMED, '', APART],
+        drawn: ['+--[/]( second )--[ ]( first )-----------------------------------( )( third )--+', TIMED, '', APART],
     },
     {
         name: 'moves a contact back along its rung',
         line: 1,
         column: 20,
         key: 'ArrowLeft',
-        drawn: ['+--[/]( second )--[ ]( first )--------( )( third )--+', TIMED, '', APART],
+        drawn: ['+--[/]( second )--[ ]( first )-----------------------------------( )( third )--+', TIMED, '', APART],
     },
     {
         name: 'moves a contact to the next rung',
@@ -102,7 +102,7 @@ const CASES = [
         line: 2,
         column: 5,
         key: 'ArrowDown',
-        drawn: [RUNG, '+---------------------[TON]( warm, 5s )--( )( up )--+', '', '+--[ ]( fourth )--[ ]( fifth )--------( )( sixth )--+'],
+        drawn: [RUNG, '+------------------------------------------------[TON]( warm, 5s )--( )( up )--+', '', '+--[ ]( fourth )--[ ]( fifth )-----------------------------------( )( sixth )--+'],
     },
     {
         name: 'moves a contact to the network above',

@@ -1,4 +1,4 @@
-// A value under the pointer while a program runs as fast as it goes. A line that the editor draws anew while the pointer
+// A value under the pointer while a program runs as fast as it goes. A line that the editor draws again while the pointer
 // comes it takes for one that the pointer has left, and shows nothing: a hand that then holds still sees no value.
 import assert from 'node:assert/strict';
 

@@ -63,7 +63,7 @@ export async function live(page, { step, until, weights, labels, operandBox, row
         await page.keyboard.press('F4');
         await row(page, 'hold').getByText('1', { exact: true }).waitFor({ timeout: 10_000 });
         await page.keyboard.press('F10');
-        await until('no power behind the contact', 10, async () => (await bold()) === '+--[](go)--');
+        await until('no power after the contact', 10, async () => (await bold()) === '+--[](go)--');
         const parts = (await rung()).map(({ text, bold, line, color }) => {
             const look = bold ? 'power' : color === ORANGE ? 'blocks' : color === GREY ? 'none' : 'passes';
             return `${text.trim()} ${look}${line.includes('underline') ? ' underlined' : ''}`;

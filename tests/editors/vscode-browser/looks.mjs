@@ -64,7 +64,7 @@ async function scenarioFile(page) {
         await page.locator('.breadcrumbs-below-tabs, .monaco-breadcrumbs').getByText('…').first().waitFor({ timeout: 20000 });
         await until('the icon', 15, async () => /ladder-test-lang-file-icon/.test(await icon.getAttribute('class')));
     });
-    await step('a tag is proposed at the beginning of a row, and levels behind it', async () => {
+    await step('a tag is proposed at the beginning of a row, and levels after it', async () => {
         await page.locator('.editor-instance .view-line').last().click();
         await page.keyboard.press('Control+End');
         await page.keyboard.type('sto');

@@ -1,4 +1,4 @@
-// What a simulation costs in VS Code: how long somebody waits, and how busy the editor is. Prints a table.
+// What a simulation costs in VS Code: how long a user waits, and how busy the editor is. Prints a table.
 import { execFileSync } from 'node:child_process';
 import { chmodSync, writeFileSync } from 'node:fs';
 import { loadavg, tmpdir } from 'node:os';
@@ -38,7 +38,7 @@ function prepare() {
 /** Has a part of a page write down when it shows another text: when that is painted, not when it is known. */
 function watch(frame, selector) {
     return frame.evaluate((wanted) => {
-        // No more than this part is looked at: what looks is itself work of the page.
+        // No more than this part is inspected: what looks is itself work of the page.
         const part = document.querySelector(wanted);
         const text = () => /\b(running|paused|ended)\b.{1,3}scan \d.*/.exec(part.textContent)?.[0] ?? '';
         window.shownTexts = [];
@@ -184,7 +184,7 @@ function tell(rows) {
         ['step, ms', ...rows.map(({ step }) => ms(step))],
         ['back, ms', ...rows.map(({ back }) => ms(back))],
         ['pause, ms', ...rows.map(({ pause }) => ms(pause))],
-        ['pause, beside the diagram', ...rows.map(({ pauseInDiagram }) => ms(pauseInDiagram))],
+        ['pause, next to the diagram', ...rows.map(({ pauseInDiagram }) => ms(pauseInDiagram))],
         ['why (the server), ms', ...rows.map(({ why }) => ms(why))],
         ['page at rest, thread busy', ...rows.map(({ rest }) => share(rest.page))],
         ['thread of the page busy', ...rows.map(({ text }) => share(text.page))],

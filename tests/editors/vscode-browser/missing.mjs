@@ -21,7 +21,7 @@ function bare(scratch) {
 /** A project with one program. */
 function project(scratch) {
     writeFileSync(join(scratch, 'project/unpaired.clad'), UNPAIRED);
-    // What somebody else put there must not be run.
+    // What another user put there must not be run.
     mkdirSync(join(scratch, 'project/.vscode'));
     const evil = join(scratch, 'project/ladder');
     writeFileSync(evil, `#!/bin/sh\ntouch '${scratch}/was-run'\necho ladder 0.1.0\n`);

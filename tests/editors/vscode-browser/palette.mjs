@@ -17,7 +17,7 @@ export async function list(page, key) {
 
 /** Opens the list with a key, has it look for a text, and takes the row that shows a name. */
 async function pick(page, key, text, name) {
-    // Letters that come too soon behind the opening would be lost.
+    // Letters that come too soon after the opening would be lost.
     await (await list(page, key)).fill(text);
     // Not the first row: the list has its own opinion of what is meant.
     await page.locator('.quick-input-list .monaco-list-row', { hasText: name }).first().click({ timeout: 30_000 });

@@ -83,7 +83,7 @@ export async function running(page, { step, until, weights, row, screenshot }) {
         assert.equal(await debugs, false);
         assert.match(await status(), /^Ladder: running/);
     });
-    await step('with a mistake in the text the last good program runs on, and undo brings all back', async () => {
+    await step('with an error in the text the last good program runs on, and undo brings all back', async () => {
         const before = await scan();
         await overwrite(6, 7, 1, ' ');
         await page.getByText('before the errors in the text').waitFor({ timeout: 10_000 });
@@ -155,7 +155,7 @@ export async function running(page, { step, until, weights, row, screenshot }) {
         await line('( dark )').click();
         await page.keyboard.press('Shift+F5');
     });
-    await step('a fault is told at its place and in the status bar, also while the program runs', async () => {
+    await step('a fault is reported at its place and in the status bar, also while the program runs', async () => {
         await start('fault.clad', 'DIV');
         assert.doesNotMatch(await status(), /fault/);
         await cursorTo(page, 3, 9);

@@ -1,4 +1,4 @@
-// The Test Explorer in the page: scenarios are run and debugged, and what they exercise is drawn beside the program.
+// The Test Explorer in the page: scenarios are run and debugged, and what they exercise is drawn next to the program.
 import assert from 'node:assert/strict';
 
 import { command, cursorTo, open } from './palette.mjs';
@@ -20,7 +20,7 @@ export const files = {
 export async function scenarios(page, { step, until, screenshot, holdTest }) {
     const editor = page.locator('.editor-group-container .monaco-editor').first();
     const terminal = page.locator('.xterm-rows > div');
-    await step('the scenarios of a file are tests, with marks beside them', async () => {
+    await step('the scenarios of a file are tests, with marks next to them', async () => {
         await open(page, FILE);
         await editor.locator('.testing-run-glyph').nth(1).waitFor({ timeout: 15000 });
         await command(page, 'Test: Run Tests in Current File');
@@ -35,7 +35,7 @@ export async function scenarios(page, { step, until, screenshot, holdTest }) {
         await screenshot(page, 'tests');
         await editor.locator('.squiggly-error').first().waitFor({ timeout: 5000 });
     });
-    await step('what the scenarios exercise is drawn beside the program', async () => {
+    await step('what the scenarios exercise is drawn next to the program', async () => {
         await command(page, 'Test: Run Tests with Coverage in Current File');
         await open(page, 'motor.clad');
         await editor.locator('.coverage-deco-gutter').first().waitFor({ timeout: 15000 });
@@ -56,7 +56,7 @@ export async function scenarios(page, { step, until, screenshot, holdTest }) {
             await filter.fill(name);
             let found = [];
             await until(`"${name}" under Problems`, 10, async () => {
-                // The list is drawn anew a moment later.
+                // The list is drawn again a moment later.
                 await page.waitForTimeout(1000);
                 const rows = await page.locator('.markers-panel .monaco-list-row').allTextContents();
                 found = rows.filter((row) => row.includes(name)).map((row) => row.replaceAll('\u00a0', ' '));
@@ -79,7 +79,7 @@ export async function scenarios(page, { step, until, screenshot, holdTest }) {
         await unpairedOnce('before the check');
         await run('Tasks: Run Build Task', 'check', /Checked \d+ files/);
         await screenshot(page, 'task-check');
-        await unpairedOnce('behind the check');
+        await unpairedOnce('after the check');
         await open(page, 'unpaired.clad');
         await editor.locator('.squiggly-error').first().waitFor({ timeout: 10000 });
         await unpairedOnce('while it is open');
@@ -107,7 +107,7 @@ export async function scenarios(page, { step, until, screenshot, holdTest }) {
     const tree = page.locator('.test-explorer-tree');
     const result = (name) => tree.locator('.monaco-list-row', { hasText: FILE }).locator(`.codicon-testing-${name}-icon`);
     /** A motor that nothing stops is what the second scenario wants: its coil becomes one that sets. */
-    const mend = async () => {
+    const fix = async () => {
         await cursorTo(page, 2, 49);
         await page.keyboard.press('Shift+ArrowRight');
         await page.keyboard.type('S');
@@ -124,7 +124,7 @@ export async function scenarios(page, { step, until, screenshot, holdTest }) {
         await profiles.getByRole('checkbox', { name: /^Run/ }).first().click();
         await profiles.getByRole('button', { name: 'OK' }).click();
         await open(page, 'motor.clad');
-        await mend();
+        await fix();
         await result('passed').waitFor({ timeout: 15000 });
         await undo();
         await result('failed').waitFor({ timeout: 15000 });
@@ -132,7 +132,7 @@ export async function scenarios(page, { step, until, screenshot, holdTest }) {
     });
     await step('of two changes in quick succession the later one is shown, also where the earlier one takes longer', async () => {
         const held = holdTest();
-        await mend();
+        await fix();
         await until('the run of the first change', 10, held.hasBegun);
         await undo();
         await until('both runs to end', 20, () => held.ended() === 2);

@@ -1,5 +1,5 @@
 // Opens VS Code (code-server) in a headless browser with the packaged extension, lets the probe run in the extension
-// host, and looks at the page: what has power must be bold, and values must be behind the lines.
+// host, and looks at the page: what has power must be bold, and values must be after the lines.
 import assert from 'node:assert/strict';
 import { cpSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -250,7 +250,7 @@ async function traceTags(page) {
         });
         await page.keyboard.press('F10');
         await until('another drawing', 5, () => line.evaluate((path) => path.getAttribute('d') !== window.before));
-        assert.ok(await line.evaluate((path) => path.isKept === true), 'it was drawn anew');
+        assert.ok(await line.evaluate((path) => path.isKept === true), 'it was drawn again');
     });
     await step('a tag is added from the Tags view, and drawn over a scale', async () => {
         await row(page, 'warmup.ET').hover();
@@ -358,11 +358,11 @@ const parts = (page) => ({
 
 /** What the probe finds in the extension host. It leaves a simulation and the view of its tags. */
 async function probed() {
-    let told = 0;
+    let reported = 0;
     await until('the probe to end', 150, () => {
         const lines = readFileSync(report, 'utf8').trimEnd().split('\n').filter(Boolean).map((line) => JSON.parse(line));
-        for (const line of lines.slice(told)) {
-            told += 1;
+        for (const line of lines.slice(reported)) {
+            reported += 1;
             if (!line.done) {
                 tell(line);
             }

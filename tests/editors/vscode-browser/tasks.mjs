@@ -56,7 +56,7 @@ await step('the task that checks: its findings have their places', () => {
     const text = readFileSync(unpaired.file, 'utf8').split('\n')[1];
     assert.equal(text[unpaired.column - 1], '/');
 });
-await step('the task that tests: scenarios that fail, and those with mistakes, have their places', () => {
+await step('the task that tests: scenarios that fail, and those with errors, have their places', () => {
     const lines = run('test', project);
     const [failed, ...more] = found('$ladder-test', lines);
     assert.deepEqual(more, []);

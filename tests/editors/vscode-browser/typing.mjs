@@ -1,4 +1,4 @@
-// A diagram typed by hand: keys are pressed in the page, and what is in the editor is looked at.
+// A diagram typed by hand: keys are pressed in the page, and what is in the editor is checked.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -12,7 +12,7 @@ export const RUNG = '+--[ ]( first )--[/]( second )--( )( third )--+';
 /** What is not aligned, and what a save makes of it. */
 export const SAVED = 'crooked-typed.clad';
 export const CROOKED = '+-[ ]( crooked )-( )( rung )-+';
-const ALIGNED = '+--[ ]( crooked )---------( )( rung )--+';
+const ALIGNED = '+--[ ]( crooked )-------------------------------------------------( )( rung )--+';
 
 /** The lines of the editor that is active, as the page shows them. */
 export function lines(page) {
@@ -26,7 +26,7 @@ export function lines(page) {
 const place = (page, line, column) => page.getByText(new RegExp(`Ln ${line}, Col ${column}( |$)`)).first().waitFor({ timeout: 5000 });
 
 export async function typing(page, { step, until, screenshot, project }) {
-    const mistakes = page.locator('.editor-group-container.active .monaco-editor .squiggly-error');
+    const errors = page.locator('.editor-group-container.active .monaco-editor .squiggly-error');
     await step('a line becomes a comment and comes back, each in one step of undo', async () => {
         await open(page, NAME);
         await page.locator('.editor-group-container.active .view-line', { hasText: 'first' }).click();
@@ -40,7 +40,7 @@ export async function typing(page, { step, until, screenshot, project }) {
         await page.keyboard.press('Control+Z');
         await shows('the rung again', RUNG);
     });
-    await step('Enter behind a rung begins the next one', async () => {
+    await step('Enter after a rung begins the next one', async () => {
         await page.locator('.editor-group-container.active .view-line', { hasText: 'first' }).click();
         await page.keyboard.press('Control+Home');
         await page.keyboard.press('End');
@@ -81,14 +81,14 @@ export async function typing(page, { step, until, screenshot, project }) {
         await page.keyboard.press('Backspace');
         await page.keyboard.press('Backspace');
     });
-    await step('a half-typed rung has no mistakes until it is left', async () => {
+    await step('a half-typed rung has no errors until it is left', async () => {
         await page.keyboard.type('[ ]( fourth )--[TON', { delay: 30 });
         await page.keyboard.press('Escape');
         // Longer than the answer takes.
         await page.waitForTimeout(600);
-        assert.equal(await mistakes.count(), 0);
+        assert.equal(await errors.count(), 0);
         await page.locator('.editor-group-container.active .view-line', { hasText: 'first' }).click();
-        await until('the mistake', 5, async () => (await mistakes.count()) > 0);
+        await until('the error', 5, async () => (await errors.count()) > 0);
     });
     await step('an instruction is found by what it is for, and comes with its operands', async () => {
         await page.locator('.editor-group-container.active .view-line', { hasText: 'fourth' }).click();

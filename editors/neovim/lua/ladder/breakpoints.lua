@@ -1,4 +1,4 @@
---- Breakpoints of a buffer: signs beside rungs, which move with the text, and tags. They outlive a simulation.
+--- Breakpoints of a buffer: signs next to rungs, which move with the text, and tags. They outlive a simulation.
 require('ladder.highlight')
 
 local M = {}

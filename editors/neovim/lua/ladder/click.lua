@@ -1,4 +1,4 @@
---- Click programs in Python: opened as such when a person says so, with their diagram beside them.
+--- Click programs in Python: opened as such when a person says so, with their diagram next to them.
 local server = require('ladder.server')
 
 local M = {}
@@ -59,7 +59,7 @@ function M.receive(previewed)
   end
 end
 
---- A buffer that is no file and that nobody edits, beside the current window. The server knows it as any other drawing.
+--- A buffer that is no file and that nobody edits, next to the current window. The server knows it as any other drawing.
 --- @param program integer
 --- @param client vim.lsp.Client
 --- @param previewed { uri: string, version: integer, text: string }
@@ -76,7 +76,7 @@ local function new_drawing(program, client, previewed)
   return drawing
 end
 
---- Shows the diagram of a program beside it. It follows what is typed.
+--- Shows the diagram of a program next to it. It follows what is typed.
 --- @param program integer
 --- @param shown fun(drawing: integer)|nil called when it is there
 function M.preview(program, shown)

@@ -92,7 +92,7 @@ function M.attach(client, bufnr)
   if vim.fn.has('nvim-0.12') == 1 or not is_long or not (provider and provider.range) then
     return
   end
-  -- It is started behind this, when everybody had their say about it.
+  -- It is started after this, when all configuration has had its say about it.
   vim.defer_fn(function()
     vim.lsp.semantic_tokens.stop(bufnr, client.id)
   end, 0)

@@ -303,7 +303,7 @@ local subcommands = {
   },
 }
 
---- Runs `:Ladder` with the words behind it.
+--- Runs `:Ladder` with the words after it.
 --- @param words string[]
 function M.run(words)
   local name = words[1] or 'status'
@@ -332,7 +332,7 @@ end
 --- @return string[]
 function M.complete(lead, line)
   local words = vim.split(vim.trim(line:sub(1, #line - #lead)), '%s+')
-  -- words[1] is the command itself, perhaps behind a range or `silent`.
+  -- words[1] is the command itself, perhaps after a range or `silent`.
   while words[1] and not words[1]:match('Ladder$') do
     table.remove(words, 1)
   end

@@ -1,7 +1,7 @@
 --- Completion as Neovim's own client does it, made fit for a drawing.
 ---
 --- - A list inserts nothing before something is chosen: what Neovim puts in by itself would be a block more.
---- - An edit of the client reaches to the cursor only. What it should replace behind the cursor, as the `]` of `[TO]`,
+--- - An edit of the client reaches to the cursor only. What it should replace after the cursor, as the `]` of `[TO]`,
 ---   the server names with the command `ladder.completion.cut`.
 --- - An answer that comes after something was chosen opens no new list, which would leave the bare word in the text.
 --- - |i_CTRL-X_CTRL-O| inserts whole proposals also where `vim.lsp.completion` was not enabled.
@@ -32,7 +32,7 @@ local function is_enabled(bufnr)
   return known and #found > 0
 end
 
---- Cuts a text that is behind what was inserted. `before` is the rest of its line.
+--- Cuts a text that is after what was inserted. `before` is the rest of its line.
 --- @param argument { cut: string, before: string }
 --- @param bufnr integer
 function M.cut(argument, bufnr)

@@ -1,4 +1,4 @@
---- The diagram beside the text: a split that shows the networks in sight drawn with characters, live while they are
+--- The diagram next to the text: a split that shows the networks in sight drawn with characters, live while they are
 --- simulated. What is drawn comes from the server.
 require('ladder.highlight')
 
@@ -19,7 +19,7 @@ local margin = 5
 
 --- @class ladder.DrawnBlock
 --- @field range lsp.Range
---- @field lines integer[] the first line that it is drawn in, and the one behind the last, from 0
+--- @field lines integer[] the first line that it is drawn in, and the one after the last, from 0
 --- @field columns integer[]
 --- @field tags string[]|nil
 
@@ -73,7 +73,7 @@ local function title(source, diagram)
   end
 end
 
---- Asks for what is to be drawn; if an answer is awaited, again behind that.
+--- Asks for what is to be drawn; if an answer is awaited, again after that.
 --- @param source integer
 local function ask(source)
   local diagram = diagrams[source]
@@ -168,7 +168,7 @@ function M.open(source)
     M.close(source)
   end)
   watch(source, diagram.bufnr)
-  -- Beside the text where both have room, else below it.
+  -- Next to the text where both have room, else below it.
   local is_wide = vim.api.nvim_win_get_width(0) >= 160
   local window = vim.api.nvim_open_win(diagram.bufnr, false, { split = is_wide and 'right' or 'below', style = 'minimal' })
   vim.wo[window][0].wrap = false

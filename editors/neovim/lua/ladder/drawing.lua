@@ -1,5 +1,5 @@
 --- The drawing while a person types: Enter begins the next rung or branch, a `/` closes a branch, and a network is drawn
---- anew when insert mode is left.
+--- again when insert mode is left.
 local M = {}
 
 --- Milliseconds that a key may wait for the server.
@@ -20,7 +20,7 @@ local function is_begun(line)
   return line == '+--' or line:match('^|[ |]*/%-%- *$') ~= nil
 end
 
---- Has the server go on behind a key that was just typed. The next key waits, so that it finds what was begun.
+--- Has the server go on after a key that was just typed. The next key waits, so that it finds what was begun.
 local function go_on(client, bufnr, state, typed)
   if vim.api.nvim_get_current_buf() ~= bufnr or not vim.startswith(vim.fn.mode(), 'i') then
     return

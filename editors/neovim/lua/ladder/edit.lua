@@ -1,7 +1,7 @@
 --- Keys that draw: a contact, a coil, a block, a branch; a block moved or deleted. Each is one step of undo.
 local M = {}
 
---- The keys behind |<LocalLeader>|, what each does, and how it is called.
+--- The keys after |<LocalLeader>|, what each does, and how it is called.
 M.keys = {
   { 'c', 'contact', 'Put in a contact' },
   { 'C', 'closedContact', 'Put in a closed contact' },

@@ -1,4 +1,4 @@
---- Room for signs beside the text: a column that comes and goes with the first finding would shift the drawing while a
+--- Room for signs next to the text: a column that comes and goes with the first finding would shift the drawing while a
 --- person types in it.
 local M = {}
 

@@ -19,7 +19,7 @@ local function look()
   timer:close()
   timer = nil
   vim.lsp.config('ladder', { cmd = { found, 'lsp' } })
-  -- Enabling it anew attaches it to the buffers that are open.
+  -- Enabling it again attaches it to the buffers that are open.
   vim.lsp.enable('ladder')
   vim.notify('ladder: the language server is there now: ' .. found)
 end

@@ -6,7 +6,7 @@ local M = {}
 local function around(range, row, character)
   local from, to = range.start, range['end']
   local behind_start = row > from.line or (row == from.line and character >= from.character)
-  -- The place just behind it counts too: there the cursor is after typing.
+  -- The place just after it counts too: there the cursor is after typing.
   local before_end = row < to.line or (row == to.line and character <= to.character)
   return behind_start and before_end
 end

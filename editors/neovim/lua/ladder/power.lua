@@ -1,4 +1,4 @@
---- Paints the power flow: one extmark on every wire, block and connector that is shown, set anew when it changes.
+--- Paints the power flow: one extmark on every wire, block and connector that is shown, set again when it changes.
 require('ladder.highlight')
 
 local M = {}

@@ -1,6 +1,6 @@
 --- Finds a program on the PATH, or where Cargo installs programs, by its whole path.
 ---
---- A bare name would be looked for by the system, and Windows looks in the current folder first: a folder that somebody
+--- A bare name would be looked for by the system, and Windows looks in the current folder first: a folder that a user
 --- opened must not bring a program of its own. Folders of the PATH that are not given whole, or lie in the current
 --- folder, do not count for the same reason.
 local M = {}

@@ -14,7 +14,7 @@ local function fresh(file)
   return file
 end
 
---- Opens what was done so far as a file of scenarios beside the program. Nothing is written until it is saved.
+--- Opens what was done so far as a file of scenarios next to the program. Nothing is written until it is saved.
 --- @param bufnr integer the program
 --- @param name string what the scenario is called; "" for "recorded"
 function M.record(bufnr, name)

@@ -19,7 +19,7 @@ local M = {}
 --- @field busy boolean a command is under way
 --- @field asked integer how many commands had taken effect at the last answer
 --- @field seen integer how many of them are in the picture that is shown
---- @field hits integer the number of the last hit that was told
+--- @field hits integer the number of the last hit that was reported
 
 --- @class ladder.State
 --- @field session string

@@ -1,4 +1,4 @@
---- Buffers beside a program that show something of its simulation: its tags, its diagram, its trace.
+--- Buffers next to a program that show something of its simulation: its tags, its diagram, its trace.
 local M = {}
 
 --- A buffer that shows something of a program. Nobody edits it, and it goes when it is closed.

@@ -239,7 +239,7 @@ function M.ask(bufnr, command, argument, answer)
   end, answer)
 end
 
---- Gives the tag of that name with its value, nil if there is none. What is to be done with it comes before the commands
+--- Returns the tag of that name with its value, nil if there is none. What is to be done with it comes before the commands
 --- that were given since, with `first` of `command`.
 --- @param bufnr integer
 --- @param name string

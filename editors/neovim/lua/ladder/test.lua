@@ -28,7 +28,7 @@ function M.entries(report, folder)
   return entries
 end
 
---- The scenario files of a buffer: itself, or those beside the program that it is.
+--- The scenario files of a buffer: itself, or those next to the program that it is.
 --- @param bufnr integer
 --- @return string[]
 local function files(bufnr)
@@ -36,9 +36,9 @@ local function files(bufnr)
   if vim.bo[bufnr].filetype == 'laddertest' then
     return { file }
   end
-  local beside = vim.fn.fnamemodify(file, ':r') .. '.ladder-test'
-  if vim.bo[bufnr].filetype == 'clad' and vim.uv.fs_stat(beside) then
-    return { beside }
+  local scenarios = vim.fn.fnamemodify(file, ':r') .. '.ladder-test'
+  if vim.bo[bufnr].filetype == 'clad' and vim.uv.fs_stat(scenarios) then
+    return { scenarios }
   end
   error('there are no scenarios: open a file that ends in .ladder-test', 0)
 end
@@ -120,7 +120,7 @@ function M.run(bufnr, scenario)
     local sum = report.summary
     local text = ('ladder: %d scenarios passed, %d failed'):format(sum.passed, sum.failed)
     if sum.not_run > 0 then
-      text = ('%s, %d files not run for mistakes'):format(text, sum.not_run)
+      text = ('%s, %d files not run for errors'):format(text, sum.not_run)
     end
     vim.notify(text, #entries > 0 and vim.log.levels.WARN or vim.log.levels.INFO)
     if #entries > 0 then

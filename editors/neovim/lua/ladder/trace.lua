@@ -35,7 +35,7 @@ local function take_names(source, trace, asked)
   end
 end
 
---- Asks for what is to be drawn; if an answer is awaited, again behind that.
+--- Asks for what is to be drawn; if an answer is awaited, again after that.
 --- @param source integer
 local function ask(source)
   local trace = traces[source]

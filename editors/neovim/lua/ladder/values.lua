@@ -1,4 +1,4 @@
---- Values beside their operands, drawn over blanks and wires: text put between the elements of a line would push the
+--- Values next to their operands, drawn over blanks and wires: text put between the elements of a line would push the
 --- drawing apart.
 require('ladder.highlight')
 
@@ -82,16 +82,16 @@ local function put_over(bufnr, row, pieces)
     vim.api.nvim_buf_set_extmark(bufnr, namespace, row, column, options)
   end
   -- Past the end of the line one piece of text holds them all: a second one would cover the first.
-  local behind = {}
+  local trailing = {}
   for _, it in ipairs(pieces) do
     if it.column < width then
       put(vim.fn.byteidx(line, it.column), { { it.text, it.group } })
     else
-      table.insert(behind, it)
+      table.insert(trailing, it)
     end
   end
-  if #behind > 0 then
-    put(#line, joined(behind, width))
+  if #trailing > 0 then
+    put(#line, joined(trailing, width))
   end
 end
 

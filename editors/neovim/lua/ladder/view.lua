@@ -1,4 +1,4 @@
---- What is shown of a session: power, values and faults in its buffer, how it stands above the windows, and news as messages.
+--- What is shown of a session: power, values and faults in its buffer, its status above the windows, and messages.
 local faults = require('ladder.faults')
 local keys = require('ladder.keys')
 local power = require('ladder.power')

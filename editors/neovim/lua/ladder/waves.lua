@@ -41,9 +41,9 @@ end
 local function spread(tag, window)
   local shown = {}
   for index, column in ipairs(tag.columns or {}) do
-    local behind = (tag.columns[index + 1] or { window.newest + 1 })[1]
+    local following = (tag.columns[index + 1] or { window.newest + 1 })[1]
     local from = M.place(window, math.max(column[1], window.first))
-    local to = math.min(M.place(window, math.min(behind - 1, window.newest) + 1) - 1, window.count)
+    local to = math.min(M.place(window, math.min(following - 1, window.newest) + 1) - 1, window.count)
     for place = from, to do
       shown[place] = column
     end
@@ -71,11 +71,11 @@ local function bit(tag, window)
   for place = 1, window.count do
     local now, text = level(place), ' '
     if now == 2 then
-      -- A single change leads from the level before to the one behind.
-      local behind = level(place + 1)
-      local is_edge = before and behind and before ~= behind and before ~= 2 and behind ~= 2
-      text = is_edge and (behind == 1 and '╱' or '╲') or '▒'
-      before = is_edge and behind or 2
+      -- A single change leads from the level before to the one after.
+      local after = level(place + 1)
+      local is_edge = before and after and before ~= after and before ~= 2 and after ~= 2
+      text = is_edge and (after == 1 and '╱' or '╲') or '▒'
+      before = is_edge and after or 2
     elseif now then
       local is_edge = before and before ~= 2 and before ~= now
       text = now == 1 and (is_edge and '╱' or '▔') or (is_edge and '╲' or '▁')
@@ -174,7 +174,7 @@ function M.axis(ticks, window, per)
   return cells
 end
 
---- The column of the next change behind one, or before it.
+--- The column of the next change after one, or before it.
 --- @param tag ladder.TraceTag
 --- @param column integer
 --- @param way 1|-1

@@ -34,7 +34,7 @@ export class DiagramEditors implements vscode.CustomTextEditorProvider, vscode.D
         webview.webview.html = pageOf(webview.webview, this.#extension);
     }
 
-    /** Opens the diagram of a program beside its text, or brings it to the front. */
+    /** Opens the diagram of a program next to its text, or brings it to the front. */
     async open(given?: unknown): Promise<void> {
         const active = vscode.window.activeTextEditor?.document;
         const uri = given instanceof vscode.Uri ? given : active?.languageId === 'clad' ? active.uri : undefined;

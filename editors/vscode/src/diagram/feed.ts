@@ -22,7 +22,7 @@ export class Feed {
      * @param now in milliseconds
      * @returns what to tell the page that shows these lines
      */
-    news(source: Source, lines: Lines, withValues = true, now = Date.now()): LiveUpdate {
+    changes(source: Source, lines: Lines, withValues = true, now = Date.now()): LiveUpdate {
         const whole = this.#source !== source || this.#texts !== source.texts;
         if (whole) {
             this.#source = source;

@@ -222,7 +222,7 @@ export class DiagramPanel implements vscode.Disposable {
             this.#send({ type: 'live', update: undefined });
         } else if (!session.stale) {
             const wait = session.state.status === 'running' ? VALUES_EVERY - (Date.now() - this.#valued) : 0;
-            const update = this.#feed.news(session, this.#lines ?? { first: 0, last: -1 }, wait <= 0);
+            const update = this.#feed.changes(session, this.#lines ?? { first: 0, last: -1 }, wait <= 0);
             if (wait > 0) {
                 this.#soon ??= setTimeout(() => {
                     this.#soon = undefined;

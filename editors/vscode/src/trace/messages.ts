@@ -17,7 +17,7 @@ export interface TraceAsked {
     readonly cursors: readonly number[];
 }
 
-/** A column and what is drawn there and in those behind it; of a number the least, the greatest and the last value. */
+/** A column and what is drawn there and in those after it; of a number the least, the greatest and the last value. */
 export type Column =
     | readonly [column: number, least: number, greatest: number, last: number]
     | readonly [column: number, level: number]

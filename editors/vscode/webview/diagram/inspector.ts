@@ -46,7 +46,7 @@ export class Inspector {
         this.show('', []);
     }
 
-    /** Shows these tags; rows that are there already stay, with whatever somebody types into them. */
+    /** Shows these tags; rows that are there already stay, with whatever a user types into them. */
     show(title: string, all: readonly Tag[]): void {
         const tags = all.slice(0, MOST);
         if (this.#title.textContent !== title) {

@@ -74,7 +74,7 @@ export class Layout {
         this.lineCount = lineCount;
         for (const { first, last, count } of changes) {
             const more = count - (last - first + 1);
-            const behind = first + count;
+            const end = first + count;
             const kept = this.#segments.filter((segment) => segment.last < first || segment.first <= first || segment.last > last);
             for (const segment of kept) {
                 if (segment.last < first) {
@@ -84,9 +84,9 @@ export class Layout {
                     segment.first += more;
                     segment.last += more;
                 } else if (segment.first <= first) {
-                    segment.last = segment.last >= last ? segment.last + more : behind - 1;
+                    segment.last = segment.last >= last ? segment.last + more : end - 1;
                 } else {
-                    segment.first = behind;
+                    segment.first = end;
                     segment.last += more;
                 }
             }
@@ -139,7 +139,7 @@ export class Layout {
         return { id: ++this.#ids, kind, key, width, height, isHeld: false };
     }
 
-    /** What stood where a mistake is now, as it was: one letter can swallow many networks. Nothing if there was no network. */
+    /** What stood where an error is now, as it was: one letter can swallow many networks. Nothing if there was no network. */
     #held({ lines }: DrawnPiece, old: readonly Segment[], version: number): Segment[] {
         const good = old.filter(({ first, last, piece }) => first <= lines.last && last >= lines.first && piece && piece.kind !== 'broken');
         if (!good.some(({ piece }) => piece?.kind === 'network')) {
@@ -239,7 +239,7 @@ export class Layout {
     wanted(top: number, bottom: number): Lines | undefined {
         const last = this.lineAt(bottom);
         let first = this.lineAt(top);
-        // Somebody may have drawn something where nothing was.
+        // A user may have drawn something where nothing was.
         const above = this.at(first - 1);
         if (above && !above.piece) {
             first = above.first;

@@ -12,7 +12,7 @@ const AHEAD = 20;
 const REMEMBERED = 2000;
 /** While a program runs, elements are not put into words more often. In milliseconds. */
 const WORDS_EVERY = 500;
-/** The width of a letter of a drawing, and what a drawing has beside its rails, in pixels. */
+/** The width of a letter of a drawing, and what a drawing has next to its rails, in pixels. */
 const LETTER = 8;
 const BESIDE = 80;
 /** The right rail is where the page ends, but no further left or right than this, in letters. */
@@ -204,16 +204,16 @@ export class Page {
             this.#send({ type: 'sees', lines: { first: sees.first, last } });
         }
         const lines = this.layout.wanted(top - MARGIN, bottom + MARGIN);
-        // One question at a time: what is asked while somebody scrolls is about the place where he has arrived.
+        // One question at a time: what is asked while a user scrolls is about the place where he has arrived.
         if (!lines || this.#rail === 0 || this.#isAsking || this.#failed === this.layout.version) {
             return;
         }
         this.#isAsking = true;
         const known = this.layout.segments.filter(({ first, last }) => first <= lines.last + 200 && last >= lines.first - 200);
         const keys = known.flatMap(({ piece }) => (piece && this.#svgs.has(piece.key) ? [piece.key] : []));
-        // Declarations take no room: what comes behind them may be in sight, too.
-        const behind = { first: lines.first, last: lines.last + AHEAD };
-        this.#send({ type: 'ask', lines: behind, rail: this.#rail, known: [...new Set(keys)] });
+        // Declarations take no room: what comes after them may be in sight, too.
+        const ahead = { first: lines.first, last: lines.last + AHEAD };
+        this.#send({ type: 'ask', lines: ahead, rail: this.#rail, known: [...new Set(keys)] });
     }
 
     /** The rail goes to the right end of the page. */

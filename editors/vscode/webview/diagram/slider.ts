@@ -31,7 +31,7 @@ function rounded(value: number): number {
 }
 
 /**
- * @param before how far it went: a slider does not shrink while somebody drags it
+ * @param before how far it went: a slider does not shrink while a user drags it
  * @returns nothing for what has no slider
  */
 export function sliderSpan({ type, value }: Pick<Tag, 'type' | 'value'>, before?: Span): Span | undefined {

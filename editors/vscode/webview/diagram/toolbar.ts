@@ -96,7 +96,7 @@ export class Toolbar {
             [...this.#buttons.values()].find((button) => !button.hidden)?.focus();
         }
         this.#state = state;
-        this.#pace.news(state?.status === 'running');
+        this.#pace.changed(state?.status === 'running');
     }
 
     #tell(): void {

@@ -1,4 +1,4 @@
-// The columns that the page knows: what is new is put behind what was there.
+// The columns that the page knows: what is new is put after what was there.
 import type { Column, TraceAsked, Traced } from '../../src/trace/messages.ts';
 
 export class Columns {
@@ -57,7 +57,7 @@ export class Columns {
     forget(): void {
         this.#byTag.clear();
         this.#newest = -1;
-        // What is on its way was asked for to be put behind what was known.
+        // What is on its way was asked for to be put after what was known.
         this.#revision = -1;
     }
 }
@@ -81,7 +81,7 @@ export function columnAt(columns: readonly Column[], column: number): Column | u
     return columns.findLast(([start]) => start <= column);
 }
 
-/** The column of the next change behind one, or before it. */
+/** The column of the next change after one, or before it. */
 export function edge(columns: readonly Column[], column: number, way: 1 | -1): number | undefined {
     const changes = columns.slice(1).map(([start]) => start);
     return way === 1 ? changes.find((start) => start > column) : changes.findLast((start) => start < column);

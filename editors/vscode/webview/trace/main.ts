@@ -22,7 +22,7 @@ const AXIS = 24;
 const TICK = 90;
 /** A pointer that moves less far has clicked. */
 const STILL = 4;
-/** A cursor can be taken so far beside its line. */
+/** A cursor can be taken so far next to its line. */
 const NEAR = 5;
 
 const vscode = acquireVsCodeApi();
@@ -51,7 +51,7 @@ const send = (message: FromPage) => vscode.postMessage(message);
 const cursorsSet = () => cursors.filter((scan): scan is number => scan !== undefined);
 const width = () => Math.max(axisCell.clientWidth, 50);
 
-/** Asks for what is to be drawn, unless an answer is awaited: then it is asked for again behind that. */
+/** Asks for what is to be drawn, unless an answer is awaited: then it is asked for again after that. */
 function ask(): void {
     if (isAsking || !situation.session) {
         isStale = true;

@@ -40,7 +40,7 @@ export function zoomed(window: ScanWindow, drawn: Drawn, factor: number, at?: nu
 /** So many scans to the right; the newest is followed again where it comes into sight. */
 export function panned(drawn: Drawn, scans: number): ScanWindow {
     const span = drawn.last - drawn.first + 1;
-    // The window may have room behind the newest scan.
+    // The window may have room after the newest scan.
     const last = Math.min(drawn.last, Math.max(drawn.newest, span)) + Math.round(scans);
     return bounded(span, last, drawn);
 }

@@ -14,7 +14,7 @@ export function shape(name: Shape['name'], attributes: Shape['attributes'], text
     return { name, attributes, text };
 }
 
-/** Gives an element an attribute, unless it has it: the page lays out and paints anew whatever is given something. */
+/** Gives an element an attribute, unless it has it: the page lays out and paints again whatever is given something. */
 export function put(element: Element, name: string, value: string | number): void {
     const text = String(value);
     if (element.getAttribute(name) !== text) {

@@ -100,7 +100,7 @@ async function session() {
         assert.equal(help.signatures[0].activeParameter ?? help.activeParameter, 1);
     });
 
-    await step('a snippet draws a whole network, without a mistake', async () => {
+    await step('a snippet draws a whole network, without an error', async () => {
         const document = await vscode.workspace.openTextDocument({ language: 'clad', content: '' });
         await vscode.window.showTextDocument(document);
         await vscode.commands.executeCommand('editor.action.insertSnippet', { langId: 'clad', name: 'Seal-in' });
@@ -161,7 +161,7 @@ async function session() {
         await shut();
     });
 
-    await step('a Python file is a Click program when a person asks, with its diagram beside it', async () => {
+    await step('a Python file is a Click program when a person asks, with its diagram next to it', async () => {
         const before = await open('tank.py');
         assert.equal(before.languageId, 'python');
         await vscode.commands.executeCommand('ladder.click.open');
@@ -238,7 +238,7 @@ async function session() {
         assert.match(text, /^`warmup\.ET` is \*\*T#20ms\*\*; `warmup\.Q` is \*\*1\*\*/);
     });
 
-    // For the page, which is looked at next.
+    // For the page, which is checked next.
     await vscode.commands.executeCommand('ladder.tags.focus');
 }
 

@@ -23,7 +23,7 @@ async function fixes({ step, eventually }) {
         await step(`${what}: the drawing of this language is offered`, async () => {
             const document = await vscode.workspace.openTextDocument({ language: 'clad', content: drawn });
             await vscode.window.showTextDocument(document);
-            const [found] = await eventually('the mistake', () => {
+            const [found] = await eventually('the error', () => {
                 const all = vscode.languages.getDiagnostics(document.uri);
                 return all.length > 0 && all;
             });
@@ -32,7 +32,7 @@ async function fixes({ step, eventually }) {
             assert.ok(fix, actions.map((action) => action.title).join('; '));
             await vscode.workspace.applyEdit(fix.edit);
             assert.equal(document.getText(), becomes);
-            await eventually('no mistake', () => vscode.languages.getDiagnostics(document.uri).every(({ severity }) => severity > vscode.DiagnosticSeverity.Error));
+            await eventually('no error', () => vscode.languages.getDiagnostics(document.uri).every(({ severity }) => severity > vscode.DiagnosticSeverity.Error));
             await vscode.commands.executeCommand('workbench.action.revertAndCloseActiveEditor');
         });
     }

@@ -1,7 +1,7 @@
 --- The tags that were chosen for the trace of each program, remembered among the editor's own state.
 local M = {}
 
---- So many programs are remembered, those that were looked at last.
+--- So many programs are remembered, those that were shown last.
 local most_programs = 200
 
 --- Those of programs that are no file, and of this run of the editor.
@@ -12,7 +12,7 @@ local function file()
   return vim.fs.joinpath(vim.fn.stdpath('state'), 'ladder-trace.json')
 end
 
---- What is remembered, the oldest first. A file that somebody has broken counts as none.
+--- What is remembered, the oldest first. A file that a user has broken counts as none.
 --- @return { program: string, tags: string[] }[]
 local function remembered()
   local is_read, lines = pcall(vim.fn.readfile, file())
@@ -67,9 +67,9 @@ function M.set(source, tags)
   -- An empty list would be written as an object. Where nothing can be written, nothing is remembered.
   local text = #entries > 0 and vim.json.encode(entries) or '[]'
   pcall(vim.fn.mkdir, vim.fs.dirname(file()), 'p')
-  local beside = ('%s.%d'):format(file(), vim.fn.getpid())
-  if pcall(vim.fn.writefile, { text }, beside) then
-    vim.uv.fs_rename(beside, file())
+  local temporary = ('%s.%d'):format(file(), vim.fn.getpid())
+  if pcall(vim.fn.writefile, { text }, temporary) then
+    vim.uv.fs_rename(temporary, file())
   end
 end
 

@@ -131,16 +131,16 @@ local function mark_cursors(trace, lines)
     if column >= 0 and column < trace.width then
       for row, line in ipairs(lines) do
         local at = vim.str_byteindex(line, 'utf-32', trace.left + column, false)
-        local behind = vim.str_byteindex(line, 'utf-32', trace.left + column + 1, false)
+        local finish = vim.str_byteindex(line, 'utf-32', trace.left + column + 1, false)
         if row == 1 then
           vim.api.nvim_buf_set_extmark(trace.bufnr, namespace, 0, at, {
             virt_text = { { cursor.letter, 'LadderCursor' .. cursor.letter } },
             virt_text_win_col = trace.left + column,
             priority = cursor.letter == trace.active and 210 or 205,
           })
-        elseif behind > at then
+        elseif finish > at then
           vim.api.nvim_buf_set_extmark(trace.bufnr, namespace, row - 1, at, {
-            end_col = behind,
+            end_col = finish,
             hl_group = 'LadderCursor' .. cursor.letter,
             priority = cursor.letter == trace.active and 210 or 205,
           })

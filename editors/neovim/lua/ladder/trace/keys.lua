@@ -9,7 +9,7 @@ local M = {}
 
 local fewest_scans = 8
 
---- What keys do with a trace beside looking at it.
+--- What keys do with a trace besides looking at it.
 --- @class ladder.TraceHands
 --- @field ask function shows what is to be seen now
 --- @field add_tag function asks for a tag
