@@ -68,7 +68,7 @@ fn body_between_blanks(line: &Line) -> Option<TextRange> {
     let text = line.text();
     let body = text.trim_start_matches('\u{feff}');
     let body = body.trim_matches([' ', '\t', '\r', '\n']);
-    // In `T#5s` is no comment.
+    // `T#5s` holds no comment.
     let mut marks = memchr::memchr_iter(b'#', body.as_bytes());
     let in_literals = marks.all(|at| at > 0 && body.as_bytes()[at - 1].is_ascii_alphanumeric());
     let is_whole = matches!(line.kind, LineKind::Rung | LineKind::Declaration) && line.errors.is_empty();

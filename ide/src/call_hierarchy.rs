@@ -115,7 +115,7 @@ fn enter(calls: &mut Vec<Calls>, other: Caller, place: TextRange) {
     }
 }
 
-/// What calls of a function, or uses of a block, lead to.
+/// What calls of a function, or uses of a block, refer to.
 fn callees(context: &Context, symbol: &Symbol, workspace: &dyn Workspace) -> Vec<Caller> {
     let kind = match symbol {
         Symbol::Function { .. } => CallerKind::Function,

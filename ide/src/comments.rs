@@ -64,7 +64,7 @@ pub(crate) fn title(context: &Context, line: usize) -> Option<String> {
     said.or_else(|| {
         let text = parse.lines()[line].text();
         let drawn = text.trim_start_matches('\u{feff}').trim_start();
-        // Comments further on are about what they are next to it.
+        // Comments further on are about what is next to them.
         let mut begin = drawn.starts_with('#').then(|| of_line(parse, line))?;
         begin.truncate(1);
         first_words(&begin)

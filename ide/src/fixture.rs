@@ -42,7 +42,7 @@ impl Fixture {
         Fixture::of(texts, cursor)
     }
 
-    /// A text that ends in `.ladder-test` is no program: a line in it names the one that it is about.
+    /// A text that ends in `.ladder-test` is not a program: a line in it names the one that it is about.
     pub(crate) fn of(texts: Vec<(String, String)>, cursor: Option<(usize, TextSize)>) -> Fixture {
         let (scenarios, texts): (Vec<_>, Vec<_>) = texts
             .into_iter()
@@ -116,7 +116,7 @@ impl Workspace for Others<'_> {
     }
 
     fn show(&self, which: Which<'_>, look: &(dyn Fn(usize, &Arc<Context>) + Sync)) {
-        // Nobody relies on their order.
+        // Nothing relies on their order.
         for (index, (analysis, text)) in self.fixture.files.iter().enumerate().rev() {
             if index != self.own && which.takes(|| text.into()) {
                 look(index, &analysis.context);

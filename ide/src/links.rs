@@ -1,4 +1,4 @@
-//! Links in comments: addresses on the web, and names of files next to this one.
+//! Links in comments: addresses on the web, and names of files in the same folder.
 
 use crate::comments;
 use ladder_analysis::context::Context;

@@ -12,7 +12,7 @@ pub trait Workspace {
     fn file(&self, name: &str) -> Option<Arc<Context>>;
 
     /// Shows files with their numbers in the order of the workspace, in any order and several at once. They may be
-    /// thousands: what is known of one takes much more memory than its text, and is let go when it was checked.
+    /// thousands: what is known of one takes much more memory than its text, and is dropped after use.
     fn show(&self, which: Which<'_>, look: &(dyn Fn(usize, &Arc<Context>) + Sync));
 
     /// The files of scenarios, which name tags too.

@@ -255,7 +255,7 @@ mod tests {
     }
 
     #[test]
-    fn elsewhere() {
+    fn outside_of_networks() {
         check(
             "VAR\n  a, b$0 : INT;\nEND_VAR\n+--( )( y )--+\n",
             expect![[r#"

@@ -214,7 +214,7 @@ fn result_type(typing: &Typing<'_>, operand: &Operand) -> Option<Scalar> {
     type_of(typing.context, typing.scope, &typing.text[first.clone()])
 }
 
-/// The tag of a name, or the one that it leads to.
+/// The tag of a name, or the one that it is an alias of.
 pub(crate) fn tag_of<'c>(context: &'c Context, scope: usize, name: &str) -> Option<&'c TagFacts> {
     let scope = context.scopes.get(scope)?;
     let tag = &scope.tags[scope.find(&Name::new(name))?];

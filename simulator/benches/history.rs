@@ -80,7 +80,7 @@ fn chain(rungs: usize) -> String {
     text
 }
 
-/// How long it takes to say why, with a full history after, of the last rung and of one in the middle, on and off.
+/// How long it takes to say why, with a full history, of the last rung and of one in the middle, on and off.
 fn reasons(rungs: usize, scans: usize) {
     let text = chain(rungs);
     let mut session = session(&text, HistoryLimits::default());

@@ -38,7 +38,7 @@ pub(crate) enum Trouble {
     },
     /// A number that the result's type cannot hold.
     OutOfRange,
-    /// A text that is no number, time or BOOL.
+    /// A text that is not a number, time or BOOL.
     Unparsable,
     /// Positions of a string function.
     Position {
@@ -59,9 +59,9 @@ pub(crate) enum Trouble {
     /// What counts are elements of arrays and characters of texts.
     Elements(u64),
     CallDepth,
-    /// A caller that runs the program wanted this scan to stop.
+    /// The caller wanted this scan to stop.
     Braked,
-    /// A caller that runs the program allows no more blocks.
+    /// The caller allows no more blocks.
     Exhausted(u64),
 }
 

@@ -132,7 +132,7 @@ struct Fuser<'c> {
 /// A group writes at most this many bits: each of them is looked for among the others.
 const MOST_WRITTEN: usize = 64;
 
-/// Boolean instructions that together read at most three bits.
+/// Boolean instructions that read at most three bits in all.
 #[derive(Default)]
 struct Group {
     inputs: Vec<Bit>,
@@ -291,8 +291,8 @@ impl Fuser<'_> {
         match last.as_slice() {
             [] if outputs.is_empty() => {
                 // Only the display wants it.
-                let nobody = self.spare();
-                outputs.push((nobody, 0));
+                let unread = self.spare();
+                outputs.push((unread, 0));
             }
             [] => {}
             [one] => outputs.push(*one),

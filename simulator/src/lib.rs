@@ -13,10 +13,10 @@
 //!   never by the wall clock, and transcendental functions come from `libm`.
 //! - A scan allocates nothing. All room is taken when the program is compiled.
 //! - The power of every element is kept as it is computed: each power has a slot that is written once in a scan.
-//! - Forces cost nothing while there are none: the scan is compiled twice, once with the looks at them.
+//! - Forces cost nothing while there are none: the scan is compiled twice, once with checks for them.
 //! - Nor does looking into a scan. [`Simulation::step_block`] and [`Simulation::step_network`] run the
 //!   plain code and halt in front of the next block or network, where tags and power can be seen; `scan()` runs fused
-//!   code, in which such places are gone. Both leave the same state after.
+//!   code, in which such places are gone. Both leave the same state behind.
 //! - [`Simulation::state`] is all that a scan can change, within one too; [`Simulation::restore`] goes on from it
 //!   as if nothing had happened since.
 //!

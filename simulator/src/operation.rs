@@ -154,7 +154,7 @@ pub(crate) enum IntegerOp {
     Ror,
     Min,
     Max,
-    /// The absolute value of a; b is not checked.
+    /// The absolute value of a; b is not used.
     Abs,
 }
 
@@ -422,7 +422,7 @@ pub(crate) fn convert(conversion: Conversion, value: i64) -> Result<i64, Trouble
         Conversion::RawSingle => Ok(rounded(real, true).to_bits() as i64),
         Conversion::Saturate(width) => {
             let (least, most) = width.ends();
-            // The cast saturates, and gives 0 for what is no number.
+            // The cast saturates, and gives 0 for what is not a number.
             Ok((real as i64).clamp(least, most))
         }
         Conversion::Single => held(real, true).map_err(|_| Trouble::OutOfRange),

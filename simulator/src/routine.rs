@@ -1,4 +1,4 @@
-//! Routines: the work that is too uncommon or too long to be an instruction of its own. Each takes its operands, slots
+//! Routines: the work that runs too seldom or is too long to be an instruction of its own. Each takes its operands, slots
 //! and numbers, from the code's operand pool.
 
 mod controller;

@@ -206,14 +206,14 @@ impl Names {
         let tag = &program.tags[number];
         let Type::Array { first, last, element } = tag.ty else {
             return unknown(format!(
-                "{} is no array: it is {} and has no elements",
+                "{} is not an array: it is {} and has no elements",
                 tag.name,
                 with_article(tag.ty)
             ));
         };
         let Ok(position) = index.parse::<i64>() else {
             return unknown(format!(
-                "`{index}` is no index: write a number, as in {}[{first}]",
+                "`{index}` is not an index: write a number, as in {}[{first}]",
                 tag.name
             ));
         };

@@ -40,7 +40,7 @@ const FELL: u8 = 2;
 /// An RTOF whose time has not run out.
 const ON: u8 = 4;
 
-/// A timer's state with what of it is forced. Seen as two arrays, so that one look at the bounds is enough.
+/// A timer's state with what of it is forced. Seen as two arrays, so that one check of the bounds is enough.
 struct View<'m, const FORCED: bool> {
     bits: &'m mut [u8; BITS as usize],
     words: &'m mut [i64; WORDS as usize],
@@ -68,7 +68,7 @@ impl<const FORCED: bool> View<'_, FORCED> {
         if FORCED { self.words[at] } else { value }
     }
 
-    /// Copies the inputs into the members. Gives EN as the timer sees it (low while R is high), R, and PT.
+    /// Copies the inputs into the members. Returns EN as the timer sees it (low while R is high), R, and PT.
     #[inline]
     fn inputs(&mut self, en: bool, pt: i64) -> (bool, bool, i64) {
         let reset = self.bits[R as usize] != 0;
@@ -194,7 +194,7 @@ impl Timer {
     pub(crate) fn tp<const FORCED: bool>(self, memory: &mut Memory, en: bool, pt: i64, clock: Clock) -> bool {
         let mut timer = self.view::<FORCED>(memory);
         let (input, reset, pt) = timer.inputs(en, pt);
-        // While R is high EN counts as low, but what is then high at its end is no rise.
+        // While R is high EN counts as low, but what is then high at its end is not a rise.
         let high = if FORCED && !reset { input } else { en };
         let before = timer.phase();
         let rise = high && before & WAS_HIGH == 0;
@@ -275,7 +275,7 @@ impl Timer {
         timer.outputs(phase & ON != 0, et.min(limit))
     }
 
-    /// `(RES)`: like an R that ends with it. A pulse timer remembers EN: what is high then is no rise.
+    /// `(RES)`: like an R that ends with it. A pulse timer remembers EN: what is high then is not a rise.
     pub(crate) fn clear<const FORCED: bool>(self, memory: &mut Memory, state: StateType) {
         let mut timer = self.view::<FORCED>(memory);
         let kept = if state == StateType::Tp {

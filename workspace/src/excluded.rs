@@ -1,4 +1,4 @@
-//! Whether a file that a user named is one that a search would pass over.
+//! Whether a file that the user named is one that a search would pass over.
 
 use crate::root::SETTINGS_FILE;
 use crate::search::ignore_files;

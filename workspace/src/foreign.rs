@@ -28,7 +28,7 @@ pub fn foreign_source<'s>(
         .file_stem()
         .map(|stem| stem.to_string_lossy())
         .unwrap_or_default();
-    let companions = read_next_to(program, &|file| notation.has_companion(&name, file))?;
+    let companions = read_companions(program, &|file| notation.has_companion(&name, file))?;
     Ok(Source {
         name,
         bytes,
@@ -38,7 +38,7 @@ pub fn foreign_source<'s>(
 
 /// The files in a program's folder that belong to it, as `wanted` knows them by their names, sorted. Links do not lead out
 /// of the folder or the workspace.
-fn read_next_to(program: &Path, wanted: &dyn Fn(&str) -> bool) -> Result<Vec<Companion>, FileError> {
+fn read_companions(program: &Path, wanted: &dyn Fn(&str) -> bool) -> Result<Vec<Companion>, FileError> {
     let folder = program.parent().unwrap_or(Path::new(""));
     let listed = if folder == Path::new("") {
         Path::new(".")

@@ -1,7 +1,7 @@
 //! A file that only one run may use at a time.
 //!
-//! Who uses `plant.retain` holds a lock on `.plant.retain.lock` next to it: the file itself is replaced with each save, and
-//! a lock would go with it. The operating system releases it however the process ends; what then stays is an empty
+//! A run that uses `plant.retain` holds a lock on `.plant.retain.lock` next to it: the file itself is replaced with each
+//! save, and a lock would go with it. The operating system releases it however the process ends; what then stays is an empty
 //! file, which the next run takes over and removes.
 
 use crate::error::{FileError, Problem};
@@ -18,25 +18,25 @@ const TRIES: usize = 100;
 pub(crate) struct Lock {
     _file: File,
     /// The file that is removed with it.
-    next_to: Option<PathBuf>,
+    lock_file: Option<PathBuf>,
 }
 
 impl Lock {
     /// Locks a file, which need not be there.
     pub(crate) fn of(path: &Path) -> Result<Option<Lock>, FileError> {
-        let next_to = name(path);
+        let lock_file = name(path);
         for _ in 0..TRIES {
-            let file = match open(&next_to) {
+            let file = match open(&lock_file) {
                 Ok(file) => file,
                 Err(error) if is_refused(&error) => return Lock::on_itself(path),
                 Err(error) => return Err(FileError::writing(path, error)),
             };
             lock(&file, path)?;
             // Who held it before has perhaps removed it meanwhile.
-            if is_the_one_at(&file, &next_to) {
+            if is_the_one_at(&file, &lock_file) {
                 return Ok(Some(Lock {
                     _file: file,
-                    next_to: Some(next_to),
+                    lock_file: Some(lock_file),
                 }));
             }
         }
@@ -52,15 +52,15 @@ impl Lock {
         lock(&file, path)?;
         Ok(Some(Lock {
             _file: file,
-            next_to: None,
+            lock_file: None,
         }))
     }
 }
 
 impl Drop for Lock {
     fn drop(&mut self) {
-        if let Some(next_to) = &self.next_to {
-            let _ = fs::remove_file(next_to);
+        if let Some(lock_file) = &self.lock_file {
+            let _ = fs::remove_file(lock_file);
         }
     }
 }
@@ -80,7 +80,7 @@ fn name(path: &Path) -> PathBuf {
 
 /// Opens the file for the lock, without following a link and without waiting for a pipe. One that holds something is
 /// another user's, and is not used.
-fn open(next_to: &Path) -> io::Result<File> {
+fn open(lock_file: &Path) -> io::Result<File> {
     let mut options = File::options();
     options.read(true).write(true);
     #[cfg(unix)]
@@ -89,14 +89,14 @@ fn open(next_to: &Path) -> io::Result<File> {
         use std::os::unix::fs::OpenOptionsExt;
         options.custom_flags((OFlags::NOFOLLOW | OFlags::NONBLOCK).bits() as i32);
     }
-    let file = options.create(true).truncate(false).open(next_to)?;
+    let file = options.create(true).truncate(false).open(lock_file)?;
     let metadata = file.metadata()?;
     if metadata.is_file() && metadata.len() == 0 {
         return Ok(file);
     }
     Err(io::Error::other(format!(
         "{} should be an empty file, and is something else",
-        crate::shown::path(next_to)
+        crate::shown::path(lock_file)
     )))
 }
 

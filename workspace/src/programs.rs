@@ -110,7 +110,7 @@ impl Workspace {
         Arc::clone(analysis)
     }
 
-    /// As [`Workspace::analysis`], for a text that is no program of the workspace: it sees those, they do not see
+    /// As [`Workspace::analysis`], for a text that is not a program of the workspace: it sees those, they do not see
     /// it.
     pub fn analyze_guest(&self, text: &str, name: &str) -> Arc<Analysis> {
         let parse = Arc::new(ladder_syntax::parse(text));

@@ -74,7 +74,7 @@ fn is_handed_over(path: &Path) -> bool {
             || path.starts_with("/proc/self/fd"))
 }
 
-/// A pipe that nobody writes to, put in the file's place at the last moment, must not stop us.
+/// A pipe that nothing writes to, put in the file's place at the last moment, must not stop us.
 fn without_waiting(options: &mut OpenOptions) {
     #[cfg(unix)]
     {

@@ -40,7 +40,7 @@ pub struct RetentiveFile {
     written: Option<String>,
     /// When that was last done; a short run saves at its end only.
     saved: Instant,
-    /// Nobody else writes it meanwhile.
+    /// No other run writes it meanwhile.
     _lock: Option<Lock>,
 }
 
@@ -62,15 +62,15 @@ impl RetentiveFile {
         RetentiveFile::open(&file.locate()?, program)
     }
 
-    /// Opens the file for a program and reads what it kept. A file that is not there yet is no error. A damaged one
-    /// is put aside next to it, as `NAME.damaged`, and the program starts cold. Until the value is dropped nobody else
+    /// Opens the file for a program and reads what it kept. A file that is not there yet is not an error. A damaged one
+    /// is put aside next to it, as `NAME.damaged`, and the program starts cold. Until the value is dropped no other run
     /// can open it.
     ///
     /// # Errors
-    /// It is no file of retentive values, another run uses it, or the operating system refuses to read it or to put it
+    /// It is not a file of retentive values, another run uses it, or the operating system refuses to read it or to put it
     /// aside.
     pub fn open(path: &Path, program: &str) -> Result<(RetentiveFile, Found), FileError> {
-        // Looked at before a lock is made for it: what is none of ours is not touched.
+        // Checked before a lock is made for it: what is not ours is not touched.
         if read(path)?.is_some_and(|bytes| !has_head(&bytes)) {
             return Err(FileError::new(path, Problem::NotOurs));
         }
@@ -128,7 +128,7 @@ impl RetentiveFile {
         now.saturating_duration_since(self.saved) >= PAUSE
     }
 
-    /// Writes the values, in one step: a caller that looks sees the old file or the new one. Nothing is written if they
+    /// Writes the values, in one step: a reader sees the old file or the new one. Nothing is written if they
     /// are those that are there already.
     ///
     /// # Errors

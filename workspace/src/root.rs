@@ -48,7 +48,7 @@ impl Root {
     }
 }
 
-/// A link counts without being followed: a caller that reads it says what is wrong with it.
+/// A link counts without being followed: its reader says what is wrong with it.
 fn is_settings_file(path: &Path) -> bool {
     path.symlink_metadata()
         .is_ok_and(|metadata| metadata.is_file() || metadata.is_symlink())

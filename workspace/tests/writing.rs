@@ -26,7 +26,7 @@ fn is_root(folder: &Path) -> bool {
 }
 
 /// Runs a test as a user whom permissions bind: where root runs the tests, once more in a process of `nobody`. True:
-/// this is that process, or nobody is root.
+/// this is that process, or root does not run the tests.
 fn bound_by_permissions(test: &str) -> bool {
     let folder = tempfile::tempdir().unwrap();
     if !is_root(folder.path()) {
@@ -126,7 +126,7 @@ fn a_file_of_another_user_in_a_folder_of_ours() {
     fs::set_permissions(&path, fs::Permissions::from_mode(0o666)).unwrap();
     let program = std::env::current_exe().unwrap();
     let run = Command::new(program)
-        .args(["writes_as_reported", "--exact", "--ignored"])
+        .args(["child_that_writes_the_file", "--exact", "--ignored"])
         .current_dir("/")
         .env("LADDER_TEST_FILE", &path)
         .uid(NOBODY)
@@ -148,7 +148,7 @@ fn a_file_of_another_user_in_a_folder_of_ours() {
 
 #[test]
 #[ignore = "run by another test, as another user"]
-fn writes_as_reported() {
+fn child_that_writes_the_file() {
     let path = std::env::var_os("LADDER_TEST_FILE").unwrap();
     write(Path::new(&path), b"written").unwrap();
 }

@@ -136,7 +136,7 @@ fn acts(row: &Instruction) -> bool {
     row.shape == Shape::Coil || matches!(row.op, Op::Jmp | Op::Call | Op::Ret | Op::End)
 }
 
-/// The operands that must be given, as they are until a user writes others. None: the block has no list.
+/// The required operands, as they are until the user writes others. None: the block has no list.
 fn operands_of(row: &Instruction) -> Option<Vec<String>> {
     if row.required() == 0
         && !row
@@ -155,7 +155,7 @@ fn operands_of(row: &Instruction) -> Option<Vec<String>> {
     )
 }
 
-/// What is in an operand's place until a user writes something else.
+/// What is in an operand's place until the user writes something else.
 fn stand_in(name: &str, accepts: Accepts) -> String {
     match accepts {
         Accepts::Duration | Accepts::Time => "T#1s".to_owned(),
@@ -240,7 +240,7 @@ fn list(operands: &[String]) -> Snippet {
     text.text(" )")
 }
 
-/// Whether a block that is written here touches something that is no wire.
+/// Whether a block that is written here touches something that is not a wire.
 fn wants_wire_before(typing: &Typing<'_>) -> bool {
     let before = &typing.text[typing.physical_line().start..typing.word.start];
     before.ends_with(['+', '\\', '/', ']', ')', '>'])

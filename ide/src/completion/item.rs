@@ -50,7 +50,7 @@ pub enum CompletionKind {
     Drawing,
 }
 
-/// Where the documentation of a proposal is found, when a user asks for it.
+/// Where the documentation of a proposal is found, when the user asks for it.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub enum Topic {
     /// There is none.
@@ -100,7 +100,7 @@ impl Snippet {
         self
     }
 
-    /// A stop with what is there until a user writes something else.
+    /// A stop with what is there until the user writes something else.
     pub(crate) fn stop(mut self, text: &str) -> Snippet {
         self.0.push(Piece::Stop(text.to_owned()));
         self

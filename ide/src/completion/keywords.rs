@@ -136,7 +136,7 @@ pub(super) fn in_declaration(typing: &Typing<'_>, place: Declaration, out: &mut 
             keyword(out, "CONSTANT", "values are never written");
         }
         Declaration::Names(true) => keyword(out, "END_VAR", "end of the section"),
-        // New names are nobody's to guess.
+        // New names cannot be guessed.
         Declaration::Names(false) => {}
         Declaration::AfterNames => keyword(out, "AT", "a direct address"),
         Declaration::Address => addresses(out),

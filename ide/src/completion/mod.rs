@@ -70,7 +70,7 @@ fn is_welcome(typing: &Typing<'_>, trigger: char) -> bool {
     }
 }
 
-/// What can be in an operand's place. Gives what each proposal gets after it.
+/// What can be in an operand's place. Returns what each proposal gets after it.
 fn in_operand(typing: &Typing<'_>, operand: &Operand, out: &mut Proposals<'_>) -> Snippet {
     if operand.before_value && !operand.after_value {
         return Snippet::default();
@@ -128,7 +128,7 @@ fn required(called: &[Called<'_>]) -> usize {
     }
 }
 
-/// What a proposal is, in Markdown, for the one that a user looks at.
+/// What a proposal is, in Markdown, for the one that the user has selected.
 pub fn documentation(context: &Context, topic: &Topic) -> Option<String> {
     match topic {
         Topic::UserBlock(name) => {

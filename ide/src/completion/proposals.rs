@@ -4,7 +4,7 @@ use super::item::{Completion, CompletionKind, Completions, Snippet, Topic};
 use crate::typing::Typing;
 use ladder_syntax::TextRange;
 
-/// This many are proposed at once. A longer list helps nobody, and a large program has thousands of tags.
+/// This many are proposed at once. A longer list helps no one, and a large program has thousands of tags.
 pub(super) const MOST: usize = 128;
 
 /// Proposals for the word at a place.
@@ -37,7 +37,7 @@ impl<'t> Proposals<'t> {
 
     /// Whether a name begins as it is written.
     pub(super) fn begins(&self, name: &str) -> bool {
-        // This is asked of each tag, and most are told apart by their first letter.
+        // This is asked of each tag, and most differ in their first letter.
         let (letters, wanted) = (name.as_bytes(), self.prefix.as_bytes());
         if let (Some(letter), Some(wanted)) = (letters.first(), wanted.first())
             && letter.is_ascii()
@@ -129,7 +129,7 @@ impl<'t> Proposals<'t> {
         );
     }
 
-    /// The list. `before` and `behind` are what each word gets around it.
+    /// The list. `before` and `after` are what each word gets around it.
     pub(super) fn finish(mut self, before: &str, after: &Snippet) -> Completions {
         // What begins as it is written comes first.
         let mut found = std::mem::take(&mut self.found);

@@ -122,8 +122,8 @@ fn describe(
     }
 }
 
-/// A tag: its declaration in one line, where it comes from, and who writes and reads it. `here` is where a user
-/// looks at it already.
+/// A tag: its declaration in one line, where it comes from, and who writes and reads it. `here` is where the user
+/// sees it already.
 pub(crate) fn tag_card(context: &Context, tag: &TagFacts, here: Option<TextSize>) -> String {
     // What several scopes share is shown where it is declared.
     let tag = context.shared(tag);

@@ -21,7 +21,7 @@ pub(super) fn line_link(line: usize) -> String {
     format!("[{line}](#L{line})")
 }
 
-/// Where a tag is written and read. `here`: where a user looks at it already.
+/// Where a tag is written and read. `here`: where the user sees it already.
 pub(super) fn card(context: &Context, tag: &TagFacts, here: Option<TextSize>) -> String {
     let mut card = String::new();
     let of_workspace = matches!(
@@ -72,7 +72,7 @@ fn lines(context: &Context, tag: &TagFacts, wanted: impl Fn(Access) -> bool) -> 
 }
 
 /// The first rungs that write the tag, then the first that read it, in the order of the text. The one that
-/// a user looks at is left out.
+/// the user sees already is left out.
 fn rungs(context: &Context, tag: &TagFacts, here: Option<TextSize>) -> Vec<String> {
     let parse = &context.parse;
     let looked_at = here.and_then(|here| parse.line_at(here));

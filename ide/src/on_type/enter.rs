@@ -21,11 +21,11 @@ const BRANCH: &str = "/--";
 pub(super) fn enter(context: &Context, offset: TextSize, options: &Options) -> Vec<Edit> {
     let parse = &context.parse;
     if parse.unclosed_comment().is_some_and(|open| open.start() < offset) {
-        return left_after(context, offset, options).unwrap_or_default();
+        return leave_branch(context, offset, options).unwrap_or_default();
     }
     let Some((new_line, above)) = blank_line(context, offset) else {
         let split = split_after_down(context, offset);
-        let edits = split.or_else(|| left_after(context, offset, options));
+        let edits = split.or_else(|| leave_branch(context, offset, options));
         return edits.unwrap_or_default();
     };
     let line = &parse.lines()[above];
@@ -194,7 +194,7 @@ fn is_finished(context: &Context, line: usize) -> bool {
 
 /// Enter that a client asks about again when the next line has already been written: nothing is begun there any more. What the
 /// line above had begun is taken back, or its network is drawn again.
-fn left_after(context: &Context, offset: TextSize, options: &Options) -> Option<Vec<Edit>> {
+fn leave_branch(context: &Context, offset: TextSize, options: &Options) -> Option<Vec<Edit>> {
     let parse = &context.parse;
     let line = parse.line_at(offset.checked_sub(TextSize::new(1))?)?;
     let within = usize::from(offset - parse.line_start(line));

@@ -13,7 +13,7 @@ pub(crate) struct Rung {
     /// Whether it ends at the right rail.
     pub(crate) railed: bool,
     /// Its comments that are no piece of a wire: those on rungs.
-    pub(crate) next_to: Vec<String>,
+    pub(crate) comments: Vec<String>,
     /// And the lines of comments between rungs.
     pub(crate) between: String,
 }
@@ -37,18 +37,18 @@ impl Rung {
         {
             return None;
         }
-        let mut next_to = Vec::new();
+        let mut loose = Vec::new();
         for row in &drawing.rows {
             for (index, item) in row.items.iter().enumerate() {
                 if item.is_loose(row.items.get(index + 1)) {
-                    next_to.push(item.text.clone());
+                    loose.push(item.text.clone());
                 }
             }
         }
         Some(Rung {
             parts,
             railed,
-            next_to,
+            comments: loose,
             between: drawing.rows.iter().map(|row| comments(&row.below)).collect(),
         })
     }
@@ -75,7 +75,7 @@ impl Rung {
             }));
             if number == 0 {
                 items.extend(self.railed.then(Item::right_rail));
-                let comments = self.next_to.iter();
+                let comments = self.comments.iter();
                 items.extend(comments.map(|text| Item::new(ItemKind::Comment, text.as_str(), false)));
             }
             rows.push(Row {
@@ -83,7 +83,7 @@ impl Rung {
                 below: Vec::new(),
             });
         }
-        let mut drawing = like.next_to(rows);
+        let mut drawing = like.with_rows(rows);
         drawing.head.clone_from(&self.between);
         drawing
     }

@@ -49,7 +49,7 @@ pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
     ));
 }
 
-/// The declarations. To look at all tags of a file takes time.
+/// The declarations. A walk over all tags of a file takes time.
 pub(super) fn edits(context: &Context, scope: usize) -> Vec<Edit> {
     let tags: Vec<_> = undeclared(context, scope)
         .into_iter()

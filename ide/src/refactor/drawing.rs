@@ -140,7 +140,7 @@ impl Drawing {
     }
 
     /// A drawing of some rows that is not in the file yet, to be written with the line ends of another one.
-    pub(crate) fn next_to(&self, rows: Vec<Row>) -> Drawing {
+    pub(crate) fn with_rows(&self, rows: Vec<Row>) -> Drawing {
         Drawing {
             rows,
             head: String::new(),

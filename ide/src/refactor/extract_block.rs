@@ -71,7 +71,7 @@ fn extracted(
         }
     }
     let parameters = parameters(context, on, &numbers)?;
-    let mut body = drawing.next_to(region.copy(drawing));
+    let mut body = drawing.with_rows(region.copy(drawing));
     let top = &mut body.rows[0].items;
     if let Some(first) = top.first_mut() {
         first.joined = true;
@@ -149,7 +149,7 @@ fn parameters(context: &Context, on: &OnNetwork<'_>, blocks: &[usize]) -> Result
     Ok(parameters)
 }
 
-/// A shared tag counts the uses in all scopes; an entry that leads to it, its own.
+/// A shared tag counts the uses in all scopes; an alias of it, its own.
 fn uses_in<'c>(context: &'c Context, tag: &'c TagFacts) -> impl Iterator<Item = Use> {
     context.uses(context.shared(tag))
 }

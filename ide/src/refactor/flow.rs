@@ -10,7 +10,7 @@ pub(crate) fn is_mark(block: &BoundBlock) -> bool {
 }
 
 /// Whether a block leaves its network, or calls, and does nothing else: it does the same in another network as long as
-/// what it leaves after is the same.
+/// what it leaves behind is the same.
 pub(crate) fn leaves(block: &BoundBlock) -> bool {
     matches!(block.op(), Some(Op::Jmp | Op::Ret | Op::Call | Op::End))
 }

@@ -103,11 +103,11 @@ pub(super) fn with_branch(drawing: &Drawing, region: &Region, branch: Vec<Item>)
         .chain(branch)
         .chain([Item::up(true)])
         .collect();
-    let next_to = (region.rows.len() == 1)
-        .then(|| room_next_to(drawing, top, region.on_top().start))
+    let room = (region.rows.len() == 1)
+        .then(|| room_below(drawing, top, region.on_top().start))
         .flatten();
     let mut shift = 0;
-    match next_to {
+    match room {
         Some(at) => {
             let items = &mut new.rows[top + 1].items;
             items.splice(at..at, branch);
@@ -141,7 +141,7 @@ pub(super) fn with_branch(drawing: &Drawing, region: &Region, branch: Vec<Item>)
 
 /// Where on the row below a new segment can be that is joined after an item of this row: what is left of it there has
 /// been evaluated by then.
-fn room_next_to(drawing: &Drawing, row: usize, item: usize) -> Option<usize> {
+fn room_below(drawing: &Drawing, row: usize, item: usize) -> Option<usize> {
     let below = drawing.rows.get(row + 1)?;
     let left = drawing.count_before(row, item, ItemKind::Down);
     let at = match left.checked_sub(1) {

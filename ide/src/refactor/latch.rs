@@ -252,7 +252,7 @@ fn seal_in(context: &Context, first: usize) -> Option<Action> {
     let lines = between(context, first)?;
     let mut rung = one.rung.clone();
     rung.railed |= two.rung.railed;
-    rung.next_to.extend(two.rung.next_to.iter().cloned());
+    rung.comments.extend(two.rung.comments.iter().cloned());
     rung.between.push_str(&lines);
     rung.between.push_str(&two.rung.between);
     let drawing = rung.draw(&one.drawing, parts);
@@ -340,7 +340,7 @@ fn set_and_reset(context: &Context, network: usize) -> Option<Action> {
     set_parts.push(coil(set_coil));
     let reset_parts = vec![reset, coil(reset_coil)];
     let bare = Rung {
-        next_to: Vec::new(),
+        comments: Vec::new(),
         between: String::new(),
         ..output.rung.clone()
     };

@@ -174,7 +174,7 @@ fn row_at(place: &Selected<'_>, on: &OnNetwork<'_>) -> Option<usize> {
     (0..on.drawing.rows.len()).find(|&row| on.facts.line(row) == line)
 }
 
-/// Puts an item in before another one, within the rails, with wire on both sides. Gives its index.
+/// Puts an item in before another one, within the rails, with wire on both sides. Returns its index.
 fn insert(drawing: &mut Drawing, row: usize, index: usize, mut item: Item) -> usize {
     let items = &mut drawing.rows[row].items;
     let starts = items.first().is_some_and(|item| item.kind == ItemKind::LeftRail);
@@ -292,7 +292,7 @@ fn carried_to_neighbour(
         return Err(NO_RUNG_THERE);
     }
     let index = put_on_row(&mut drawing, context, facts, target, item, from);
-    // A network without a block is no network.
+    // A network needs a block.
     let is_empty = !left.rows.iter().flat_map(|row| &row.items).any(Item::is_block);
     let own = Edit {
         range: left.range(),

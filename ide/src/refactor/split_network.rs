@@ -129,8 +129,8 @@ fn between_rows(on: &OnNetwork<'_>, row: usize, tag: &str) -> Option<Split> {
     {
         return None;
     }
-    let mut first = drawing.next_to(drawing.rows[..row].to_vec());
-    let mut second = drawing.next_to(drawing.rows[below].to_vec());
+    let mut first = drawing.with_rows(drawing.rows[..row].to_vec());
+    let mut second = drawing.with_rows(drawing.rows[below].to_vec());
     second.head = comments(&std::mem::take(&mut first.rows[above].below));
     let carries = if is_rail(drawing, above, down) {
         first.take(above, down);
@@ -199,7 +199,7 @@ fn across(on: &OnNetwork<'_>, row: usize, at: usize, tag: &str) -> Option<Split>
         }
         cuts.push(cut);
     }
-    let (mut first, mut second) = (drawing.next_to(Vec::new()), drawing.next_to(Vec::new()));
+    let (mut first, mut second) = (drawing.with_rows(Vec::new()), drawing.with_rows(Vec::new()));
     for (row, cut) in drawing.rows.iter().zip(&cuts) {
         let (left, right) = row.items.split_at(*cut);
         first.rows.push(Row {

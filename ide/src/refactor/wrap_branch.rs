@@ -52,7 +52,7 @@ pub(super) fn only_reads(block: &BoundBlock) -> bool {
             .all(|operand| cannot_fault(&operand.value))
 }
 
-/// Whether to read a value is no fault: an index that is a tag may be outside its array.
+/// Whether a value can be read without a fault: an index that is a tag may be outside its array.
 fn cannot_fault(node: &Node) -> bool {
     let literal = |node: &Node| matches!(node.kind, NodeKind::Literal(_));
     match &node.kind {

@@ -1,4 +1,4 @@
-//! Edits of names together with the drawing that they move.
+//! Edits of names and of the drawing that they move.
 //!
 //! A longer name shifts what is after it, and the connectors below are no longer under theirs. So the names are changed first, then
 //! every network is laid out again in which a name has another width now, and every section that was laid out before; and both
@@ -20,7 +20,7 @@ pub(super) fn laid_out(old: &Parse, text: &str, names: &[Edit], options: &Option
 }
 
 /// Where the new names appear once all are there, as far as they move what is drawn after them. Declarations are no
-/// drawing: those that nobody laid out stay.
+/// drawing: those that were not laid out stay.
 fn moved(old: &Parse, text: &str, names: &[Edit], shift: &Shift<'_>) -> Vec<TextRange> {
     let moves = |edit: &&Edit| {
         let line = old.line_at(edit.range.start());

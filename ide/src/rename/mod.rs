@@ -1,7 +1,7 @@
 //! Renaming: a thing gets another name at all its places, in all files of the workspace, and the drawings around them
 //! are laid out in the same edit.
 //!
-//! A name that would make the program another one is refused with the reason: one that is no name, one that something
+//! A name that would make the program another one is refused with the reason: one that is not a name, one that something
 //! else has (here, or in a file that would then mean that), and one that changes the type of an undeclared tag.
 
 mod clash;
@@ -217,7 +217,7 @@ fn no_address(context: &Context, range: TextRange) -> Result<(), RenameRefused> 
     Ok(())
 }
 
-/// A direct address is no name that anybody chose.
+/// A direct address is not a name that anyone chose.
 pub(crate) fn is_address(written: &str) -> RenameRefused {
     RenameRefused(format!(
         "`{}` is a direct address: it says where the signal is. Declare a tag with AT to give it a name",

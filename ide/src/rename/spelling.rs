@@ -26,7 +26,7 @@ pub(super) fn checked(symbol: &Symbol, new: &str) -> Result<String, RenameRefuse
     }
     if !is_identifier(new) {
         return Err(RenameRefused(format!(
-            "`{new}` is no name: write a letter or `_`, then letters, digits and `_`"
+            "`{new}` is not a name: write a letter or `_`, then letters, digits and `_`"
         )));
     }
     let tag = matches!(symbol, Symbol::Tag { .. } | Symbol::Global(_));

@@ -294,13 +294,13 @@ fn names_that_are_refused() {
         (
             "1a",
             expect![[r#"
-            refused: `1a` is no name: write a letter or `_`, then letters, digits and `_`
+            refused: `1a` is not a name: write a letter or `_`, then letters, digits and `_`
         "#]],
         ),
         (
             "a b",
             expect![[r#"
-            refused: `a b` is no name: write a letter or `_`, then letters, digits and `_`
+            refused: `a b` is not a name: write a letter or `_`, then letters, digits and `_`
         "#]],
         ),
         (

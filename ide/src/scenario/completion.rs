@@ -15,8 +15,8 @@ use ladder_syntax::{Name, TextRange, TextSize};
 /// This many are proposed at once.
 const MOST: usize = 128;
 
-/// Tags of other files are after those of the program.
-const BEHIND_ALL_OWN: u8 = 8;
+/// Tags of other files come after those of the program.
+const AFTER_ALL_OWN: u8 = 8;
 
 /// What can be written at an offset. `programs` are those next to the file, as it would name them; `trigger` is the character
 /// that was just typed, if that is why it is asked.
@@ -178,7 +178,7 @@ fn tags(
     for file in &used {
         for mut other in tags_of(file, stem_of(&file.name)) {
             if !has_row(&other.name, other.direction) {
-                other.order += BEHIND_ALL_OWN;
+                other.order += AFTER_ALL_OWN;
                 found.push(other);
             }
         }

@@ -113,7 +113,7 @@ const fn does(row: &Row) -> &'static str {
     }
 }
 
-/// A row of something that is no tag.
+/// A row of something that is not a tag.
 fn of_value(scenarios: &Scenarios<'_>, row: &Row) -> Option<String> {
     let ty = value_type(scenarios, &row.name)?;
     Some(format!("`{}` : {}\n\n{}", row.name, ty.name(), does(row)))
@@ -139,7 +139,7 @@ fn declared_comment(program: &Context, tag: &TagFacts) -> Option<String> {
     let parse = &program.parse;
     let found = comments::of_line(parse, parse.line_at(program.place_of(tag).start())?);
     let said = found.iter().find_map(|(_, comment)| comments::words(comment))?;
-    // A comment is no Markdown.
+    // A comment is not Markdown.
     Some(
         said.chars()
             .flat_map(|c| c.is_ascii_punctuation().then_some('\\').into_iter().chain([c]))

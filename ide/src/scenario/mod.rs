@@ -1,7 +1,7 @@
 //! Files of scenarios in an editor: one file for each feature.
 //!
-//! A scenario file names the tags of a program, and those of the files that it uses with the file's name before them. A caller that
-//! asks gives all of that: what was read from a text, once for each request, and the program that it is about with the files
+//! A scenario file names the tags of a program, and those of the files that it uses with the file's name before them. The
+//! caller passes all of that: what was read from a text, once for each request, and the program that it is about with the files
 //! next to it, if it was found. The reader is the one that runs the scenarios.
 
 mod completion;

@@ -7,7 +7,7 @@ use ladder_instructions::Op;
 use ladder_syntax::Name;
 use std::sync::Arc;
 
-/// This many files are checked: what is known of one takes time.
+/// This many files are searched: analysis of one takes time.
 const MOST: usize = 64;
 
 /// The files that a program reaches through its calls and blocks, the nearest first.

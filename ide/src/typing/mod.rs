@@ -32,7 +32,7 @@ pub(crate) struct Typing<'c> {
     pub(crate) scope: usize,
     /// The body that the network belongs to, if it is one.
     pub(crate) body: Option<Body>,
-    /// Whether the cursor is in a string or a number: nobody's to complete.
+    /// Whether the cursor is in a string or a number: there is nothing to complete.
     pub(crate) literal: bool,
     pub(crate) place: CursorContext,
 }

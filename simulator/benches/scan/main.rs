@@ -3,7 +3,7 @@
 //! Each program is made twice from one description: as ladder text, which the simulator runs, and as C, which
 //! `gcc -O2` compiles. Both run the same scans, in which the same inputs change; what all tags hold at the end must be
 //! equal. The C comes in two kinds: as it is, and with a store of every power that a block or a join gives, so that like
-//! the simulator it can tell the power of every element after a scan.
+//! the simulator it knows the power of every element after a scan.
 //!
 //! `cargo bench -p ladder-simulator --bench scan`; after `--` may follow which part: `seal-ins`, `mixed`, `sizes`.
 

@@ -61,7 +61,7 @@ impl Matching {
             matching.match_blocks(&old_side, old_ones, &new_side, new_ones);
             at += gap;
         }
-        // What was edited and went elsewhere.
+        // What was edited and moved.
         let taken: HashSet<BlockAt> = matching.edited.values().copied().collect();
         let old_ones = unmatched(old, |at| is_matched[at.network] || taken.contains(&at));
         let new_ones = unmatched(new, |at| matching.block(at).is_some());
@@ -113,7 +113,7 @@ impl Matching {
     }
 }
 
-/// A program, and what its parts are told apart by.
+/// A program, and what distinguishes its parts.
 struct Side<'p> {
     program: &'p Program,
     signatures: Signatures<'p>,

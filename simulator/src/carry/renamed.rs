@@ -1,6 +1,6 @@
 //! A tag that has another name at all of its places, and is the same one.
 //!
-//! It is one where nothing else was changed: by name alone it would be a tag that is no more, and a new one.
+//! It is one where nothing else was changed: by name alone it would be one tag removed and one added.
 
 use super::does_the_same;
 use super::signature::Signatures;

@@ -58,8 +58,8 @@ impl Recorder {
         self.fill(&fresh, session);
     }
 
-    /// Looks at a session in which something may have happened. Each scan that came to its end must be checked, or else
-    /// what is recorded begins again with what the history knows.
+    /// Observes a session in which something may have happened. Each scan that came to its end must be observed, or else
+    /// what is recorded starts again with what the history knows.
     pub fn look(&mut self, session: &Session) {
         if self.tracks.is_empty() {
             return;

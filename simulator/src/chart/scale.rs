@@ -56,7 +56,7 @@ pub(super) fn ticks(least: f64, greatest: f64, most: u64, ty: Scalar) -> Vec<Tic
     ticks
 }
 
-/// With as many decimals as tell neighbours apart.
+/// With as many decimals as it takes to distinguish neighbours.
 fn short(value: f64, step: f64) -> String {
     if value != 0.0 && !(1e-4..1e7).contains(&value.abs()) {
         return format!("{value:e}");

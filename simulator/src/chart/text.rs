@@ -14,7 +14,7 @@ pub fn reading(value: &Value, ty: Scalar) -> String {
     }
 }
 
-/// A real with as many digits as a REAL has: nobody reads more of them, and a narrow place has no room for them.
+/// A real with as many digits as a REAL has: no one reads more of them, and a narrow place has no room for them.
 fn seven_digits(real: f64) -> String {
     let rounded = format!("{real:.6e}").parse().unwrap_or(real);
     value_text::cell(&Value::Real(rounded), Scalar::Lreal)
@@ -48,7 +48,7 @@ fn with_decimals(number: u64, one: u64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// What a value is more than another, with its sign; none of what is no number.
+/// What a value is more than another, with its sign; none for what is not a number.
 pub fn difference(from: &Value, to: &Value, ty: Scalar) -> Option<String> {
     let signed = |is_less: bool, text: String| match text.as_str() {
         "0" | "0.0" | "0ms" => text,

@@ -139,7 +139,7 @@ impl Track {
         }
     }
 
-    /// What happened after this many scans is not so any more.
+    /// What happened after this many scans no longer holds.
     pub(super) fn truncate(&mut self, scans: u64) {
         let kept = self.changes_until(scans);
         while self.changes.len() > kept {

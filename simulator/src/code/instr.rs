@@ -409,7 +409,7 @@ pub(crate) enum Instr {
         en: Bit,
         turns: Word,
     },
-    /// The end of the network of a `<FOR>`: enters the body, which ends before `behind`, or goes on after it.
+    /// The end of the network of a `<FOR>`: enters the body, which ends before `after`, or goes on after it.
     Enter {
         body: u32,
         after: u32,

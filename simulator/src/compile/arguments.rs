@@ -30,7 +30,7 @@ impl<'b> Arguments<'b> {
     }
 
     pub(super) fn get(self, n: usize) -> Result<&'b Argument> {
-        self.by_place().nth(n).ok_or_else(|| self.mistaken())
+        self.by_place().nth(n).ok_or_else(|| self.mismatch())
     }
 
     /// The one given under a name.
@@ -56,7 +56,7 @@ impl<'b> Arguments<'b> {
     pub(super) fn as_value(self, argument: &'b Argument) -> Result<&'b Expr> {
         match argument {
             Argument::Value(value) => Ok(value),
-            _ => Err(self.mistaken()),
+            _ => Err(self.mismatch()),
         }
     }
 
@@ -81,21 +81,21 @@ impl<'b> Arguments<'b> {
     pub(super) fn as_place(self, argument: &'b Argument) -> Result<(&'b Place, Scalar)> {
         match argument {
             Argument::Place(place, ty) => Ok((place, *ty)),
-            _ => Err(self.mistaken()),
+            _ => Err(self.mismatch()),
         }
     }
 
     pub(super) fn range(self, n: usize) -> Result<&'b RangeRef> {
         match self.get(n)? {
             Argument::Range(range) => Ok(range),
-            _ => Err(self.mistaken()),
+            _ => Err(self.mismatch()),
         }
     }
 
     pub(super) fn state(self, n: usize) -> Result<TagId> {
         match self.get(n)? {
             Argument::State(tag) => Ok(*tag),
-            _ => Err(self.mistaken()),
+            _ => Err(self.mismatch()),
         }
     }
 
@@ -113,7 +113,7 @@ impl<'b> Arguments<'b> {
     }
 
     /// The model does not hold what the block's row asks for: an error in the analysis, not in the program.
-    pub(super) fn mistaken(self) -> CompileError {
+    pub(super) fn mismatch(self) -> CompileError {
         CompileError {
             message: "the simulator cannot make sense of this block's operands; please report the program"
                 .into(),

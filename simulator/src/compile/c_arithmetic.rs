@@ -30,7 +30,7 @@ impl Compiler<'_> {
             words.push(self.promoted(slot, value.ty, ty));
         }
         let Some((&first, rest)) = words.split_first() else {
-            return Err(arguments.mistaken());
+            return Err(arguments.mismatch());
         };
         let mut value = first;
         if op == Op::Not {

@@ -10,7 +10,7 @@ pub(super) struct Cycles {
     group: Vec<u32>,
 }
 
-/// A function that was not checked yet.
+/// A function that has not been visited yet.
 const NEW: u32 = u32::MAX;
 
 impl Cycles {
@@ -78,7 +78,7 @@ impl Cycles {
     }
 
     /// Whether each of two functions can reach the other, or they are one.
-    pub(super) fn are_together(&self, a: usize, b: usize) -> bool {
+    pub(super) fn share_a_cycle(&self, a: usize, b: usize) -> bool {
         self.group[a] == self.group[b]
     }
 }

@@ -71,7 +71,7 @@ impl Compiler<'_> {
             return Ok(out);
         }
         let Slot::Bit(before) = self.load(spot) else {
-            return Err(arguments.mistaken());
+            return Err(arguments.mismatch());
         };
         self.emit(Instr::OrBit {
             to: out,
@@ -81,7 +81,7 @@ impl Compiler<'_> {
         self.store(spot, Slot::Bit(out));
         // Read again: a forced tag does not take what is written.
         let Slot::Bit(after) = self.load(spot) else {
-            return Err(arguments.mistaken());
+            return Err(arguments.mismatch());
         };
         self.emit(Instr::MoveBit { to: out, from: after });
         Ok(if follows_tag { out } else { en })
@@ -100,7 +100,7 @@ impl Compiler<'_> {
             return Ok(en);
         }
         let Slot::Bit(before) = self.load(spot) else {
-            return Err(arguments.mistaken());
+            return Err(arguments.mismatch());
         };
         let to = self.layout.bit();
         self.emit(Instr::NotBit { to, a: en });
@@ -111,7 +111,7 @@ impl Compiler<'_> {
 
     /// `(P)` and `(N)`
     fn edge_coil(&mut self, arguments: Arguments, en: Bit, rising: bool) -> Result<Bit> {
-        // The edge first: a fault in finding the place must not leave the memory after.
+        // The edge first: a fault in finding the place must not keep the memory from its update.
         let memory = self.edge_memory(arguments.place(0).ok().map(|(place, _)| place))?;
         let edge = self.edge_with(memory, Bit::HIGH, en, rising);
         let (spot, out) = self.coil_place(arguments, en)?;
@@ -127,7 +127,7 @@ impl Compiler<'_> {
     pub(super) fn clear(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
         let tag = arguments.state(0)?;
         let Home::State { state, bits, words } = self.homes[tag.0 as usize] else {
-            return Err(arguments.mistaken());
+            return Err(arguments.mismatch());
         };
         match self.semantics.timing {
             Timing::Clock | Timing::Units => {}

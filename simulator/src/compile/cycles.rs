@@ -1,5 +1,5 @@
 //! Timers that count scans and counters of 16 bits, as LDmicro has them. What they count is a variable like any other;
-//! what they remember besides belongs to the place of the block.
+//! what else they remember belongs to the place of the block.
 
 use super::arguments::Arguments;
 use super::{Cell, Compiler, Result};

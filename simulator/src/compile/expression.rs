@@ -218,6 +218,6 @@ impl Compiler<'_> {
     pub(super) fn function_of_block(&mut self, op: Op, ty: Scalar, arguments: Arguments) -> Result<Slot> {
         let values = arguments.values_from(1)?;
         self.function(op, ty, &values)?
-            .ok_or_else(|| arguments.mistaken())
+            .ok_or_else(|| arguments.mismatch())
     }
 }

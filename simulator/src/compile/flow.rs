@@ -70,12 +70,12 @@ pub(super) fn is(kind: &BlockKind, op: Op) -> bool {
 /// to, what loops run, what is after an end.
 fn note_skippable(program: &Program, skippable: &mut [bool]) {
     let main = program.main.clone();
-    let mut elsewhere = program
+    let mut outside_of_main = program
         .networks
         .iter()
         .enumerate()
         .filter(|(index, _)| !main.contains(index));
-    let may_end_elsewhere = elsewhere.any(|(_, network)| holds(network, Op::End));
+    let may_end_outside_of_main = outside_of_main.any(|(_, network)| holds(network, Op::End));
     // Where ranges begin and end, summed up at last: many may reach to the end.
     let mut edges = vec![0i32; program.networks.len() + 1];
     for index in main.clone() {
@@ -93,7 +93,7 @@ fn note_skippable(program: &Program, skippable: &mut [bool]) {
                         None => index..main.end,
                     },
                     Op::Ret | Op::End => index..main.end,
-                    Op::Call if may_end_elsewhere => index..main.end,
+                    Op::Call if may_end_outside_of_main => index..main.end,
                     Op::For => {
                         let after = index + 1..main.end;
                         let next = after.clone().find(|&at| holds(&program.networks[at], Op::Next));
@@ -103,7 +103,7 @@ fn note_skippable(program: &Program, skippable: &mut [bool]) {
                 },
                 // Its body may jump, return or end in the main program's stead.
                 BlockKind::User(user) if program.blocks[*user].shape == Shape::Function => index..main.end,
-                BlockKind::User(_) if may_end_elsewhere => index..main.end,
+                BlockKind::User(_) if may_end_outside_of_main => index..main.end,
                 BlockKind::User(_) => continue,
             };
             edges[passed.start] += 1;
@@ -233,7 +233,7 @@ impl Compiler<'_> {
                 Ok(Bit::LOW)
             }
             Argument::OuterLabel(label) => self.jump_out(arguments, label, en),
-            _ => Err(arguments.mistaken()),
+            _ => Err(arguments.mismatch()),
         }
     }
 
@@ -303,7 +303,7 @@ impl Compiler<'_> {
     }
 
     /// Begins what leaves the bodies inside the region `outer`: their outputs are copied out and their frames
-    /// closed, with EN high only. Gives the power with which the rest is to be done, and where it began.
+    /// closed, with EN high only. Returns the power with which the rest is to be done, and where it began.
     fn leave_bodies(&mut self, outer: usize, en: Bit) -> Result<(Bit, Option<usize>)> {
         if outer + 1 == self.regions.len() {
             return Ok((en, None));
@@ -335,7 +335,7 @@ impl Compiler<'_> {
     /// `<CALL>`: its power is EN, whatever the function does.
     pub(super) fn call(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
         let Argument::Function(function) = *arguments.get(0)? else {
-            return Err(arguments.mistaken());
+            return Err(arguments.mismatch());
         };
         let at = self.here();
         self.calls.push((at, function));
@@ -345,7 +345,7 @@ impl Compiler<'_> {
         });
         let saved = match caller {
             // The call may come back to this network before it returns, and would overwrite its powers.
-            Some(caller) if self.cycles.are_together(caller, function) => {
+            Some(caller) if self.cycles.share_a_cycle(caller, function) => {
                 let mut powers = self.outer_powers.concat();
                 powers.extend(&self.powers);
                 powers.retain(|&power| power != Bit::LOW && power != Bit::HIGH);

@@ -74,7 +74,7 @@ impl Compiler<'_> {
                 Home::Words { at, .. } => Spot::Word(at),
                 Home::Texts { at, .. } => Spot::Text(at),
                 Home::State { bits, .. } => Spot::Bit(bits),
-                Home::Borrowed(elsewhere) => match elsewhere {
+                Home::Borrowed(borrowed) => match borrowed {
                     Borrowed::Element { at, ty } => element_spot(at, ty),
                     Borrowed::BitOf { word, bit, width } => Spot::BitOf { word, bit, width },
                     Borrowed::BitOfAt { at, bit, width } => Spot::BitOfAt { at, bit, width },

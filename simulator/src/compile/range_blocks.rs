@@ -176,13 +176,13 @@ impl Compiler<'_> {
     pub(super) fn search(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
         let (place, ty) = arguments.place(0)?;
         let Argument::Operator(op) = *arguments.get(1)? else {
-            return Err(arguments.mistaken());
+            return Err(arguments.mismatch());
         };
         let (wanted, range) = (arguments.value(2)?, arguments.range(3)?);
         let (out, start) = self.begin_powered(en);
         let spot = self.spot(place)?;
         let Slot::Word(before) = self.load(spot) else {
-            return Err(arguments.mistaken());
+            return Err(arguments.mismatch());
         };
         // The index is found in a word of its own, so that a forced y keeps its value.
         let y = self.layout.word();
@@ -202,7 +202,7 @@ impl Compiler<'_> {
             Home::Bits { at, first, .. } => (at.0, first),
             Home::Words { at, first, .. } => (at.0, first),
             Home::Texts { at, first, .. } => (at.0, first),
-            _ => return Err(arguments.mistaken()),
+            _ => return Err(arguments.mismatch()),
         };
         let (first_index, found) = (self.constant(first_index), self.layout.bit());
         self.routine(

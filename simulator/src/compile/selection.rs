@@ -17,7 +17,7 @@ impl Compiler<'_> {
         let values = [self.expression(a)?, self.expression(b)?];
         let to = self.slot_like(&values);
         self.copy(to, values[0]);
-        // Over `a` goes `b`, unless g is low. What the skip gives as power nobody takes.
+        // Over `a` goes `b`, unless g is low. The power of the skip is not used.
         let out = self.layout.bit();
         let skip = self.code.instrs.len();
         self.emit(Instr::Powered { out, en: g, end: 0 });

@@ -16,7 +16,7 @@ impl Compiler<'_> {
     pub(super) fn home_of(&self, arguments: Arguments) -> Result<(Bit, Word)> {
         match self.homes[arguments.state(0)?.0 as usize] {
             Home::State { bits, words, .. } => Ok((bits, words)),
-            _ => Err(arguments.mistaken()),
+            _ => Err(arguments.mismatch()),
         }
     }
 

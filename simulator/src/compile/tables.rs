@@ -18,7 +18,7 @@ impl Compiler<'_> {
         let spot = self.spot(place)?;
         let values = arguments.values_from(1)?;
         let Some((index, entries)) = values.split_first() else {
-            return Err(arguments.mistaken());
+            return Err(arguments.mismatch());
         };
         let index = self.word(index)?;
         let (to, hit) = (self.layout.word(), self.layout.bit());

@@ -93,7 +93,7 @@ impl Compiler<'_> {
     pub(super) fn reset_ticks(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
         let tag = arguments.state(0)?;
         let Home::State { state, bits, words } = self.homes[tag.0 as usize] else {
-            return Err(arguments.mistaken());
+            return Err(arguments.mismatch());
         };
         let start = match self.starts.get(&tag) {
             Some(&start) => start,

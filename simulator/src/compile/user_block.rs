@@ -44,7 +44,7 @@ impl Compiler<'_> {
         self.emit(Instr::Follow { out, en: Bit::LOW });
         for (number, &(tag, kind)) in user.parameters.iter().enumerate() {
             if kind == ParameterKind::InOut {
-                let bound = given(number).ok_or_else(|| arguments.mistaken())?;
+                let bound = given(number).ok_or_else(|| arguments.mismatch())?;
                 let home = self.reference(&bound.argument, arguments)?;
                 self.homes[tag.0 as usize] = home;
                 self.places.body_in_outs.push((self.standing.clone(), tag, home));
@@ -93,7 +93,7 @@ impl Compiler<'_> {
         }
         self.copy_out(&outputs)?;
         let Slot::Bit(eno) = self.tag_value(user.eno)? else {
-            return Err(arguments.mistaken());
+            return Err(arguments.mismatch());
         };
         self.emit(Instr::Follow { out, en: eno });
         Ok(out)
@@ -128,9 +128,9 @@ impl Compiler<'_> {
             Argument::Range(range) => Ok(self.homes[range.tag.0 as usize]),
             Argument::Place(place, ty) => {
                 let spot = self.spot(place)?;
-                home_of(spot, *ty).ok_or_else(|| arguments.mistaken())
+                home_of(spot, *ty).ok_or_else(|| arguments.mismatch())
             }
-            _ => Err(arguments.mistaken()),
+            _ => Err(arguments.mismatch()),
         }
     }
 
@@ -141,7 +141,7 @@ impl Compiler<'_> {
             None => {
                 let declared = &self.program.tags[tag.0 as usize];
                 let Type::Scalar(ty) = declared.ty else {
-                    return Err(arguments.mistaken());
+                    return Err(arguments.mismatch());
                 };
                 let default = declared
                     .initial

@@ -2,7 +2,7 @@
 //!
 //! A network is exercised when a scan has reached it; a contact or comparison when power has come to it and it has
 //! both let it through (closed) and held it back (open); a coil when it has been with power and without. What is
-//! checked is the power after each scan, of a block that runs several times in a scan the last.
+//! recorded is the power after each scan, of a block that runs several times in a scan the last.
 //!
 //! Recording is cheap because it looks only at what has changed and is still to be seen: a contact that was seen both
 //! ways is not asked again.
@@ -74,7 +74,7 @@ pub struct Coverage {
     watch: Watch,
     /// Networks that some scans may not reach.
     skippable: Vec<u32>,
-    /// How many scans were observed since the last look at the networks that every scan reaches.
+    /// How many scans were observed since the last check of the networks that every scan reaches.
     scans: u64,
 }
 
@@ -148,7 +148,7 @@ impl Coverage {
         }
     }
 
-    /// Looks at the scan that has just run. The simulation must be of the program that this was made for.
+    /// Observes the scan that has just run. The simulation must be of the program that this was made for.
     pub fn observe(&mut self, simulation: &Simulation) {
         self.scans += 1;
         for &index in &self.skippable {

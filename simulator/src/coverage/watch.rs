@@ -17,7 +17,7 @@ pub(super) struct Watch {
     rows: Bank,
     /// Parts of networks that a scan may miss.
     always: Vec<u32>,
-    /// All parts, until the first scan was checked.
+    /// All parts, until the first scan has been observed.
     all: Vec<u32>,
 }
 

@@ -33,7 +33,7 @@ impl Inputs {
     /// Reads them from the text of a file, which messages call `file`.
     ///
     /// # Errors
-    /// It is no table, a column names no tag that can be set, or a cell holds no value of its tag's type.
+    /// It is not a table, a column names no tag that can be set, or a cell holds no value of its tag's type.
     pub fn parse(file: &str, text: &str, simulation: &Simulation) -> Result<Inputs, InputsError> {
         let table = Table::parse(file, text)?;
         let points = table
@@ -53,7 +53,7 @@ impl Inputs {
         Ok(inputs)
     }
 
-    /// Every cell is checked before the run, so that no run ends in the middle over a slip of the finger.
+    /// Every cell is checked before the run, so that no run ends in the middle because of a typing error.
     fn check(&self) -> Result<(), InputsError> {
         for row in 0..self.table.rows.len() {
             for (column, (cell, point)) in self.table.cells(row).zip(&self.points).enumerate() {

@@ -462,7 +462,7 @@ fn look_up(memory: &mut Memory, record: &Record, row: &mut u8) {
         return;
     };
     // There are as many bits as a power of two, so this changes no slot; and an index that cannot lie outside needs
-    // no look at the bounds.
+    // no check of the bounds.
     let slot = |bit: Bit| bit.0 as usize & last;
     let [a, b, c] = record.inputs;
     let index = bits[slot(a)] | bits[slot(b)] << 1 | bits[slot(c)] << 2;

@@ -11,13 +11,13 @@ use crate::work::CALL_DEPTH;
 pub(super) enum Flow {
     /// After this instruction.
     Next,
-    /// Borrowed.
+    /// At another instruction.
     Go(u32),
     /// Nowhere.
     Halt(Halt),
 }
 
-/// A loop that is being run: code from `body` up to `behind`.
+/// A loop that is being run: code from `body` up to `after`.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 struct Loop {
     body: u32,

@@ -75,7 +75,7 @@ pub(crate) struct Machine {
     saved: Vec<u8>,
 }
 
-/// Room for this many faults between two looks at them.
+/// Room for this many faults between two checks of them.
 const FAULTS: usize = 4096;
 
 impl Machine {
@@ -209,7 +209,7 @@ impl Machine {
         Ok(())
     }
 
-    /// Whether this scan takes long, and a user wants it to stop.
+    /// Whether this scan takes long, and the caller wants it to stop.
     fn is_braked(&self) -> bool {
         self.watchdog - self.position.budget >= UNBRAKED && self.brake.as_ref().is_some_and(Brake::is_on)
     }
@@ -233,7 +233,7 @@ impl Machine {
         place.end as usize
     }
 
-    /// Tells an error in the controller's relays; gives whether that is all there is to say of it. A function outside its
+    /// Reports an error in the controller's relays; returns whether that is all there is to report. A function outside its
     /// domain stops the controller.
     fn signal(&mut self, code: &Code, trouble: Trouble) -> bool {
         let Some(relay) = Relay::of(trouble) else {

@@ -62,7 +62,7 @@ impl Until {
         }
     }
 
-    /// What lies after a stop of this kind: a network begins before its first block does.
+    /// What comes after a stop of this kind: a network begins before its first block does.
     pub(super) const fn passed(self) -> u8 {
         match self {
             Until::End => 0,
@@ -133,8 +133,8 @@ impl Machine {
         self.position.passed = stop::BLOCK | stop::NETWORK;
     }
 
-    /// Lets a scan that a fault has stopped are where it does in plain code, if it ran fused code.
-    pub(crate) fn stand_in_plain(&mut self, ran: Option<&Code>, plain: &Code) {
+    /// Moves a scan that a fault has stopped to the same place in plain code, if it ran fused code.
+    pub(crate) fn move_to_plain(&mut self, ran: Option<&Code>, plain: &Code) {
         if let Some(fault) = self.faults.last() {
             self.position.pc = plain.blocks[fault.block as usize].start as usize;
         }

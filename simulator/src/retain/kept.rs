@@ -71,7 +71,7 @@ fn values(home: Home, memory: &Memory, now: i64) -> Vec<String> {
 
 /// What a word of a state is.
 enum WordKind {
-    /// A moment of the clock: kept as how long ago it was, for the clock begins again.
+    /// A moment of the clock: kept as how long ago it was, for the clock starts again at 0.
     Instant,
     Time,
     Count,
@@ -85,7 +85,7 @@ fn part(state: StateType, word: u32) -> WordKind {
     }
 }
 
-/// Puts kept values into a memory whose clock is at 0. Gives for each tag that cannot be restored why.
+/// Puts kept values into a memory whose clock is at 0. Returns why, for each tag that cannot be restored.
 pub(crate) fn restore(
     program: &Program,
     retained: &[Retained],
@@ -161,7 +161,7 @@ fn put_state(
     let (bit_count, _) = state_size(state);
     let numbers: Vec<i64> = texts
         .iter()
-        .map(|text| text.parse().map_err(|_| format!("`{text}` is no number")))
+        .map(|text| text.parse().map_err(|_| format!("`{text}` is not a number")))
         .collect::<Result<_, _>>()?;
     let (bit_numbers, word_numbers) = numbers.split_at(bit_count as usize);
     let is_possible = |(n, &number): (u32, &i64)| {
@@ -176,7 +176,7 @@ fn put_state(
         !matches!(part(state, n), WordKind::Count) || i32::try_from(number).is_ok()
     };
     if !(0..).zip(bit_numbers).all(is_possible) || !(0..).zip(word_numbers).all(is_count) {
-        return Err(format!("this is no state of {}", with_article(state.name())));
+        return Err(format!("this is not a state of {}", with_article(state.name())));
     }
     for (n, &number) in (0..).zip(bit_numbers) {
         memory.bits[bits.offset(n).0 as usize] = number as u8;

@@ -9,7 +9,7 @@ use ladder_analysis::values::value::Value;
 use std::collections::VecDeque;
 use std::fmt::{self, Write};
 
-/// What is sent, seen as something to write to. What was sent longest ago goes if nobody fetches it.
+/// What is sent, seen as something to write to. What was sent longest ago goes if it is not fetched.
 struct Line<'m>(&'m mut VecDeque<u8>);
 
 impl Write for Line<'_> {

@@ -1,4 +1,4 @@
-//! The serial port as LDmicro's simulator has it: a byte takes two scans, and a caller that wants to send waits until the
+//! The serial port as LDmicro's simulator has it: a byte takes two scans, and a sender waits until the
 //! line is free.
 
 use super::Operands;
@@ -42,7 +42,7 @@ enum SentByte {
     },
 }
 
-/// A rise of EN begins the text again; it is also sent once at the start. The power shows whether it is under way.
+/// A rise of EN starts the text again; it is also sent once at the start. The power shows whether it is under way.
 pub(super) fn send_text(memory: &mut Memory, with: &mut Operands, clock: Clock) {
     let (out, en, text) = (with.bit(), with.bit(), with.text());
     let (has_number, number) = (with.number() != 0, with.word());

@@ -237,7 +237,7 @@ impl Binder<'_> {
                 Cell::Same => None,
                 Cell::Low | Cell::High => {
                     let value = level(*cell == Cell::High);
-                    // One look at such a row is enough.
+                    // One error for such a row is enough.
                     if value.is_none() && !std::mem::replace(&mut complained, true) {
                         self.error(
                             *range,

@@ -256,7 +256,7 @@ impl Table {
         let spaced = self.widths.iter().all(|&width| width > 1);
         for (step, &width) in self.widths.iter().enumerate().take(self.to).skip(self.from) {
             let mark = if steps.contains(&step) { '^' } else { ' ' };
-            // The blank after a value is no part of it.
+            // The blank after a value is not part of it.
             let marked = if spaced { width - 1 } else { width };
             text.extend(std::iter::repeat_n(mark, marked));
             text.extend(std::iter::repeat_n(' ', width - marked));

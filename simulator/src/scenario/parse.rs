@@ -200,7 +200,7 @@ impl Reader {
             }
             _ => self.error(
                 value.range(),
-                format!("`{}` is no duration longer than 0", value.text),
+                format!("`{}` is not a duration longer than 0", value.text),
                 format!("write it as in: {example}"),
             ),
         }
@@ -402,8 +402,8 @@ impl Reader {
                 .rows
                 .iter()
                 .any(|row| row.direction == Direction::Expected);
-            let mistaken = |error: &ScenarioError| error.range.start() > scenario.range.start();
-            if !expects && !self.suite.errors.iter().any(mistaken) {
+            let is_in_scenario = |error: &ScenarioError| error.range.start() > scenario.range.start();
+            if !expects && !self.suite.errors.iter().any(is_in_scenario) {
                 self.suite.errors.push(ScenarioError::new(
                     scenario.range,
                     format!("the scenario \"{}\" expects nothing", scenario.name),

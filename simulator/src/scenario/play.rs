@@ -26,7 +26,7 @@ impl Case {
         (scan.is_multiple_of(self.scans) && step < self.steps).then_some(step)
     }
 
-    /// Returns what is before a step.
+    /// Provides what is before a step.
     pub fn give(&self, step: usize, session: &mut Session) {
         for row in &self.given {
             match (&row.target, row.values.get(step)) {

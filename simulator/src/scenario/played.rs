@@ -8,7 +8,7 @@ use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
 use std::collections::BTreeSet;
 
-/// With more rows than this only outputs are checked.
+/// With more rows than this only outputs are drawn.
 const MOST_ROWS: usize = 8;
 
 /// This many columns can be read; with more a step takes no account of what the outputs do in between.
@@ -137,7 +137,7 @@ impl Played {
         moments.fold(self.of_given, divisor)
     }
 
-    /// Next to the outputs only a few other tags are checked: when there are too many of those that change, none is.
+    /// Next to the outputs only a few other tags are drawn: when there are too many of those that change, none is.
     fn leave_out_too_many(&mut self) {
         let outputs = self.tracks.iter().filter(|track| track.is_output()).count();
         let levels = self
@@ -149,7 +149,7 @@ impl Played {
         }
     }
 
-    /// Next to the outputs only those are checked that change: BOOLs, or whatever there is where nothing else comes out of
+    /// Next to the outputs only those are drawn that change: BOOLs, or whatever there is where nothing else comes out of
     /// the program.
     pub(super) fn leave_out_what_rests(&mut self) {
         let has_outputs = self.tracks.iter().any(Track::is_output);

@@ -192,7 +192,7 @@ fn push_once(notes: &mut Vec<String>, note: String) {
     }
 }
 
-/// What a scenario looks at: the outputs, then what else the program has, but for members.
+/// What a scenario checks: the outputs, then what else the program has, but for members.
 fn outputs(simulation: &Simulation) -> Vec<Point> {
     let points = simulation.points().iter();
     let points = points.filter(|point| !point.read_only && point.role != Role::Input);

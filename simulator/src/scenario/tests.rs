@@ -232,11 +232,11 @@ run => _- ± 1 2
         expect![[r#"
             1:1-8: `Program` is before the first scenario, where only program, step, interval and tolerance are
                 write it in small letters: program
-            3:10-14: `soon` is no duration longer than 0
+            3:10-14: `soon` is not a duration longer than 0
                 write it as in: interval 10ms
             4:1-5: `step` appears here a second time
                 leave only one of them
-            5:11-15: `much` is no tolerance: write it as in 0.01 or 1%
+            5:11-15: `much` is not a tolerance: write it as in 0.01 or 1%
                 write it as in: tolerance 0.001
             6:1-4: `run` is before the first scenario, where only program, step, interval and tolerance are
                 rows are after a line as in: scenario "what is shown"
@@ -336,7 +336,7 @@ text => 12 'a' b
                 write a duration as in 5s or T#1h30m, or a number of milliseconds
             15:12-15: values of a BOOL are equal or not: they have no tolerance
                 take the ± away
-            16:22-28: `fast` is no tolerance for a TIME: write it as in 20ms or 1%
+            16:22-28: `fast` is not a tolerance for a TIME: write it as in 20ms or 1%
                 the tolerance is last in the row, as in: level => 1.0 2.0 ± 0.01
             17:1-5: there is no tag `step`; did you mean stop?
                 `step` is before the first scenario

@@ -22,7 +22,7 @@ impl Tolerance {
         if let Some(percent) = text.strip_suffix('%') {
             return positive(percent)
                 .map(|percent| Tolerance::Relative(percent / 100.0))
-                .ok_or_else(|| format!("`{text}` is no part: write it as in 1%"));
+                .ok_or_else(|| format!("`{text}` is not a percentage: write it as in 1%"));
         }
         if ty == Scalar::Time {
             return match value_text::parse(text, ty) {
@@ -30,13 +30,13 @@ impl Tolerance {
                     Ok(Tolerance::Absolute(nanoseconds as f64))
                 }
                 _ => Err(format!(
-                    "`{text}` is no tolerance for a TIME: write it as in 20ms or 1%"
+                    "`{text}` is not a tolerance for a TIME: write it as in 20ms or 1%"
                 )),
             };
         }
         positive(text)
             .map(Tolerance::Absolute)
-            .ok_or_else(|| format!("`{text}` is no tolerance: write it as in 0.01 or 1%"))
+            .ok_or_else(|| format!("`{text}` is not a tolerance: write it as in 0.01 or 1%"))
     }
 
     /// Whether a type's values have a distance.

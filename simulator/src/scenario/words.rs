@@ -119,7 +119,7 @@ fn length(rest: &str, closing: Option<usize>) -> (usize, bool) {
         match c {
             '[' => brackets += 1,
             ']' => brackets = brackets.saturating_sub(1),
-            // `T#5s`; `name'text'` is no word of any kind, and is split so that the text stays whole.
+            // `T#5s`; `name'text'` is not a word of any kind, and is split so that the text stays whole.
             '#' if !literal => return (at, false),
             '\'' if at > 0 && !rest[..at].ends_with('#') => return (at, false),
             '=' if rest[at..].starts_with("=>") => return (at, false),

@@ -15,7 +15,7 @@ pub(super) struct Banks {
     left_at: Vec<u32>,
 }
 
-/// What a machine holds besides its memory.
+/// What a machine holds in addition to its memory.
 struct Rest<'m> {
     rows: &'m [u8],
     reached: &'m [i64],

@@ -73,7 +73,7 @@ impl Session {
                 Some(era) => &mut era.simulation,
                 None => &mut self.simulation,
             };
-            // The state fits to the slot; only what leads to the text is another.
+            // The state fits to the slot; only the reference to the text is another.
             (newest.program, newest.compiled) = (new.program, new.compiled);
             (newest.names, newest.points) = (new.names, new.points);
             (newest.instances, newest.bodies) = (new.instances, new.bodies);
@@ -119,7 +119,7 @@ impl Session {
     }
 
     /// A program with which nothing has run, and that nothing was given to, is as none: what ran before it is there again,
-    /// with all that it held. Gives the one that is forgotten.
+    /// with all that it held. Returns the one that is forgotten.
     fn forget_unused(&mut self) -> Option<Era> {
         if !self.later.is_empty() || self.history.behind() > 0 || self.changed {
             return None;
@@ -152,7 +152,7 @@ impl Session {
             breakpoints: std::mem::replace(&mut self.breakpoints, breakpoints),
             generation: std::mem::replace(&mut self.generation, generation),
         };
-        // One in which nothing ran leads nowhere.
+        // An era in which nothing ran has no scan to go back to.
         if era.kept() > 0 {
             self.earlier.push(era);
         }
@@ -186,7 +186,7 @@ impl Session {
         self.begin_era(newest, generation);
     }
 
-    /// A point of the program that takes what is given now: after a change it may live elsewhere.
+    /// A point of the program that takes what is given now: after a change it may have moved.
     pub(super) fn point_of_now<'p>(&mut self, point: &'p Point) -> Result<Cow<'p, Point>, ValueRefused> {
         if self.later.is_empty() {
             return Ok(Cow::Borrowed(point));
@@ -276,7 +276,7 @@ impl Session {
 fn moved_breakpoints(breakpoints: &[Breakpoint], new: &Simulation, moved: &Moved) -> Vec<Breakpoint> {
     let moved = breakpoints.iter().filter_map(|breakpoint| match breakpoint {
         Breakpoint::Network(network) => moved.network(*network).map(Breakpoint::Network),
-        // Where a block went is not known by its place alone: a caller that set it sets it again.
+        // Where a block went is not known by its place alone: the caller must set it again.
         Breakpoint::Block(_) => None,
         Breakpoint::Change(point) => {
             let point = new.resolve(&moved.name(&point.name)).ok();

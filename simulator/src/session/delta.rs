@@ -1,7 +1,7 @@
 //! Differences between two moments, as bytes.
 //!
 //! A bank is written as the runs of cells that differ: the gap before the run, its length, and what the cells differ
-//! in (the exclusive or of both values). So the same bytes lead from the older moment to the newer one and back.
+//! in (the exclusive or of both values). So the same bytes go from the older moment to the newer one and back.
 //! Texts and queues are written with both contents. Nothing here is kept outside the process, so what is read was
 //! written by this very code.
 

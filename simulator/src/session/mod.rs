@@ -129,12 +129,12 @@ impl Session {
         self.simulation.set_brake(brake);
     }
 
-    /// The simulation, to be checked: values, power, forces, names.
+    /// The simulation, to be read: values, power, forces, names.
     pub fn simulation(&self) -> &Simulation {
         &self.simulation
     }
 
-    /// Sets a tag's value before the next scan, as the world outside does.
+    /// Sets a tag to a value before the next scan, as the world outside does.
     ///
     /// # Errors
     /// The point is read-only, or the value does not fit its type.
@@ -243,8 +243,8 @@ impl Session {
     /// is not kept.
     pub fn go_to(&mut self, scans: u64) -> bool {
         let now = self.simulation.scans();
-        let (after, ahead) = (self.scans_behind() as u64, self.scans_ahead() as u64);
-        if scans + after < now || scans > now + ahead {
+        let (back, ahead) = (self.scans_behind() as u64, self.scans_ahead() as u64);
+        if scans + back < now || scans > now + ahead {
             return false;
         }
         if self.simulation.is_open() {
@@ -298,21 +298,21 @@ impl Session {
         self.history.size() + eras.map(Era::size).sum::<usize>()
     }
 
-    /// Begins again from cold: all tags as before the first scan. Forces stay; the history begins again.
+    /// Begins again from cold: all tags as before the first scan. Forces stay; the history starts again.
     pub fn reset(&mut self) {
         self.go_to_newest();
         self.simulation.reset();
         self.begin_again();
     }
 
-    /// Begins again as after a power failure: retentive tags keep their values. Forces stay; the history begins again.
+    /// Begins again as after a power failure: retentive tags keep their values. Forces stay; the history starts again.
     pub fn warm_restart(&mut self) {
         self.go_to_newest();
         self.simulation.warm_restart();
         self.begin_again();
     }
 
-    /// Begins with the values of retentive tags that were kept elsewhere, see [`Simulation::warm_start`].
+    /// Begins with the values of retentive tags that were kept outside of the session, see [`Simulation::warm_start`].
     pub fn warm_start(&mut self, kept: &[Kept]) -> Vec<String> {
         self.go_to_newest();
         let complaints = self.simulation.warm_start(kept);

@@ -29,7 +29,7 @@ pub(super) struct Rewind<'h> {
 }
 
 impl<'h> Rewind<'h> {
-    /// Stands at the start of the open scan, or of the next one with what was given for it so far.
+    /// Is at the start of the open scan, or of the next one with what was given for it so far.
     pub(super) fn new(history: &'h History, simulation: &Simulation) -> Rewind<'h> {
         let then = (history.banks.clone(), history.forces.clone());
         let (start, before) = if !simulation.is_open() {

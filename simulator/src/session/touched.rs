@@ -62,7 +62,7 @@ impl Touched {
     }
 
     /// What has the mark of now: what has changed in the scans that have it, and maybe what had in those that took place
-    /// instead before a user went back.
+    /// instead before a step back.
     pub(super) fn in_this_span(&self) -> Cells {
         let cells = |marks: &[u32]| Set::of(marks.iter().map(|mark| *mark == self.now));
         Cells {

@@ -9,7 +9,7 @@ use ladder_analysis::with_article;
 use std::collections::BTreeMap;
 
 impl Simulation {
-    /// Sets a tag's value before the next scan, as the world outside does. A forced tag goes on showing its
+    /// Sets a tag to a value before the next scan, as the world outside does. A forced tag goes on showing its
     /// forced value. While a scan is open ([`Self::is_open`]) this waits for its end, and so do forces.
     ///
     /// # Errors

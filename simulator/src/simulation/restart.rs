@@ -24,7 +24,7 @@ impl Simulation {
         });
     }
 
-    /// The same with values that were kept elsewhere, of this program or an older form of it. What cannot be used begins
+    /// The same with values from outside, of this program or an older form of it. What cannot be used begins
     /// as before the first scan; for each such tag there is a sentence that says why.
     pub fn warm_start(&mut self, kept: &[Kept]) -> Vec<String> {
         self.restart(|program, retained, memory| retain::restore(program, retained, kept, memory))

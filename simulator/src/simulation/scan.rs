@@ -35,7 +35,7 @@ impl Simulation {
         } else {
             self.machine.run::<false>(&self.compiled.fused.code, Until::End)
         };
-        self.settle(halt) == Stepped::Done
+        self.end_scan(halt) == Stepped::Done
     }
 
     /// Runs up to this many scans; fewer if the program stops, or when `cancel` is set. How many were run.
@@ -101,7 +101,7 @@ impl Simulation {
             return Stepped::At(self.is_at(until));
         }
         self.open = false;
-        let stepped = self.settle(halt);
+        let stepped = self.end_scan(halt);
         self.take_pending();
         stepped
     }
@@ -137,11 +137,11 @@ impl Simulation {
     }
 
     /// What the end of a scan means for the next one.
-    fn settle(&mut self, halt: Halt) -> Stepped {
+    fn end_scan(&mut self, halt: Halt) -> Stepped {
         if halt == Halt::Stopped {
             self.status = Status::Faulted;
             let fused = (!self.ran_plain).then_some(&self.compiled.fused.code);
-            self.machine.stand_in_plain(fused, &self.compiled.code);
+            self.machine.move_to_plain(fused, &self.compiled.code);
             return Stepped::Stopped;
         }
         self.machine.finish(self.options.interval);

@@ -88,7 +88,7 @@ pub(crate) const MOTOR: &str = "\
 ";
 
 #[test]
-fn what_is_elsewhere_goes_on() {
+fn what_has_moved_goes_on() {
     // A rung in front, a contact within, a preset that is another one.
     check(
         MOTOR,

@@ -49,7 +49,7 @@ pub(crate) fn give(session: &mut Session, seed: u64) {
     }
 }
 
-/// All that a scan left after: values, and which power flowed.
+/// All that a scan left: values, and which power flowed.
 fn picture(session: &Session, count: usize) -> String {
     let simulation = session.simulation();
     let values = simulation

@@ -141,14 +141,14 @@ fn unknown_names() {
         zebra: there is no tag `zebra` in this program
         a: a is an array: name one of its elements, as in a[1]
         a[4]: a[4] does not exist: the array goes from 1 to 3
-        a[x]: `x` is no index: write a number, as in a[1]
+        a[x]: `x` is not an index: write a number, as in a[1]
         t: t is a TON: name one of its members, as in t.Q
         t.XX: t has no member `XX`: a TON has Q ET IN PT
         w.16: w has no bit `16`: the bits of a WORD are 0 to 15
         w.x: w has no bit `x`: the bits of a WORD are 0 to 15
         r.1: r is a REAL and has no members
         run.1: run is a BOOL and has no members
-        run[1]: run is no array: it is a BOOL and has no elements
+        run[1]: run is not an array: it is a BOOL and has no elements
         SYS.NOW: there is no SYS.NOW: the system tags are SYS.FIRST_SCAN SYS.SCAN SYS.TIME SYS.SCAN_TIME SYS.FAULT SYS.ON SYS.OFF SYS.CLOCK_10MS SYS.CLOCK_100MS SYS.CLOCK_500MS SYS.CLOCK_1S SYS.CLOCK_1M SYS.CLOCK_1H
         : there is no tag `` in this program
         b[1]: there is no tag `b` in this program

@@ -1,4 +1,4 @@
-//! Timers, edges, counters and bistables, line by line next to the trace that the reference compiler gave.
+//! Timers, edges, counters and bistables, line by line next to the trace of the reference compiler.
 
 use crate::support::{get, set, simulation};
 use std::path::Path;

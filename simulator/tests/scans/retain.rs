@@ -306,9 +306,9 @@ fn values_of_another_program_are_taken_tag_by_tag() {
         c: 2 values were kept where 3 belong: it begins with its initial value
         c was kept as ARRAY[0..2] OF INT, but it is ARRAY[1..3] OF INT now: it begins with its initial value
         a: 40000 does not fit: INT holds -32768 to 32767: it begins with its initial value
-        t: this is no state of a TON: it begins with its initial value
-        k: this is no state of a CTU: it begins with its initial value
-        s: `x` is no number: it begins with its initial value"#]]
+        t: this is not a state of a TON: it begins with its initial value
+        k: this is not a state of a CTU: it begins with its initial value
+        s: `x` is not a number: it begins with its initial value"#]]
     .assert_eq(&complaints.join("\n"));
     assert_eq!(values(&simulation, "a b d c[1]"), "a=77 b=2 d=4 c[1]=0");
 }

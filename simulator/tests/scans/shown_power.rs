@@ -57,7 +57,7 @@ fn the_first_place_of_a_block_is_shown() {
     );
 }
 
-/// A fault after which more contacts are: what the block would have left stays away.
+/// A fault followed by more contacts: what the block would have written is not there.
 #[test]
 fn a_fault_leaves_a_coil_without_power() {
     check(

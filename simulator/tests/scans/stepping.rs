@@ -355,7 +355,7 @@ fn a_step_that_ends_the_program_or_faults() {
     assert!(!second.scan());
     assert_eq!(first.take_faults(), second.take_faults());
     assert_eq!(get(&first, "n"), get(&second, "n"));
-    // [ ], <END>, then pairs of [ADD] and <JMP>: <LBL> counts as a block but is no stop.
+    // [ ], <END>, then pairs of [ADD] and <JMP>: <LBL> counts as a block but is not a stop.
     assert_eq!((steps, first.status()), (6, Status::Faulted));
     assert_eq!(first.step_block(), Stepped::Stopped);
     assert!(!first.begin_scan());

@@ -203,7 +203,7 @@ fn other_comparisons_are_made_where_one_type_of_the_chains_holds_both() {
 
 #[test]
 fn an_untyped_literal_takes_the_other_sides_type() {
-    // 16777217 is no REAL: as one it is 16777216.
+    // 16777217 is not a REAL: as one it is 16777216.
     let mut simulation = program(
         "r : REAL := 16777216; d : DINT := 16777216; e, f : BOOL;",
         "+--[EQ]( r, 16777217 )--( )( e )--+\n+--[EQ]( d, 16777217 )--( )( f )--+",

@@ -179,7 +179,7 @@ const FLOW: &str = "FUNCTION_BLOCK <$Guard>\nVAR_INPUT what : INT; END_VAR\nVAR_
      END_FUNCTION_BLOCK\n";
 
 #[test]
-fn a_block_of_function_shape_acts_where_it_stands() {
+fn a_block_of_function_shape_acts_where_it_is() {
     let text = format!(
         "{FLOW}VAR_INPUT w : INT; END_VAR\nVAR s, a, b, c, f : INT; END_VAR\n\
          +--<$Guard>( w, s )--[ADD]( a, a, 1 )--+\n\

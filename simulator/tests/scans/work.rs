@@ -119,7 +119,7 @@ fn what_one_scan_may_do_is_not_less_than_it_was() {
     let text = "VAR x : ARRAY[1..1_000_000] OF DINT; END_VAR\n+--<FOR>( 4 )--+\n\
                 +--[FILL]( x[1..1_000_000], 7 )--+\n+--<NEXT>--+\n";
     assert!(watched(text, Options::default().watchdog).scan());
-    // Few elements are no work next to their block.
+    // Few elements are no work compared with their block.
     let text = "VAR x : ARRAY[1..9] OF DINT; END_VAR\n+--[FILL]( x[1..9], 7 )--[FILL]( x[1..9], 8 )--+\n";
     assert!(watched(text, 2).scan());
 }

@@ -2,7 +2,7 @@
 //!
 //! A workspace may come from anybody, and a person opens it to see what it is. So what it names is relative, lies inside
 //! it after all links are resolved, and is a regular file of bounded size (LANGUAGE §9). Links are followed one by one,
-//! and none that leads outside is touched: on Windows even to look at a file on another machine sends it the name of
+//! and none that leads outside is touched: on Windows even a check of a file on another machine sends it the name of
 //! the person.
 
 mod name;
@@ -14,7 +14,7 @@ use crate::{regular, text};
 use std::fs::{File, Metadata};
 use std::path::{Path, PathBuf};
 
-/// A file that a workspace names. The file itself was not checked yet.
+/// A file that a workspace names. The file itself has not been checked yet.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Named {
     /// The workspace.

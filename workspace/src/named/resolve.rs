@@ -46,7 +46,7 @@ pub(super) fn inside(root: &Path, folder: &Path, parts: Vec<PathComponent>) -> R
                 }
             }
             Ok(_) => here.push(name),
-            // What is not there is no link.
+            // What is not there is not a link.
             Err(error)
                 if matches!(
                     error.kind(),

@@ -135,7 +135,7 @@ mod unix {
             std::os::unix::net::UnixListener::bind(folder.path().join("plant/tests/socket.clad")).unwrap();
         let big = fs::File::create(folder.path().join("plant/tests/big.clad")).unwrap();
         big.set_len(ladder_syntax::MAX_FILE_BYTES as u64 + 1).unwrap();
-        // Nobody writes into the pipe: to wait for that would be to wait for ever.
+        // Nothing writes into the pipe: to wait for that would be to wait for ever.
         assert_eq!(
             read(&folder, "pipe.clad"),
             "this is a pipe, and only a regular file is used here"

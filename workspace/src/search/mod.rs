@@ -36,7 +36,7 @@ pub fn is_scenario(path: &Path) -> bool {
 enum Wanted<'w> {
     Programs,
     Scenarios,
-    /// Those that another user knows by their names.
+    /// Those that the caller knows by their names.
     Others(&'w dyn Fn(&Path) -> bool),
 }
 
@@ -122,7 +122,7 @@ pub struct Survey {
 }
 
 /// Looks what lies below a folder, by the rules of `.gitignore`, but not at more files and folders than `most`: a
-/// person may have opened the root of a disk. `stop` says whether nobody waits for it any more.
+/// person may have opened the root of a disk. `stop` says whether no caller waits for it any more.
 pub fn survey(folder: &Path, most: usize, stop: impl Fn() -> bool) -> Survey {
     let mut found = Survey::default();
     let walk = match Walker::below(folder, |_| true) {
@@ -153,7 +153,7 @@ pub fn survey(folder: &Path, most: usize, stop: impl Fn() -> bool) -> Survey {
 struct Search<'w> {
     wanted: Wanted<'w>,
     found: Vec<PathBuf>,
-    /// The files after `found`, by their true paths: `.` and `motor.clad` name one file twice.
+    /// The files of `found`, by their true paths: `.` and `motor.clad` name one file twice.
     seen: HashSet<PathBuf>,
     /// By folder, which of its files belong to the workspace.
     belonging: HashMap<PathBuf, Files>,

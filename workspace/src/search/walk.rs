@@ -27,7 +27,7 @@ impl Walker {
         // Those of the folders above are read, too.
         absolute.ancestors().try_for_each(ignore_files)?;
         let mut builder = WalkBuilder::new(folder);
-        // A folder that is no repository (yet) has its `.gitignore` applied too. What git keeps next to it is one person's
+        // A folder that is not a repository (yet) has its `.gitignore` applied too. What git keeps next to it is one person's
         // own, and may be said to lie anywhere.
         builder
             .require_git(false)
@@ -64,7 +64,7 @@ pub(crate) fn ignore_files(folder: &Path) -> Result<(), FileError> {
         let Ok(own) = path.symlink_metadata() else {
             continue;
         };
-        // A link to another machine is not followed; one that leads nowhere is no file to read.
+        // A link to another machine is not followed; one that leads nowhere is not a file to read.
         let metadata = match own.is_symlink() {
             true if cfg!(windows) && path.read_link().is_ok_and(|to| to.has_root()) => own,
             true => match path.metadata() {

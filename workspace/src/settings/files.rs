@@ -53,7 +53,7 @@ pub(super) fn patterns(given: &Given, example: &str, folder: &Path, reader: &mut
         } else if let Err(error) = builder.add_line(None, &pattern) {
             reader.wrong(
                 range,
-                format!("`{pattern}` is no pattern as in .gitignore: {}", plain(&error)),
+                format!("`{pattern}` is not a pattern as in .gitignore: {}", plain(&error)),
             );
         }
     }

@@ -1,4 +1,4 @@
-//! What was written, a caller that wrote it: a settings file as TOML, or an editor as JSON.
+//! What was written: a settings file as TOML, or an editor as JSON.
 
 use std::ops::Range;
 use toml::Spanned;
@@ -20,7 +20,7 @@ pub(super) enum Value {
     Text(String),
     List(Vec<Given>),
     Table(Vec<Entry>),
-    /// A date, a number with a fraction, and whatever else nobody asks for.
+    /// A date, a number with a fraction, and any other value that no setting takes.
     Other,
 }
 
@@ -33,7 +33,7 @@ pub(super) struct Entry {
     pub(super) given: Given,
 }
 
-/// What an editor says of settings, before anybody checked it.
+/// What an editor says of settings, before it is checked.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Tree {
     /// Nothing: as if the key were not there.

@@ -104,7 +104,7 @@ fn level(given: &Given, reader: &mut Reader) -> Option<Level> {
         _ => {
             reader.wrong(
                 given.range.clone(),
-                format!("`{name}` is no severity: write \"error\", \"warn\", \"info\" or \"off\""),
+                format!("`{name}` is not a severity: write \"error\", \"warn\", \"info\" or \"off\""),
             );
             return None;
         }

@@ -31,7 +31,7 @@ impl Source {
     }
 
     /// What to do with a setting that is not for this place.
-    fn elsewhere(self) -> &'static str {
+    fn where_it_belongs(self) -> &'static str {
         match self {
             Source::File => "every person sets it in the settings of the editor",
             Source::Editor => "it must be the same for everybody, and is in ladder.toml",
@@ -46,8 +46,8 @@ pub(super) struct Table {
     entries: Vec<Entry>,
     /// The keys that there are.
     known: Vec<&'static str>,
-    /// Keys that another user may set.
-    elsewhere: Vec<&'static str>,
+    /// Keys that belong to the other source.
+    of_other_source: Vec<&'static str>,
     range: Range<usize>,
 }
 
@@ -75,7 +75,7 @@ impl Reader {
             name: String::new(),
             entries,
             known: sections(|place| self.source.allows(place)),
-            elsewhere: sections(|place| !self.source.allows(place)),
+            of_other_source: sections(|place| !self.source.allows(place)),
             range: 0..0,
         }
     }
@@ -91,7 +91,7 @@ impl Reader {
                 name: section.name.to_owned(),
                 entries,
                 known: keys(section, |place| self.source.allows(place)),
-                elsewhere: keys(section, |place| !self.source.allows(place)),
+                of_other_source: keys(section, |place| !self.source.allows(place)),
                 range: given.range,
             }),
             _ => {
@@ -109,7 +109,7 @@ impl Reader {
         }
     }
 
-    /// The value of a setting, if it is there and a caller that wrote this may set it.
+    /// The value of a setting, if it is there and may be set in this source.
     pub(super) fn take(&self, table: &mut Table, setting: &Setting) -> Option<Given> {
         if self.source.allows(setting.place) {
             table.take(setting.key)
@@ -223,7 +223,7 @@ impl Table {
                 name: name.to_owned(),
                 entries,
                 known: known.to_vec(),
-                elsewhere: Vec::new(),
+                of_other_source: Vec::new(),
                 range: given.range,
             }),
             _ => None,
@@ -246,7 +246,7 @@ impl Table {
         self.entries.into_iter()
     }
 
-    /// Complains of what nobody asked for.
+    /// Reports what is not known.
     pub(super) fn finish(self, reader: &mut Reader) {
         let of = if self.name.is_empty() {
             String::new()
@@ -255,8 +255,8 @@ impl Table {
         };
         for entry in self.entries {
             let name = &entry.key;
-            let hint = if self.elsewhere.contains(&name.as_str()) {
-                reader.source.elsewhere().to_owned()
+            let hint = if self.of_other_source.contains(&name.as_str()) {
+                reader.source.where_it_belongs().to_owned()
             } else {
                 hint(name, &self.known)
             };

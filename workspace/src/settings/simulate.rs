@@ -7,7 +7,7 @@ use ladder_analysis::program::Program;
 use ladder_simulator::Options;
 use std::path::Path;
 
-/// How programs are run. What is absent is left to a caller that runs them.
+/// How programs are run. What is absent is left to the caller.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Simulate {
     /// The time from one scan to the next, in nanoseconds.

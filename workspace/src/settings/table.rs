@@ -24,7 +24,7 @@ pub struct Setting {
     pub kind: Kind,
     /// Who may set it.
     pub place: SetBy,
-    /// What holds where nobody sets it, as it would be written in `ladder.toml`; none if nothing does.
+    /// What holds where it is not set, as it would be written in `ladder.toml`; none if nothing does.
     pub default: Option<&'static str>,
     /// A value to show, as it would be written in `ladder.toml`.
     pub example: &'static str,
@@ -67,7 +67,7 @@ pub enum SetBy {
     FileOrEditor,
     /// The person at the screen: only the editor.
     Editor,
-    /// The person at the screen, for the extension of an editor: the server does not look at it.
+    /// The person at the screen, for the extension of an editor: the server does not read it.
     Extension,
 }
 
@@ -258,13 +258,13 @@ pub const SECTIONS: &[Section] = &[
     },
 ];
 
-/// The names of the settings in a section, for a caller that may set them.
+/// The names of the settings in a section, of those that the source may set.
 pub(super) fn keys(section: &Section, allowed: impl Fn(SetBy) -> bool) -> Vec<&'static str> {
     let settings = section.settings.iter().filter(|setting| allowed(setting.place));
     settings.map(|setting| setting.key).collect()
 }
 
-/// The names of the sections, for a caller that may set something in them.
+/// The names of the sections, of those that the source may set.
 pub(super) fn sections(allowed: impl Fn(SetBy) -> bool) -> Vec<&'static str> {
     // The rules are not in the table; they may be set everywhere.
     let open = |section: &&Section| section.name == LINT.name || !keys(section, &allowed).is_empty();

@@ -3,7 +3,7 @@
 //!
 //! This is not one step. So the old content is kept in a file of its own until the new one is on the disk: next to it, or
 //! in the folder for temporary files where nothing can be made next to it. What ends the process in between leaves the
-//! backup after, which is what it is for.
+//! backup behind, which is what it is for.
 
 use super::folder_of;
 use crate::error::Problem;

@@ -33,7 +33,7 @@ pub fn write(path: &Path, content: &[u8]) -> Result<(), FileError> {
 
 /// A new content for a file. The old one is there until [`commit`](Replacement::commit), and stays if that is
 /// never called; then the new one is on the disk, not only on its way there. An existing file keeps its mode, its owner
-/// and its other names (hard links), and a link is followed to the file that it means. What is no file (a pipe,
+/// and its other names (hard links), and a link is followed to the file that it means. What is not a file (a pipe,
 /// `/dev/stdout`) is written to as it is.
 #[derive(Debug)]
 pub struct Replacement {
@@ -47,7 +47,7 @@ enum Sink {
     NewFile(NewFile),
     /// The file must stay the one that it is.
     InPlace(InPlace),
-    /// To replace a device or a pipe by a file would break what is after it.
+    /// To replace a device or a pipe by a file would break what it connects to.
     Through(File),
 }
 

@@ -1,6 +1,6 @@
 //! A file under a temporary name, `.motor.clad.ladder-tmp`, until it is renamed.
 //!
-//! The name follows from that of the target, and the file is locked while it is in use. So what a process leaves after
+//! The name follows from that of the target, and the file is locked while it is in use. So what a process leaves behind
 //! that was killed is found, and removed, by the next one that writes the same file.
 
 use super::folder_of;
@@ -11,7 +11,7 @@ use std::time::Duration;
 
 /// This many processes may write one file at once.
 const MOST: usize = 16;
-/// A file that nobody has locked and that is so old was left after. A younger one may be about to be locked.
+/// A file that is not locked and that is so old was left behind. A younger one may be about to be locked.
 const STALE: Duration = Duration::from_secs(60);
 
 /// The file; it is removed when it is dropped.
@@ -23,7 +23,7 @@ pub(super) struct Temporary {
 }
 
 impl Temporary {
-    /// A new file. `private`: nobody else may read it yet.
+    /// A new file. `private`: no other user may read it yet.
     pub(super) fn new(target: &Path, private: bool) -> io::Result<Temporary> {
         take_name(target, |path| {
             let mut options = File::options();
@@ -36,7 +36,7 @@ impl Temporary {
             #[cfg(not(unix))]
             let _ = private;
             let file = options.open(path)?;
-            // Where there are no locks, age alone says what was left after.
+            // Where there are no locks, age alone says what was left behind.
             let _ = file.try_lock();
             Ok(file)
         })
@@ -78,7 +78,7 @@ impl Drop for Temporary {
     }
 }
 
-/// Makes the file under the first name that nobody uses.
+/// Makes the file under the first free name.
 fn take_name(target: &Path, make: impl Fn(&Path) -> io::Result<File>) -> io::Result<Temporary> {
     let mut taken = None;
     for number in 0..MOST {
@@ -115,7 +115,7 @@ fn name(target: &Path, number: usize) -> PathBuf {
     folder_of(target).join(format!(".{name}.ladder-tmp{number}"))
 }
 
-/// Removes a file that a process left after, if that is what it is.
+/// Removes a file that a process left behind, if that is what it is.
 fn remove_stale(path: &Path) {
     let Ok(metadata) = path.symlink_metadata() else {
         return;
@@ -148,7 +148,7 @@ mod tests {
     }
 
     /// As a process leaves it that is killed: unlocked, and a while ago.
-    fn left_after(path: &Path) {
+    fn abandoned(path: &Path) {
         let file = File::create(path).unwrap();
         let then = SystemTime::now() - STALE * 2;
         file.set_times(FileTimes::new().set_modified(then)).unwrap();
@@ -158,7 +158,7 @@ mod tests {
     fn what_a_killed_process_left_is_removed_by_the_next() {
         let folder = tempfile::tempdir().unwrap();
         let target = folder.path().join("a.clad");
-        left_after(&name(&target, 0));
+        abandoned(&name(&target, 0));
         let temporary = Temporary::new(&target, true).unwrap();
         assert_eq!(names(folder.path()), [".a.clad.ladder-tmp"]);
         let written = temporary.file().metadata().unwrap().modified().unwrap();
@@ -201,7 +201,7 @@ mod tests {
         use rustix::fs::{Mode, OFlags, open};
         let folder = tempfile::tempdir().unwrap();
         let target = folder.path().join("a.clad");
-        left_after(&name(&target, 0));
+        abandoned(&name(&target, 0));
         let flags = OFlags::TMPFILE | OFlags::RDWR;
         let Ok(file) = open(folder.path(), flags, Mode::from_raw_mode(0o600)) else {
             eprintln!(

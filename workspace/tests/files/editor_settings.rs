@@ -95,7 +95,7 @@ fn what_is_wrong_is_named_and_the_rest_holds() {
             `ladder.format.width`: a whole number from 40 to 300 is expected here
             `ladder.format.with`: `with` is no setting in [format]: did you mean `width`?
             `ladder.lint.open-wires`: `open-wires` is no rule: did you mean `open-wire`?
-            `ladder.lint.no-output`: `warning` is no severity: write "error", "warn", "info" or "off"
+            `ladder.lint.no-output`: `warning` is not a severity: write "error", "warn", "info" or "off"
             `ladder.inlayHints`: a table of settings is expected here, as in { "enable": ... }
             `ladder.codeLens.enable`: true or false is expected here
         "#]],

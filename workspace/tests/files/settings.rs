@@ -171,7 +171,7 @@ fn wrong_values() {
         "[lint]\ndouble-coils = \"warn\"\nno-output = \"warning\"\nfrobnicate = \"off\"\nopen-wire = 1\n",
         expect![[r#"
             ladder.toml:2:1: `double-coils` is no rule: did you mean `double-coil`?
-            ladder.toml:3:13: `warning` is no severity: write "error", "warn", "info" or "off"
+            ladder.toml:3:13: `warning` is not a severity: write "error", "warn", "info" or "off"
             ladder.toml:4:1: `frobnicate` is no rule; the reference of the rules lists them all
             ladder.toml:5:13: a text in quotes is expected here, for example "warn"
         "#]],
@@ -180,7 +180,7 @@ fn wrong_values() {
         "[workspace]\ninclude = \"lines\"\nexclude = [\"[z-a]\", 3]\n",
         expect![[r#"
             ladder.toml:2:11: a list of texts is expected here, for example ["lines/**"]
-            ladder.toml:3:12: `[z-a]` is no pattern as in .gitignore: invalid range; 'z' > 'a'
+            ladder.toml:3:12: `[z-a]` is not a pattern as in .gitignore: invalid range; 'z' > 'a'
             ladder.toml:3:21: a text in quotes is expected here, for example "old/"
         "#]],
     );

@@ -49,7 +49,7 @@ fn enter_goes_on_with_the_rail() {
 }
 
 #[test]
-fn enter_elsewhere() {
+fn enter_outside_of_networks() {
     check(
         "+--[ ]( a )-( )( y )--+\n$0",
         expect![[r#"
@@ -233,7 +233,7 @@ fn enter_after_a_branch_leaves_the_rail_where_it_is() {
             nothing
         "#]],
     );
-    // A rail that a user draws.
+    // A rail that the user draws.
     check(
         &format!("{ROW}|\n$0|\n"),
         expect![[r#"
@@ -291,7 +291,7 @@ fn an_enter_that_was_overtaken_is_asked_about_again() {
             nothing
         "#]],
     );
-    // A rail that a user draws is none that was begun.
+    // A rail that the user draws is not one that was begun.
     check_typed(
         "+--\\--[ ]( a )--\\--( )( y )--+\n|  $0",
         '\n',

@@ -121,7 +121,7 @@ fn completion_of_tags_and_values() {
     );
 }
 
-/// A file of functions that uses another one with a block of its own, and one that nobody uses.
+/// A file of functions that uses another one with a block of its own, and one that is not used.
 #[test]
 fn completion_of_tags_of_used_files() {
     let asked = |rows: &str, trigger| {

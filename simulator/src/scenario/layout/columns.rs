@@ -118,8 +118,8 @@ fn is_apart(rows: &[&Row], step: usize) -> bool {
     let pairs = rows
         .iter()
         .filter_map(|row| Some((row.cells.get(before)?.1, row.cells.get(step)?.1)));
-    let (together, apart): (Vec<_>, Vec<_>) = pairs.partition(|(left, right)| left.end() == right.start());
-    apart.len() > together.len()
+    let (touching, apart): (Vec<_>, Vec<_>) = pairs.partition(|(left, right)| left.end() == right.start());
+    apart.len() > touching.len()
 }
 
 fn widest(rows: &[&Row], step: usize, text: &str) -> usize {

@@ -235,7 +235,7 @@ impl History {
         (self.here, self.bytes_here) = (self.entries.len(), self.bytes.len());
     }
 
-    /// The scan that was begun is given up: the simulation is before it again, with what was given for it. Gives
+    /// The scan that was begun is given up: the simulation is before it again, with what was given for it. Returns
     /// whether that is anything.
     pub(super) fn give_up(&mut self, simulation: &mut Simulation) -> bool {
         self.banks.restore(&mut simulation.machine);

@@ -1,4 +1,4 @@
-//! Kept scans by the span: what many of them did together, so that who looks for the last change of something need not go
+//! Kept scans by the span: what many of them did together, so that a search for the last change of something need not go
 //! back over each of those that did nothing to it.
 
 use super::super::banks::Banks;

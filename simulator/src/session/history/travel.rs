@@ -87,7 +87,7 @@ impl History {
         }
     }
 
-    /// Gives again what was given before the scan ahead.
+    /// Applies again what was given before the scan ahead.
     pub(in crate::session) fn give_next(&mut self, simulation: &mut Simulation) {
         let Some(entry) = self.entries.get(self.here) else {
             return;
@@ -109,7 +109,7 @@ impl History {
         self.waiting = given;
     }
 
-    /// Returns what was set aside, if the simulation is after the newest scan again. Whether that is anything.
+    /// Applies what was set aside, if the simulation is after the newest scan again. Whether that is anything.
     pub(in crate::session) fn give_what_waits(&mut self, simulation: &mut Simulation) -> bool {
         if self.ahead() > 0 || self.waiting.is_nothing() {
             return false;

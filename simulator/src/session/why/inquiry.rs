@@ -1,4 +1,4 @@
-//! How the reasons are found: questions that lead back in time, and one way back over the kept scans for all of them.
+//! How the reasons are found: questions that go back in time, and one way back over the kept scans for all of them.
 //!
 //! ```text
 //! question --value was another before scan e--> changed in e --that scan again--> the block, and new questions in e
@@ -6,7 +6,7 @@
 //! ```
 //!
 //! Every question is about a moment, and its answer lies at that moment or before it. So the scans are gone back over
-//! once, with all questions that are open, instead of once for each. A question whose tag has never changed leads to a
+//! once, with all questions that are open, instead of once for each. A question whose tag has never changed refers to a
 //! scan that was passed by already; such scans wait for the next way back, of which there are few.
 
 use super::question::{Change, Found, FoundReason, FoundWrite, Question, When, before, written_out};

@@ -94,7 +94,7 @@ pub struct Reason {
     pub block: Location,
     /// It is the left rail, which an `<MCR>` has switched off.
     pub is_rail: bool,
-    /// What it checked, with the values of that moment.
+    /// What it read, with the values of that moment.
     pub values: Vec<(Point, Value)>,
     /// Why these were so, as far as that was followed.
     pub because: Vec<Why>,

@@ -90,7 +90,7 @@ const fn member_name(member: Member) -> &'static str {
     }
 }
 
-/// What a block looks at, with the values of now. Of a timer or counter how far it has come.
+/// What a block reads, with the values of now. Of a timer or counter how far it has come.
 pub(super) fn values_read(simulation: &Simulation, block: &Block) -> Vec<(Point, Value)> {
     let mut names = Vec::new();
     for bound in &block.arguments {

@@ -112,7 +112,7 @@ impl<'t> Wording<'t> {
         }
     }
 
-    /// What passes power on or stops it, and what it checked: `[ ]( start ) (line 1, column 7): start is 1`.
+    /// What passes power on or stops it, and what it read: `[ ]( start ) (line 1, column 7): start is 1`.
     pub fn reason(&self, reason: &Reason) -> String {
         let (line, column, block) = self.place(reason.block);
         if reason.is_rail {

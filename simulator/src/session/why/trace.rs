@@ -46,7 +46,7 @@ pub(super) struct Traced {
     pub(super) powers: Vec<bool>,
     /// Of each contact whether it would pass power on.
     pub(super) conducts: HashMap<usize, bool>,
-    /// What blocks of the network checked.
+    /// What blocks of the network read.
     pub(super) values: HashMap<usize, Vec<(Point, Value)>>,
     /// Where the scan was in front of them.
     pub(super) positions: HashMap<usize, Limit>,
@@ -208,7 +208,7 @@ struct SeenNetwork {
 }
 
 impl Seen {
-    /// A block that is about to run looks at its operands.
+    /// A block that is about to run reads its operands.
     fn look(&mut self, simulation: &Simulation, at: BlockAt) {
         let seen = self.networks.entry(at.network).or_default();
         let key = at.block;
