@@ -46,7 +46,7 @@ fn severities_are_those_that_are_set() {
                 level,
             )],
             expected,
-        )
+        );
     };
     twice(
         Level::Shown(Severity::Info),

@@ -43,7 +43,7 @@ impl<'r> Findings<'r> {
     /// One of them as the client is sent it.
     pub(crate) fn diagnostic(&mut self, found: &Finding) -> Diagnostic {
         let name = found.rule.name();
-        let mut message = found.message.to_string();
+        let mut message = found.message.clone();
         if let Some(help) = &found.help {
             let _ = write!(message, "\n{help}");
         }
