@@ -63,7 +63,7 @@ impl Analysis {
     }
 
     /// The program, if there are no errors and it uses no function or block of another file: see
-    /// [`link()`](crate::other_files::link()). It is put together when it is first asked for.
+    /// `link`. It is put together when it is first asked for.
     pub fn program(&self) -> Option<&Arc<Program>> {
         let program = || {
             if self.has_errors() {

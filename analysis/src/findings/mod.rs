@@ -1,5 +1,5 @@
 //! What a finding is: its rule, its places, its sentences and fixes, and what comments say about it. No file here knows a
-//! rule's; who asks the rules is [`checking`](crate::checking).
+//! rule's; who asks the rules is `checking`.
 
 pub(crate) mod article;
 pub mod diagnostic;

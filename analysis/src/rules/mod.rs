@@ -1,5 +1,5 @@
 //! The rules, one file each: what a rule is called and how much it matters, what it finds, its sentences and its fixes. What they
-//! are functions of is in [`list`]; [`checking`](crate::checking) asks them.
+//! are functions of is in `list`; `checking` asks them.
 
 pub(crate) mod alternative_mnemonic;
 pub(crate) mod ambiguous_sign;

@@ -9,10 +9,10 @@
 //! element  = word { operand }                   NO I1, TON T1 3 100, ADD MI01 MI01 1, EQ T1:AC 3
 //! ```
 //!
-//! A second form, with the editor's symbols in the columns of its grid, is read too: see [`prose`].
+//! A second form, with the editor's symbols in the columns of its grid, is read too: see `prose`.
 //!
 //! The editor itself has no text: its projects (`.ld`) are Java objects, which are recognised and refused. The
-//! words are those of [`word::ROWS`]; parentheses are for branches of several elements, which nobody else writes yet.
+//! words are those of `word::ROWS`; parentheses are for branches of several elements, which nobody else writes yet.
 //!
 //! A variable of the editor is a number of some width: inputs and outputs have eight bits, `MI` 32, `MF` is a float. An input or
 //! output that never holds anything but 0 and 1 is BOOL here.

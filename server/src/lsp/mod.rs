@@ -11,7 +11,7 @@
 //! 3. Work over a millisecond runs on a [`blocking`](transport::blocking) thread, with a flag that is set when the
 //!    handler is dropped, so that a cancelled request stops working.
 //! 4. Every request gets exactly one answer, also after a panic ([`guard`](transport::guard)), also when its message
-//!    cannot be decoded ([`received`](transport::received)). Positions are clamped, unknown documents answer `null`.
+//!    cannot be decoded (`received`). Positions are clamped, unknown documents answer `null`.
 //! 5. Published diagnostics name the version they belong to, and those of a text that is no longer shown are not
 //!    sent.
 //!

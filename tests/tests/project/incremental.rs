@@ -118,8 +118,10 @@ impl Files {
 
     fn texts(&self) -> String {
         let all = self.open.iter();
-        all.map(|(name, open)| format!("== {name}\n{}\n", open.text))
-            .collect()
+        let texts: Vec<String> = all
+            .map(|(name, open)| format!("== {name}\n{}\n", open.text))
+            .collect();
+        texts.concat()
     }
 }
 
