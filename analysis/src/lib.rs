@@ -13,7 +13,6 @@
 //! | `networks` | each network by itself: wiring, blocks, order; and where it is |
 //! | `names` | the tags of each scope, their places and types |
 //! | `resolve` | what operands mean; the program model |
-//! | `mistakes` | the sentences of what `names` and `resolve` find wrong |
 //! | `boolean` | when power comes through a network |
 //! | `findings` | what a finding is, and what comments say about it |
 //! | `rules` | what is wrong, one file for each rule |
