@@ -240,14 +240,19 @@ fn rails_as_drawn(source: Source<'_>, lines: Range<usize>) -> Rails {
         right: None,
     };
     for line in lines.filter(|line| source.kind(*line) == LineKind::Rung) {
-        let connectors = source.line(line).children();
-        for connector in connectors.filter(|child| child.kind() == RAIL_CONNECTOR) {
+        let drawn = source.line(line).children();
+        let drawn = drawn.filter(|child| !child.kind().is_trivia());
+        for (number, connector) in drawn
+            .enumerate()
+            .filter(|(_, child)| child.kind() == RAIL_CONNECTOR)
+        {
+            if number == 0 {
+                rails.left = true;
+                continue;
+            }
             let before = &source.text[source.range(line).start..connector.start()];
             let before = before.rsplit(['\n', '\r']).next().unwrap_or(before);
-            match display_width(before) {
-                0 => rails.left = true,
-                column => rails.right = rails.right.max(Some(column)),
-            }
+            rails.right = rails.right.max(Some(display_width(before)));
         }
     }
     rails
