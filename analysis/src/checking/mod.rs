@@ -19,13 +19,12 @@ pub use shown::keep_nearest;
 use crate::context::Context;
 use crate::findings::Finding;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule::Known;
-use crate::findings::rule::Severity;
+use crate::findings::rule::{Known, Severity};
 use crate::findings::rule_settings::RuleSettings;
 use crate::networks::NetworkAt;
 use crate::networks::control_flow::ControlFlow;
-use crate::rules;
 use crate::rules::survey::Survey;
+use crate::rules::{self, Checks};
 use crate::still_wanted::StillWanted;
 use networks::InNetworks;
 
@@ -52,12 +51,13 @@ pub(crate) fn find(
     let any = networks.fold(ControlFlow::default(), |any, network| {
         any.with(network.control_flow)
     });
-    let mut in_networks = InNetworks::check(memo, context, settings, wanted)?;
+    let checks = Checks::new(settings);
+    let mut in_networks = InNetworks::check(memo, &checks, context, settings, wanted)?;
     let mut names = Vec::new();
     rules::of_names(context, &mut names);
-    let of_tags = tags::check(context, any, settings, wanted)?;
+    let of_tags = tags::check(&checks, context, any, wanted)?;
     let mut file = Vec::new();
-    rules::of_file(context, settings, &mut file);
+    checks.file(context, &mut file);
 
     let has_error = |found: &Diagnostic| found.severity == Severity::Error;
     let elsewhere = names
@@ -81,7 +81,7 @@ pub(crate) fn find(
             && !has_syntax_errors(context),
         names: !of_tags
             .iter()
-            .any(|found| found.rule == crate::rules::undeclared_tag::RULE),
+            .any(|found| found.rule == rules::undeclared_tag::RULE),
     };
     let survey = Survey {
         whole: known.whole,
@@ -91,14 +91,14 @@ pub(crate) fn find(
     };
     in_networks.check_power(context, &survey, wanted)?;
     let mut program = Vec::new();
-    rules::of_program(&survey, settings, &mut program);
+    checks.program(&survey, &mut program);
 
     // Of two findings of one rule at one place the first counts: what is found while types are inferred comes before what
     // follows from it.
     let findings = |found: Vec<Diagnostic>| found.into_iter().map(Finding::from);
     let (types, tags): (Vec<_>, Vec<_>) = of_tags
         .into_iter()
-        .partition(|found| found.rule == crate::rules::type_mismatch::RULE);
+        .partition(|found| found.rule == rules::type_mismatch::RULE);
     let mut all: Vec<Finding> = findings(names).chain(findings(types)).collect();
     all.append(&mut in_networks.found);
     all.extend(findings(file).chain(findings(tags)).chain(findings(program)));

@@ -10,7 +10,7 @@ use crate::findings::stamp;
 use crate::networks::NetworkAt;
 use crate::resolve;
 use crate::rules::survey::Survey;
-use crate::rules::{self, MOST_FINDINGS, OfNetworks};
+use crate::rules::{self, Checks, MOST_FINDINGS};
 use crate::still_wanted::StillWanted;
 use ladder_syntax::TextRange;
 use rustc_hash::FxHasher;
@@ -20,7 +20,7 @@ use std::sync::Arc;
 /// What is found in the networks of a file.
 pub(super) struct InNetworks<'m> {
     before: &'m Memo,
-    rules: OfNetworks,
+    rules: &'m Checks,
     pub(super) memo: Memo,
     pub(super) found: Vec<Finding>,
     /// For each network whether an error is found in it.
@@ -36,6 +36,7 @@ impl<'m> InNetworks<'m> {
     /// Asks the rules about drawings, blocks and types. None if that is not wanted any longer.
     pub(super) fn check(
         before: &'m Memo,
+        rules: &'m Checks,
         context: &Context,
         settings: &RuleSettings,
         wanted: &StillWanted<'_>,
@@ -44,7 +45,7 @@ impl<'m> InNetworks<'m> {
         let of_settings = of_settings(context, settings);
         let mut all = InNetworks {
             before,
-            rules: OfNetworks::new(settings),
+            rules,
             memo: Memo::with_capacity(count),
             found: Vec::new(),
             faulty: vec![false; count],
@@ -103,7 +104,7 @@ impl<'m> InNetworks<'m> {
         network: NetworkAt<'_>,
         group: Group,
         key: Option<u64>,
-        look: impl FnOnce(&OfNetworks, &mut Vec<Diagnostic>) -> bool,
+        look: impl FnOnce(&Checks, &mut Vec<Diagnostic>) -> bool,
     ) {
         let facts = context.networks.facts(network.index);
         let start = network.range.start();
@@ -116,7 +117,7 @@ impl<'m> InNetworks<'m> {
             return;
         }
         let mut out = Vec::new();
-        let may_keep = look(&self.rules, &mut out);
+        let may_keep = look(self.rules, &mut out);
         // What names places elsewhere is true for this text only.
         let Some(key) = key.filter(|_| may_keep && out.iter().all(|found| found.lies_in(network.range)))
         else {

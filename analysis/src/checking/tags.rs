@@ -2,29 +2,25 @@
 
 use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
-use crate::findings::rule_settings::RuleSettings;
 use crate::networks::control_flow::ControlFlow;
-use crate::rules;
+use crate::rules::Checks;
 use crate::rules::tag_view::{AroundTags, TagView};
 use crate::still_wanted::StillWanted;
 
 /// Asks the rules about tags. `any` is what the networks have together of program flow. None if that is not wanted any longer.
 pub(super) fn check(
+    rules: &Checks,
     context: &Context,
     any: ControlFlow,
-    settings: &RuleSettings,
     wanted: &StillWanted<'_>,
 ) -> Option<Vec<Diagnostic>> {
-    let rules = rules::of_tags(settings);
     let around = AroundTags::of(context, any);
     let mut found = Vec::new();
     for (scope, facts) in context.scopes.iter().enumerate() {
         for tag in facts.tags.iter().filter(|tag| !tag.is_alias()) {
             wanted.one_more()?;
             let view = TagView::new(scope, tag, &around);
-            for check in &rules {
-                check(&view, &mut found);
-            }
+            rules.tag(&view, &mut found);
         }
     }
     Some(found)

@@ -16,7 +16,7 @@ use crate::findings::rule_settings::{Level, RuleSettings};
 
 /// What a rule is a function of. What it finds goes to the list.
 #[derive(Clone, Copy)]
-pub(super) enum Check {
+enum Check {
     /// Found while the text is read, names are joined, operands resolved or comments read; or together with another rule.
     ByOthers,
     /// The drawing of a network, and the form of its blocks.
@@ -141,12 +141,41 @@ pub fn rule_named(name: &str) -> Option<Rule> {
     ALL.iter().copied().find(|rule| rule.name() == name)
 }
 
-/// The checks of one kind, without those of rules that are a matter of taste and not switched on.
-pub(super) fn checks<C>(settings: &RuleSettings, of_kind: impl Fn(Check) -> Option<C>) -> Vec<C> {
-    let asked = LIST
-        .iter()
-        .filter(|(rule, _)| rule.on_by_default() || settings.is_on(*rule));
-    asked.filter_map(|(_, check)| of_kind(*check)).collect()
+/// The checks that are asked, by what they are a function of.
+#[derive(Default)]
+pub(crate) struct Checks {
+    pub(super) form: Vec<fn(&Form<'_>, &mut Vec<Diagnostic>)>,
+    pub(super) block: Vec<fn(&SurveyedBlock<'_>, &mut Vec<Diagnostic>)>,
+    pub(super) wiring: Vec<fn(&Walk<'_>, &mut Vec<Diagnostic>)>,
+    pub(super) power: Vec<fn(&Table<'_>, &mut Vec<Diagnostic>)>,
+    pub(super) tag: Vec<fn(&TagView<'_>, &mut Vec<Diagnostic>)>,
+    pub(super) flow: Vec<fn(&Flow<'_>, &mut Vec<Diagnostic>)>,
+    pub(super) file: Vec<fn(&Context, &mut Vec<Diagnostic>)>,
+    pub(super) program: Vec<fn(&Survey<'_>, &mut Vec<Diagnostic>)>,
+}
+
+impl Checks {
+    /// All but those of rules that are a matter of taste and not switched on.
+    pub(crate) fn new(settings: &RuleSettings) -> Checks {
+        let mut all = Checks::default();
+        for (rule, check) in LIST {
+            if !rule.on_by_default() && !settings.is_on(*rule) {
+                continue;
+            }
+            match *check {
+                Check::ByOthers => {}
+                Check::Form(check) => all.form.push(check),
+                Check::Block(check) => all.block.push(check),
+                Check::Wiring(check) => all.wiring.push(check),
+                Check::Power(check) => all.power.push(check),
+                Check::Tag(check) => all.tag.push(check),
+                Check::Flow(check) => all.flow.push(check),
+                Check::File(check) => all.file.push(check),
+                Check::Program(check) => all.program.push(check),
+            }
+        }
+        all
+    }
 }
 
 impl RuleSettings {

@@ -91,8 +91,8 @@ pub(crate) mod wiring_walk;
 pub(crate) mod wrong_place;
 pub(crate) mod wrong_shape;
 
-pub(crate) use list::position;
 pub use list::{ALL, rule_named};
+pub(crate) use list::{Checks, position};
 
 use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
@@ -101,8 +101,6 @@ use crate::findings::rule_settings::RuleSettings;
 use crate::networks::NetworkAt;
 use crate::networks::network::Meaning;
 use form::Form;
-use list::{Check, checks};
-use power_rules::Table;
 use survey::{Survey, SurveyedBlock};
 use tag_view::TagView;
 use wiring_walk::Walk;
@@ -130,48 +128,7 @@ pub(crate) fn say_enough(last: &mut Diagnostic) {
     last.severity = Severity::Error;
 }
 
-/// The rules about networks.
-pub(crate) struct OfNetworks {
-    form: Vec<fn(&Form<'_>, &mut Vec<Diagnostic>)>,
-    block: Vec<fn(&SurveyedBlock<'_>, &mut Vec<Diagnostic>)>,
-    wiring: Vec<fn(&Walk<'_>, &mut Vec<Diagnostic>)>,
-    power: Vec<fn(&Table<'_>, &mut Vec<Diagnostic>)>,
-}
-
-impl OfNetworks {
-    pub(crate) fn new(settings: &RuleSettings) -> OfNetworks {
-        OfNetworks {
-            form: checks(settings, |check| {
-                if let Check::Form(check) = check {
-                    Some(check)
-                } else {
-                    None
-                }
-            }),
-            block: checks(settings, |check| {
-                if let Check::Block(check) = check {
-                    Some(check)
-                } else {
-                    None
-                }
-            }),
-            wiring: checks(settings, |check| {
-                if let Check::Wiring(check) = check {
-                    Some(check)
-                } else {
-                    None
-                }
-            }),
-            power: checks(settings, |check| {
-                if let Check::Power(check) = check {
-                    Some(check)
-                } else {
-                    None
-                }
-            }),
-        }
-    }
-
+impl Checks {
     /// Asks those about a network by itself: its drawing, and its blocks.
     pub(crate) fn form(
         &self,
@@ -181,7 +138,9 @@ impl OfNetworks {
         out: &mut Vec<Diagnostic>,
     ) {
         let form = Form::of(context, network);
-        self.form.iter().for_each(|check| check(&form, out));
+        for check in &self.form {
+            check(&form, out);
+        }
         for bound in network.blocks() {
             let row = match bound.meaning {
                 Meaning::Instruction(row) if !bound.faulty => Some(row),
@@ -194,66 +153,47 @@ impl OfNetworks {
                 row,
                 settings,
             };
-            self.block.iter().for_each(|check| check(&block, out));
+            for check in &self.block {
+                check(&block, out);
+            }
         }
     }
 
     /// Asks those about what power does in a network without errors.
     pub(crate) fn power(&self, survey: &Survey<'_>, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
         if let Some(walk) = Walk::new(survey.context, network) {
-            self.wiring.iter().for_each(|check| check(&walk, out));
+            for check in &self.wiring {
+                check(&walk, out);
+            }
         }
         if let Some(table) = power_rules::table(survey, network) {
-            self.power.iter().for_each(|check| check(&table, out));
+            for check in &self.power {
+                check(&table, out);
+            }
         }
     }
-}
 
-/// The rules about tags.
-pub(crate) fn of_tags(settings: &RuleSettings) -> Vec<fn(&TagView<'_>, &mut Vec<Diagnostic>)> {
-    checks(settings, |check| {
-        if let Check::Tag(check) = check {
-            Some(check)
-        } else {
-            None
+    /// Asks those about a tag with its uses.
+    pub(crate) fn tag(&self, tag: &TagView<'_>, out: &mut Vec<Diagnostic>) {
+        for check in &self.tag {
+            check(tag, out);
         }
-    })
-}
-
-/// Asks the rules about the names and definitions of a file.
-pub(crate) fn of_file(context: &Context, settings: &RuleSettings, out: &mut Vec<Diagnostic>) {
-    let all = checks(settings, |check| {
-        if let Check::File(check) = check {
-            Some(check)
-        } else {
-            None
-        }
-    });
-    for check in all {
-        check(context, out);
     }
-}
 
-/// Asks the rules about the program as a whole.
-pub(crate) fn of_program(survey: &Survey<'_>, settings: &RuleSettings, out: &mut Vec<Diagnostic>) {
-    let all = checks(settings, |check| {
-        if let Check::Program(check) = check {
-            Some(check)
-        } else {
-            None
+    /// Asks those about the names and definitions of a file.
+    pub(crate) fn file(&self, context: &Context, out: &mut Vec<Diagnostic>) {
+        for check in &self.file {
+            check(context, out);
         }
-    });
-    for check in all {
-        check(survey, out);
     }
-    let of_flow = checks(settings, |check| {
-        if let Check::Flow(check) = check {
-            Some(check)
-        } else {
-            None
+
+    /// Asks those about the program as a whole.
+    pub(crate) fn program(&self, survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
+        for check in &self.program {
+            check(survey, out);
         }
-    });
-    flow::check(survey, &of_flow, out);
+        flow::check(survey, &self.flow, out);
+    }
 }
 
 /// Puts into sentences what is wrong with names.
