@@ -1,8 +1,12 @@
 //! The paths in a Rust source: those of its `use` declarations, and those in its code.
 
+use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
+
 /// The paths of a source, segment by segment. Comments, texts and what is built for tests only have none.
 pub(super) fn of(text: &str) -> Vec<Vec<String>> {
-    let tokens = without_tests(&tokens(text));
+    let tokens = tokens(text);
+    let tokens: Vec<&str> = tokens.iter().map(String::as_str).collect();
+    let tokens = without_tests(&tokens);
     let mut paths = Vec::new();
     let mut at = 0;
     while at < tokens.len() {
@@ -99,93 +103,40 @@ fn end_of_item(tokens: &[&str], begin: usize) -> usize {
     tokens.len()
 }
 
-/// Words, `::` and single characters. Comments, texts, characters and lifetimes are left out.
-fn tokens(text: &str) -> Vec<&str> {
-    let mut tokens = Vec::new();
-    let mut rest = text;
-    while let Some(first) = rest.chars().next() {
-        let word = rest
-            .find(|c: char| !c.is_alphanumeric() && c != '_')
-            .unwrap_or(rest.len());
-        let length = if rest.starts_with("//") {
-            rest.find('\n').unwrap_or(rest.len())
-        } else if rest.starts_with("/*") {
-            block_comment(rest)
-        } else if let Some(length) = raw_text(rest) {
-            length
-        } else if first == '"' {
-            quoted(rest, '"')
-        } else if first == '\'' {
-            character_or_lifetime(rest)
-        } else {
-            let length = if rest.starts_with("::") {
-                2
-            } else {
-                word.max(first.len_utf8())
-            };
-            if !first.is_whitespace() {
-                tokens.push(&rest[..length]);
-            }
-            length
-        };
-        rest = &rest[length..];
-    }
-    tokens
+/// Words, `::`, brackets and single characters. Texts, numbers and characters are left out.
+fn tokens(text: &str) -> Vec<String> {
+    let stream: TokenStream = text.parse().expect("a source can be split into tokens");
+    let mut all = Vec::new();
+    flatten(stream, &mut all);
+    all
 }
 
-/// The length of a comment that may have others in it.
-fn block_comment(text: &str) -> usize {
-    let mut depth = 0;
-    let mut at = 0;
-    while at < text.len() {
-        let rest = &text[at..];
-        if rest.starts_with("/*") {
-            depth += 1;
-            at += 2;
-        } else if rest.starts_with("*/") {
-            depth -= 1;
-            at += 2;
-            if depth == 0 {
-                break;
+fn flatten(stream: TokenStream, all: &mut Vec<String>) {
+    let mut is_half = false;
+    for tree in stream {
+        let was_half = std::mem::take(&mut is_half);
+        match tree {
+            TokenTree::Group(group) => {
+                let (opening, closing) = match group.delimiter() {
+                    Delimiter::Parenthesis => ("(", ")"),
+                    Delimiter::Brace => ("{", "}"),
+                    Delimiter::Bracket => ("[", "]"),
+                    Delimiter::None => ("", ""),
+                };
+                all.push(opening.to_owned());
+                flatten(group.stream(), all);
+                all.push(closing.to_owned());
             }
-        } else {
-            at += rest.chars().next().map_or(1, char::len_utf8);
+            TokenTree::Ident(word) => all.push(word.to_string()),
+            TokenTree::Punct(sign) if sign.as_char() == ':' && was_half => {
+                all.pop();
+                all.push("::".to_owned());
+            }
+            TokenTree::Punct(sign) => {
+                is_half = sign.as_char() == ':' && sign.spacing() == Spacing::Joint;
+                all.push(sign.to_string());
+            }
+            TokenTree::Literal(_) => {}
         }
     }
-    at
-}
-
-/// The length of a raw text such as `br#".."#`, if one begins here.
-fn raw_text(text: &str) -> Option<usize> {
-    let after_letters = ["r", "br", "cr"].iter().find_map(|letters| {
-        text.strip_prefix(letters)
-            .filter(|rest| rest.starts_with(['"', '#']))
-    })?;
-    let content = after_letters.trim_start_matches('#');
-    let hashes = &after_letters[..after_letters.len() - content.len()];
-    let content = content.strip_prefix('"')?;
-    let end = format!("\"{hashes}");
-    let length = content.find(&end)? + end.len();
-    Some(text.len() - content.len() + length)
-}
-
-/// The length of a text in quotes.
-fn quoted(text: &str, quote: char) -> usize {
-    let mut escaped = false;
-    for (at, c) in text.char_indices().skip(1) {
-        if c == quote && !escaped {
-            return at + 1;
-        }
-        escaped = c == '\\' && !escaped;
-    }
-    text.len()
-}
-
-fn character_or_lifetime(text: &str) -> usize {
-    let mut chars = text.chars().skip(1);
-    let is_character = match chars.next() {
-        Some('\\') => true,
-        _ => chars.next() == Some('\''),
-    };
-    if is_character { quoted(text, '\'') } else { 1 }
 }
