@@ -2,6 +2,7 @@
 
 use crate::checking::{self, Memo, keep_nearest};
 use crate::context::Context;
+use crate::cplc_draft;
 use crate::findings::Finding;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::Severity;
@@ -11,7 +12,7 @@ use crate::other_files::others::Others;
 use crate::program::Program;
 use crate::resolve::{self, Resolved, numbers::Unit};
 use crate::still_wanted::StillWanted;
-use ladder_syntax::{Parse, TextSize};
+use ladder_syntax::{Parse, TextRange, TextSize};
 use std::sync::{Arc, OnceLock};
 
 /// What is known of a file.
@@ -60,6 +61,13 @@ impl Analysis {
     pub fn has_errors(&self) -> bool {
         let is_error = |found: &Finding| found.severity == Severity::Error;
         !self.hidden_errors.is_empty() || self.findings.iter().any(is_error)
+    }
+
+    /// Where the text turns out to be in the first draft of the language, if that is what is wrong with it: the only finding
+    /// says so then.
+    pub fn cplc_draft(&self) -> Option<TextRange> {
+        self.has_errors()
+            .then(|| cplc_draft::beginning(&self.context.parse))?
     }
 
     /// The program, if there are no errors and it uses no function or block of another file: see

@@ -181,7 +181,7 @@ impl Context {
 
     /// The scope of the tag that an entry leads to, and which of its tags it is.
     pub fn alias_of(&self, entry: &TagFacts) -> Option<Entry> {
-        entry.cold.lead
+        entry.cold.alias_of
     }
 
     /// Where a tag is written, from top to bottom.

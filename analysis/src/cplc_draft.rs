@@ -17,7 +17,7 @@ pub fn is_cplc_draft(text: &str) -> bool {
 /// The line in which a file of ladder text turns out to begin in the draft: its first line that is not a comment, if that is
 /// a header of the draft, or draws a block of the draft. A slip in a program of our own looks alike only where it is in the
 /// first line. So a file is in the draft if it has errors and such a line: one finding says so then.
-pub fn beginning(parse: &Parse) -> Option<TextRange> {
+pub(crate) fn beginning(parse: &Parse) -> Option<TextRange> {
     let mut in_comment = false;
     for (index, parsed) in parse.lines().iter().enumerate().take(LINES) {
         let text = parsed.text();

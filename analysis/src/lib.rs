@@ -47,7 +47,7 @@ pub use analyze::{
 };
 pub use boolean::formula::{Formulas, formulas};
 pub use checking::keep_nearest;
-pub use cplc_draft::{beginning as cplc_draft_beginning, is_cplc_draft};
+pub use cplc_draft::is_cplc_draft;
 pub use findings::Finding;
 pub use findings::article::with_article;
 pub use findings::diagnostic::{Applicability, Diagnostic, Fix, Related};

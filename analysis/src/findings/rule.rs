@@ -76,6 +76,7 @@ pub(crate) struct RuleFacts {
     on: bool,
     when: When,
     about_types: bool,
+    without_effect: bool,
 }
 
 impl RuleFacts {
@@ -89,6 +90,7 @@ impl RuleFacts {
             on: true,
             when: When::Always,
             about_types: false,
+            without_effect: false,
         }
     }
 
@@ -114,6 +116,14 @@ impl RuleFacts {
     pub(crate) const fn about_types(self) -> RuleFacts {
         RuleFacts {
             about_types: true,
+            ..self
+        }
+    }
+
+    /// It finds text that has no effect.
+    pub(crate) const fn without_effect(self) -> RuleFacts {
+        RuleFacts {
+            without_effect: true,
             ..self
         }
     }
@@ -143,6 +153,11 @@ impl Rule {
     /// Whether it looks for findings unless set otherwise. What is a matter of taste is off.
     pub const fn on_by_default(self) -> bool {
         self.0.on
+    }
+
+    /// Whether what it finds is text without effect, which editors show faded.
+    pub const fn is_about_no_effect(self) -> bool {
+        self.0.without_effect
     }
 
     /// When what it finds is true.

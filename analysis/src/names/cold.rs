@@ -16,7 +16,7 @@ pub struct ColdFacts {
     /// The address after AT, or the address itself.
     pub address: Option<Box<str>>,
     /// The tag that this entry leads to, if it is one of another scope.
-    pub(crate) lead: Option<Entry>,
+    pub(crate) alias_of: Option<Entry>,
     /// The file that declares it, if it is a VAR_GLOBAL tag of another one.
     pub foreign: Option<Arc<str>>,
 }
@@ -29,7 +29,7 @@ impl ColdFacts {
     pub(crate) const NONE: ColdFacts = ColdFacts {
         initial: Vec::new(),
         address: None,
-        lead: None,
+        alias_of: None,
         foreign: None,
     };
 }
@@ -42,7 +42,7 @@ impl From<ColdFacts> for Cold {
     fn from(facts: ColdFacts) -> Cold {
         let is_any = !facts.initial.is_empty()
             || facts.address.is_some()
-            || facts.lead.is_some()
+            || facts.alias_of.is_some()
             || facts.foreign.is_some();
         Cold(is_any.then(|| Box::new(facts)))
     }
@@ -77,7 +77,7 @@ mod tests {
     fn nothing_takes_nothing() {
         assert!(Cold::from(ColdFacts::NONE).0.is_none());
         let mut cold = Cold::from(ColdFacts::NONE);
-        cold.lead = Some((1, 2));
-        assert_eq!(cold.lead, Some((1, 2)));
+        cold.alias_of = Some((1, 2));
+        assert_eq!(cold.alias_of, Some((1, 2)));
     }
 }

@@ -94,7 +94,7 @@ fn share_tag(
         agrees
     });
     if let Some(target) = target.filter(|target| *target != entry) {
-        lead(context, entry, target);
+        make_alias(context, entry, target);
     }
     context.scopes[scope].tags[tag].mistyped |= !agrees;
 }
@@ -242,7 +242,7 @@ fn of_file(context: &mut Context, scope: usize, tag: usize) -> Entry {
     (0, context.scopes[0].add(facts))
 }
 
-fn lead(context: &mut Context, from: Entry, to: Entry) {
+fn make_alias(context: &mut Context, from: Entry, to: Entry) {
     let target = &context.scopes[to.0].tags[to.1];
     let (ty, role, constant, retain, mistyped) = (
         target.ty,
@@ -253,7 +253,7 @@ fn lead(context: &mut Context, from: Entry, to: Entry) {
     );
     let foreign = target.cold.foreign.clone();
     let entry = &mut context.scopes[from.0].tags[from.1];
-    entry.cold.lead = Some(to);
+    entry.cold.alias_of = Some(to);
     if !entry.is_declared() {
         entry.origin = Origin::Shared;
     }

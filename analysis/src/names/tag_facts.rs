@@ -116,7 +116,7 @@ impl TagFacts {
 
     /// Whether it is an entry for a tag of another scope, of which more is known there; see [`Context::alias_of`](crate::context::Context::alias_of).
     pub fn is_alias(&self) -> bool {
-        self.cold.lead.is_some()
+        self.cold.alias_of.is_some()
     }
 
     /// Of a declared tag, whether it may be shared with other scopes or files, or has no type by its declaration.

@@ -8,8 +8,11 @@ use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity, When};
 use crate::program::Step;
 use ladder_instructions::Op;
 
-pub(crate) const RULE: Rule =
-    Rule(&RuleFacts::new(RuleGroup::Program, "unreachable", Severity::Warning).when(When::Whole));
+pub(crate) const RULE: Rule = Rule(
+    &RuleFacts::new(RuleGroup::Program, "unreachable", Severity::Warning)
+        .when(When::Whole)
+        .without_effect(),
+);
 
 pub(super) fn check(flow: &Flow<'_>, out: &mut Vec<Diagnostic>) {
     let reached = flow.reached();

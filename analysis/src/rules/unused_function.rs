@@ -9,8 +9,11 @@ use ladder_instructions::Op;
 use ladder_syntax::Name;
 use rustc_hash::FxHashSet;
 
-pub(crate) const RULE: Rule =
-    Rule(&RuleFacts::new(RuleGroup::Program, "unused-function", Severity::Info).when(When::Whole));
+pub(crate) const RULE: Rule = Rule(
+    &RuleFacts::new(RuleGroup::Program, "unused-function", Severity::Info)
+        .when(When::Whole)
+        .without_effect(),
+);
 
 pub(super) fn check(survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
     let context = survey.context;

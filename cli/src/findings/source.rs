@@ -147,15 +147,13 @@ impl Source {
 
     /// Adds the conversion to the finding that a file is in the first draft of the language, which is the only one then.
     fn offer_conversion(&self, findings: &mut [Diagnostic]) {
-        let analysis = self.analyze();
         let [found] = findings else { return };
-        if !analysis.has_errors() || ladder_analysis::cplc_draft_beginning(&analysis.context.parse).is_none()
-        {
+        if self.analyze().cplc_draft().is_none() {
             return;
         }
         match conversion_of_cplc_draft(&self.text, &self.format_options()) {
             Some(Ok(fix)) => found.fixes.push(fix),
-            Some(Err(error)) => found.help = Some(format!("it cannot be converted yet: {error}").into()),
+            Some(Err(reason)) => found.help = Some(reason.into()),
             None => {}
         }
     }

@@ -4,7 +4,7 @@
 mod conversion;
 mod form;
 
-pub use conversion::conversion_of_cplc_draft;
+pub use conversion::{CONVERSION, conversion_of_cplc_draft};
 pub use form::Form;
 pub use ladder_notation::{
     Companion, Converted, Entry, Finding, Foreign, LineColumn, Lines, Mark, Notation, Outcome, ReadError,

@@ -13,9 +13,6 @@ use crate::document::{OtherPlaces, Revision};
 use crate::lsp::convert;
 use crate::lsp::session::agreed::Agreed;
 
-/// The rules that mark text without effect: editors show it faded.
-const UNNECESSARY: [&str; 3] = ["unreachable", "unused-function", "unused-label"];
-
 /// This many places are looked up one by one; for more a table of all lines costs less.
 const FEW: usize = 100;
 
@@ -80,7 +77,7 @@ impl<'r> Findings<'r> {
         let fixes: Vec<&str> = found.fixes.iter().map(|fix| &*fix.title).collect();
         Diagnostic {
             related_information: (!related.is_empty()).then_some(related),
-            tags: (self.agreed.unnecessary_tag && UNNECESSARY.contains(&name))
+            tags: (self.agreed.unnecessary_tag && found.rule.is_about_no_effect())
                 .then(|| vec![DiagnosticTag::UNNECESSARY]),
             data: (self.agreed.diagnostic_data && !fixes.is_empty()).then(|| json!({ "fixes": fixes })),
             ..convert::diagnostic(self.range(found.range), found.severity, name, message)

@@ -70,7 +70,9 @@ pub(crate) async fn code_action(
             .iter()
             .filter(|action| action.disabled.is_none() || agreed.disabled_actions)
             .map(|action| offer(agreed, &revision, analysis, range, action, text.as_deref()));
-        let conversion = conversion::place(analysis)
+        let conversion = analysis
+            .whole()
+            .cplc_draft()
             .filter(|place| {
                 wanted(&params.context, &name(ActionKind::QuickFix)) && place.intersect(problems).is_some()
             })

@@ -1,9 +1,7 @@
 //! The conversion of a program in the first draft of the language, as a code action: the finding that it is one says what
 //! to do at the command line.
 
-use ladder_analysis::cplc_draft_beginning;
-use ladder_notations::conversion_of_cplc_draft;
-use ladder_syntax::TextRange;
+use ladder_notations::{CONVERSION, conversion_of_cplc_draft};
 use tower_lsp::ls_types::{CodeAction, CodeActionDisabled, CodeActionKind};
 
 use crate::document::Revision;
@@ -11,20 +9,12 @@ use crate::language::Analysis;
 use crate::lsp::finding::Findings;
 use crate::lsp::{convert, session::agreed::Agreed};
 
-/// Where the text turns out to be in the draft, if that is what is wrong with it.
-pub(super) fn place(analysis: &Analysis) -> Option<TextRange> {
-    let whole = analysis.whole();
-    whole
-        .has_errors()
-        .then(|| cplc_draft_beginning(&whole.context.parse))?
-}
-
 /// The action for a text in the draft, with its edit; none in a build that does not read the draft.
 pub(super) fn action(agreed: Agreed, revision: &Revision, analysis: &Analysis) -> Option<CodeAction> {
     let mut findings = Findings::of(agreed, revision);
     let found = analysis.findings().iter();
     let action = CodeAction {
-        title: "Convert to ladder text".to_owned(),
+        title: CONVERSION.to_owned(),
         kind: Some(CodeActionKind::QUICKFIX),
         diagnostics: Some(
             found
@@ -40,10 +30,8 @@ pub(super) fn action(agreed: Agreed, revision: &Revision, analysis: &Analysis) -
             edit: convert::workspace_edit(agreed, revision, &fix.edits),
             ..action
         },
-        Err(error) => CodeAction {
-            disabled: Some(CodeActionDisabled {
-                reason: format!("it cannot be converted yet: {error}"),
-            }),
+        Err(reason) => CodeAction {
+            disabled: Some(CodeActionDisabled { reason }),
             ..action
         },
     })
