@@ -1,4 +1,4 @@
-//! What a directive, a comment for the tools, asks for: `# ladder: profile ldmicro #`. A caller that looks for one kind of it
+//! What a directive, a comment for the tools, asks for: `# ladder: profile ldmicro #`. Code that looks for one kind of it
 //! reads it here.
 
 /// A word, and what is after it without the blanks around it.

@@ -1,4 +1,4 @@
-//! Whether a user waits for what is being read or looked for: what takes long is given up when a newer text is there.
+//! Whether anything waits for what is being read or looked for: what takes long is given up when a newer text is there.
 
 use std::cell::Cell;
 

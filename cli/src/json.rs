@@ -1,7 +1,7 @@
 //! JSON on its way to a terminal or a log.
 //!
 //! JSON itself writes out the control characters below 32 only. The others that a terminal interprets are in strings, too, and
-//! only there: written as `\\u009b` they mean the same to a caller that reads it.
+//! only there: written as `\\u009b` they mean the same to any reader.
 
 use ladder_workspace::shown;
 use serde::Serialize;

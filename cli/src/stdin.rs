@@ -40,7 +40,7 @@ pub(crate) fn read(name: &Path) -> Result<String, FileError> {
     ladder_workspace::decode(name, read_bytes(name)?)
 }
 
-/// Reads what need not be text. One byte too many is kept, for a caller that takes it for a text to complain of.
+/// Reads what need not be text. One byte too many is kept, so that a caller that takes it for a text can complain of it.
 ///
 /// # Errors
 /// The operating system refuses.

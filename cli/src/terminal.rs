@@ -38,7 +38,7 @@ pub(crate) fn stderr() -> BufWriter<io::Stderr> {
 pub(crate) fn clear() {
     let mut stdout = io::stdout().lock();
     if stdout.is_terminal() {
-        // A caller that has closed stdout does not want to see it empty.
+        // Nobody reads a stdout that was closed.
         let _ = stdout
             .write_all(b"\x1b[2J\x1b[3J\x1b[H")
             .and_then(|()| stdout.flush());
@@ -47,7 +47,7 @@ pub(crate) fn clear() {
 
 fn say(style: Style, kind: &str, message: &dyn Display) {
     let mut stderr = anstream::stderr();
-    // A caller that has closed stderr does not want to know.
+    // Nobody reads a stderr that was closed.
     let message = message.to_string();
     let _ = writeln!(stderr, "{style}{kind}:{style:#} {}", shown::text(&message));
 }

@@ -17,7 +17,7 @@
 //!
 //! What holds for every text: formatting twice gives the same text; nothing is lost but blanks, dashes, `|` and
 //! line ends; the wiring, and with it what the program does, stays the same. The [`Sketch`] and its columns
-//! know nothing of text, so that a caller that makes new networks draws them with the same writer. A whole program is written
+//! know nothing of text, so that code that makes new networks draws them with the same writer. A whole program is written
 //! from a [`program::ProgramSketch`].
 
 mod block;

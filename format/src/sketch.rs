@@ -1,6 +1,6 @@
 //! A network as a drawing without columns: what is on its rungs, in which order, and how it is joined.
 //!
-//! The formatter makes a sketch of every network that it reads; a caller that makes new networks (an importer, a
+//! The formatter makes a sketch of every network that it reads; code that makes new networks (an importer, a
 //! refactoring) makes one of what it wants drawn. Columns are worked out from the sketch alone.
 
 use std::ops::Range;

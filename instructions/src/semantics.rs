@@ -1,6 +1,6 @@
 //! What programs of a profile do otherwise (LANGUAGE §5.8): one value for each difference.
 //!
-//! A caller that must tell profiles apart asks for the one difference that it is about, never for the profile: a new profile
+//! Code that must tell profiles apart asks for the one difference that it is about, never for the profile: a new profile
 //! is a new [`Semantics`], and nothing else where its differences are among these.
 
 use crate::profile::Profile;

@@ -18,7 +18,7 @@ impl Cancel {
         self.0.store(true, Ordering::Relaxed);
     }
 
-    /// A guard that cancels when it is dropped: a caller that awaits the job holds it.
+    /// A guard that cancels when it is dropped: the task that awaits the job holds it.
     pub(crate) fn on_drop(&self) -> CancelOnDrop {
         CancelOnDrop(self.clone())
     }

@@ -15,7 +15,7 @@ use ladder_ide::{
 use ladder_ide::{Inlay, Lens};
 use ladder_syntax::{Parse, TextRange, TextSize};
 
-/// What one text says: its names, networks and blocks. Enough for most that is asked while a user types.
+/// What one text says: its names, networks and blocks. Enough for most that is asked while a program is typed.
 #[derive(Debug, Clone)]
 pub(crate) struct Names {
     context: Arc<Context>,

@@ -11,7 +11,7 @@
 //! ```
 //!
 //! - `document` holds the editor's texts in ropes. A change makes a new `Revision`, which never changes again:
-//!   a caller that works on one works in peace, and whether it is still shown is asked at the end. A revision computes
+//!   a thread that works on one is not disturbed, and whether it is still shown is asked at the end. A revision computes
 //!   two layers, each once, when first asked: the names of its text, and what is found in it. Most features ask
 //!   for names only, and wait for no rule.
 //! - `language` is where the server asks about a text: findings, hovers, layout, in bytes.

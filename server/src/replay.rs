@@ -115,7 +115,7 @@ async fn in_steps(pieces: Vec<Piece>, to_server: &mut (impl AsyncWrite + Unpin),
         }
         heard.wait(&heard.answered, &barrier.to_string(), PATIENCE).await;
         if method.is_none() {
-            // A caller that waits for a client's answer goes on a moment later.
+            // A handler that waits for a client's answer goes on a moment later.
             tokio::time::sleep(MOMENT).await;
         }
         busy.rest(PATIENCE).await;

@@ -25,7 +25,7 @@ pub(crate) struct StandardInput {
 }
 
 impl StandardInput {
-    /// Begins to read. A read cannot be interrupted, so that the thread may be left after at the end.
+    /// Begins to read. A read cannot be interrupted, so that the thread may be left waiting at the end.
     ///
     /// # Errors
     /// The system gives no thread.

@@ -17,7 +17,7 @@
 //! What holds for every text: `parse(text).to_string() == text`; parsing never fails, it gives a tree and
 //! [`SyntaxError`]s; an error never leaves its line (an open comment excepted); nesting is bounded.
 //!
-//! The grammar reports what it reads to a [`Builder`]. The tree's is one; a caller that needs no tree brings another
+//! The grammar reports what it reads to a [`Builder`]. The tree's is one; code that needs no tree brings another
 //! ([`read_lines`]) and gets the same lines and the same structure with what that builder made of them.
 //!
 //! No instruction is known here: an unknown or half-typed mnemonic parses like any other, and every operand

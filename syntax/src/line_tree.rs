@@ -1,7 +1,7 @@
 //! The tree of one line: made when it is asked for, from the text that the line was read from.
 //!
 //! A tree takes some fifteen times the memory of its text, and most of what is asked about a program follows from what
-//! was read off it once. So a line holds the text, and its tree only while a user near the cursor reads it. A caller that
+//! was read off it once. So a line holds the text, and its tree only while a feature near the cursor reads it. Code that
 //! goes over all lines makes trees with [`Trees`], one after the other, and keeps none.
 
 use crate::ast::NodeView;

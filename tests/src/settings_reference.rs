@@ -153,7 +153,7 @@ pub fn extension_settings() -> String {
                 "markdownDescription".into(),
                 about(setting.about, setting.place).into(),
             );
-            // A caller that may write a workspace's settings must not say which program runs.
+            // Those who may write a workspace's settings must not say which program runs.
             let scope = if setting.kind == Kind::Text {
                 // Not for a workspace to say, trusted or not.
                 "machine"

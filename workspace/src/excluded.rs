@@ -8,7 +8,7 @@ use ignore::gitignore::Gitignore;
 use std::path::Path;
 
 /// Whether the settings of its workspace exclude a file, or a `.gitignore` or `.ignore` in a folder above it does, up to
-/// the repository it lies in. The file need not exist. Settings that cannot be used exclude nothing: a caller that needs
+/// the repository it lies in. The file need not exist. Settings that cannot be used exclude nothing: a command that needs
 /// them says what is wrong with them.
 pub fn is_excluded(file: &Path) -> bool {
     let Ok(file) = std::path::absolute(file) else {

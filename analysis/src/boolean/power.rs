@@ -26,7 +26,7 @@ pub(crate) struct Question {
     pub(crate) read_first: bool,
     /// This block is a bare wire, or a gap.
     pub(crate) replaced: Option<(usize, Replacement)>,
-    /// `SYS.ON` is on and `SYS.OFF` is off. Otherwise they are contacts like others, which a user has put there
+    /// `SYS.ON` is on and `SYS.OFF` is off. Otherwise they are contacts like others, which were put there on purpose
     /// on purpose.
     pub(crate) fixed: bool,
 }

@@ -77,7 +77,7 @@ fn difference(old: &str, new: &str) -> Vec<Edit> {
         }
         start += a.len();
     }
-    // Both rests begin at the same line start, so lines of theirs can be compared from after.
+    // Both rests begin at the same line start, so lines of theirs can be compared from the end.
     let mut after = 0;
     let (old_rest, new_rest) = (&old[start..], &new[start..]);
     let (old_lines, new_lines) = (old_rest.split_inclusive('\n'), new_rest.split_inclusive('\n'));

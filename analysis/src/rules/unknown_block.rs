@@ -1,4 +1,4 @@
-//! `unknown-block`: a user-defined block that nobody defines, or that is drawn in another shape.
+//! `unknown-block`: a user-defined block that no file defines, or that is drawn in another shape.
 
 use super::form::Form;
 use crate::context::Context;

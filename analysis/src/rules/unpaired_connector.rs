@@ -19,7 +19,7 @@ pub(crate) const RULE: Rule = Rule(
         .fixed(Applicability::Unsafe),
 );
 
-/// How many connectors of one line are reported: a caller that draws more of them without partners knows.
+/// How many connectors of one line are reported: more say nothing new.
 const MOST: usize = 10;
 
 /// With this many connectors on a line the columns are compared one by one.

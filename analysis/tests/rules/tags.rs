@@ -180,7 +180,7 @@ fn one_scan_late() {
                 at 3:21 `t`: `t` is written here
         "#]],
     );
-    // A circle: a user has to be late.
+    // A circle: one of them has to be late.
     clean_program("+--[ ]( a )--[/]( y )--( )( x )--+\n\n+--[ ]( x )--[TON]( t, T#5s )--( )( y )--+\n");
     // An edge by hand.
     clean_program("+--[ ]( a )--[/]( before )--( )( rose )--+\n\n+--[ ]( a )--( )( before )--+\n");

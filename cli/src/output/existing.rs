@@ -32,7 +32,7 @@ pub(crate) fn may_write(file: &Path, existing: Existing) -> Result<(), Failure> 
     let metadata = match file.metadata() {
         Ok(metadata) => metadata,
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
-        // Said by a caller that writes it.
+        // Said when it is written.
         Err(_) => return Ok(()),
     };
     // What is no file (a device, a pipe) is written to as it is, and an empty one holds nothing to lose.

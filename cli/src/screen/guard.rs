@@ -46,7 +46,7 @@ impl Drop for Guard {
 /// Makes the terminal as it was. A second call does nothing.
 pub(super) fn leave() {
     if ON.swap(false, Ordering::SeqCst) {
-        // A caller that has closed the terminal does not want to see it cleaned up.
+        // A user who has closed the terminal does not want to see it cleaned up.
         let _ = execute!(raw_stdout(), DisableMouseCapture, LeaveAlternateScreen, Show);
         let _ = disable_raw_mode();
     }

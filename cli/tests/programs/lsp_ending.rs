@@ -86,7 +86,7 @@ impl Server {
 
 impl Drop for Server {
     fn drop(&mut self) {
-        // A test that failed leaves no server after.
+        // A test that failed leaves no server running.
         let _ = self.child.kill();
         let _ = self.child.wait();
     }

@@ -233,7 +233,7 @@ fn a_letter_that_no_built_in_font_has() {
     let pages = pages(&bytes);
     assert!(pages[0].contains(&"größe".to_owned()), "{pages:?}");
     assert!(pages[0].contains(&"\u{fffd}\u{fffd}".to_owned()), "{pages:?}");
-    // A caller that copies the text gets what was written.
+    // A reader who copies the text gets what was written.
     let content = objects(&bytes);
     let whole = content
         .values()

@@ -28,7 +28,7 @@ where
     let runtime = tokio::runtime::Builder::new_current_thread()
         .enable_all()
         .build()?;
-    // It reads as long as there is input; a caller that waits for it to end would wait for the client.
+    // It reads as long as there is input; waiting for it to end would be waiting for the client.
     std::thread::Builder::new().name("input".into()).spawn(move || {
         runtime.block_on(async { wire::read(input(), sender, counter).await });
         runtime.shutdown_background();

@@ -75,7 +75,7 @@ impl<W: Write> Adapter<W> {
                     After::Go => {}
                     stop => return Ok(stop),
                 },
-                // The scan took long, and a user wants something else.
+                // The scan took long, and the client wants something else.
                 Some(Stop::Cancelled) => return Ok(After::Go),
                 other => return Ok(self.after_stop(other, true)),
             }

@@ -1,4 +1,4 @@
-//! What changes have done to a text, as one edit in bytes: so that a caller that knows the text before need look no further than
+//! What changes have done to a text, as one edit in bytes: so that code that knows the text before need look no further than
 //! to the lines around it.
 
 use std::ops::Range;

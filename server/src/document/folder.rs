@@ -43,7 +43,7 @@ pub(super) struct Folder {
     pub(super) open: HashMap<PathBuf, Open>,
     /// Those of which nothing is known yet: an editor shows them, and what it shows was not checked.
     unknown: HashSet<PathBuf>,
-    /// What its files show to each other. Nothing if that has changed since a user asked.
+    /// What its files show to each other. Nothing if that has changed since it was asked for.
     pub(super) exported: Option<Arc<Exported>>,
     /// How often what an open file shows has become something else.
     pub(super) changes: u64,

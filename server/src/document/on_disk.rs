@@ -10,7 +10,7 @@ use ladder_syntax::Parse;
 use ladder_workspace::Stamp;
 
 /// The names of files that no editor shows are kept in workspaces with this many bytes of text; in larger ones they are read
-/// again when a user asks.
+/// again when it is asked for.
 const MOST_KEPT: u64 = 2 << 20;
 
 /// A program as it is on disk: what counts of one that no editor shows.
@@ -19,8 +19,8 @@ pub(crate) struct OnDisk {
     pub(crate) name: Arc<str>,
     pub(super) stamp: Stamp,
     path: PathBuf,
-    /// Its text. All else that is known of it is read again when a user asks. Of a file that an editor shows the text too is
-    /// read only if a user asks: it is mostly the same that the editor has sent.
+    /// Its text. All else that is known of it is read again when it is asked for. Of a file that an editor shows the text too is
+    /// read only if it is asked for: it is mostly the same that the editor has sent.
     text: OnceLock<String>,
     pub(super) exports: Arc<Exports>,
     /// Its names, as they are among these other files.
@@ -45,7 +45,7 @@ impl OnDisk {
         OnDisk::new((path, Stamp::of(path)), name, exports, OnceLock::new())
     }
 
-    /// The same, as it was written then, without its text, which is read again if a user asks.
+    /// The same, as it was written then, without its text, which is read again if it is asked for.
     pub(super) fn without_text(&self, stamp: Stamp) -> OnDisk {
         let (name, exports) = (Arc::clone(&self.name), Arc::clone(&self.exports));
         OnDisk::new((&self.path, stamp), name, exports, OnceLock::new())

@@ -40,7 +40,7 @@ pub(super) struct Edited {
     pub(super) at: usize,
 }
 
-/// A document as it was between two changes. It never changes, so a caller that holds one can work on it in peace
+/// A document as it was between two changes. It never changes, so a thread that holds one can work on it undisturbed
 /// while the editor types on; whether it is still what the editor shows is for the store to say.
 #[derive(Debug)]
 pub(crate) struct Revision {
@@ -145,7 +145,7 @@ impl Revision {
         names
     }
 
-    /// The same while they are wanted, or a user waits in [`Revision::names`]: where the names of the whole file are joined
+    /// The same while they are wanted, or a thread waits in [`Revision::names`]: where the names of the whole file are joined
     /// again that is given up once neither is so.
     fn names_while(&self, wanted: &dyn Fn() -> bool) -> Option<&Names> {
         // Offsets of the inner crates are 32 bits wide; they read slices, not ropes.

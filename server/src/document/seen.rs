@@ -61,7 +61,7 @@ impl Seen {
     pub(super) fn changed(&self, root: &Path) -> Vec<PathBuf> {
         let settings_file = root.join(SETTINGS_FILE);
         let now = Stamp::of(&settings_file);
-        // A link that leads nowhere is there, too: a caller that reads it says so.
+        // A link that leads nowhere is there, too: reading it says so.
         let is_there = settings_file.symlink_metadata().is_ok();
         if is_there != self.settings_file.is_some() || self.settings_file.is_some_and(|it| it != now) {
             return vec![settings_file];

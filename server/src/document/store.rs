@@ -58,7 +58,7 @@ struct Open {
 #[derive(Debug)]
 struct Document {
     revision: Arc<Revision>,
-    /// Whether a user analyses this document now, and will go on with the newest revision when done.
+    /// Whether a thread analyses this document now, and will go on with the newest revision when done.
     analysing: bool,
     /// Whether a change was refused: editor and server may see different texts since.
     refused: bool,
@@ -194,7 +194,7 @@ impl Documents {
     }
 
     /// The revision to analyse, for the one who may begin; `None` if the document is being analysed, in which
-    /// case [`Documents::analysed`] hands the newest revision to a caller that does.
+    /// case [`Documents::analysed`] hands the newest revision to the thread that does.
     pub(crate) fn begin_analysis(&self, uri: &str) -> Option<Arc<Revision>> {
         let mut open = self.lock();
         let document = open
@@ -291,7 +291,7 @@ mod tests {
         let first = documents.begin_analysis(URI).unwrap();
         documents.change(URI, 2, &insert_front("a")).unwrap();
         documents.change(URI, 3, &insert_front("b")).unwrap();
-        assert!(documents.begin_analysis(URI).is_none(), "a user is at it");
+        assert!(documents.begin_analysis(URI).is_none(), "it is being analysed");
         assert!(!documents.is_current(&first));
         let next = documents.analysed(&first).unwrap();
         assert_eq!(next.version, 3);

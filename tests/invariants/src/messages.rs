@@ -1,4 +1,4 @@
-//! Whatever a client sends, the server lives on, and a caller that asks is answered once.
+//! Whatever a client sends, the server lives on, and each request is answered once.
 //!
 //! The input as a whole is sent as it is; each part of it is sent as the body of a message, unless it holds headers of its
 //! own.

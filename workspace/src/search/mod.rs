@@ -228,7 +228,7 @@ impl<'w> Search<'w> {
         }
     }
 
-    /// Whether the settings above a file do not exclude it. Settings that cannot be read exclude nothing: a caller that
+    /// Whether the settings above a file do not exclude it. Settings that cannot be read exclude nothing: a command that
     /// needs them says what is wrong with them.
     fn belongs(&mut self, path: &Path) -> bool {
         let Ok(path) = std::path::absolute(path) else {

@@ -134,7 +134,7 @@ fn renamed_program(file: &Path, text: &str, renames: &[(PathBuf, PathBuf)]) -> O
 fn after(path: &Path, renames: &[(PathBuf, PathBuf)]) -> PathBuf {
     let rename = renames.iter().find(|(old, _)| path.starts_with(old));
     match rename.and_then(|(old, new)| Some((path.strip_prefix(old).ok()?, new))) {
-        // Joining nothing would leave a slash after.
+        // Joining nothing would leave a slash at the end.
         Some((rest, new)) if rest.as_os_str().is_empty() => new.clone(),
         Some((rest, new)) => new.join(rest),
         None => path.to_owned(),

@@ -100,7 +100,7 @@ fn show(shared: &Arc<Shared>, uri: &str) {
 }
 
 /// `ladder.cursor`: the cursor is somewhere else. What a change finds is recorded before anything is waited for, so
-/// that the next change is one of a user who types.
+/// that the next change is typed too.
 pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) -> Result<LSPAny> {
     let Cursor { uri, line } = argument_of(CURSOR, params.arguments).map_err(error)?;
     let Some(line) = line else {

@@ -229,7 +229,7 @@ const fn kind(kind: CompletionKind) -> CompletionItemKind {
     }
 }
 
-/// What leads to the documentation, once a user looks at the proposal.
+/// What leads to the documentation, once the proposal is looked at.
 fn data(revision: &Revision, topic: &Topic) -> Option<Value> {
     let uri = &*revision.uri;
     Some(match topic {

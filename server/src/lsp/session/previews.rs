@@ -12,12 +12,12 @@ pub(crate) struct Previews {
 }
 
 impl Previews {
-    /// Whether a user follows the ladder text of a program.
+    /// Whether a client follows the ladder text of a program.
     pub(crate) fn follow(&self, uri: &str) -> bool {
         self.lock().contains_key(uri)
     }
 
-    /// From now on a user does, who has this text.
+    /// From now on a client does, which has this text.
     pub(crate) fn begin(&self, uri: &str, text: &str) {
         self.lock().insert(uri.to_owned(), text.to_owned());
     }

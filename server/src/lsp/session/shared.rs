@@ -57,7 +57,7 @@ pub(crate) struct Shared {
     /// The open texts that are not ladder text: settings files, scenarios, programs of other systems, and what the
     /// client sends besides. They are apart, so that nobody takes one for ladder text.
     pub(crate) companions: Arc<Documents>,
-    /// Which of them are programs whose ladder text a user follows.
+    /// Which of them are programs whose ladder text a client follows.
     pub(crate) previews: Arc<Previews>,
     /// The files next to them.
     pub(crate) neighbours: Arc<Neighbours>,

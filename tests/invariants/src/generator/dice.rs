@@ -17,7 +17,7 @@ impl Dice {
         }
     }
 
-    /// The row that bytes make: a caller that changes a byte changes one choice, or a few. After the last one the row is that
+    /// The row that bytes make: changing a byte changes one choice, or a few. After the last one the row is that
     /// of a seed.
     pub fn of_bytes(bytes: &[u8]) -> Dice {
         Dice {
