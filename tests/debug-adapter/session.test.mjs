@@ -162,7 +162,7 @@ test('tags by what they are for, to be seen and changed', async () => {
     assert.equal(await value('$Tally#1.runs'), '42');
     // In the midst of a scan what is given waits for its end.
     const late = await client.customRequest('setExpression', { expression: 'button', value: 'FALSE' });
-    assert.equal(late.body.value, 'TRUE \u2192 FALSE behind this scan');
+    assert.equal(late.body.value, 'TRUE \u2192 FALSE after this scan');
     await stopsAfter('step', client.stepOutRequest({ threadId: 1 }));
     assert.equal(await value('button'), 'FALSE');
 });
