@@ -49,7 +49,7 @@ use crate::lsp::features::{
     goto, hover, inlay_hint, links, notations, preview, references, rename, semantic_tokens, signature,
     simulate, symbols,
 };
-use crate::lsp::transport::parent;
+use crate::lsp::session::parent;
 use crate::lsp::{
     capabilities,
     session::{agreed::Agreed, shared::Shared},

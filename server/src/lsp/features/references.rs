@@ -10,6 +10,7 @@ use tower_lsp::ls_types::{
 use super::asked::{Asked, about_place};
 use super::of_scenarios::{about_scenarios, scenarios_at};
 use crate::document::{Revision, in_parallel};
+use crate::lsp::transport::answered::as_text;
 use crate::lsp::{convert, session::shared::Shared};
 use ladder_ide::{Highlight, Reference, Usage, highlights};
 
@@ -19,7 +20,7 @@ pub(crate) async fn references(
 ) -> Result<Option<Vec<Location>>> {
     let declarations = params.context.include_declaration;
     let place = params.text_document_position;
-    match scenarios_at(shared, &place.text_document.uri) {
+    let found = match scenarios_at(shared, &place.text_document.uri) {
         Some(revision) => {
             about_scenarios(shared, revision, move |scenarios| {
                 let asked = scenarios.program.as_ref()?;
@@ -36,7 +37,8 @@ pub(crate) async fn references(
             })
             .await
         }
-    }
+    };
+    found.map(as_text)
 }
 
 /// Each file by itself, on all processors.

@@ -12,6 +12,7 @@ use tower_lsp::ls_types::{
 use super::asked::{Asked, Places, about_place};
 use super::of_scenarios::{about_scenarios, scenarios_at};
 use crate::document::Revision;
+use crate::lsp::transport::answered::as_text;
 use crate::lsp::{convert, session::shared::Shared};
 use ladder_ide::{Renamable, RenameRefused, Renamed};
 
@@ -89,7 +90,7 @@ pub(crate) async fn rename(shared: &Arc<Shared>, params: RenameParams) -> Result
     if open.any(|it| !shared.documents.shows(it) && !shared.companions.shows(it)) {
         return Err(Error::content_modified());
     }
-    Ok(Some(edit))
+    Ok(as_text(Some(edit)))
 }
 
 /// The edit, and the open documents that it changes.

@@ -119,7 +119,7 @@ fn pace(real_time: Option<bool>, speed: Option<f64>) -> Result<Option<Pace>> {
 
 /// The client has shown what a session sent it.
 pub(crate) fn has_shown(shared: &Arc<Shared>, OfSession { session }: OfSession) {
-    // One that has ended meanwhile is no error.
+    // One that has ended meanwhile is not an error.
     if let Ok(session) = shared.sessions.get(&session) {
         drop(session.ask(Action::HasShown, Cancel::default()));
     }
@@ -297,7 +297,7 @@ mod tests {
         let text = "+--[ ]( a )--( )( y )--+\n";
         let show = json!({"lines": [{"first": 0, "last": 0}], "tags": []});
         let start = json!({"uri": uri, "options": {"show": show}});
-        let mut started = (None, None);
+        let mut started = Answer::default();
         for message in [
             json!({"id": 1, "method": "initialize", "params": {"capabilities": {}}}),
             json!({"method": "textDocument/didOpen", "params": {"textDocument":
@@ -310,7 +310,7 @@ mod tests {
             let mut message = message;
             message["jsonrpc"] = "2.0".into();
             let answer = call(message).await;
-            if answer.1.is_some() {
+            if answer.1.place.is_some() {
                 started = answer;
             }
         }
@@ -320,13 +320,13 @@ mod tests {
         let early = tokio::time::timeout(Duration::from_millis(200), states.next()).await;
         assert!(early.is_err(), "{early:?}");
 
-        let (answer, place) = started;
+        let (answer, left) = started;
         assert!(
             serde_json::to_string(&answer)
                 .unwrap()
                 .contains(r#""session":"s1""#)
         );
-        drop(place);
+        drop(left);
         let state = tokio::time::timeout(Duration::from_secs(10), states.next()).await;
         assert_eq!(state.unwrap().unwrap().params().unwrap()["version"], 2);
     }

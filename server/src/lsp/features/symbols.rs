@@ -14,6 +14,7 @@ use super::of_scenarios::{about_scenarios, scenarios_at};
 use crate::document::Revision;
 use crate::document::other_files::OtherFiles;
 use crate::document::positions::Positions;
+use crate::lsp::transport::answered::as_text;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, session::shared::Shared};
 use ladder_ide::{OutlineKind, Outlined, ScenarioPart, outline, workspace_symbols};
@@ -47,6 +48,7 @@ pub(crate) async fn document_symbols(
         Some(DocumentSymbolResponse::Flat(flat))
     })
     .await
+    .map(as_text)
 }
 
 /// The scenarios of a file with their rows, or flat.

@@ -4,6 +4,7 @@
 pub(crate) mod agreed;
 pub(crate) mod commands;
 pub(crate) mod outbox;
+pub(crate) mod parent;
 pub(crate) mod previews;
 pub(crate) mod shared;
 pub(crate) mod tokens_sent;

@@ -1,35 +1,62 @@
-//! When the answer to a request has its place in what is written.
+//! What becomes of the answer of a handler: when it has its place in what is written, and large ones as text.
 
 use std::cell::Cell;
 use std::future::Future;
 
+use serde::Serialize;
+use serde_json::value::{RawValue, to_raw_value};
 use tokio::sync::oneshot;
 
 /// Dropped when an answer has its place, or will never have one.
 pub(crate) type Place = oneshot::Sender<()>;
 
+/// What a handler leaves next to its answer.
+#[derive(Default)]
+pub(crate) struct Left {
+    /// What waits for the answer to have its place.
+    pub(crate) place: Option<Place>,
+    /// The result, already as text.
+    pub(crate) text: Option<Box<RawValue>>,
+}
+
 tokio::task_local! {
-    /// What the handler of a request waits for.
-    static AWAITED: Cell<Option<Place>>;
+    static LEFT: Cell<Left>;
+}
+
+/// Changes what is left; false outside of a session, as in tests, where nothing would take it.
+fn leave(change: impl FnOnce(&mut Left)) -> bool {
+    let changed = LEFT.try_with(|cell| {
+        let mut left = cell.take();
+        change(&mut left);
+        cell.set(left);
+    });
+    changed.is_ok()
 }
 
 /// Resolves when the answer to the request that is being handled has its place: what is sent from then on comes after it.
 /// To be called by the handler itself, not by a task that it has spawned.
 pub(crate) fn answered() -> impl Future<Output = ()> + use<> {
     let (place, taken) = oneshot::channel();
-    // Outside of a session, as in tests, there is nothing to wait for.
-    let _ = AWAITED.try_with(|awaited| awaited.set(Some(place)));
+    leave(|left| left.place = Some(place));
     async {
         // Nothing is sent from the other end; it is dropped.
         let _ = taken.await;
     }
 }
 
-/// Runs a handler; with its outcome comes what it waits for.
-pub(super) async fn handle<F: Future>(handler: F) -> (F::Output, Option<Place>) {
+/// For an answer of megabytes: its text is made here, because the framework would make a tree of values of it first, which
+/// takes four times as long. To be called by the handler itself.
+pub(crate) fn as_text<T: Serialize>(answer: Option<T>) -> Option<T> {
+    let text = to_raw_value(&answer).ok();
+    let is_text = text.is_some() && leave(|left| left.text = text);
+    answer.filter(|_| !is_text)
+}
+
+/// Runs a handler; with its outcome comes what it leaves.
+pub(super) async fn handle<F: Future>(handler: F) -> (F::Output, Left) {
     let run = async {
         let outcome = handler.await;
-        (outcome, AWAITED.with(Cell::take))
+        (outcome, LEFT.with(Cell::take))
     };
-    AWAITED.scope(Cell::new(None), run).await
+    LEFT.scope(Cell::default(), run).await
 }

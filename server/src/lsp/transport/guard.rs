@@ -20,7 +20,7 @@ use tower::Service;
 use tower_lsp::ExitedError;
 use tower_lsp::jsonrpc::{Error, Request, Response};
 
-use super::answered::{Place, handle};
+use super::answered::{Left, handle};
 use super::blocking::internal_error;
 use super::misread::misread;
 use crate::lsp::capabilities::since_3_18;
@@ -64,8 +64,8 @@ pub(crate) struct Guard<S> {
     outbox: Outbox,
 }
 
-/// An answer, if there is one, and what waits for it to have its place.
-pub(crate) type Answer = (Option<Response>, Option<Place>);
+/// An answer, if there is one, and what its handler has left.
+pub(crate) type Answer = (Option<Response>, Left);
 
 impl<S> Guard<S>
 where
@@ -104,14 +104,14 @@ where
             && let Some(problem) = misread(&request)
         {
             self.outbox.log(problem);
-            return futures::future::ready((None, None)).boxed();
+            return futures::future::ready((None, Left::default())).boxed();
         }
         // The framework leaves such a request without an answer; LSP wants this one.
         if let Some(id) = &id
             && request.method().starts_with("$/")
         {
             let answer = Response::from_error(id.clone(), Error::method_not_found());
-            return futures::future::ready((Some(answer), None)).boxed();
+            return futures::future::ready((Some(answer), Left::default())).boxed();
         }
         let step = match request.method() {
             "exit" => {
@@ -132,9 +132,9 @@ where
         let call = catch_unwind(AssertUnwindSafe(|| self.inner.call(request)));
         async move {
             let _lift = lift;
-            let (outcome, place) = match call {
+            let (outcome, left) = match call {
                 Ok(future) => handle(AssertUnwindSafe(future).catch_unwind()).await,
-                Err(panic) => (Err(panic), None),
+                Err(panic) => (Err(panic), Left::default()),
             };
             let answer = match outcome {
                 // After `exit` nothing is answered.
@@ -148,7 +148,7 @@ where
                 LifeStage::Initialize => answer.map(with_newer_capabilities),
                 _ => answer,
             };
-            (answer, place)
+            (answer, left)
         }
         .boxed()
     }

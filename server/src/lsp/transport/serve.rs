@@ -5,10 +5,13 @@ use std::time::Duration;
 
 use futures::{SinkExt, StreamExt};
 use serde::Serialize;
+use serde_json::value::RawValue;
 use tokio::io::{AsyncRead, AsyncWrite, AsyncWriteExt};
 use tokio::sync::mpsc;
 use tower_lsp::LspService;
+use tower_lsp::jsonrpc::{Id, Response};
 
+use super::answered::Left;
 use super::guard::Guard;
 use super::received::{Received, receive};
 use crate::busy::Busy;
@@ -71,7 +74,7 @@ where
                     }
                     guard.call(request)
                 }
-                Received::Broken(answer) => Box::pin(std::future::ready((Some(answer), None))),
+                Received::Broken(answer) => Box::pin(std::future::ready((Some(answer), Left::default()))),
                 Received::Answer(answer) => {
                     let _ = answers_of_client.send(answer).await;
                     continue;
@@ -83,12 +86,16 @@ where
     let answers = out.clone();
     let answer = waiting
         .buffer_unordered(CONCURRENCY)
-        .for_each(move |(answer, place)| {
+        .for_each(move |(answer, Left { place, text })| {
             let out = answers.clone();
             async move {
                 if let Some(answer) = answer {
+                    let frame = match &text {
+                        Some(result) => framed(&AsText::of(&answer, result)),
+                        None => framed(&answer),
+                    };
                     // The writer is gone only when the client is.
-                    let _ = out.send(framed(&answer)).await;
+                    let _ = out.send(frame).await;
                 }
                 drop(place);
             }
@@ -130,6 +137,24 @@ where
         Ending::Clean
     } else {
         Ending::Abrupt
+    }
+}
+
+/// An answer whose result is a text already.
+#[derive(Serialize)]
+struct AsText<'a> {
+    jsonrpc: &'static str,
+    result: &'a RawValue,
+    id: &'a Id,
+}
+
+impl<'a> AsText<'a> {
+    fn of(answer: &'a Response, result: &'a RawValue) -> Self {
+        AsText {
+            jsonrpc: "2.0",
+            result,
+            id: answer.id(),
+        }
     }
 }
 
