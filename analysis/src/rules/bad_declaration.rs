@@ -23,13 +23,13 @@ pub(crate) fn block_name(header: bool, text: &str, range: TextRange) -> Diagnost
     } else {
         super::unexpected_character::RULE
     };
-    Diagnostic::new(rule, range, format!("`{text}` is no name for a block"))
+    Diagnostic::new(rule, range, format!("`{text}` is not a name for a block"))
         .help("a block's name is a `$` and a letter, then letters and digits: $Debounce2")
 }
 
 /// A word where a declaration should be that was probably meant to begin or end something.
 pub(crate) fn misspelt(word: &str, keyword: &str, range: TextRange) -> Diagnostic {
-    wrong(range, format!("`{word}` is no declaration"))
+    wrong(range, format!("`{word}` is not a declaration"))
         .help(format!("did you mean {keyword}?"))
         .fix(
             Applicability::Unsafe,

@@ -193,7 +193,7 @@ pub(crate) fn next_below_zero(array: &str, first: i64, range: TextRange) -> Diag
 pub(crate) fn no_address(address: &str, range: TextRange) -> Diagnostic {
     wrong(
         range,
-        format!("`{address}` is no address: write one like %IX0.0, %QW1 or %MD2"),
+        format!("`{address}` is not an address: write one like %IX0.0, %QW1 or %MD2"),
     )
 }
 

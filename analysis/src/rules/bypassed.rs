@@ -49,7 +49,7 @@ pub(super) fn bypassed(walk: &Walk<'_>) -> Option<Vec<Bypassed>> {
             continue;
         };
         if limits_power(walk, block) {
-            // What the contact itself passes on may come along both lines; that is no wire round it.
+            // What the contact itself passes on may come along both lines; that is not a wire round it.
             let mut before = limits[index].clone();
             before.remove(same[index]);
             let join = absorbed(walk, index, &before, &carried, &consumers);

@@ -3,7 +3,6 @@
 use super::power_rules::{Table, is_condition};
 use crate::boolean::power::{Question, Replacement};
 use crate::boolean::space::Set;
-use crate::boolean::written::written_block;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::program::Step;
@@ -33,10 +32,7 @@ fn block_is_constant(table: &Table<'_>, block: usize, en: usize) -> Option<Diagn
                 Diagnostic::new(
                     RULE,
                     bound.range(),
-                    format!(
-                        "{} always conducts",
-                        written_block(table.context, table.network.scope, bound)
-                    ),
+                    format!("{} always conducts", table.tags.written_block(bound)),
                 )
                 .help("whatever its tags hold, it is true: compare with another value, or remove it"),
             );
@@ -46,10 +42,7 @@ fn block_is_constant(table: &Table<'_>, block: usize, en: usize) -> Option<Diagn
                 Diagnostic::new(
                     RULE,
                     bound.range(),
-                    format!(
-                        "{} never conducts",
-                        written_block(table.context, table.network.scope, bound)
-                    ),
+                    format!("{} never conducts", table.tags.written_block(bound)),
                 )
                 .help("whatever its tags hold, it is false: compare with another value, or remove the rung"),
             );

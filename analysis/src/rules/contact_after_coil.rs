@@ -2,7 +2,6 @@
 
 use super::power_rules::is_condition;
 use super::wiring_walk::Walk;
-use crate::boolean::written::written_block;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::BlockAt;
@@ -69,7 +68,7 @@ fn found(walk: &Walk<'_>, coil: usize, contact: usize) -> Diagnostic {
         contact.range(),
         format!(
             "{} is after a coil: readers look for it left of the coils",
-            written_block(walk.context, walk.network.scope, contact)
+            walk.tags.written_block(contact)
         ),
     )
     .help(

@@ -2,7 +2,6 @@
 
 use super::no_output::may_act;
 use super::wiring_walk::Walk;
-use crate::boolean::written::written_block;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::program::Step;
@@ -23,7 +22,7 @@ pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
                 Diagnostic::new(
                     RULE,
                     bound.range(),
-                    format!("the power of {} goes nowhere: nothing that acts is after it", written_block(walk.context, walk.network.scope, bound)),
+                    format!("the power of {} goes nowhere: nothing that acts is after it", walk.tags.written_block(bound)),
                 )
                 .help("put a coil or another block after it, join the line to another with \\ and /, or remove it"),
             );
@@ -62,7 +61,7 @@ fn loose_wires(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
         out.push(
             Diagnostic::new(
                 RULE,
-                network.part_range(&walk.context.parse, rung, part),
+                walk.tags.part_range(rung, part),
                 "this wire ends at nothing",
             )
             .help("draw it on to a connector or a block, or remove it"),

@@ -3,7 +3,7 @@
 use super::survey::SurveyedBlock;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
-use crate::names::operand_value::{Number, each_node, number};
+use crate::names::operand_value::{Number, each_node};
 use crate::networks::facts::{Node, NodeKind, Operator};
 use ladder_instructions::Division;
 use ladder_instructions::Op;
@@ -39,11 +39,11 @@ fn in_expression(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
 }
 
 fn is_zero(place: &SurveyedBlock<'_>, node: &Node) -> bool {
-    number(place.context, place.network.scope, node).is_some_and(Number::is_zero)
+    place.tags.number(node).is_some_and(Number::is_zero)
 }
 
 fn found(place: &SurveyedBlock<'_>, divisor: &Node) -> Diagnostic {
-    let what = match place.context.profile.semantics().division {
+    let what = match place.tags.profile().semantics().division {
         Division::Fault => "it is a fault, and no result is written",
         Division::ZeroAndEnd => "the result is 0, and the scan is the last one",
         Division::Zero => "the result is 0, and the controller tells of an error",

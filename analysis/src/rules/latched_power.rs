@@ -1,7 +1,6 @@
 //! `latched-power`: something is after a set coil, whose power is the tag and not the rung's.
 
 use super::wiring_walk::Walk;
-use crate::boolean::written::{written, written_block};
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::control_flow::ControlFlow;
@@ -16,7 +15,7 @@ pub(crate) const RULE: Rule = Rule(&RuleFacts::new(
 
 pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
     let sets = walk.network.control_flow.has(ControlFlow::SET) && walk.network.blocks.len() > 1;
-    if !sets || walk.context.profile.semantics().set_power == SetPower::En {
+    if !sets || walk.tags.profile().semantics().set_power == SetPower::En {
         return;
     }
     // For each step the set coil whose power it carries.
@@ -42,15 +41,17 @@ pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
 
 fn found(walk: &Walk<'_>, coil: usize, after: usize) -> Diagnostic {
     let (coil, after) = (walk.block(coil), walk.block(after));
-    let name = coil.facts.operands.first().map_or_else(String::new, |o| {
-        written(walk.context, walk.network.scope, &o.value)
-    });
+    let name = coil
+        .facts
+        .operands
+        .first()
+        .map_or_else(String::new, |o| walk.tags.written(&o.value));
     Diagnostic::new(
         RULE,
         after.range(),
         format!(
             "{} is after {}: its power is `{name}`, and stays on when the rung before goes off",
-            written_block(walk.context, walk.network.scope, after),
+            walk.tags.written_block(after),
             coil.head_text()
         ),
     )

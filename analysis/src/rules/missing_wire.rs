@@ -112,7 +112,7 @@ fn took_head(network: NetworkAt<'_>, index: usize) -> Diagnostic {
         block.absolute(list.cover(next.facts.range)),
         format!("{head} takes the next parentheses as its operands: the wire between them is missing"),
     );
-    // What is after is no block that could run.
+    // What is after is not a block that could run.
     found.severity = Severity::Error;
     found
         .help(format!("{head} has no operands: keep a `-` after it"))

@@ -70,6 +70,7 @@ pub(crate) mod suppression_unused;
 pub(crate) mod survey;
 pub(crate) mod syntax_errors;
 pub(crate) mod tag_view;
+mod tags_shown;
 pub(crate) mod type_conflict;
 pub(crate) mod type_mismatch;
 pub(crate) mod unbalanced_loop;
@@ -103,6 +104,7 @@ use crate::networks::network::Meaning;
 use form::Form;
 use survey::{Survey, SurveyedBlock};
 use tag_view::TagView;
+use tags_shown::TagsShown;
 use wiring_walk::Walk;
 
 /// Once so much was found in a file, no more is looked for in single networks and lines: nobody reads it, and each
@@ -147,11 +149,10 @@ impl Checks {
                 _ => None,
             };
             let block = SurveyedBlock {
-                context,
-                network,
+                tags: TagsShown::of(context, network),
                 bound,
                 row,
-                settings,
+                scan: settings.scan_interval.or(context.cycle),
             };
             for check in &self.block {
                 check(&block, out);

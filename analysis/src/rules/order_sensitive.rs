@@ -3,7 +3,6 @@
 use super::no_output::may_act;
 use super::power_rules::Table;
 use crate::boolean::power::Question;
-use crate::boolean::written::written;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use ladder_instructions::Coil;
@@ -32,9 +31,7 @@ pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
         let Some(point) = differing.first() else { continue };
         let on = now.holds(point);
         let tag = bound.facts.operands.first();
-        let name = tag.map_or_else(String::new, |o| {
-            written(table.context, table.network.scope, &o.value)
-        });
+        let name = tag.map_or_else(String::new, |o| table.tags.written(&o.value));
         // The other way round is another finding: all values that decide which way it is are named.
         let this_way = &differing & if on { now } else { then };
         let values = power.says(point, &this_way);

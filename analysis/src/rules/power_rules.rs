@@ -2,6 +2,7 @@
 //! them.
 
 use super::survey::Survey;
+use super::tags_shown::TagsShown;
 use crate::boolean::power::{NetworkPower, Powers, Question};
 use crate::context::Context;
 use crate::names::operand_value::{Number, number, scalar};
@@ -15,7 +16,7 @@ use smallvec::SmallVec;
 
 /// A network and its table.
 pub(super) struct Table<'c> {
-    pub(super) context: &'c Context,
+    pub(super) tags: TagsShown<'c>,
     pub(super) network: NetworkAt<'c>,
     pub(super) power: NetworkPower<'c>,
     /// The powers as the network runs.
@@ -43,7 +44,7 @@ impl<'c> Table<'c> {
             }
         }
         let mut table = Table {
-            context,
+            tags: TagsShown::of(context, network),
             network,
             power,
             powers,

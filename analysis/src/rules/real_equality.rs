@@ -3,7 +3,7 @@
 use super::survey::SurveyedBlock;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
-use crate::names::operand_value::{Number, each_node, is_real, number};
+use crate::names::operand_value::{Number, each_node};
 use crate::networks::facts::{Node, NodeKind, Operator};
 use ladder_instructions::Op;
 use ladder_syntax::TextRange;
@@ -42,9 +42,9 @@ fn in_expression(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
 
 /// Zero is exact: nothing is wrong with guarding a division.
 fn compares_reals<'n>(place: &SurveyedBlock<'_>, mut nodes: impl Iterator<Item = &'n Node> + Clone) -> bool {
-    let (context, scope) = (place.context, place.network.scope);
-    let is_zero = |node: &Node| number(context, scope, node).is_some_and(Number::is_zero);
-    nodes.clone().any(|node| is_real(context, scope, node)) && !nodes.any(is_zero)
+    let tags = place.tags;
+    let is_zero = |node: &Node| tags.number(node).is_some_and(Number::is_zero);
+    nodes.clone().any(|node| tags.is_real(node)) && !nodes.any(is_zero)
 }
 
 fn found(range: TextRange, negated: bool) -> Diagnostic {

@@ -7,7 +7,6 @@ use super::wiring_walk::Walk;
 use super::{constant_power, duplicate_branch, shorted_branch};
 use crate::boolean::gate::Gate;
 use crate::boolean::power::{Powers, Question, Replacement};
-use crate::boolean::written::written_block;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::BlockAt;
@@ -33,7 +32,7 @@ pub(super) fn bypassed(
     for together in contacts.chunk_by(|a, b| a.join == b.join) {
         let first = walk.block(together[0].block);
         let message = if together.len() == 1 {
-            let name = written_block(walk.context, walk.network.scope, first);
+            let name = walk.tags.written_block(first);
             format!("{name} decides nothing: a wire leads round it")
         } else {
             "these contacts decide nothing: a wire leads round them".to_owned()
@@ -46,7 +45,7 @@ pub(super) fn bypassed(
         let mut elements = walk.network.order.elements.iter();
         let connector = elements.find(|element| element.2 == together[0].join);
         if let Some(&(rung, part, ..)) = connector {
-            let place = walk.network.part_range(&walk.context.parse, rung, part);
+            let place = walk.tags.part_range(rung, part);
             found = found.related(place, "the wire joins the line again here");
         }
         out.push(found);
@@ -94,7 +93,7 @@ pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
         } else {
             continue;
         };
-        let name = written_block(table.context, table.network.scope, bound);
+        let name = table.tags.written_block(bound);
         out.push(Diagnostic::new(RULE, bound.range(), format!("{name} changes nothing here")).help(help));
         // What is redundant next to it may not be once it is gone.
         return;

@@ -11,7 +11,7 @@ pub(crate) const RULE: Rule =
     Rule(&RuleFacts::new(RuleGroup::Blocks, "result-arrow", Severity::Info).fixed(Applicability::Safe));
 
 pub(super) fn check(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
-    let (context, bound) = (place.context, place.bound);
+    let bound = place.bound;
     for (operand, formal) in bound.facts.operands.iter().zip(bound.formals.iter()) {
         let (Some(name), false) = (operand.name(), operand.has_arrow()) else {
             continue;
@@ -19,7 +19,7 @@ pub(super) fn check(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
         let is_result = match (*formal, bound.meaning) {
             (Formal::Operand(row), _) => row.direction == Direction::Out,
             (Formal::Parameter(index), Meaning::User(block)) => {
-                context.user_blocks[block].parameters[index].kind == ParameterKind::Output
+                place.tags.parameters(block)[index].kind == ParameterKind::Output
             }
             _ => false,
         };

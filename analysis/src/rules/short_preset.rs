@@ -4,7 +4,7 @@ use super::survey::SurveyedBlock;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::findings::rule_settings::DEFAULT_SCAN_INTERVAL;
-use crate::names::operand_value::{Number, number, scalar};
+use crate::names::operand_value::Number;
 use crate::networks::facts::{Node, NodeKind};
 use crate::networks::network::Formal;
 use crate::values::literal::Literal;
@@ -37,16 +37,16 @@ pub(super) fn check(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
     else {
         return;
     };
-    let Some(Number::Int(value)) = number(place.context, place.network.scope, &operand.value) else {
+    let Some(Number::Int(value)) = place.tags.number(&operand.value) else {
         return;
     };
     // A plain integer is milliseconds.
     let plain = is_integer(place, &operand.value);
     let preset = if plain { value * MILLISECOND } else { value };
-    let scan = place.settings.scan_interval.or(place.context.cycle);
+    let scan = place.scan;
     let scan = i128::from(scan.unwrap_or(DEFAULT_SCAN_INTERVAL));
     let at = bound.absolute(operand.value.range);
-    match place.context.profile.semantics().timing {
+    match place.tags.profile().semantics().timing {
         Timing::Clock => {}
         Timing::Scans => return out.extend(in_scans(preset, scan, at)),
         Timing::Ticks => return out.extend(in_ticks(place, plain.then_some(value), scan, at)),
@@ -133,7 +133,7 @@ fn time_base(place: &SurveyedBlock<'_>, unless_named: i128) -> Option<i128> {
     let Some((operand, _)) = named else {
         return Some(unless_named);
     };
-    match number(place.context, place.network.scope, &operand.value) {
+    match place.tags.number(&operand.value) {
         Some(Number::Int(base)) => Some(base),
         _ => None,
     }
@@ -159,7 +159,7 @@ fn in_units(value: i128, plain: bool, base: i128, at: TextRange) -> Option<Diagn
 fn is_integer(place: &SurveyedBlock<'_>, node: &Node) -> bool {
     match &node.kind {
         NodeKind::Literal(_) => matches!(node.literal(), Some(Literal::Int(_))),
-        _ => scalar(place.context, place.network.scope, node).is_some_and(Scalar::is_integer),
+        _ => place.tags.scalar(node).is_some_and(Scalar::is_integer),
     }
 }
 

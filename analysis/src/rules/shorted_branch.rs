@@ -4,7 +4,6 @@ use super::bypassed::Bypassed;
 use super::power_rules::is_condition;
 use super::redundant_element;
 use super::wiring_walk::Walk;
-use crate::boolean::written::written_block;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::BlockAt;
@@ -59,7 +58,7 @@ fn shorted(walk: &Walk<'_>, bypassed: Option<&[Bypassed]>, out: &mut Vec<Diagnos
         let message = if rest.is_empty() {
             format!(
                 "a bare wire next to {} shorts it: it decides nothing",
-                written_block(walk.context, walk.network.scope, *first)
+                walk.tags.written_block(*first)
             )
         } else {
             "a bare wire next to these contacts shorts them: they decide nothing".to_owned()

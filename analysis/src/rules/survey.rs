@@ -1,7 +1,7 @@
 //! What the rules about power and the whole program need to know of the file, and a block for those about blocks.
 
+use super::tags_shown::TagsShown;
 use crate::context::Context;
-use crate::findings::rule_settings::RuleSettings;
 use crate::networks::control_flow::ControlFlow;
 use crate::networks::{BlockAt, NetworkAt};
 use ladder_instructions::{Instruction, Op};
@@ -44,12 +44,12 @@ impl<'c> Survey<'c> {
 
 /// A block, for the rules about blocks.
 pub(super) struct SurveyedBlock<'c> {
-    pub(super) context: &'c Context,
-    pub(super) network: NetworkAt<'c>,
+    pub(super) tags: TagsShown<'c>,
     pub(super) bound: BlockAt<'c>,
     /// The instruction, if it is one that could be read.
     pub(super) row: Option<&'static Instruction>,
-    pub(super) settings: &'c RuleSettings,
+    /// The time from one scan to the next that the program is made for, in nanoseconds.
+    pub(super) scan: Option<i64>,
 }
 
 impl SurveyedBlock<'_> {

@@ -1,12 +1,13 @@
 //! One walk over each network's steps, shared by the rules about what is after what on a wire.
 
+use super::tags_shown::TagsShown;
 use crate::context::Context;
 use crate::networks::{BlockAt, NetworkAt};
 use crate::program::Step;
 
 /// A network and what the rules ask of each of its steps.
 pub(super) struct Walk<'c> {
-    pub(super) context: &'c Context,
+    pub(super) tags: TagsShown<'c>,
     pub(super) network: NetworkAt<'c>,
     /// Whether a block that acts uses the power that a step gives, directly or by way of conditions.
     pub(super) useful: Vec<bool>,
@@ -27,7 +28,7 @@ impl<'c> Walk<'c> {
     pub(super) fn new(context: &'c Context, network: NetworkAt<'c>) -> Option<Walk<'c>> {
         let acts = network.blocks().any(super::no_output::may_act);
         acts.then(|| Walk {
-            context,
+            tags: TagsShown::of(context, network),
             network,
             useful: useful(network),
         })

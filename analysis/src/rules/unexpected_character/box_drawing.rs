@@ -52,7 +52,7 @@ fn has_corners(line: &str) -> bool {
 }
 
 /// The fix of a drawing around a place: all lines above and below that have box-drawing characters, or names above contacts and
-/// coils. None if it has only straight lines, or a line is no line of its own.
+/// coils. None if it has only straight lines, or a line is not a line of its own.
 pub(crate) fn fix(parse: &Parse, at: TextSize) -> Option<Fix> {
     let own = |line: usize| {
         let range = (line < parse.lines().len()).then(|| parse.line_range(line))?;
@@ -267,7 +267,7 @@ mod tests {
                 "├──┤ ├( a )─────────(S)────┤",
                 Some("+--[ ]( a )---------(S)( %QX0.1 )----+"),
             ),
-            // More names than contacts, too far away, and words that are no names.
+            // More names than contacts, too far away, and words that are not names.
             ("  a  b", "├──┤ ├──┤", None),
             ("                     a", "├──┤ ├──┤", None),
             ("  it's a", "├──┤ ├──┤", None),
