@@ -10,7 +10,7 @@ fn main() {
     divan::main();
 }
 
-/// A program of about so many rungs, clean but for what `mistake` says.
+/// A program of about so many rungs, clean but for what `kind` says.
 #[derive(Clone, Copy, Debug)]
 enum Kind {
     /// Every tag is declared.
@@ -18,7 +18,7 @@ enum Kind {
     /// No tag is declared: every type is inferred, and every name checked for slips.
     Undeclared,
     /// Every tenth rung has an error.
-    Mistaken,
+    Faulty,
     /// As `Declared`, and every network asks for a tag twice: its boolean function is worked out.
     AskedTwice,
 }
@@ -41,7 +41,7 @@ fn program(kind: Kind, rungs: usize) -> String {
     }
     for n in 0..networks {
         let stop = (n * 7 + 3) % networks;
-        let instruction = if matches!(kind, Kind::Mistaken) && n % 4 == 0 {
+        let instruction = if matches!(kind, Kind::Faulty) && n % 4 == 0 {
             "TOM"
         } else {
             "TON"
@@ -67,7 +67,7 @@ fn parsed(kind: Kind, rungs: usize) -> (Arc<Parse>, usize) {
     (Arc::new(parse(&text)), text.len())
 }
 
-#[divan::bench(args = [Kind::Declared, Kind::Undeclared, Kind::Mistaken, Kind::AskedTwice])]
+#[divan::bench(args = [Kind::Declared, Kind::Undeclared, Kind::Faulty, Kind::AskedTwice])]
 fn thousand_rungs(bencher: Bencher, kind: Kind) {
     let (parse, size) = parsed(kind, 1_000);
     bencher
@@ -75,7 +75,7 @@ fn thousand_rungs(bencher: Bencher, kind: Kind) {
         .bench_local(|| analyze(&parse, "bench.clad"));
 }
 
-#[divan::bench(args = [Kind::Declared, Kind::Undeclared, Kind::Mistaken, Kind::AskedTwice], sample_count = 10)]
+#[divan::bench(args = [Kind::Declared, Kind::Undeclared, Kind::Faulty, Kind::AskedTwice], sample_count = 10)]
 fn large(bencher: Bencher, kind: Kind) {
     let (parse, size) = parsed(kind, 50_000);
     bencher

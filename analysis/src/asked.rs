@@ -16,7 +16,7 @@ pub(crate) fn may_ask(text: &str) -> bool {
     text.contains(PREFIX)
 }
 
-/// Reads a comment with its signs. None: it is no directive.
+/// Reads a comment with its signs. None: it is not a directive.
 pub(crate) fn asked(comment: &str) -> Option<Asked<'_>> {
     let words = comment.trim_matches('#').trim().strip_prefix(PREFIX)?.trim();
     let end = words.find(|c: char| !is_word(c)).unwrap_or(words.len());

@@ -23,7 +23,7 @@
 //! - `small_pages` keeps a program small that stays.
 //! - `stdin` is standard input in the place of a file.
 //! - `terminal` is the only module that names stdout and stderr: messages go to stderr as `error: ...`, colours
-//!   only to a terminal, and a reader that closes the pipe early is no error.
+//!   only to a terminal, and a reader that closes the pipe early is not an error.
 //!
 //! - `screen` is `ladder sim` on a terminal: the diagram with live power.
 //!

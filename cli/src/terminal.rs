@@ -81,7 +81,7 @@ pub(crate) fn width() -> usize {
     said.or_else(terminal).unwrap_or(100).max(40)
 }
 
-/// Standard output, buffered. A reader that goes away (`ladder check . | head`) is no error: what follows is
+/// Standard output, buffered. A reader that goes away (`ladder check . | head`) is not an error: what follows is
 /// dropped, and the command still ends with its true status.
 pub(crate) struct Stdout {
     inner: BufWriter<StdoutLock<'static>>,

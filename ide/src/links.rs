@@ -66,7 +66,7 @@ fn target(word: &str) -> Option<LinkTarget> {
     if scheme("https://") || scheme("http://") || scheme("mailto:") {
         return Some(LinkTarget::Web(word.to_owned()));
     }
-    // An absolute path is another one on each machine; `and/or` and `3.5` are no files.
+    // An absolute path is another one on each machine; `and/or` and `3.5` are not files.
     if word.starts_with(['/', '\\']) || word.contains([':', '|', '*', '?']) {
         return None;
     }

@@ -118,7 +118,7 @@ pub struct Instruction {
     pub differs: &'static [(Profile, &'static str)],
     /// What power leaves the block.
     pub power: Power,
-    /// What it writes as a coil. None for all that is no coil, and for `(RES)`, which writes no bit.
+    /// What it writes as a coil. None for all that is not a coil, and for `(RES)`, which writes no bit.
     pub coil: Option<Coil>,
     /// What power leaves the block, in a few words: `EN and tag`.
     pub eno: &'static str,

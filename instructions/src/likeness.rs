@@ -82,7 +82,7 @@ fn slips(typed: &str, spelling: &str) -> Option<usize> {
     let letters = typed.chars().count();
     let (shorter, longer) = (letters.min(spelling.len()), letters.max(spelling.len()));
     let forgiven = if shorter <= 3 { 1 } else { 2 };
-    // A long name is no slip of any mnemonic; this also bounds the work.
+    // A long name is not a slip of any mnemonic; this also bounds the work.
     if longer - shorter > forgiven {
         return None;
     }

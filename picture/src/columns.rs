@@ -91,7 +91,7 @@ impl Layout {
     }
 }
 
-/// The columns of all things as far left as possible; none if their order is no order.
+/// The columns of all things as far left as possible; none if their order is not an order.
 fn place_left(grid: &Grid) -> Option<Vec<u32>> {
     let is_railed = grid.things.iter().any(|thing| thing.kind == Kind::LeftRail);
     let margin = if is_railed { 1 + SPACING } else { 0 };

@@ -186,7 +186,7 @@ impl<'c> Words<'c> {
         self.context.parse.text_in(range)
     }
 
-    /// The lines of the comments on a line that is no rung, but for directives to the tools.
+    /// The lines of the comments on a line that is not a rung, but for directives to the tools.
     pub(super) fn comments_of(&self, line: usize) -> Vec<String> {
         let text = self.text_of(self.context.parse.line_range(line));
         // A comment reaches to the very next `#`, so every second piece is one.

@@ -108,7 +108,7 @@ fn pieces(input: &mut impl BufRead) -> io::Result<Vec<Piece>> {
     input.read_line(&mut line)?;
     if line.trim_end() != HEADER {
         return Err(io::Error::other(
-            "this is no recording; make one with ladder lsp --mirror FILE",
+            "this is not a recording; make one with ladder lsp --mirror FILE",
         ));
     }
     let mut pieces = Vec::new();

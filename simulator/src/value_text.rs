@@ -196,7 +196,13 @@ pub fn parse(text: &str, ty: Scalar) -> Result<Value, String> {
             return Ok(Value::Text(text.as_bytes().into()));
         }
     }
-    let wrong = || format!("`{text}` is no value for {}: {}", with_article(ty), example(ty));
+    let wrong = || {
+        format!(
+            "`{text}` is not a value for {}: {}",
+            with_article(ty),
+            example(ty)
+        )
+    };
     if text.is_empty() {
         return Err(wrong());
     }
@@ -218,7 +224,7 @@ pub fn parse(text: &str, ty: Scalar) -> Result<Value, String> {
             prefixed.map_err(|problem| match problem {
                 LiteralProblem::Malformed(_) => wrong(),
                 LiteralProblem::OutOfRange(why) => {
-                    format!("`{text}` is no value for {}: {why}", with_article(ty))
+                    format!("`{text}` is not a value for {}: {why}", with_article(ty))
                 }
             })?
         }
@@ -348,7 +354,7 @@ mod tests {
         check(
             "2",
             Scalar::Bool,
-            expect_test::expect!["`2` is no value for a BOOL: write 0, 1, TRUE or FALSE"],
+            expect_test::expect!["`2` is not a value for a BOOL: write 0, 1, TRUE or FALSE"],
         );
         check(
             "40000",
@@ -359,18 +365,18 @@ mod tests {
             "five",
             Scalar::Time,
             expect_test::expect![
-                "`five` is no value for a TIME: write a duration as in 5s or T#1h30m, or a number of milliseconds"
+                "`five` is not a value for a TIME: write a duration as in 5s or T#1h30m, or a number of milliseconds"
             ],
         );
         check(
             "",
             Scalar::Dint,
-            expect_test::expect!["`` is no value for a DINT: write a whole number as in 42 or 16#FF"],
+            expect_test::expect!["`` is not a value for a DINT: write a whole number as in 42 or 16#FF"],
         );
         check(
             "1e39",
             Scalar::Real,
-            expect_test::expect!["`1e39` is no value for a REAL: write a number as in 3.14 or 1.0e-3"],
+            expect_test::expect!["`1e39` is not a value for a REAL: write a number as in 3.14 or 1.0e-3"],
         );
     }
 }

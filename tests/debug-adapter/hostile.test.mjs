@@ -37,7 +37,7 @@ const disconnect = frame({ seq: 8, type: 'request', command: 'disconnect' });
 
 for (const [name, bytes] of [
     ['no JSON', frame('{"seq": 1, ')],
-    ['JSON that is no message', frame('[1, 2]') + frame('null') + frame('"text"')],
+    ['JSON that is not a message', frame('[1, 2]') + frame('null') + frame('"text"')],
     ['a response', frame({ seq: 1, type: 'response', command: 'x' })],
     ['no command', frame({ seq: 1, type: 'request' })],
     ['a number for a command', frame({ seq: 1, type: 'request', command: 5 })],

@@ -124,8 +124,8 @@ test('a file that cannot keep values is refused in words, and stays as it is', a
     mkdirSync(join(folder, 'sub'));
     await client.initializeRequest();
     for (const [retain, problem] of [
-        ['notes.txt', /notes\.txt: this is no file of retentive values, and it stays as it is/],
-        ['own.clad', /own\.clad: this is no file of retentive values/],
+        ['notes.txt', /notes\.txt: this is not a file of retentive values, and it stays as it is/],
+        ['own.clad', /own\.clad: this is not a file of retentive values/],
         ['sub', /sub: this is a folder/],
         ['none/kept', /none.kept: /],
         ['../elsewhere', /outside|out of the workspace/],

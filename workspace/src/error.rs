@@ -156,7 +156,7 @@ impl fmt::Display for Problem {
                 "this leads out of the workspace, the folder of ladder.toml (without one: the file's own folder); an empty ladder.toml in a folder above both makes them one",
             ),
             Problem::NotOurs => f.write_str(
-                "this is no file of retentive values, and it stays as it is; name another file, or remove this one",
+                "this is not a file of retentive values, and it stays as it is; name another file, or remove this one",
             ),
             Problem::InUse => f.write_str("another run uses this file; wait until that ends, or name another file"),
             Problem::HalfWritten { error, backup } => write!(

@@ -125,7 +125,7 @@ fn on_line(parse: &Parse, line: usize) -> Option<ForeignComment> {
     })
 }
 
-/// Whether what is after a `;` is no declaration, and the `;` ends none.
+/// Whether what is after a `;` is not a declaration, and the `;` ends none.
 fn is_note(says: &str, kind: LineKind, before: &str) -> bool {
     let ends_declaration = kind == LineKind::Declaration && (says.contains(':') || !before.trim().is_empty());
     let says = says.trim_start_matches([';', ' ', '\t']);
@@ -170,8 +170,7 @@ fn opening(text: &str, at: usize) -> Option<&'static str> {
         .find(|opening| rest.starts_with(opening))
 }
 
-/// A comment after a rung or a declaration: where it begins, and with what. `mistake` is what the parser stumbled
-/// over.
+/// A comment after a rung or a declaration: where it begins, and with what. `error` is where the parser stumbled.
 fn after(text: &str, error: usize) -> Option<(usize, &'static str)> {
     let ahead = text.get(error..)?;
     let before = text[..error].trim_end_matches([' ', '\t']);

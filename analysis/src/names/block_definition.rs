@@ -63,6 +63,6 @@ pub(crate) fn user_block(parse: &Parse, definition: &BlockDefinition, scope: &Sc
 
 /// Whether a line may have been a declaration that could not be read.
 fn is_doubtful(line: &Line) -> bool {
-    let mistaken = line.kind == LineKind::Stray || !line.errors.is_empty();
-    mistaken && (line.kind != LineKind::Rung || looks_like_declaration(line))
+    let faulty = line.kind == LineKind::Stray || !line.errors.is_empty();
+    faulty && (line.kind != LineKind::Rung || looks_like_declaration(line))
 }

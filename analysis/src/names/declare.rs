@@ -146,7 +146,7 @@ fn declaration(
             None => out.push(meaningless(
                 token.text_range(),
                 format!(
-                    "`{}` is no address: write one like %IX0.0, %QW1 or %MD2",
+                    "`{}` is not an address: write one like %IX0.0, %QW1 or %MD2",
                     token.text()
                 ),
             )),
@@ -262,7 +262,7 @@ fn declared_type(type_ref: &TypeRef) -> Result<Option<Type>, TypeProblem> {
             _ => {
                 return Err((
                     token.text_range(),
-                    format!("`{}` is no whole number", token.text()),
+                    format!("`{}` is not a whole number", token.text()),
                 ));
             }
         }

@@ -78,7 +78,7 @@ pub(crate) fn undeclared(name: &str, semantics: &Semantics) -> TagFacts {
         name: name.into(),
         ty: form.map(|(scalar, _)| Type::Scalar(scalar)),
         role: form.map_or(Role::Internal, |(_, role)| role),
-        // One that is no address is reported where it is, and for nothing else.
+        // One that is not an address is reported where it is, and for nothing else.
         origin: if form.is_some() || is_address {
             Origin::Form
         } else {

@@ -171,7 +171,7 @@ pub enum NodeKind {
     Array(Box<[Node]>),
     /// `4(0)` in an initial value.
     Repeat(Box<Node>, Box<[Node]>),
-    /// Parentheses after something that is no function's name: `a[1]( 2 )`. It reads well and means nothing.
+    /// Parentheses after something that is not a function's name: `a[1]( 2 )`. It reads well and means nothing.
     NoFunction,
     /// Nothing, or nothing that can be read; the parser said so.
     Missing,

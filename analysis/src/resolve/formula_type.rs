@@ -20,7 +20,7 @@ struct Parts {
     /// A number is written that only an unsigned integer of 16 bits holds, or none of 16 bits.
     unsigned: bool,
     large: bool,
-    /// Something that is no number: then the result says what to expect.
+    /// Something that is not a number: then the result says what to expect.
     other: bool,
 }
 

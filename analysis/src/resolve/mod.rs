@@ -311,7 +311,7 @@ impl Resolver<'_, '_> {
         })
     }
 
-    /// A block with its arguments. None if it is no known block, or cannot be read; the rules say so.
+    /// A block with its arguments. None if it is not a known block, or cannot be read; the rules say so.
     fn block(&mut self, bound: BlockAt<'_>) -> Option<Block> {
         if bound.faulty {
             return None;

@@ -59,7 +59,7 @@ impl Resolver<'_, '_> {
             NodeKind::Name(name) if name.eq_ignore_ascii_case("SYS") => {
                 self.report(bad_operand::wrong(
                     range,
-                    "SYS is no tag by itself: write SYS.ON, SYS.FIRST_SCAN, ...",
+                    "SYS is not a tag by itself: write SYS.ON, SYS.FIRST_SCAN, ...",
                 ));
                 None
             }

@@ -16,7 +16,7 @@ pub(crate) enum ConstantFault {
     OutOfRange,
     /// It is of another type.
     OtherType,
-    /// It is no initial value for what is declared.
+    /// It is not an initial value for what is declared.
     NotInitial,
 }
 

@@ -25,7 +25,7 @@ pub enum Literal {
     Typed(Scalar, Box<Literal>),
 }
 
-/// Why a text is no literal.
+/// Why a text is not a literal.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum LiteralProblem {
     /// It is not written like a literal; with what to do.
@@ -47,7 +47,7 @@ fn out_of_range<T>(message: impl Into<String>) -> Parsed<T> {
 /// Reads a literal token.
 ///
 /// # Errors
-/// It is no literal of its kind, or its value does not fit into any type.
+/// It is not a literal of its kind, or its value does not fit into any type.
 pub fn literal(text: &str) -> Parsed<Literal> {
     if let Some(rest) = text.strip_prefix('\'') {
         return string(rest.strip_suffix('\'').unwrap_or(rest)).map(Literal::Text);
@@ -116,7 +116,7 @@ fn based(base: &str, digits: &str) -> Parsed<i128> {
     let digits = digits.strip_prefix('+').unwrap_or(digits);
     let plain = without_underscores(digits, radix)?;
     if plain.is_empty() || !plain.chars().all(|c| c.is_digit(radix)) {
-        return malformed(format!("`{digits}` is no number in base {base}"));
+        return malformed(format!("`{digits}` is not a number in base {base}"));
     }
     match u64::from_str_radix(&plain, radix) {
         Ok(n) => Ok(i128::from(n)),
@@ -428,7 +428,7 @@ mod tests {
                 WORD#16#00FF  Typed(Word, Int(255))
                 REAL#1  Typed(Real, Real(1.0))
                 BOOL#1  Typed(Bool, Bool(true))
-                2#12  malformed: `12` is no number in base 2
+                2#12  malformed: `12` is not a number in base 2
                 3#1  malformed: numbers are written in base 2, 8, 10 or 16, not 3
                 1__0  malformed: an underscore belongs between two digits
                 SINT#200  out of range: SINT holds -128 to 127

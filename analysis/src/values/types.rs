@@ -265,7 +265,7 @@ pub fn passes(from: Scalar, to: Scalar) -> bool {
 }
 
 /// Whether `[TYP]` makes a value of one type into another. Numbers, BOOL and STRING go to and from all types; a
-/// duration is no point in time, and a day no time of day.
+/// duration is not a point in time, and a day no time of day.
 pub fn converts(from: Scalar, to: Scalar) -> bool {
     let is_clock = |ty: Scalar| ty == Scalar::Time || ty.is_date();
     let both = is_clock(from) && is_clock(to);

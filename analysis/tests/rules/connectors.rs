@@ -431,7 +431,7 @@ fn a_rail_in_the_place_of_a_connector() {
                   +--+--[ ]( start )--\--[/]( stop )--( )( run )--+
         "#]],
     );
-    // The right rail is no connector.
+    // The right rail is not a connector.
     check(
         "+--[ ]( a )--\\-+\n\n+--[ ]( b )--( )( z )--+\n",
         expect![[r#"

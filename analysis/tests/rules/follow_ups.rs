@@ -132,7 +132,7 @@ fn frames_of_sections() {
         "VAR\n    a : BOOL;\nEND_VR\n\n+--[ ]( a )--( )( x )--+\n",
         expect![[r#"
             > END_VR
-              ^^^^^^ error[bad-declaration]: `END_VR` is no declaration
+              ^^^^^^ error[bad-declaration]: `END_VR` is not a declaration
                 help: did you mean END_VAR?
                 fix: Replace with END_VAR
                   END_VAR

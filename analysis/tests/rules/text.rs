@@ -239,7 +239,7 @@ fn stray_characters() {
         "+--[$my_block]( a )--( )( y )--+\n",
         expect![[r#"
             > +--[$my_block]( a )--( )( y )--+
-                  ^^^^^^^^^ error[unexpected-character]: `$my_block` is no name for a block
+                  ^^^^^^^^^ error[unexpected-character]: `$my_block` is not a name for a block
                 help: a block's name is a `$` and a letter, then letters and digits: $Debounce2
         "#]],
     );

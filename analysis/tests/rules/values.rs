@@ -402,13 +402,13 @@ fn what_is_no_address() {
         "VAR a : BOOL; END_VAR\n+--[ ]( %ZX0.1 )--[ ]( %Q0.1 )--[GT]( %IW, 3 )--[ ]( %IX0.9 )--[ ]( a )--( )( %mx )--+\n",
         expect![[r#"
             > +--[ ]( %ZX0.1 )--[ ]( %Q0.1 )--[GT]( %IW, 3 )--[ ]( %IX0.9 )--[ ]( a )--( )( %mx )--+
-                      ^^^^^^ error[bad-operand]: `%ZX0.1` is no address: write one like %IX0.0, %QW1 or %MD2
+                      ^^^^^^ error[bad-operand]: `%ZX0.1` is not an address: write one like %IX0.0, %QW1 or %MD2
             > +--[ ]( %ZX0.1 )--[ ]( %Q0.1 )--[GT]( %IW, 3 )--[ ]( %IX0.9 )--[ ]( a )--( )( %mx )--+
-                                     ^^^^^ error[bad-operand]: `%Q0.1` is no address: write one like %IX0.0, %QW1 or %MD2
+                                     ^^^^^ error[bad-operand]: `%Q0.1` is not an address: write one like %IX0.0, %QW1 or %MD2
             > +--[ ]( %ZX0.1 )--[ ]( %Q0.1 )--[GT]( %IW, 3 )--[ ]( %IX0.9 )--[ ]( a )--( )( %mx )--+
-                                                    ^^^ error[bad-operand]: `%IW` is no address: write one like %IX0.0, %QW1 or %MD2
+                                                    ^^^ error[bad-operand]: `%IW` is not an address: write one like %IX0.0, %QW1 or %MD2
             > +--[ ]( %ZX0.1 )--[ ]( %Q0.1 )--[GT]( %IW, 3 )--[ ]( %IX0.9 )--[ ]( a )--( )( %mx )--+
-                                                                                            ^^^ error[bad-operand]: `%mx` is no address: write one like %IX0.0, %QW1 or %MD2
+                                                                                            ^^^ error[bad-operand]: `%mx` is not an address: write one like %IX0.0, %QW1 or %MD2
         "#]],
     );
 }

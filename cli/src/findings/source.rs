@@ -247,7 +247,7 @@ impl Source {
     pub(crate) fn excerpt(&self, lines: Lines) -> (Cow<'_, str>, TextSize) {
         let mut start = self.index.range(lines.first).start();
         let end = self.index.range(lines.last).end();
-        // The byte order mark is no character of the first line.
+        // The byte order mark is not a character of the first line.
         let text = self.file_text();
         if start == TextSize::new(0) && text.starts_with('\u{feff}') {
             start = TextSize::of('\u{feff}');

@@ -35,7 +35,7 @@ pub(crate) fn may_write(file: &Path, existing: Existing) -> Result<(), Failure> 
         // Said when it is written.
         Err(_) => return Ok(()),
     };
-    // What is no file (a device, a pipe) is written to as it is, and an empty one holds nothing to lose.
+    // What is not a file (a device, a pipe) is written to as it is, and an empty one holds nothing to lose.
     if existing == Existing::Replaced || !metadata.is_file() {
         return Ok(());
     }

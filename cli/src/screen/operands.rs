@@ -54,7 +54,7 @@ fn state(program: &Program, tag: TagId, range: TextRange, simulation: &Simulatio
     })
 }
 
-/// What the end of the line shows: timers and counters with their goals, and every value that is no BOOL.
+/// What the end of the line shows: timers and counters with their goals, and every value that is not a BOOL.
 pub(super) fn shown(text: &str, block: &Block, simulation: &Simulation) -> Vec<Shown> {
     let program = simulation.program();
     let mut shown = Vec::new();

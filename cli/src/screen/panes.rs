@@ -30,7 +30,7 @@ pub(super) struct Panes {
 }
 
 /// The narrowest watch list that is worth standing next to the diagram.
-const BESIDE: u16 = 56;
+const NEXT_TO: u16 = 56;
 
 /// The columns that a diagram next to the watch list gets at least: those of the widest rungs that the formatter
 /// makes, and some for the values at their ends.
@@ -47,7 +47,7 @@ pub(super) fn panes(area: Rect, plant: &Plant) -> Panes {
     let info = take_bottom(&mut rest, 1);
     let fault = take_bottom(&mut rest, fault_lines);
     // The diagram keeps at least half of what is left.
-    let next_to = area.width >= DIAGRAM + BESIDE;
+    let next_to = area.width >= DIAGRAM + NEXT_TO;
     let mut room = rest.height / 2;
     let watch_lines = match tracks {
         0 => 0,

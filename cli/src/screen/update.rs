@@ -285,7 +285,7 @@ impl View {
         let high = !plant.is_high(point);
         if !Plant::is_input(point) {
             self.say(format!(
-                "{} is no input: the program may write it at once; f forces it",
+                "{} is not an input: the program may write it at once; f forces it",
                 point.name
             ));
         } else if !self.running && plant.status() == Status::Ready {

@@ -25,7 +25,7 @@ fn no_python() {
     refused(
         "def main():\n    if c.A:\n        out(c.B\n",
         expect![[r#"
-            error: tank.py:4:1: this is no Python: unexpected EOF while parsing
+            error: tank.py:4:1: this is not Python: unexpected EOF while parsing
         "#]],
     );
 }
@@ -64,7 +64,7 @@ fn planted_code() {
     refused(
         "open('planted', 'w')\ndef main():\n    if open('planted', 'w'):\n        out(y[1])\n",
         expect![[r#"
-            error: tank.py:1:1: an expression by itself outside a function is not in the DSL; 3:8: `open` is no condition of the DSL: it has all, any, nc, re and fe
+            error: tank.py:1:1: an expression by itself outside a function is not in the DSL; 3:8: `open` is not a condition of the DSL: it has all, any, nc, re and fe
         "#]],
     );
 }

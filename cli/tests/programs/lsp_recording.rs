@@ -107,7 +107,7 @@ fn what_is_no_recording_is_refused() {
     assert_eq!(run.status, Some(2));
     assert_eq!(
         run.stderr,
-        "motor.clad: this is no recording; make one with ladder lsp --mirror FILE\n"
+        "motor.clad: this is not a recording; make one with ladder lsp --mirror FILE\n"
     );
     let run = folder.ladder(&["lsp", "--mirror", "nowhere/session.rec"]);
     assert_eq!(run.status, Some(2));

@@ -123,7 +123,7 @@ fn retain_of_the_command_line_replaces_no_file_of_others() {
         folder
             .ladder(&["sim", "pump.clad", "--scans", "1", "--retain", name])
             .refused_with(&format!(
-                "{name}: this is no file of retentive values, and it stays as it is; name another file, or remove this one"
+                "{name}: this is not a file of retentive values, and it stays as it is; name another file, or remove this one"
             ));
         assert_eq!(folder.read(name), before);
     }

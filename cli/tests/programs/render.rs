@@ -182,7 +182,7 @@ fn what_cannot_be_done_is_said_and_nothing_is_written() {
         error: --scale is about the pixels of a PNG; other pictures are as large as they are shown
         error: --dt, --inputs, --set and --force are about a run; add the number of scans, for example --scans 1
         error: --set begin=1: there is no tag `begin` in this program
-        error: --set start=maybe: `maybe` is no value for a BOOL: write 0, 1, TRUE or FALSE
+        error: --set start=maybe: `maybe` is not a value for a BOOL: write 0, 1, TRUE or FALSE
         error: missing.csv: no such file or folder
     "#]]
     .assert_eq(&all.concat());

@@ -3,7 +3,7 @@
 use crate::harness::{Folder, MOTOR};
 
 const PROGRAM: &str = "this is a program, and it stays as it is; name another file, or end with --force";
-const BESIDE: &str =
+const NEXT_TO: &str =
     "this belongs to a program, and it stays as it is; name another file, or end with --force";
 const OTHERS: &str =
     "this file is there, and no command of ladder made it; name another file, or end with --force";
@@ -38,8 +38,8 @@ fn a_program_or_a_file_of_others_stays() {
     for &command in COMMANDS {
         for (name, sentence) in [
             ("motor.clad", PROGRAM),
-            ("motor.ladder-test", BESIDE),
-            ("ladder.toml", BESIDE),
+            ("motor.ladder-test", NEXT_TO),
+            ("ladder.toml", NEXT_TO),
             ("notes.txt", OTHERS),
         ] {
             let before = folder.read(name);
@@ -62,7 +62,7 @@ fn what_a_command_made_it_makes_again() {
             let run = folder.ladder(&[command, &["out"]].concat());
             assert_eq!(run.status, Some(0), "{command:?}: {run}");
         }
-        // Another command's file is no file of others.
+        // Another command's file is not a file of others.
         let run = folder.ladder(&["sim", "motor.clad", "--scans", "1", "-o", "out"]);
         assert_eq!(run.status, Some(0), "{command:?}: {run}");
         std::fs::remove_file(folder.path("out")).unwrap();

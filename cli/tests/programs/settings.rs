@@ -92,7 +92,7 @@ fn a_broken_settings_file_is_reported_once() {
         ("b.clad", CROOKED),
     ];
     let folder = Folder::with(&broken);
-    let message = "ladder.toml:2:1: `with` is no setting in [format]: did you mean `width`?";
+    let message = "ladder.toml:2:1: `with` is not a setting in [format]: did you mean `width`?";
     folder.ldfmt(&["."]).refused_with(message);
     folder
         .ldfmt_stdin(&["-"], CROOKED.as_bytes())
@@ -114,7 +114,7 @@ fn check_shows_what_is_wrong_in_them_with_its_lines() {
     assert_eq!(
         run.stderr,
         "\
-error[bad-setting]: `with` is no setting in [format]: did you mean `width`?
+error[bad-setting]: `with` is not a setting in [format]: did you mean `width`?
  --> ladder.toml:2:1
   |
 2 | with = 120

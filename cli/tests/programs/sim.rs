@@ -307,7 +307,7 @@ fn values_that_do_not_fit_are_refused() {
     );
     refused(
         &with("--set", "go=2"),
-        "--set go=2: `2` is no value for a BOOL: write 0, 1, TRUE or FALSE",
+        "--set go=2: `2` is not a value for a BOOL: write 0, 1, TRUE or FALSE",
     );
     refused(
         &with("--force", "speed=40000"),
@@ -342,7 +342,7 @@ fn a_broken_csv_is_refused_with_row_and_column() {
         ),
         (
             "go,speed\n1,5\n0,fast\n",
-            "in.csv: row 1 (line 3), column `speed`: `fast` is no value for an INT: write a whole number as in 42 or 16#FF",
+            "in.csv: row 1 (line 3), column `speed`: `fast` is not a value for an INT: write a whole number as in 42 or 16#FF",
         ),
         (
             "go,speed\n1,5\n\n0\n",

@@ -4,7 +4,7 @@ use ladder_notations::NOTATIONS;
 use ladder_tests::project;
 use std::collections::BTreeSet;
 
-/// Most files that end so are no programs: there the command palette must do.
+/// Most files that end so are not programs: there the command palette must do.
 const OF_MANY: [&str; 5] = ["csv", "json", "py", "txt", "xml"];
 
 #[test]

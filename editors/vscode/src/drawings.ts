@@ -1,7 +1,7 @@
 // The ladder text of open Click programs: which document shows whose, and what it shows.
 import type { Previewed } from './protocol.ts';
 
-/** The scheme of documents that show the ladder text of a Click program: they are no files, and nobody edits them. */
+/** The scheme of documents that show the ladder text of a Click program: they are not files, and nobody edits them. */
 export const SCHEME = 'ladder-click';
 
 /** What a drawing shows whose program is not open, as after a start of the editor. */

@@ -9,7 +9,7 @@ export function isDrawn(line: string): boolean {
 function stops(line: string): number[] {
     const found = new Set<number>();
     for (const { index, 0: text } of line.matchAll(/\(\s*(?=[^)\s])|,\s*/g)) {
-        // The first part of a coil is no operand, and neither is what is in a comment.
+        // The first part of a coil is not an operand, and neither is what is in a comment.
         if (!/^\(\s*\w*\s*\)\s*\(/.test(line.slice(index)) && (line.slice(0, index).split('#').length - 1) % 2 === 0) {
             found.add(index + text.length);
         }

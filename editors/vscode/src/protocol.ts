@@ -129,7 +129,7 @@ export interface ReasonWrite {
     readonly because?: readonly Reason[];
 }
 
-/** A block that let power through, or stops it; the left rail if it is no block. */
+/** A block that let power through, or stops it; the left rail if it is not a block. */
 export interface ReasonBlock {
     readonly block?: string;
     readonly range: Range;

@@ -2,7 +2,7 @@
 
 export type Fit =
     | { readonly fits: true }
-    /** What the program printed is no version of Ladder: it is some other program. */
+    /** What the program printed is not a version of Ladder: it is some other program. */
     | { readonly fits: false; readonly why: 'other-program'; readonly printed: string }
     | { readonly fits: false; readonly why: 'older' | 'newer'; readonly server: string; readonly extension: string };
 

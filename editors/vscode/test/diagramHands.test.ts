@@ -45,7 +45,7 @@ test('a slider does not shrink while the value does, and grows with it', () => {
     assert.deepEqual(sliderSpan({ type: 'INT', value: 1200 }, wide), { min: 0, max: 10_000, step: 10 });
 });
 
-test('what is no number has no slider', () => {
+test('what is not a number has no slider', () => {
     for (const [type, value] of [['BOOL', true], ['STRING', 'a'], ['LREAL', Number.NaN], ['TIME', -5], ['DATE', 'D#2026-11-22']] as const) {
         assert.equal(sliderSpan({ type, value }), undefined, type);
     }

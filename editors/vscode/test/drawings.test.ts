@@ -35,7 +35,7 @@ test('a program that is opened again begins with its versions', () => {
     assert.equal(drawings.text(DRAWING), 'one');
 });
 
-test('what nobody shows is no drawing', () => {
+test('what nobody shows is not a drawing', () => {
     const drawings = new Drawings();
     assert.equal(drawings.take(previewed(1, 'one')), undefined);
     assert.ok(!new Drawings().has(PROGRAM));

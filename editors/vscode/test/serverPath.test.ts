@@ -27,7 +27,7 @@ test('the setting goes first, even if it names nothing', () => {
     assert.equal(find({ setting: 'ladder-2', isFile }).path, '/bin/ladder-2');
 });
 
-test('a setting that is seen from a folder is no program', () => {
+test('a setting that is seen from a folder is not a program', () => {
     for (const setting of ['./ladder', 'bin/ladder', '../ladder', 'bin\\ladder']) {
         const place = find({ setting, isFile: () => true });
         assert.deepEqual(place, { path: undefined, from: 'setting', setting });

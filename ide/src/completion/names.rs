@@ -1,4 +1,4 @@
-//! Names that are no tags: labels, functions, and the operators of SEARCH.
+//! Names that are not tags: labels, functions, and the operators of SEARCH.
 
 use super::item::{CompletionKind, Topic};
 use super::proposals::Proposals;

@@ -71,7 +71,7 @@ impl Item {
         matches!(self.kind, ItemKind::Block(_))
     }
 
-    /// A comment that is no piece of a wire. It joins nothing, and what is after it is not joined to it.
+    /// A comment that is not a piece of a wire. It joins nothing, and what is after it is not joined to it.
     pub(crate) fn is_loose(&self, next: Option<&Item>) -> bool {
         self.kind == ItemKind::Comment && !self.joined && next.is_none_or(|next| !next.joined)
     }

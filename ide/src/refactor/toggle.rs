@@ -67,7 +67,7 @@ fn others(block: BlockAt<'_>) -> &'static [(&'static str, &'static str)] {
         Op::RetentiveReset => &[("(SM)", "Set `{}` instead of resetting it")],
         Op::RisingCoil => &[("(N)", "Let `{}` show the falling edge")],
         Op::FallingCoil => &[("(P)", "Let `{}` show the rising edge")],
-        // With more than two values these are no opposites.
+        // With more than two values these are not opposites.
         _ if block.facts.operands.len() != 2 => &[],
         Op::Eq if long => &[("[NEQ]", "Invert the comparison of `{}`")],
         Op::Ne if long => &[("[EQU]", "Invert the comparison of `{}`")],

@@ -179,8 +179,8 @@ END_VAR
         ],
         doc: "Shifts the bits of a to the right by n places, into y.
 
-The shift is made in y's width; zeros come in at the left, also for signed integers, so it is no division of
-a negative number. n past the width gives 0; a negative n is a fault: y keeps its value and ENO is low.
+The shift is made in y's width; zeros come in at the left, also for signed integers, so it is not a division
+of a negative number. n past the width gives 0; a negative n is a fault: y keeps its value and ENO is low.
 
 IEC 61131-3: SHR.",
         example: "VAR_INPUT

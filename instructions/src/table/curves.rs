@@ -33,7 +33,7 @@ pub(super) const ROWS: &[Instruction] = &[
         mnemonic: "LUT",
         profiles: Profiles::WITHOUT_IOT,
         differs: &[
-            (Profile::Ldmicro, "An index outside the table writes nothing, and is no fault."),
+            (Profile::Ldmicro, "An index outside the table writes nothing, and is not a fault."),
         ],
         title: "Look-up table",
         operands: &[

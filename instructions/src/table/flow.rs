@@ -254,7 +254,7 @@ END_VAR
 - Rails are live at the start of every scan, of every function and of every block body; on return the
   caller's come back.
 
-It is no emergency stop: switch off what can hurt people by hardware.",
+It is not an emergency stop: switch off what can hurt people by hardware.",
         example: "VAR_INPUT
     enable, jog : BOOL;
 END_VAR

@@ -86,7 +86,7 @@ END_VAR
         profiles: Profiles::OWN,
         differs: &[(
             Profile::Click,
-            "A text that is no number sets SC43, and nothing is written.",
+            "A text that is not a number sets SC43, and nothing is written.",
         )],
         title: "Pack a range",
         operands: &[

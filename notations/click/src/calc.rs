@@ -29,7 +29,7 @@ fn decimal(formula: &Formula, target: Kind) -> Result<Kind, String> {
     kinds.push(target);
     if let Some(odd) = kinds.iter().find(|kind| matches!(kind, Kind::Bit | Kind::Text)) {
         let what = if *odd == Kind::Bit { "a bit" } else { "a text" };
-        return Err(format!("{what} is no number"));
+        return Err(format!("{what} is not a number"));
     }
     if kinds.contains(&Kind::Hex) {
         return Err("decimal and hexadecimal numbers do not mix in a formula".to_owned());

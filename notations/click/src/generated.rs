@@ -332,7 +332,7 @@ fn rung() -> impl Strategy<Value = Rung> {
     let condition = prop_oneof![1 => Just(Condition::ALWAYS), 4 => condition()];
     (comments, condition, prop::collection::vec(action(), 1..4)).prop_map(
         |(comments, condition, mut actions)| {
-            // Nothing next to something is no instruction of its own, and a register's pins follow its rung at once.
+            // Nothing next to something is not an instruction of its own, and a register's pins follow its rung at once.
             if actions.len() > 1 {
                 actions.retain(|action| action.what != Instruction::Nop);
             }

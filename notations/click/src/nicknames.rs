@@ -51,7 +51,7 @@ pub(super) fn is_file_of(program: &str, file: &str) -> bool {
 ///
 /// # Errors
 ///
-/// If one of them is no nickname file.
+/// If one of them is not a nickname file.
 pub(super) fn next_to(source: &Source<'_>) -> Result<Nicknames, ReadError> {
     let mut out = Nicknames::default();
     for companion in source
@@ -106,7 +106,7 @@ fn read(file: &str, bytes: &[u8], out: &mut Nicknames) -> Result<(), ReadError> 
         let initial = text(initial);
         let value = value(initial, address.bank.kind());
         if value.is_none() && !initial.is_empty() {
-            refuse(name, format!("`{initial}` is no value of it"));
+            refuse(name, format!("`{initial}` is not a value of it"));
         }
         out.all.push(Nickname {
             address,
@@ -316,7 +316,7 @@ mod tests {
                 DF1,FLOAT,"tanktemp",0.5,Yes,""
                 TXT1,TEXT,"State",r,Yes,""
                 XD0u: Refused("nicknames.csv:7:1: there is no such address here")
-                DD1: Refused("nicknames.csv:8:1: `x` is no value of it")
+                DD1: Refused("nicknames.csv:8:1: `x` is not a value of it")
                 the nickname `tanktemp` stands for DS1 and for DF1: give one of them another name
             "#]],
         );

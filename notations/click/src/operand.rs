@@ -4,7 +4,7 @@ use super::bank::Kind;
 use super::model::{Constant, Operand};
 use super::tags::Tags;
 
-/// What a value is, if it is no constant.
+/// What a value is, if it is not a constant.
 pub(super) fn kind(operand: &Operand) -> Option<Kind> {
     match operand {
         Operand::Constant(_) => None,
@@ -67,7 +67,7 @@ fn real(number: f64) -> String {
     }
 }
 
-/// A string of ladder text. What is no printable ASCII is given by its code.
+/// A string of ladder text. What is not a printable ASCII is given by its code.
 pub(super) fn string(text: &str) -> String {
     let mut out = String::from("'");
     for c in text.chars() {

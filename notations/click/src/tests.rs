@@ -340,19 +340,19 @@ fn what_is_not_of_the_dsl_is_named() {
     check_rungs(
         "    if __import__('os').system('true'):\n        exec('1')",
         expect![[r#"
-            not read: 2:8: `__import__('os').system` is no condition of the DSL: it has all, any, nc, re and fe; 3:9: `exec` is no instruction of the DSL
+            not read: 2:8: `__import__('os').system` is not a condition of the DSL: it has all, any, nc, re and fe; 3:9: `exec` is not an instruction of the DSL
         "#]],
     );
     check_rungs(
         "    if c.A:\n        copy(f'{open(1)}', txt[1])\n        calc(f'{1}', ds.A)\n        out(c[1:3:2])",
         expect![[r#"
-            not read: 3:14: an f-string is no value of the DSL: it has numbers, texts and addresses; 4:14: `formula` is a text in quotes, and this is an f-string; 5:19: a range of the DSL has no step: its addresses are consecutive
+            not read: 3:14: an f-string is not a value of the DSL: it has numbers, texts and addresses; 4:14: `formula` is a text in quotes, and this is an f-string; 5:19: a range of the DSL has no step: its addresses are consecutive
         "#]],
     );
     check_rungs(
         "    if q[1]:\n        out(c[-1])\n        out(c[1 if c else 2])\n        ton(t.A, 5)",
         expect![[r#"
-            not read: 2:8: there is no bank `q`: the banks are x y c t ct sc ds dd dh df xd yd td ctd sd txt; 3:15: a sign or `not` is no address: write a number, or ds[..] as a pointer; 4:15: a conditional expression is no address: write a number, or ds[..] as a pointer; 5:9: `ton` lacks its argument `unit`
+            not read: 2:8: there is no bank `q`: the banks are x y c t ct sc ds dd dh df xd yd td ctd sd txt; 3:15: a sign or `not` is not an address: write a number, or ds[..] as a pointer; 4:15: a conditional expression is not an address: write a number, or ds[..] as a pointer; 5:9: `ton` lacks its argument `unit`
         "#]],
     );
     check_rungs(
@@ -364,7 +364,7 @@ fn what_is_not_of_the_dsl_is_named() {
     check_rungs(
         "    if c.A:\n        rton(t.A, 5, Ts, reset=c.B)\n        rton(t.A, 5, Ts, reset=lambda q: c.B)\n        foo.bar(1)",
         expect![[r#"
-            not read: 3:32: `reset` is a condition under a lambda: reset=lambda: c.Name; 4:32: `reset` is a condition under a lambda: reset=lambda: c.Name; 5:9: `foo.bar` is no instruction of the DSL
+            not read: 3:32: `reset` is a condition under a lambda: reset=lambda: c.Name; 4:32: `reset` is a condition under a lambda: reset=lambda: c.Name; 5:9: `foo.bar` is not an instruction of the DSL
         "#]],
     );
     check_rungs(
@@ -389,19 +389,19 @@ fn check_file(text: &str, expected: Expect) {
 fn what_is_no_python_has_place_and_reason() {
     check_file(
         "def main():\n    if c.A\n        out(c.B)\n",
-        expect!["2:11: this is no Python: Expected `:`, found newline"],
+        expect!["2:11: this is not Python: Expected `:`, found newline"],
     );
     check_file(
         "def main():\n    if c.A:\n        out(c.B\n",
-        expect!["4:1: this is no Python: unexpected EOF while parsing"],
+        expect!["4:1: this is not Python: unexpected EOF while parsing"],
     );
     check_file(
         "def main():\n    if c.A:\n        out(c.B)\n      out(c.C)\n",
-        expect!["4:1: this is no Python: unindent does not match any outer indentation level"],
+        expect!["4:1: this is not Python: unindent does not match any outer indentation level"],
     );
     check_file(
         "def main(:\n",
-        expect!["1:10: this is no Python: Expected a parameter or the end of the parameter list"],
+        expect!["1:10: this is not Python: Expected a parameter or the end of the parameter list"],
     );
     check_file(
         "",

@@ -311,7 +311,7 @@ fn what_is_wrong_has_a_place() {
         (
             "S,X001".to_owned(),
             expect![
-                "2:1: `S` is no marker: a row begins with `R` (a rung), with nothing (the rung goes on) or with `#` (a comment)"
+                "2:1: `S` is not a marker: a row begins with `R` (a rung), with nothing (the rung goes on) or with `#` (a comment)"
             ],
         ),
         (

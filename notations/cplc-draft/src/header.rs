@@ -51,7 +51,7 @@ pub(super) fn entry(section: SectionKind, text: &str, place: LineColumn) -> Resu
             let length = length.ok_or_else(|| {
                 ReadError::at(
                     place,
-                    format!("`{number}` is no number of elements; it is 1 or more"),
+                    format!("`{number}` is not a number of elements; it is 1 or more"),
                 )
             })?;
             (word.trim(), Some(length))
@@ -66,7 +66,7 @@ pub(super) fn entry(section: SectionKind, text: &str, place: LineColumn) -> Resu
         _ => {
             return Err(ReadError::at(
                 place,
-                format!("`{word}` is no type of the draft: DI DO AI AO SI SO INT FLOAT STRING BOOL are"),
+                format!("`{word}` is not a type of the draft: DI DO AI AO SI SO INT FLOAT STRING BOOL are"),
             ));
         }
     };

@@ -117,7 +117,7 @@ fn block(text: &str, place: LineColumn) -> Result<(Block, usize), ReadError> {
     if let Some(wrong) = operands.iter().find(|operand| !is_operand(operand)) {
         let shown: String = wrong.chars().take(40).collect();
         let message =
-            format!("`{shown}` is no operand: that is a name, a number, or an element such as `a[3]`");
+            format!("`{shown}` is not an operand: that is a name, a number, or an element such as `a[3]`");
         return Err(ReadError::at(place, message));
     }
     let block = Block {

@@ -356,7 +356,7 @@ impl Reader {
             ));
         };
         if !is_name(name) {
-            return Err(format!("`{name}` is no name"));
+            return Err(format!("`{name}` is not a name"));
         }
         let place = block.place;
         let tag = self.names.spell(base(name)).to_owned();
@@ -441,7 +441,7 @@ impl Reader {
             self.reading.report.approximated(
                 LineColumn::START,
                 original,
-                format!("this is no name of its own in ladder text; it is `{spelling}` here"),
+                format!("this is not a name of its own in ladder text; it is `{spelling}` here"),
             );
         }
     }

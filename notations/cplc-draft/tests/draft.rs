@@ -160,7 +160,7 @@ fn what_cannot_be_read() {
         (
             "IN = { WORD a }\n+--()<a>--+",
             expect![[r#"
-            1:1: `WORD` is no type of the draft: DI DO AI AO SI SO INT FLOAT STRING BOOL are
+            1:1: `WORD` is not a type of the draft: DI DO AI AO SI SO INT FLOAT STRING BOOL are
         "#]],
         ),
         (

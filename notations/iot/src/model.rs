@@ -39,7 +39,7 @@ impl File {
 pub(super) enum IotLine {
     /// What a `#` says.
     Comment(String),
-    /// A line that is no part of the program, with its sign: `= title`, `> cycle 3`.
+    /// A line that is not a part of the program, with its sign: `= title`, `> cycle 3`.
     Beside(String),
     Rung(Circuit<Element>),
 }

@@ -20,7 +20,7 @@ pub(super) struct Names {
 
 impl Names {
     pub(super) fn of(&self, tag: TagId) -> Result<String, String> {
-        let unknown = || Err("it is no variable there".to_owned());
+        let unknown = || Err("it is not a variable there".to_owned());
         self.spelled.get(&tag).cloned().unwrap_or_else(unknown)
     }
 

@@ -228,7 +228,7 @@ impl<'l> Reader<'l> {
             Some(word) => word,
         };
         let Some(row) = row_of(word) else {
-            let message = format!("`{}` is no word of the IoT ladder language", shown(word));
+            let message = format!("`{}` is not a word of the IoT ladder language", shown(word));
             return Err(ReadError::at(place, message));
         };
         self.count += 1;
@@ -256,7 +256,7 @@ impl<'l> Reader<'l> {
 fn operand(word: &str) -> Result<Operand, String> {
     let unknown = || {
         format!(
-            "`{}` is no number and no variable: those are called I1, Q1, MI01, MF01, T1 and C1",
+            "`{}` is neither a number nor a variable: those are called I1, Q1, MI01, MF01, T1 and C1",
             shown(word)
         )
     };

@@ -144,7 +144,7 @@ impl Line<'_> {
                 .map(|one| {
                     let words = words(&numbered(one.trim(), n)).ok_or_else(|| {
                         let shown: String = one.chars().take(40).collect();
-                        let message = format!("`{shown}` is no element of the IoT ladder language");
+                        let message = format!("`{shown}` is not an element of the IoT ladder language");
                         ReadError::at(place, message)
                     })?;
                     parse::element_at(&words, place)

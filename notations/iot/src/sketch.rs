@@ -106,7 +106,7 @@ struct Importer<'f> {
     /// The first block of each timer and counter.
     states: HashMap<&'f Variable, &'f Element>,
     presets: BTreeMap<&'f Variable, Preset>,
-    /// The inputs and outputs that are no bits.
+    /// The inputs and outputs that are not bits.
     numbers: HashSet<Variable>,
     reading: Reading,
 }

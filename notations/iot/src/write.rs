@@ -248,10 +248,10 @@ impl Writer<'_> {
                 (Argument::State(tag), _) => state = Some(*tag),
                 (Argument::Value(value), "PT" | "PV") => preset = Some(value),
                 (Argument::Value(value), "B") => {
-                    base = constant(value).ok_or("the time base is no number")?;
+                    base = constant(value).ok_or("the time base is not a number")?;
                 }
                 (Argument::Value(value), "AC") => {
-                    start = Some(constant(value).ok_or("what it counts from is no number")?);
+                    start = Some(constant(value).ok_or("what it counts from is not a number")?);
                 }
                 (_, name) => {
                     return Err(format!(
@@ -276,7 +276,7 @@ impl Writer<'_> {
                 };
                 if base <= 0 || nanoseconds % base != 0 {
                     return Err(format!(
-                        "its time is no multiple of the time base of {} ms",
+                        "its time is not a multiple of the time base of {} ms",
                         base / 1_000_000
                     ));
                 }

@@ -300,16 +300,16 @@ fn what_is_wrong_has_a_place() {
     expect![[r#"
         there is no rung in the file; a rung is a line like `NO I1 ; OUT Q1`
         1:9: an element is missing here: `NO I1`
-        1:7: `OUT` is no number and no variable: those are called I1, Q1, MI01, MF01, T1 and C1
-        1:9: `BLINK` is no word of the IoT ladder language
+        1:7: `OUT` is neither a number nor a variable: those are called I1, Q1, MI01, MF01, T1 and C1
+        1:9: `BLINK` is not a word of the IoT ladder language
         1:9: after `TON` is a timer, its preset, and its time base in milliseconds
         1:9: the numbers after `TON` are whole
         1:1: a timer or counter has no value as a whole: name a member, such as `T1:DN` or `C1:AC`
         1:4: `T1` has no member `CC`
         1:9: this parenthesis is not closed
         1:7: `;` or `|` is expected here, not `)`
-        1:4: `motor` is no number and no variable: those are called I1, Q1, MI01, MF01, T1 and C1
-        1:10: `2147483648` is no number and no variable: those are called I1, Q1, MI01, MF01, T1 and C1
+        1:4: `motor` is neither a number nor a variable: those are called I1, Q1, MI01, MF01, T1 and C1
+        1:10: `2147483648` is neither a number nor a variable: those are called I1, Q1, MI01, MF01, T1 and C1
         3:1: another program begins here, the first one on line 1: put each into a file of its own
     "#]]
     .assert_eq(&out);
@@ -412,11 +412,11 @@ fn what_is_wrong_in_the_columns_has_a_place() {
         ),
         (
             "1. a\n rung 0:  0:| |I1  1:( )Q1\n rung 1:  0:| |I1  1:( )X1\n",
-            "3:22: `X1` is no number and no variable: those are called I1, Q1, MI01, MF01, T1 and C1",
+            "3:22: `X1` is neither a number nor a variable: those are called I1, Q1, MI01, MF01, T1 and C1",
         ),
         (
             "1. a\n rung 0:  0:| |I1\n rung 1:  0:TMR ON T1 (AC 3)\n",
-            "3:13: `TMR ON T1 (AC 3)` is no element of the IoT ladder language",
+            "3:13: `TMR ON T1 (AC 3)` is not an element of the IoT ladder language",
         ),
         (
             "1. a\n rung 0:  0:| |I1\n rung n:  0:| |In\n",

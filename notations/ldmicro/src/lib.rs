@@ -78,7 +78,7 @@ impl Notation for Ldmicro {
 ///
 /// # Errors
 ///
-/// If it is no LDmicro program, or a broken one.
+/// If it is not an LDmicro program, or a broken one.
 pub fn resaved(bytes: &[u8]) -> Result<Vec<u8>, ReadError> {
     parse::parse(bytes).map(|file| save::save(&file))
 }

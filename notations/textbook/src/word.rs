@@ -158,7 +158,7 @@ fn word(text: &str) -> Result<(WordKind, usize), String> {
         first => first.chars().take(40).collect(),
     };
     Err(format!(
-        "`{shown}` is no word of the textbook grammar; its words are `start`, `end`, `(`, `)`, `&`, `V`, `open contact`, \
+        "`{shown}` is not a word of the textbook grammar; its words are `start`, `end`, `(`, `)`, `&`, `V`, `open contact`, \
          `closed contact`, `active coil`, `inactive coil` and names such as `I0.1`, `M2` and `Q3`"
     ))
 }

@@ -185,7 +185,7 @@ fn what_the_grammar_refuses() {
         (
             "start open contact I0.1 + active coil Q0 end",
             expect![[r#"
-            1:25: `+` is no word of the textbook grammar; its words are `start`, `end`, `(`, `)`, `&`, `V`, `open contact`, `closed contact`, `active coil`, `inactive coil` and names such as `I0.1`, `M2` and `Q3`
+            1:25: `+` is not a word of the textbook grammar; its words are `start`, `end`, `(`, `)`, `&`, `V`, `open contact`, `closed contact`, `active coil`, `inactive coil` and names such as `I0.1`, `M2` and `Q3`
         "#]],
         ),
         (

@@ -6,7 +6,7 @@ use std::ops::Range;
 
 /// Pixels next to a shape that a cut keeps away from. Above and below there is room enough between rungs, and the rows of
 /// a box are closer than that.
-const BESIDE: i32 = 3;
+const NEXT_TO: i32 = 3;
 
 /// Which way a drawing is cut.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -89,7 +89,7 @@ fn blocked(shapes: &[Shape], along: Along, boxes: Boxes) -> Vec<Range<i32>> {
         .map(|shape| {
             let stretch = stretch(shape.extent(), along);
             match along {
-                Along::Width => stretch.start - BESIDE..stretch.end + BESIDE,
+                Along::Width => stretch.start - NEXT_TO..stretch.end + NEXT_TO,
                 // A wire has no height of its own.
                 Along::Height => stretch.start..stretch.end.max(stretch.start + 2),
             }

@@ -115,7 +115,7 @@ impl<W: Write> Adapter<W> {
         self.send_events();
     }
 
-    /// Answers something that is no request.
+    /// Answers something that is not a request.
     pub(super) fn refuse(&mut self, seq: i64, problem: String) {
         self.out.answer(seq, "", Err(problem));
     }
@@ -397,7 +397,7 @@ impl<W: Write> Adapter<W> {
 
     fn variables(&mut self, arguments: &Variables) -> Result<Json, String> {
         let target = self.target.as_ref().ok_or_else(no_program)?;
-        // A client may ask just as the program goes on. That is no error of a person, and asked again it is answered.
+        // A client may ask just as the program goes on. That is not an error of a person, and asked again it is answered.
         let Ok(container) = self.handles.get(arguments.reference) else {
             return Ok(json!({"variables": []}));
         };

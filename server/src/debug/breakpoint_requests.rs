@@ -70,7 +70,7 @@ impl<W: Write> Adapter<W> {
 
     pub(super) fn data_breakpoint_info(&mut self, arguments: &DataBreakpointInfo) -> Result<Json, String> {
         let point = match arguments.variables_reference.filter(|&reference| reference > 0) {
-            // A client asks before it opens a menu. Where the next stop has come meanwhile that is no error to tell a person.
+            // A client asks before it opens a menu. Where the next stop has come meanwhile that is not an error to tell a person.
             Some(reference) => match self.handles.get(reference) {
                 Ok(container) => variables::point_in(self.target()?, &container, &arguments.name),
                 Err(problem) => Err(problem),

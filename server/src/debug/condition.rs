@@ -20,7 +20,7 @@ impl HitCondition {
         let text = text.trim();
         let end = text.find(|c: char| c.is_ascii_digit()).unwrap_or(text.len());
         let (sign, number) = text.split_at(end);
-        let wrong = || format!("`{text}` is no count of hits: write a number such as 5, or >= 5, or % 5");
+        let wrong = || format!("`{text}` is not a count of hits: write a number such as 5, or >= 5, or % 5");
         let number: u64 = number.trim().parse().map_err(|_| wrong())?;
         match sign.trim() {
             "" | "=" | "==" => Ok(HitCondition::Is(number)),

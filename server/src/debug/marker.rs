@@ -113,7 +113,7 @@ impl Marker {
         let condition = given(&wanted.condition).map(|text| {
             let next_to = Attached::new(&text, target, location);
             next_to.and_then(|mut next_to| {
-                // A condition that is no BOOL is found now; a fault is for later.
+                // A condition that is not a BOOL is found now; a fault is for later.
                 let watch = next_to.watch_any();
                 match watch.map(|watch| watch.evaluate(target.simulation())) {
                     Some(Ok(Typed { ty, .. })) if ty != ladder_analysis::values::types::Scalar::Bool => Err(

@@ -14,7 +14,7 @@ pub(super) struct Request {
     pub arguments: Json,
 }
 
-/// Why a message is no request.
+/// Why a message is not a request.
 #[derive(Debug)]
 pub(super) struct NoRequest {
     /// Its number; 0 if it has none.
@@ -26,7 +26,7 @@ impl Request {
     pub(super) fn read(body: &[u8]) -> Result<Request, NoRequest> {
         let message: Json = serde_json::from_slice(body).map_err(|error| NoRequest {
             seq: 0,
-            message: format!("the message is no JSON: {error}"),
+            message: format!("the message is not JSON: {error}"),
         })?;
         let seq = message.get("seq").and_then(Json::as_i64).unwrap_or(0);
         let refused = |message: String| NoRequest { seq, message };

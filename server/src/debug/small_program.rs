@@ -52,10 +52,10 @@ impl<'s> Small<'s> {
         let list = tree.descendants().find(is_list);
         let operands: Vec<SyntaxNode> = list.map_or(Vec::new(), |list| list.children().collect());
         let [_, expression] = &*operands else {
-            return Err(format!("`{text}` is no expression"));
+            return Err(format!("`{text}` is not an expression"));
         };
         if expression.text_range() != range {
-            return Err(format!("`{text}` is no expression"));
+            return Err(format!("`{text}` is not an expression"));
         }
         let mut replaced = Vec::new();
         small.names_in(expression, &mut replaced)?;
@@ -85,7 +85,7 @@ impl<'s> Small<'s> {
         Ok(small)
     }
 
-    /// Names of places of user-defined blocks are no names of the grammar: `$RAMP#2.level` becomes a tag at once.
+    /// Names of places of user-defined blocks are not names of the grammar: `$RAMP#2.level` becomes a tag at once.
     fn without_instances(&mut self, text: &str) -> Result<String, Problem> {
         let mut left = String::new();
         let mut rest = text;
@@ -164,7 +164,7 @@ impl<'s> Small<'s> {
         };
         if last - first >= MOST_ELEMENTS {
             return Err(format!(
-                "{whole} is too large for an expression with an index that is no number"
+                "{whole} is too large for an expression with an index that is not a number"
             ));
         }
         let name = self.name(&whole, element);
@@ -213,7 +213,7 @@ impl<'s> Small<'s> {
                 Err(_) => {}
             }
         }
-        Err(problem.unwrap_or_else(|| format!("`{text}` is no expression")))
+        Err(problem.unwrap_or_else(|| format!("`{text}` is not an expression")))
     }
 
     fn likeliest(&self) -> Scalar {

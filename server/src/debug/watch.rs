@@ -26,7 +26,7 @@ impl Scope<'_> {
     pub(super) fn resolve(self, text: &str) -> Result<Point, Problem> {
         if let Some(instance) = self.instance {
             let own = self.simulation.resolve_within(instance, text);
-            // What is no tag of the body may be a global.
+            // What is not a tag of the body may be a global.
             if let Ok(point) = own {
                 return Ok(point);
             }
@@ -146,7 +146,7 @@ impl Watch {
         }
     }
 
-    /// Whether it is true. An expression that is no BOOL is an error.
+    /// Whether it is true. An expression that is not a BOOL is an error.
     pub(super) fn holds(&mut self, simulation: &Simulation) -> Result<bool, Problem> {
         match self.evaluate(simulation)? {
             Typed {

@@ -15,7 +15,7 @@ use crate::frames::{Frame, Frames};
 #[derive(Debug)]
 pub(super) enum Incoming {
     Request(Request),
-    /// Something that is no request: what is wrong with it, and its number if it has one.
+    /// Something that is not a request: what is wrong with it, and its number if it has one.
     Broken {
         seq: i64,
         problem: String,

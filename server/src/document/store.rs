@@ -65,7 +65,7 @@ struct Document {
 }
 
 impl Documents {
-    /// As [`Documents::open_at`], for a text that is no file.
+    /// As [`Documents::open_at`], for a text that is not a file.
     #[cfg(test)]
     pub(crate) fn open(&self, uri: &str, version: i32, encoding: Encoding, text: &str) -> Arc<Revision> {
         self.open_at(uri, Kind::Program, version, encoding, text, None)

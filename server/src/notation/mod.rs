@@ -69,8 +69,9 @@ pub(crate) fn translate(
                 format!("{name} belongs next to this program; `ladder convert -o` writes both")
             });
             account.notes.extend(next_to);
-            String::from_utf8(writing.bytes)
-                .map_err(|_| "this program is no text in UTF-8; `ladder convert -o` writes it".to_owned())?
+            String::from_utf8(writing.bytes).map_err(|_| {
+                "this program is not a text in UTF-8; `ladder convert -o` writes it".to_owned()
+            })?
         }
     };
     Ok(Converted {

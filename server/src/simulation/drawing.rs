@@ -308,7 +308,7 @@ fn condition(block: &Block, revision: &Revision, simulation: &Simulation) -> Opt
             _ => Condition::Unknown,
         },
         Op::RisingContact | Op::FallingContact => Condition::Unknown,
-        // What looks at nothing but the wire is no contact.
+        // What looks at nothing but the wire is not a contact.
         _ => return None,
     })
 }

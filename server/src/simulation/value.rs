@@ -59,7 +59,7 @@ pub(crate) fn from_json(json: &Json, ty: Scalar) -> Result<Value, String> {
                 _ => value_text::parse(&number.to_string(), ty),
             }
         }
-        _ => Err(format!("{json} is no value for {}", with_article(ty))),
+        _ => Err(format!("{json} is not a value for {}", with_article(ty))),
     }
 }
 

@@ -121,7 +121,7 @@ async fn what_is_wrong_is_shown_at_its_place_while_a_person_types() {
     let found = published(&mut client, URI, 4).await;
     assert_eq!(found.len(), 1, "{found:?}");
     assert!(
-        found[0].starts_with("1:10 bad-program this is no Python: "),
+        found[0].starts_with("1:10 bad-program this is not Python: "),
         "{found:?}"
     );
     let close = json!({"textDocument": {"uri": URI}});

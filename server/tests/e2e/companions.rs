@@ -56,7 +56,7 @@ async fn a_error_in_the_settings_above_an_open_program() {
         found,
         [(
             span([2, 0, 2, 4]),
-            "bad-setting `with` is no setting in [format]: did you mean `width`?".to_owned()
+            "bad-setting `with` is not a setting in [format]: did you mean `width`?".to_owned()
         )]
     );
     // Fixed on disk.
@@ -81,7 +81,10 @@ async fn an_open_settings_file_is_checked_as_the_editor_shows_it() {
     // Half-written.
     replace(&mut client, &settings, 3, "[lint]\nopen-wire = \n").await;
     let found = published(&mut client, &settings).await;
-    assert!(found[0].1.starts_with("bad-setting this is no TOML"), "{found:?}");
+    assert!(
+        found[0].1.starts_with("bad-setting this is not TOML"),
+        "{found:?}"
+    );
     assert_eq!(found[0].0["start"]["line"], 1);
     // Closed without being saved: what is on disk counts, and is shown again.
     close(&mut client, &settings).await;

@@ -71,8 +71,8 @@ async fn what_is_wrong_in_them_is_reported_once() {
     let shown = client.notification("window/showMessage", |_| true).await;
     assert_eq!(
         shown["message"].as_str().unwrap(),
-        "The settings of this editor: `ladder.lint.double-coils`: `double-coils` is no rule: did you mean `double-coil`?\n\
-         `ladder.workspace`: `workspace` is no setting: it must be the same for everybody, and is in ladder.toml"
+        "The settings of this editor: `ladder.lint.double-coils`: `double-coils` is not a rule: did you mean `double-coil`?\n\
+         `ladder.workspace`: `workspace` is not a setting: it must be the same for everybody, and is in ladder.toml"
     );
     let params = json!({"settings": {"ladder": options}});
     client.notify("workspace/didChangeConfiguration", params).await;

@@ -81,7 +81,7 @@ async fn what_cannot_be_converted_is_reported() {
         (
             json!({"uri": "untitled:Untitled-1"}),
             -32803,
-            "untitled:Untitled-1 is no file; send its text",
+            "untitled:Untitled-1 is not a file; send its text",
         ),
         (
             json!({"uri": plant.uri("gone.ld")}),

@@ -142,7 +142,7 @@ async fn a_client_that_takes_no_related_documents_gets_a_message() {
     let shown = client.notification("window/showMessage", |_| true).await;
     let message = shown["message"].as_str().unwrap();
     assert!(
-        message.ends_with("ladder.toml:1:2: `formt` is no setting: did you mean `format`?"),
+        message.ends_with("ladder.toml:1:2: `formt` is not a setting: did you mean `format`?"),
         "{message}"
     );
     ask(&mut client, &main, Value::Null).await;

@@ -132,7 +132,7 @@ async fn settings_say_which_files_belong_to_it() {
         .await;
     assert_eq!(
         shown["diagnostics"][0]["message"],
-        "`excluded` is no setting in [workspace]: did you mean `exclude`?"
+        "`excluded` is not a setting in [workspace]: did you mean `exclude`?"
     );
     client.finish().await;
 }

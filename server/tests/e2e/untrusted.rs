@@ -127,11 +127,11 @@ async fn a_simulation_keeps_nothing_in_a_file_of_others() {
         (None, "this leads out of the workspace"),
         (
             Some("# a script\n"),
-            "this is no file of retentive values, and it stays as it is",
+            "this is not a file of retentive values, and it stays as it is",
         ),
         (
             Some(""),
-            "this is no file of retentive values, and it stays as it is",
+            "this is not a file of retentive values, and it stays as it is",
         ),
     ] {
         match content {

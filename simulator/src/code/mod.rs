@@ -40,7 +40,7 @@ pub(crate) struct Code {
     pub(crate) operands: Vec<u32>,
     /// Powers that a call which can come back to the same network must keep.
     pub(crate) saved: Vec<Vec<Bit>>,
-    /// Where errors are reported that are no faults.
+    /// Where errors are reported that are not faults.
     pub(crate) relays: Relays,
     /// Most frames that can be open at once.
     pub(crate) depth: usize,

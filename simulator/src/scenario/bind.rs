@@ -108,7 +108,7 @@ fn scans_of_a_step(suite: &Suite, interval: i64) -> Result<u64, ScenarioError> {
     Err(ScenarioError::new(
         range,
         format!(
-            "a step is a whole number of scans, and {} is no multiple of the scan interval {}",
+            "a step is a whole number of scans, and {} is not a multiple of the scan interval {}",
             time(step),
             time(interval)
         ),
@@ -303,7 +303,7 @@ fn explain(problem: String, text: &str, ty: Scalar) -> (String, String) {
     let wave = text.chars().filter(|c| matches!(c, '_' | '-' | '.')).count();
     if ty == Scalar::Bool && wave > 0 {
         return (
-            format!("`{text}` is no waveform"),
+            format!("`{text}` is not a waveform"),
             "its letters are _ low, - high and . as before".to_owned(),
         );
     }

@@ -262,7 +262,7 @@ run => _- ± 1 2
                 write it as in: run => _--_
             18:11-16: one number after ± says how far the values may be away
                 write it last in the row, as in: level => 1.0 2.0 ± 0.01
-            2:6-10: a step is a whole number of scans, and 15ms is no multiple of the scan interval 10ms
+            2:6-10: a step is a whole number of scans, and 15ms is not a multiple of the scan interval 10ms
                 write `step 10ms`, or give another scan interval, as in: interval 1ms
         "#]],
     );
@@ -312,10 +312,10 @@ text => 12 'a' b
         expect![[r#"
             5:8-11: `start` has 1 step, but `strat` has 3
                 all rows of a scenario have one length: a value for each step
-            2:6-10: a step is a whole number of scans, and 15ms is no multiple of the scan interval 10ms
+            2:6-10: a step is a whole number of scans, and 15ms is not a multiple of the scan interval 10ms
                 write `step 10ms`, or give another scan interval, as in: interval 1ms
             4:1-6: there is no tag `strat`; did you mean start?
-            5:8-11: `_2x` is no waveform
+            5:8-11: `_2x` is not a waveform
                 its letters are _ low, - high and . as before
             6:1-6: start is given by two rows of this scenario
                 leave only one of them
@@ -329,10 +329,10 @@ text => 12 'a' b
             11:1-8: list[9] does not exist: the array goes from 1 to 3
             12:14-19: 99999 does not fit
                 INT holds -32768 to 32767
-            12:20-21: `x` is no value for an INT
+            12:20-21: `x` is not a value for an INT
                 write a whole number as in 42 or 16#FF
             13:1-7: warmup is a TON: name one of its members, as in warmup.Q
-            14:19-20: `x` is no value for a TIME
+            14:19-20: `x` is not a value for a TIME
                 write a duration as in 5s or T#1h30m, or a number of milliseconds
             15:12-15: values of a BOOL are equal or not: they have no tolerance
                 take the ± away
@@ -373,7 +373,7 @@ fn a_step_is_a_number_of_scans() {
     check(
         &text("interval 40ms\nstep 60ms"),
         expect![[r#"
-        3:6-10: a step is a whole number of scans, and 60ms is no multiple of the scan interval 40ms
+        3:6-10: a step is a whole number of scans, and 60ms is not a multiple of the scan interval 40ms
             write `step 40ms`, or give another scan interval, as in: interval 1ms
     "#]],
     );

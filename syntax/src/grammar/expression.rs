@@ -180,7 +180,7 @@ fn prefix<B: Builder>(p: &mut Parser<'_, '_, B>) {
     }
 }
 
-/// What is after a `+` that is no operator; a second one lacks the value before it.
+/// What is after a `+` that is not an operator; a second one lacks the value before it.
 fn prefix_after_plus<B: Builder>(p: &mut Parser<'_, '_, B>) {
     p.space();
     if p.next() == SyntaxKind::MINUS {

@@ -9,7 +9,7 @@
 use super::declaration::keyword_at;
 use crate::lexer::{ascii_word_end as word_end, blanks_end};
 
-/// Words that are no names, or that have a meaning of their own among operands.
+/// Words that are not names, or that have a meaning of their own among operands.
 const SPECIAL: [&str; 13] = [
     "EN", "OR", "PI", "AND", "ENO", "MOD", "NOT", "SHL", "SHR", "SYS", "XOR", "TRUE", "FALSE",
 ];

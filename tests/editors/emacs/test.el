@@ -58,7 +58,7 @@
     (split-string (replace-regexp-in-string " +$" "" shown) "\n")))
 
 (defun in-comments ()
-  "The lines of the buffer, where what is no comment is blank."
+  "The lines of the buffer, where what is not a comment is blank."
   (font-lock-ensure)
   (let ((faces '(font-lock-comment-face font-lock-comment-delimiter-face)) (shown ""))
     (dotimes (index (buffer-size))

@@ -80,7 +80,7 @@ return function(t)
       return vim.diagnostic.get(bufnr)[1]
     end)
     t.equal('its place', { 1, 0, 4 }, { found.lnum, found.col, found.end_col })
-    t.equal('its message', '`with` is no setting in [format]: did you mean `width`?', found.message)
+    t.equal('its message', '`with` is not a setting in [format]: did you mean `width`?', found.message)
     vim.api.nvim_buf_set_text(bufnr, 1, 1, 1, 2, { 'id' })
     t.eventually('no diagnostics', function()
       return #vim.diagnostic.get(bufnr) == 0

@@ -18,7 +18,7 @@ pub(crate) fn parts(data: &[u8]) -> Vec<&[u8]> {
     parts
 }
 
-/// Bytes as a text: what is no UTF-8 becomes U+FFFD.
+/// Bytes as a text: what is not UTF-8 becomes U+FFFD.
 pub(crate) fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }

@@ -81,7 +81,7 @@ enum Due {
 }
 
 fn due(body: &[u8]) -> Due {
-    // What is no text, or no JSON, is answered without an id.
+    // What is not a text, or no JSON, is answered without an id.
     let is_json =
         std::str::from_utf8(body).is_ok_and(|text| serde_json::from_str::<IgnoredAny>(text).is_ok());
     if !is_json {

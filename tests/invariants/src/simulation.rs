@@ -36,7 +36,7 @@ pub(crate) fn check(data: &[u8]) {
         compare(&text, &mut Boolean::new(&text), stimulus);
     }
     let Some(program) = compile(&text) else {
-        panic!("this is no program:\n{text}");
+        panic!("this is not a program:\n{text}");
     };
     let fused = trace(&text, stimulus, Engine::Fused);
     let plain = trace(&text, stimulus, Engine::Plain);

@@ -53,7 +53,7 @@ pub fn trace(text: &str, stimulus: Stimulus, engine: Engine) -> String {
         "\r"
     };
     let whole = format!("{text}{line_end}VAR {UNUSED} : BOOL; END_VAR{line_end}");
-    let program = compile(&whole).unwrap_or_else(|| panic!("this is no program:\n{text}"));
+    let program = compile(&whole).unwrap_or_else(|| panic!("this is not a program:\n{text}"));
     let options = Options {
         watchdog: WATCHDOG,
         ..Options::default()
@@ -127,10 +127,10 @@ fn record(simulation: &mut Simulation, source: &str, stimulus: Stimulus) -> Stri
 /// with inputs that the first has. The first difference; none if there is none. Both stop where the first does.
 ///
 /// # Panics
-/// One of the texts is no program.
+/// One of the texts is not a program.
 pub fn next_to(text: &str, other: &str, stimulus: Stimulus) -> Option<String> {
     let start = |text: &str| {
-        let program = compile(text).unwrap_or_else(|| panic!("this is no program:\n{text}"));
+        let program = compile(text).unwrap_or_else(|| panic!("this is not a program:\n{text}"));
         let options = Options {
             watchdog: WATCHDOG,
             ..Options::default()
@@ -223,7 +223,7 @@ fn any_value(dice: &mut Dice, ty: Scalar) -> Value {
 /// # Panics
 /// A tag, or the power of a block, differs.
 pub fn compare(text: &str, reference: &mut Boolean, stimulus: Stimulus) {
-    let program = compile(text).unwrap_or_else(|| panic!("this is no program:\n{text}"));
+    let program = compile(text).unwrap_or_else(|| panic!("this is not a program:\n{text}"));
     let mut simulation = Simulation::new(program, Options::default()).expect("contacts and coils run");
     let names: Vec<String> = reference.tags.keys().cloned().collect();
     let mut dice = Dice::new(stimulus.seed);

@@ -128,7 +128,7 @@ fn run(text: &str, in_steps: bool) -> Result<(), String> {
     compare_values(&simulation, &known).map_err(|why| format!("at the end: {why}\n{ladder}"))
 }
 
-/// What a line of the trace tells: `8: Q1=1 T1:AC=3`. The memory of an edge is no tag here.
+/// What a line of the trace tells: `8: Q1=1 T1:AC=3`. The memory of an edge is not a tag here.
 fn changes(line: &str) -> impl Iterator<Item = (&str, &str)> {
     let (_, changes) = line.split_once(':').unwrap_or_default();
     changes

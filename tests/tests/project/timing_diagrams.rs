@@ -87,7 +87,7 @@ fn simulation(row: &Instruction, preset: u32) -> Simulation {
         row.mnemonic
     );
     let analysis = analyze(&Arc::new(parse(&program)), "timer");
-    let program = analysis.program().cloned().expect("no mistakes");
+    let program = analysis.program().cloned().expect("no errors");
     Simulation::new(program, Options::default()).expect("a timer runs")
 }
 

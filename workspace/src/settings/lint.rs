@@ -118,7 +118,7 @@ fn unknown_rule(name: &str) -> String {
         .map(|rule| rule.name())
         .collect();
     match closest(name, &names) {
-        Some(near) => format!("`{name}` is no rule: did you mean `{near}`?"),
-        None => format!("`{name}` is no rule; the reference of the rules lists them all"),
+        Some(near) => format!("`{name}` is not a rule: did you mean `{near}`?"),
+        None => format!("`{name}` is not a rule; the reference of the rules lists them all"),
     }
 }

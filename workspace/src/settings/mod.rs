@@ -137,7 +137,7 @@ impl Settings {
             }
             Err(error) => {
                 let range = error.span().unwrap_or(0..0);
-                reader.wrong(range, format!("this is no TOML: {}", error.message()));
+                reader.wrong(range, format!("this is not TOML: {}", error.message()));
                 Settings::default()
             }
         };

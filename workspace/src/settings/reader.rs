@@ -260,7 +260,7 @@ impl Table {
             } else {
                 hint(name, &self.known)
             };
-            reader.wrong(entry.range, format!("`{name}` is no setting{of}: {hint}"));
+            reader.wrong(entry.range, format!("`{name}` is not a setting{of}: {hint}"));
         }
     }
 }

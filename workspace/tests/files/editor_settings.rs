@@ -91,10 +91,10 @@ fn what_is_wrong_is_named_and_the_rest_holds() {
             ("codeLens", table(&[("enable", text("yes"))])),
         ]),
         expect![[r#"
-            `ladder.formt`: `formt` is no setting: did you mean `format`?
+            `ladder.formt`: `formt` is not a setting: did you mean `format`?
             `ladder.format.width`: a whole number from 40 to 300 is expected here
-            `ladder.format.with`: `with` is no setting in [format]: did you mean `width`?
-            `ladder.lint.open-wires`: `open-wires` is no rule: did you mean `open-wire`?
+            `ladder.format.with`: `with` is not a setting in [format]: did you mean `width`?
+            `ladder.lint.open-wires`: `open-wires` is not a rule: did you mean `open-wire`?
             `ladder.lint.no-output`: `warning` is not a severity: write "error", "warn", "info" or "off"
             `ladder.inlayHints`: a table of settings is expected here, as in { "enable": ... }
             `ladder.codeLens.enable`: true or false is expected here
@@ -111,8 +111,8 @@ fn what_must_be_the_same_for_everybody_is_not_set_in_an_editor() {
             ("simulate", table(&[("retain", text("plant.retain"))])),
         ]),
         expect![[r#"
-            `ladder.workspace`: `workspace` is no setting: it must be the same for everybody, and is in ladder.toml
-            `ladder.simulate.retain`: `retain` is no setting in [simulate]: it must be the same for everybody, and is in ladder.toml
+            `ladder.workspace`: `workspace` is not a setting: it must be the same for everybody, and is in ladder.toml
+            `ladder.simulate.retain`: `retain` is not a setting in [simulate]: it must be the same for everybody, and is in ladder.toml
         "#]],
     );
 }

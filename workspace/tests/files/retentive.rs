@@ -149,7 +149,7 @@ fn a_file_of_others_stays_as_it_is() {
         fs::write(&path, text).unwrap();
         let error = RetentiveFile::open(&path, "motor.clad").unwrap_err().to_string();
         assert!(
-            error.ends_with("this is no file of retentive values, and it stays as it is; name another file, or remove this one"),
+            error.ends_with("this is not a file of retentive values, and it stays as it is; name another file, or remove this one"),
             "{error}"
         );
         assert_eq!(fs::read_to_string(&path).unwrap(), text);

@@ -95,7 +95,7 @@ fn what_is_no_toml() {
     wrong(
         "[format]\nwidth = \n",
         expect![[r#"
-            ladder.toml:2:9: this is no TOML: string values must be quoted, expected literal string
+            ladder.toml:2:9: this is not TOML: string values must be quoted, expected literal string
         "#]],
     );
 }
@@ -105,14 +105,14 @@ fn unknown_keys_and_tables() {
     wrong(
         "[formt]\nwidth = 5\n",
         expect![[r#"
-            ladder.toml:1:2: `formt` is no setting: did you mean `format`?
+            ladder.toml:1:2: `formt` is not a setting: did you mean `format`?
         "#]],
     );
     wrong(
         "[format]\nwith = 120\nindent = 4\n",
         expect![[r#"
-            ladder.toml:2:1: `with` is no setting in [format]: did you mean `width`?
-            ladder.toml:3:1: `indent` is no setting in [format]: known here are width, spacing
+            ladder.toml:2:1: `with` is not a setting in [format]: did you mean `width`?
+            ladder.toml:3:1: `indent` is not a setting in [format]: known here are width, spacing
         "#]],
     );
     wrong(
@@ -128,7 +128,7 @@ fn what_is_a_matter_of_taste_is_not_the_projects() {
     wrong(
         "[inlayHints]\nenable = true\n",
         expect![[r#"
-            ladder.toml:1:2: `inlayHints` is no setting: every person sets it in the settings of the editor
+            ladder.toml:1:2: `inlayHints` is not a setting: every person sets it in the settings of the editor
         "#]],
     );
 }
@@ -158,7 +158,7 @@ fn wrong_values() {
     wrong(
         "[simulate]\ninterval = \"soon\"\n",
         expect![[r#"
-            ladder.toml:2:12: `soon` is no value for a TIME: write a duration as in 5s or T#1h30m, or a number of milliseconds
+            ladder.toml:2:12: `soon` is not a value for a TIME: write a duration as in 5s or T#1h30m, or a number of milliseconds
         "#]],
     );
     wrong(
@@ -170,9 +170,9 @@ fn wrong_values() {
     wrong(
         "[lint]\ndouble-coils = \"warn\"\nno-output = \"warning\"\nfrobnicate = \"off\"\nopen-wire = 1\n",
         expect![[r#"
-            ladder.toml:2:1: `double-coils` is no rule: did you mean `double-coil`?
+            ladder.toml:2:1: `double-coils` is not a rule: did you mean `double-coil`?
             ladder.toml:3:13: `warning` is not a severity: write "error", "warn", "info" or "off"
-            ladder.toml:4:1: `frobnicate` is no rule; the reference of the rules lists them all
+            ladder.toml:4:1: `frobnicate` is not a rule; the reference of the rules lists them all
             ladder.toml:5:13: a text in quotes is expected here, for example "warn"
         "#]],
     );

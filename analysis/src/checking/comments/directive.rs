@@ -36,7 +36,7 @@ impl Word {
     }
 }
 
-/// Reads a comment that is at `at`. None: it is no directive. What is wrong goes to `out`.
+/// Reads a comment that is at `at`. None: it is not a directive. What is wrong goes to `out`.
 pub(super) fn read(comment: &str, at: TextSize, out: &mut Vec<Diagnostic>) -> Option<Directive> {
     let Asked { word: name, after } = asked(comment)?;
     let place = TextRange::at(at, TextSize::of(comment));

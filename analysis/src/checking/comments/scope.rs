@@ -83,7 +83,7 @@ pub(super) fn directives(context: &Context) -> Directives {
     directives
 }
 
-/// Whether a comment that is no piece of a wire is on a rung.
+/// Whether a comment that is not a piece of a wire is on a rung.
 fn has_comment_aside(network: NetworkAt<'_>, line: usize) -> bool {
     let wiring = &network.wiring;
     let rung = wiring.line_offsets.binary_search(&(line - network.first_line));

@@ -300,7 +300,7 @@ fn source(
     Ok(workspace.map(|workspace| source.within(workspace)))
 }
 
-/// Refuses to fix what is no ladder text: its fixes are about a text that is nowhere.
+/// Refuses to fix what is not ladder text: its fixes are about a text that is nowhere.
 fn may_be_fixed(source: &Source, arguments: &Arguments) -> Result<(), Failure> {
     match source.foreign() {
         Some(foreign) if arguments.fix => Err(Failure::new(format!(

@@ -135,7 +135,7 @@ fn without_companions(jobs: &mut Vec<Job>, named: &HashSet<&Path>) {
     jobs.retain(|_| whole.next() == Some(true));
 }
 
-/// The job for a file; `folder` is where it goes if it is one of several. None: it was found in a folder under a name that others use too, and is no program.
+/// The job for a file; `folder` is where it goes if it is one of several. None: it was found in a folder under a name that others use too, and is not a program.
 fn job(
     input: &Path,
     is_named: bool,

@@ -41,7 +41,7 @@ fn place(text: &str) -> Result<Bound, String> {
     let number = |digits: &str| match digits.parse::<u32>() {
         Ok(0) => Err("lines and columns count from 1".to_owned()),
         Ok(number) => Ok(number),
-        Err(_) => Err(format!("`{digits}` is no line or column")),
+        Err(_) => Err(format!("`{digits}` is not a line or column")),
     };
     Ok(match text.split_once(':') {
         Some((line, column)) => Bound {

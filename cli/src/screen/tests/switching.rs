@@ -63,13 +63,13 @@ fn what_is_no_input_says_so() {
     bench.check_info(
         "down space",
         expect![[r#"
-            | run is no input: the program may write it at once; f forces it
+            | run is not an input: the program may write it at once; f forces it
         "#]],
     );
     bench.check_info(
         "right right space",
         expect![[r#"
-            | run is no input: the program may write it at once; f forces it
+            | run is not an input: the program may write it at once; f forces it
         "#]],
     );
 }

@@ -59,7 +59,7 @@ function M.receive(previewed)
   end
 end
 
---- A buffer that is no file and that nobody edits, next to the current window. The server knows it as any other drawing.
+--- A buffer that is not a file and that nobody edits, next to the current window. The server knows it as any other drawing.
 --- @param program integer
 --- @param client vim.lsp.Client
 --- @param previewed { uri: string, version: integer, text: string }
@@ -81,7 +81,7 @@ end
 --- @param shown fun(drawing: integer)|nil called when it is there
 function M.preview(program, shown)
   if vim.bo[program].filetype ~= M.FILETYPE then
-    return vim.notify('ladder: this is no Click program; ":LadderClick" makes one of a Python file.', vim.log.levels.ERROR)
+    return vim.notify('ladder: this is not a Click program; ":LadderClick" makes one of a Python file.', vim.log.levels.ERROR)
   end
   local client = server.await(program)
   if not client then

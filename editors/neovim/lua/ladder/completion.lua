@@ -74,7 +74,7 @@ local function is_chosen()
   if vim.fn.pumvisible() == 0 then
     return false
   end
-  -- Where Neovim itself begins with the first one, that is no choice yet.
+  -- Where Neovim itself begins with the first one, that is not a choice yet.
   local first = vim.list_contains(vim.split(vim.bo.completeopt, ','), 'noselect') and 0 or 1
   return vim.fn.complete_info({ 'selected' }).selected >= first
 end

@@ -1,4 +1,4 @@
---- `:Ladder convert`: shows the program of a buffer in another notation, in a new buffer that is no file yet.
+--- `:Ladder convert`: shows the program of a buffer in another notation, in a new buffer that is not a file yet.
 local server = require('ladder.server')
 
 local M = {}

@@ -32,7 +32,7 @@ function M.watch()
   end
   said = true
   if not program.is_nowhere(command[1]) then
-    local text = 'ladder: the language server "%s", which your configuration names, is no program. :checkhealth ladder says more.'
+    local text = 'ladder: the language server "%s", which your configuration names, is not a program. :checkhealth ladder says more.'
     return vim.notify(text:format(command[1]), vim.log.levels.WARN)
   end
   timer = assert(vim.uv.new_timer())

@@ -14,7 +14,7 @@ const REMEMBERED = 2000;
 const WORDS_EVERY = 500;
 /** The width of a letter of a drawing, and what a drawing has next to its rails, in pixels. */
 const LETTER = 8;
-const BESIDE = 80;
+const NEXT_TO = 80;
 /** The right rail is where the page ends, but no further left or right than this, in letters. */
 const RAILS = [44, 110] as const;
 
@@ -218,7 +218,7 @@ export class Page {
 
     /** The rail goes to the right end of the page. */
     #fit(): void {
-        const letters = Math.floor((this.#view.clientWidth / this.layout.scale - BESIDE) / LETTER);
+        const letters = Math.floor((this.#view.clientWidth / this.layout.scale - NEXT_TO) / LETTER);
         const rail = Math.min(Math.max(letters - (letters % 2), RAILS[0]), RAILS[1]);
         if (rail !== this.#rail && this.#view.clientWidth > 0) {
             this.#rail = rail;

@@ -31,7 +31,7 @@ pub(super) fn act(problems: &mut Problems<'_>, stmt: &Stmt) -> Result<Read, Unre
             Expr::Call(call) => called(problems, call),
             other => {
                 let what = expression(other);
-                Err(problems.note(other, format!("{what} is no action of the DSL")))
+                Err(problems.note(other, format!("{what} is not an action of the DSL")))
             }
         },
         other => {

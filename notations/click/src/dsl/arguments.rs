@@ -84,7 +84,7 @@ impl<'e> Arguments<'e> {
         };
         let Some((word, least, names)) = SIGNATURES.iter().find(|(own, ..)| *own == word) else {
             let shown = shown(problems.source(&*call.func));
-            return Err(problems.note(call, format!("`{shown}` is no instruction of the DSL")));
+            return Err(problems.note(call, format!("`{shown}` is not an instruction of the DSL")));
         };
         let mut given: Vec<(&'static str, &Expr)> = Vec::with_capacity(names.len());
         for (place, argument) in call.arguments.args.iter().enumerate() {

@@ -39,7 +39,7 @@ fn part(problems: &mut Problems<'_>, expr: &Expr) -> Result<Condition, Unread> {
         Expr::BooleanLiteral(literal) if literal.value => Ok(Condition::ALWAYS),
         Expr::BooleanLiteral(_) => Err(problems.note(
             expr,
-            "`False` is no condition: a rung is under `if True:` or a real one",
+            "`False` is not a condition: a rung is under `if True:` or a real one",
         )),
         Expr::Attribute(_) | Expr::Subscript(_) => contact(problems, expr, expr, ContactKind::Open),
         Expr::Compare(compare) => {
@@ -77,7 +77,7 @@ fn part(problems: &mut Problems<'_>, expr: &Expr) -> Result<Condition, Unread> {
         )),
         other => {
             let what = expression(other);
-            Err(problems.note(other, format!("{what} is no condition of the DSL")))
+            Err(problems.note(other, format!("{what} is not a condition of the DSL")))
         }
     }
 }
@@ -107,7 +107,7 @@ fn called(problems: &mut Problems<'_>, expr: &Expr, call: &ExprCall) -> Result<C
         "all" | "any" => None,
         _ => {
             let shown = shown(problems.source(&*call.func));
-            let message = format!("`{shown}` is no condition of the DSL: it has all, any, nc, re and fe");
+            let message = format!("`{shown}` is not a condition of the DSL: it has all, any, nc, re and fe");
             return Err(problems.note(expr, message));
         }
     };
@@ -237,7 +237,7 @@ fn bank(problems: &mut Problems<'_>, expr: &Expr) -> Result<Bank, Unread> {
         let what = expression(expr);
         return Err(problems.note(
             expr,
-            format!("{what} is no address of the DSL: addresses are c[1] or c.Start"),
+            format!("{what} is not an address of the DSL: addresses are c[1] or c.Start"),
         ));
     };
     if let Some(bank) = Bank::of_dsl(&name.id) {
@@ -297,7 +297,7 @@ fn indexed(problems: &mut Problems<'_>, whole: &Expr, subscript: &ExprSubscript)
         Expr::Slice(_) => Err(problems.note(whole, "one address is needed here, not a range")),
         other => {
             let what = expression(other);
-            let message = format!("{what} is no address: write a number, or ds[..] as a pointer");
+            let message = format!("{what} is not an address: write a number, or ds[..] as a pointer");
             Err(problems.note(other, message))
         }
     }
@@ -322,7 +322,7 @@ fn constant(problems: &mut Problems<'_>, expr: &Expr) -> Result<Constant, Unread
             let what = expression(other);
             Err(problems.note(
                 other,
-                format!("{what} is no value of the DSL: it has numbers, texts and addresses"),
+                format!("{what} is not a value of the DSL: it has numbers, texts and addresses"),
             ))
         }
     }

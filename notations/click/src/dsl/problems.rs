@@ -245,7 +245,7 @@ mod tests {
             nonlocal x in a rung: `nonlocal` is not in the DSL
             5 outside: an expression by itself outside a function is not in the DSL
             5 next to the rungs: a number outside a rung is not in the DSL
-            5 in a rung: a number is no action of the DSL
+            5 in a rung: a number is not an action of the DSL
             break outside: `break` outside a function is not in the DSL
             break next to the rungs: `break` is not in the DSL: a function has rungs, each under an `if`
             break in a rung: `break` is not in the DSL
@@ -303,64 +303,64 @@ mod tests {
         }
         expect![[r#"
             a and b as a condition: `and` is not in the DSL: write all(a, b)
-            a and b as a value: `and` or `or` is no value of the DSL: it has numbers, texts and addresses
-            (a := b) as a condition: `:=` is no condition of the DSL
-            (a := b) as a value: `:=` is no value of the DSL: it has numbers, texts and addresses
-            1 + 2 as a condition: a calculation is no condition of the DSL
-            1 + 2 as a value: a calculation is no value of the DSL: it has numbers, texts and addresses
+            a and b as a value: `and` or `or` is not a value of the DSL: it has numbers, texts and addresses
+            (a := b) as a condition: `:=` is not a condition of the DSL
+            (a := b) as a value: `:=` is not a value of the DSL: it has numbers, texts and addresses
+            1 + 2 as a condition: a calculation is not a condition of the DSL
+            1 + 2 as a value: a calculation is not a value of the DSL: it has numbers, texts and addresses
             not a as a condition: `not` is not in the DSL: write nc(a) for a normally closed contact
-            not a as a value: a sign or `not` is no value of the DSL: it has numbers, texts and addresses
-            lambda: a as a condition: a lambda is no condition of the DSL
-            lambda: a as a value: a lambda is no value of the DSL: it has numbers, texts and addresses
-            a if b else c as a condition: a conditional expression is no condition of the DSL
-            a if b else c as a value: a conditional expression is no value of the DSL: it has numbers, texts and addresses
-            {a: b} as a condition: a dictionary is no condition of the DSL
-            {a: b} as a value: a dictionary is no value of the DSL: it has numbers, texts and addresses
-            {a} as a condition: a set is no condition of the DSL
-            {a} as a value: a set is no value of the DSL: it has numbers, texts and addresses
-            [a] as a condition: a list is no condition of the DSL
-            [a] as a value: a list is no value of the DSL: it has numbers, texts and addresses
-            (a, b) as a condition: a tuple is no condition of the DSL
-            (a, b) as a value: a tuple is no value of the DSL: it has numbers, texts and addresses
-            [a for a in b] as a condition: a comprehension is no condition of the DSL
-            [a for a in b] as a value: a comprehension is no value of the DSL: it has numbers, texts and addresses
-            {a for a in b} as a condition: a comprehension is no condition of the DSL
-            {a for a in b} as a value: a comprehension is no value of the DSL: it has numbers, texts and addresses
-            {a: b for a in c} as a condition: a comprehension is no condition of the DSL
-            {a: b for a in c} as a value: a comprehension is no value of the DSL: it has numbers, texts and addresses
-            (a for a in b) as a condition: a comprehension is no condition of the DSL
-            (a for a in b) as a value: a comprehension is no value of the DSL: it has numbers, texts and addresses
-            await a as a condition: `await` is no condition of the DSL
-            await a as a value: `await` is no value of the DSL: it has numbers, texts and addresses
-            (yield a) as a condition: `yield` is no condition of the DSL
-            (yield a) as a value: `yield` is no value of the DSL: it has numbers, texts and addresses
-            (yield from a) as a condition: `yield` is no condition of the DSL
-            (yield from a) as a value: `yield` is no value of the DSL: it has numbers, texts and addresses
+            not a as a value: a sign or `not` is not a value of the DSL: it has numbers, texts and addresses
+            lambda: a as a condition: a lambda is not a condition of the DSL
+            lambda: a as a value: a lambda is not a value of the DSL: it has numbers, texts and addresses
+            a if b else c as a condition: a conditional expression is not a condition of the DSL
+            a if b else c as a value: a conditional expression is not a value of the DSL: it has numbers, texts and addresses
+            {a: b} as a condition: a dictionary is not a condition of the DSL
+            {a: b} as a value: a dictionary is not a value of the DSL: it has numbers, texts and addresses
+            {a} as a condition: a set is not a condition of the DSL
+            {a} as a value: a set is not a value of the DSL: it has numbers, texts and addresses
+            [a] as a condition: a list is not a condition of the DSL
+            [a] as a value: a list is not a value of the DSL: it has numbers, texts and addresses
+            (a, b) as a condition: a tuple is not a condition of the DSL
+            (a, b) as a value: a tuple is not a value of the DSL: it has numbers, texts and addresses
+            [a for a in b] as a condition: a comprehension is not a condition of the DSL
+            [a for a in b] as a value: a comprehension is not a value of the DSL: it has numbers, texts and addresses
+            {a for a in b} as a condition: a comprehension is not a condition of the DSL
+            {a for a in b} as a value: a comprehension is not a value of the DSL: it has numbers, texts and addresses
+            {a: b for a in c} as a condition: a comprehension is not a condition of the DSL
+            {a: b for a in c} as a value: a comprehension is not a value of the DSL: it has numbers, texts and addresses
+            (a for a in b) as a condition: a comprehension is not a condition of the DSL
+            (a for a in b) as a value: a comprehension is not a value of the DSL: it has numbers, texts and addresses
+            await a as a condition: `await` is not a condition of the DSL
+            await a as a value: `await` is not a value of the DSL: it has numbers, texts and addresses
+            (yield a) as a condition: `yield` is not a condition of the DSL
+            (yield a) as a value: `yield` is not a value of the DSL: it has numbers, texts and addresses
+            (yield from a) as a condition: `yield` is not a condition of the DSL
+            (yield from a) as a value: `yield` is not a value of the DSL: it has numbers, texts and addresses
             1 < 2 < 3 as a condition: chained comparisons are not in the DSL: write all(a < b, b < c)
-            1 < 2 < 3 as a value: a comparison is no value of the DSL: it has numbers, texts and addresses
-            f(x) as a condition: `f` is no condition of the DSL: it has all, any, nc, re and fe
-            f(x) as a value: a call is no value of the DSL: it has numbers, texts and addresses
-            f'{a}' as a condition: an f-string is no condition of the DSL
-            f'{a}' as a value: an f-string is no value of the DSL: it has numbers, texts and addresses
-            t'{a}' as a condition: a t-string is no condition of the DSL
-            t'{a}' as a value: a t-string is no value of the DSL: it has numbers, texts and addresses
-            'a' as a condition: a string is no condition of the DSL
-            b'a' as a condition: a bytes literal is no condition of the DSL
-            b'a' as a value: a bytes literal is no value of the DSL: it has numbers, texts and addresses
-            5 as a condition: a number is no condition of the DSL
-            False as a condition: `False` is no condition: a rung is under `if True:` or a real one
-            None as a condition: `None` is no condition of the DSL
-            None as a value: `None` is no value of the DSL: it has numbers, texts and addresses
-            ... as a condition: `...` is no condition of the DSL
-            ... as a value: `...` is no value of the DSL: it has numbers, texts and addresses
-            c.A.B as a condition: an attribute is no address of the DSL: addresses are c[1] or c.Start
-            c.A.B as a value: an attribute is no address of the DSL: addresses are c[1] or c.Start
-            c[1][2] as a condition: an index is no address of the DSL: addresses are c[1] or c.Start
-            c[1][2] as a value: an index is no address of the DSL: addresses are c[1] or c.Start
-            *a as a condition: `*` is no condition of the DSL
+            1 < 2 < 3 as a value: a comparison is not a value of the DSL: it has numbers, texts and addresses
+            f(x) as a condition: `f` is not a condition of the DSL: it has all, any, nc, re and fe
+            f(x) as a value: a call is not a value of the DSL: it has numbers, texts and addresses
+            f'{a}' as a condition: an f-string is not a condition of the DSL
+            f'{a}' as a value: an f-string is not a value of the DSL: it has numbers, texts and addresses
+            t'{a}' as a condition: a t-string is not a condition of the DSL
+            t'{a}' as a value: a t-string is not a value of the DSL: it has numbers, texts and addresses
+            'a' as a condition: a string is not a condition of the DSL
+            b'a' as a condition: a bytes literal is not a condition of the DSL
+            b'a' as a value: a bytes literal is not a value of the DSL: it has numbers, texts and addresses
+            5 as a condition: a number is not a condition of the DSL
+            False as a condition: `False` is not a condition: a rung is under `if True:` or a real one
+            None as a condition: `None` is not a condition of the DSL
+            None as a value: `None` is not a value of the DSL: it has numbers, texts and addresses
+            ... as a condition: `...` is not a condition of the DSL
+            ... as a value: `...` is not a value of the DSL: it has numbers, texts and addresses
+            c.A.B as a condition: an attribute is not an address of the DSL: addresses are c[1] or c.Start
+            c.A.B as a value: an attribute is not an address of the DSL: addresses are c[1] or c.Start
+            c[1][2] as a condition: an index is not an address of the DSL: addresses are c[1] or c.Start
+            c[1][2] as a value: an index is not an address of the DSL: addresses are c[1] or c.Start
+            *a as a condition: `*` is not a condition of the DSL
             *a as a value: `*` is not in the DSL: give the arguments one by one
-            a as a condition: a name is no condition of the DSL
-            a as a value: a name is no value of the DSL: it has numbers, texts and addresses
+            a as a condition: a name is not a condition of the DSL
+            a as a value: a name is not a value of the DSL: it has numbers, texts and addresses
         "#]]
         .assert_eq(&shown);
     }

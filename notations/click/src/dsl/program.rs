@@ -16,13 +16,13 @@ use ruff_text_size::Ranged;
 ///
 /// # Errors
 ///
-/// If it is no Python, too large or too deep, or has anything in it that the DSL has not.
+/// If it is not Python, too large or too deep, or has anything in it that the DSL has not.
 pub(in super::super) fn read(text: &str) -> Result<Program, ReadError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     depth::check(text)?;
     let parsed = parse_module(text).map_err(|error| {
         let place = Lines::of(text).place(text, error.location.start().into());
-        ReadError::at(place, format!("this is no Python: {}", error.error))
+        ReadError::at(place, format!("this is not Python: {}", error.error))
     })?;
     let mut problems = Problems::new(text);
     let mut comments = Comments::of(text, parsed.tokens());

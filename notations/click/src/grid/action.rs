@@ -17,7 +17,7 @@ pub(super) struct Read {
     pub(super) oneshot: bool,
 }
 
-/// An output that is no pin.
+/// An output that is not a pin.
 ///
 /// # Errors
 ///
@@ -104,7 +104,8 @@ fn instruction(token: &mut Token<'_>) -> Result<Instruction, String> {
         }),
         ("search", [relation, value, among, result, flag]) => {
             let relation = relation.trim_matches('"');
-            let relation = Relation::named(relation).ok_or_else(|| format!("`{relation}` is no relation"))?;
+            let relation =
+                Relation::named(relation).ok_or_else(|| format!("`{relation}` is not a relation"))?;
             search((relation, value, among), result, flag, token)?
         }
         ("search", [sought, result, flag]) => {
@@ -190,7 +191,8 @@ fn timer(kind: TimerKind, bit: &str, current: &str, token: &mut Token<'_>) -> Re
         kind,
         tag: done(bit, current, (Bank::T, Bank::Td))?,
         setpoint: preset(token)?,
-        unit: Unit::named(unit).ok_or_else(|| format!("`{unit}` is no unit: Tms, Ts, Tm, Th and Td are"))?,
+        unit: Unit::named(unit)
+            .ok_or_else(|| format!("`{unit}` is not a unit: Tms, Ts, Tm, Th and Td are"))?,
         reset: None,
     }))
 }

@@ -43,7 +43,7 @@ pub(super) fn read(text: &str, place: LineColumn) -> Result<Read, String> {
     let bit = immediate.unwrap_or(bit).trim();
     let address = Address::parse(bit).ok_or_else(|| unknown(text))?;
     if address.bank.kind() != Kind::Bit {
-        return Err(format!("{address} is no bit: compare it with a value"));
+        return Err(format!("{address} is not a bit: compare it with a value"));
     }
     let contact = Contact {
         place,
@@ -57,7 +57,7 @@ pub(super) fn read(text: &str, place: LineColumn) -> Result<Read, String> {
 fn unknown(text: &str) -> String {
     let shown: String = text.chars().take(40).collect();
     format!(
-        "`{shown}` is no cell of the grid: `X001`, `~X001`, `rise(X001)`, `fall(X001)`, `DS1==5`, `-`, `T`, `|` and `T:X001` are"
+        "`{shown}` is not a cell of the grid: `X001`, `~X001`, `rise(X001)`, `fall(X001)`, `DS1==5`, `-`, `T`, `|` and `T:X001` are"
     )
 }
 

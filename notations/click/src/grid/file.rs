@@ -72,7 +72,7 @@ pub(super) fn read(bytes: &[u8], before: u32) -> Result<Grid, ReadError> {
             other => {
                 let shown: String = other.chars().take(20).collect();
                 let message = format!(
-                    "`{shown}` is no marker: a row begins with `R` (a rung), with nothing (the rung goes on) or with `#` (a comment)"
+                    "`{shown}` is not a marker: a row begins with `R` (a rung), with nothing (the rung goes on) or with `#` (a comment)"
                 );
                 return Err(ReadError::at(place, message));
             }

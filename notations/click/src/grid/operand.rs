@@ -88,7 +88,7 @@ pub(super) fn span(text: &str) -> Result<Span, String> {
     };
     let span = Span::parse(text).or_else(one).ok_or_else(|| {
         let shown: String = text.chars().take(40).collect();
-        format!("`{shown}` is no range of addresses: `DS1..DS4` is")
+        format!("`{shown}` is not a range of addresses: `DS1..DS4` is")
     })?;
     if !span.exists() {
         return Err(format!(
@@ -104,7 +104,7 @@ pub(super) fn span(text: &str) -> Result<Span, String> {
 pub(super) fn tag(text: &str) -> Result<Tag, String> {
     match operand(text)? {
         Operand::Tag(tag) => Ok(tag),
-        _ => Err(format!("`{text}` is no address")),
+        _ => Err(format!("`{text}` is not an address")),
     }
 }
 

@@ -162,7 +162,7 @@ pub(super) fn write<'i>(what: &'i Instruction, oneshot: bool, addresses: &Addres
             let output = "NOP".to_owned();
             return Some(Written { output, pins });
         }
-        // What is no output would not be read again, and a pin would be taken for one of the output above.
+        // What is not an output would not be read again, and a pin would be taken for one of the output above.
         Instruction::Kept { text, .. } if text.starts_with('.') || Token::read(text).is_err() => return None,
         Instruction::Kept { text, .. } => {
             let output = text.clone();

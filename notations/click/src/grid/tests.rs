@@ -266,11 +266,11 @@ R,X001,..,"send(target=1)"
                 () send(target=1)
             # At the end.
             2:68 event_drum(a,b): Refused("ladder text has no counterpart for `event_drum`")
-            4:8 Z9: Refused("`Z9` is no cell of the grid: `X001`, `~X001`, `rise(X001)`, `fall(X001)`, `DS1==5`, `-`, `T`, `|` and `T:X001` are")
+            4:8 Z9: Refused("`Z9` is not a cell of the grid: `X001`, `~X001`, `rise(X001)`, `fall(X001)`, `DS1==5`, `-`, `T`, `|` and `T:X001` are")
             6:3 X002: Refused("no output depends on it: what it lets through leads nowhere, or a wire leads round it")
             7:67 out(Y001): Refused("nothing joins it to the left rail")
             2:68 click-grid: the rung stays as a comment, for `event_drum(a,b)`: ladder text has no counterpart for `event_drum`
-            4:8 click-grid: the rung stays as a comment, for `Z9`: `Z9` is no cell of the grid: `X001`, `~X001`, `rise(X001)`, `fall(X001)`, `DS1==5`, `-`, `T`, `|` and `T:X001` are
+            4:8 click-grid: the rung stays as a comment, for `Z9`: `Z9` is not a cell of the grid: `X001`, `~X001`, `rise(X001)`, `fall(X001)`, `DS1==5`, `-`, `T`, `|` and `T:X001` are
             6:3 click-c0202: a line is missing at `X002`: no output depends on it: what it lets through leads nowhere, or a wire leads round it
             7:67 click-c0202: the rung stays as a comment, for `out(Y001)`: nothing joins it to the left rail
             ---

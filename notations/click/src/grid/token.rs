@@ -23,7 +23,7 @@ impl<'t> Token<'t> {
     pub(super) fn read(text: &'t str) -> Result<Token<'t>, String> {
         let shape = || {
             let shown: String = text.chars().take(40).collect();
-            format!("`{shown}` is no output: it has the form `name(value,name=value)`")
+            format!("`{shown}` is not an output: it has the form `name(value,name=value)`")
         };
         let (name, rest) = text.split_once('(').ok_or_else(shape)?;
         let inside = rest.strip_suffix(')').ok_or_else(shape)?;

@@ -56,7 +56,7 @@ impl Back<'_> {
             Some(Op::RisingContact) => ContactKind::Rising,
             Some(Op::FallingContact) => ContactKind::Falling,
             other => {
-                let relation = other.and_then(relation_of).ok_or("it is no contact")?;
+                let relation = other.and_then(relation_of).ok_or("it is not a contact")?;
                 let [left, right] = &block.arguments[..] else {
                     return Err("Click compares two values".to_owned());
                 };

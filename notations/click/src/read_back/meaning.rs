@@ -142,7 +142,7 @@ fn initial(value: &Value, kind: Kind) -> Option<Constant> {
     }
 }
 
-/// Words that are no names in Python.
+/// Words that are not names in Python.
 const KEYWORDS: &[&str] = &[
     "False", "None", "True", "and", "as", "assert", "async", "await", "break", "class", "continue", "def",
     "del", "elif", "else", "except", "finally", "for", "from", "global", "if", "import", "in", "is",

@@ -308,7 +308,7 @@ impl Back<'_> {
         let action = dsl::single_action(&kept).unwrap_or_else(|| Action {
             what: Instruction::Kept {
                 text: kept,
-                why: "it is no instruction of the DSL".to_owned(),
+                why: "it is not an instruction of the DSL".to_owned(),
             },
             ..nop(place)
         });

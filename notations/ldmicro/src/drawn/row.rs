@@ -57,7 +57,7 @@ impl Body<'_> {
         let over: String = (start..=last)
             .filter_map(|column| self.above.get(column).copied())
             .enumerate()
-            // A vertical wire between two cells is no part of a name.
+            // A vertical wire between two cells is not a part of a name.
             .map(|(column, c)| {
                 if c == '|' && column % CELL == CELL - 1 {
                     ' '
@@ -75,7 +75,7 @@ impl Body<'_> {
 
     fn unknown(&self) -> String {
         let shown: String = self.at(CELL).trim_end_matches('-').to_owned();
-        format!("`{shown}` is no element of LDmicro 2.2")
+        format!("`{shown}` is not an element of LDmicro 2.2")
     }
 
     fn constant(&self) -> Result<Found, String> {

@@ -27,7 +27,7 @@ impl Exporter<'_> {
         let own = program.networks.iter().enumerate();
         for (index, network) in own.filter(|(_, network)| network.location.file == 0) {
             let range = network.location.range;
-            // What defines a block is no rung.
+            // What defines a block is not a rung.
             if program.blocks.iter().any(|block| block.networks.contains(&index)) {
                 continue;
             }

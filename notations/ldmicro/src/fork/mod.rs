@@ -89,7 +89,7 @@ pub(super) fn read(text: &str, dialect: Dialect) -> Option<Result<Read<'_>, Stri
         "TOF" if !is_number(fields.get(1)?) => Some(Err(
             "what it begins with is not documented where its delay is a variable".to_owned(),
         )),
-        "RTO" if !is_number(fields.get(1)?) => Some(Err("its delay is no number".to_owned())),
+        "RTO" if !is_number(fields.get(1)?) => Some(Err("its delay is not a number".to_owned())),
         word @ ("CTU" | "CTD" | "CTC") if is_forks(2) => Some(counter(Count::of(word)?, &fields)),
         "COIL"
             if Coil::of(&fields) == Coil::Plain && fields.get(4).is_some_and(|toggles| *toggles != "0") =>
@@ -187,9 +187,9 @@ fn shifted(count: &str) -> Result<Option<&'static str>, String> {
     match field::literal(count) {
         Some(0..=16) => Ok(None),
         Some(count) => Err(format!(
-            "{count} is no number of bits to shift 16 bits by: 0 to 16"
+            "{count} is not a number of bits to shift 16 bits by: 0 to 16"
         )),
-        None if field::is_literal(count) => Err("its literal is no number".to_owned()),
+        None if field::is_literal(count) => Err("its literal is not a number".to_owned()),
         None => Ok(Some("where the number of bits is below 0, there is a fault here")),
     }
 }
@@ -197,7 +197,7 @@ fn shifted(count: &str) -> Result<Option<&'static str>, String> {
 /// `TCY name delay adjust`
 fn timer<'l>(timer: MadeTimer, fields: &[&'l str], dialect: Dialect) -> Result<Read<'l>, String> {
     let adjust = fields.get(2).copied().unwrap_or("0");
-    let adjust: i64 = adjust.parse().map_err(|_| "its last field is no number")?;
+    let adjust: i64 = adjust.parse().map_err(|_| "its last field is not a number")?;
     let period = if is_number(fields[1]) {
         let delay: u64 = fields[1].parse().map_err(|_| "its delay is too long")?;
         let scans = i64::try_from(delay / dialect.cycle).unwrap_or(i64::MAX);
@@ -207,7 +207,7 @@ fn timer<'l>(timer: MadeTimer, fields: &[&'l str], dialect: Dialect) -> Result<R
         }
         Given::Scans(scans)
     } else if field::is_literal(fields[1]) || timer == MadeTimer::RetentiveLow {
-        return Err("its delay is no number".to_owned());
+        return Err("its delay is not a number".to_owned());
     } else {
         Given::Value(fields[1])
     };
@@ -222,7 +222,7 @@ fn counter<'l>(count: Count, fields: &[&'l str]) -> Result<Read<'l>, String> {
     let init = fields.get(2).copied().unwrap_or("0");
     let from_variable = !field::is_literal(init);
     let number = |field: &str| {
-        let number = field::literal(field).ok_or("its limit or first value is no number")?;
+        let number = field::literal(field).ok_or("its limit or first value is not a number")?;
         if field::wrapped(number) != number {
             return Err(format!("{number} does not fit 16 bits"));
         }

@@ -114,7 +114,7 @@ fn numbers(leaf: &Leaf, out: &mut Vec<Finding>) {
                 if format!("{:x}", number.unsigned_abs()).contains(|c: char| !c.is_ascii_digit()) =>
             {
                 format!(
-                    "{} is no number in BCD: each of its hexadecimal digits is 0 to 9",
+                    "{} is not a number in BCD: each of its hexadecimal digits is 0 to 9",
                     field(1)
                 )
             }

@@ -146,7 +146,7 @@ fn one(file: &File, leaf: &Leaf, form: Form, in_rung: usize, out: &mut Vec<Findi
         }
         Form::Contact if !fields[0].starts_with(['X', 'Y', 'R']) => {
             let message = format!(
-                "the contact '{}' is no input (X), output (Y) or relay (R)",
+                "the contact '{}' is not an input (X), output (Y) or relay (R)",
                 fields[0]
             );
             out.push(error(line, "ldmicro-contact-name", message));

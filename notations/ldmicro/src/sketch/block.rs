@@ -80,7 +80,7 @@ impl<'f> Importer<'f> {
             }
             Form::Timer(op) => {
                 let tag = self.state(op, name)?;
-                let delay = element::preset(&fields, dialect).ok_or("its delay is no number")?;
+                let delay = element::preset(&fields, dialect).ok_or("its delay is not a number")?;
                 format!("{}( {tag}, {} )", by_op(op).block(), duration(delay)).into()
             }
             Form::Counter(op) => {
@@ -139,7 +139,7 @@ impl<'f> Importer<'f> {
         if !field::is_literal(text) {
             return Ok(self.tags.variable(text));
         }
-        let value = field::literal(text).ok_or("its literal is no number")?;
+        let value = field::literal(text).ok_or("its literal is not a number")?;
         let wrapped = field::wrapped(value);
         if wrapped != value {
             *remark = Some(format!("{text} is {wrapped} in 16 bits"));

@@ -108,7 +108,7 @@ fn one_by_one() {
         TLO Ta 1000 0: # ldmicro: TLO Ta 1000 0 #
             not: its delay is 0 cycles: 1 to 32767 are possible
         RTL Ta v 0: # ldmicro: RTL Ta v 0 #
-            not: its delay is no number
+            not: its delay is not a number
         CTU Ca 5: [$CTU]( Ca, 5 )--# was: CTU Ca 5 #
         CTU Ca 5 2: [$CTU]( Ca, 5 )--# was: CTU Ca 5 2 #
         CTU Ca v 0 o: [$CTUlow]( Ca, v )
@@ -125,9 +125,9 @@ fn one_by_one() {
         CONTACTS ROverflowFlagV 0 0: [ ]( ROverflowFlagV )
             nearly: LDmicro's fork makes it high when a sum or difference does not fit; here nothing does
         SHL n m 17: # ldmicro: SHL n m 17 #
-            not: 17 is no number of bits to shift 16 bits by: 0 to 16
+            not: 17 is not a number of bits to shift 16 bits by: 0 to 16
         SHL n m -1: # ldmicro: SHL n m -1 #
-            not: -1 is no number of bits to shift 16 bits by: 0 to 16
+            not: -1 is not a number of bits to shift 16 bits by: 0 to 16
         SET_BIT n 16: # ldmicro: SET_BIT n 16 #
             not: bit 16 is outside of 16 bits
         SET_BIT n v: # ldmicro: SET_BIT n v #

@@ -386,7 +386,7 @@ fn design_rules() {
         22:1 ldmicro-constant: Constant 70000 out of range: -32768 to 32767 inclusive.
         25:1 ldmicro-curve: x values in piecewise linear table must be strictly increasing.
         25:1 ldmicro-unassigned: Variable 'b' not assigned to, e.g. with a MOV statement, an ADD statement, etc. This is probably a programming error; now it will always be zero.
-        28:1 ldmicro-contact-name: the contact 'foo' is no input (X), output (Y) or relay (R)
+        28:1 ldmicro-contact-name: the contact 'foo' is not an input (X), output (Y) or relay (R)
         31:1 ldmicro-element: `PLACEHOLDER` stays as a comment: the rung is empty: delete it, or add instructions
         31:1 ldmicro-empty-row: Empty row; delete it or add instructions before compiling.
     "#]].assert_eq(&lines);
@@ -448,7 +448,7 @@ fn checks_of_the_fork() {
         17:1 ldmicro-index: index 3 is outside the table, which has 3 values, from 0 on
         17:1 ldmicro-name: Variable for 'tab' incorrectly assigned: TABLE: the name of a table can only be used for tables elsewhere.
         21:1 ldmicro-jump: GOTO 'start': there is no LABEL 'start'
-        23:1 ldmicro-index: 0x1A is no number in BCD: each of its hexadecimal digits is 0 to 9
+        23:1 ldmicro-index: 0x1A is not a number in BCD: each of its hexadecimal digits is 0 to 9
         29:1 ldmicro-jump: LABEL 'here' is there already, on line 26
         32:1 ldmicro-jump: SUBPROG 'sub': there is no ENDSUB 'sub'
         32:1 ldmicro-jump: SUBPROG must be alone in its rung

@@ -274,11 +274,11 @@ fn what_is_wrong_has_a_place() {
         there is no `LADDER DIAGRAM:` in the text
         8:1: between the rails are cells of 17 columns, at most 256 of them
         8:8: `-` is nothing that is in a wire
-        8:13: `(X)` is no element of LDmicro 2.2
+        8:13: `(X)` is not an element of LDmicro 2.2
         8:13: there is no name above this element
         there is no `[END]` in the diagram
         8:9: wires cross between two cells only
-        8:6: `[BLINK 3]` is no element of LDmicro 2.2
+        8:6: `[BLINK 3]` is not an element of LDmicro 2.2
         7:1: this is a text of LDmicro's fork; only those of LDmicro 2.2 are read
     "#]]
     .assert_eq(&out);

@@ -88,7 +88,7 @@ fn concerns_an_open_program(shared: &Shared, settings_file: &Path) -> bool {
     })
 }
 
-/// The files that the client has open as texts that are no programs.
+/// The files that the client has open as texts that are not programs.
 fn open_files(shared: &Shared) -> Vec<PathBuf> {
     let open = shared.companions.all();
     open.iter().filter_map(|it| path_of(&it.uri)).collect()

@@ -74,7 +74,7 @@ impl Program {
             (Some(text), _) => text.into_bytes(),
             (None, Some(path)) => read(path).map_err(|error| failed(error.to_string()))?,
             (None, None) => {
-                return Err(failed(format!("{} is no file; send its text", wanted.uri)));
+                return Err(failed(format!("{} is not a file; send its text", wanted.uri)));
             }
         };
         let is_on_disk = path.is_some();

@@ -239,7 +239,7 @@ fn compared(dice: &mut Dice, scope: &mut Scope, row: &Instruction) -> Vec<String
         .collect()
 }
 
-/// A literal that is no integer of another type: `SINT#5` next to a DINT would make both LINT, which is fine, but a
+/// A literal that is not an integer of another type: `SINT#5` next to a DINT would make both LINT, which is fine, but a
 /// typed one must fit in every case.
 fn literal_of_its_own(dice: &mut Dice, ty: Scalar) -> String {
     if ty.is_integer() || ty.is_bits() {

@@ -64,7 +64,7 @@ fn place_or_value(dice: &mut Dice, scope: &mut Scope, ty: Scalar, write: bool) -
             ];
             let word = dice.of(&words);
             let name = scope.scalar(dice, word, write);
-            // `%IW3.2` is no bit of an address.
+            // `%IW3.2` is not a bit of an address.
             format!("{name}.{}", dice.below(word.width() as usize))
         }
         _ => scope.scalar(dice, ty, write),

@@ -82,7 +82,7 @@ fn is_live(network: &Network) -> bool {
     if parts.iter().any(Vec::is_empty) {
         return false;
     }
-    // A comment that nothing is before or after is no wire.
+    // A comment that nothing is before or after is not a wire.
     let loose = |rung: &Vec<Item>| {
         let edge = |item: Option<&Item>| matches!(item, None | Some(Item::Gap));
         (0..rung.len()).any(|n| {
