@@ -45,11 +45,7 @@ impl Play {
     /// After a scan: what is not as expected, if a step ends here.
     pub(super) fn unmet(&mut self, session: &Session) -> Vec<Unmet> {
         let scans = session.simulation().scans();
-        let ends_step = scans > 0 && scans.is_multiple_of(self.case.scans);
-        if !ends_step {
-            return Vec::new();
-        }
-        let Some(step) = self.case.step_before(scans - self.case.scans) else {
+        let Some(step) = self.case.step_after(scans) else {
             return Vec::new();
         };
         let sent = session.serial();
@@ -61,12 +57,11 @@ impl Play {
 
     /// Whether all of its steps have been run.
     pub(super) fn is_over(&self, session: &Session) -> bool {
-        session.simulation().scans() >= self.case.scans.saturating_mul(self.case.steps as u64)
+        session.simulation().scans() >= self.case.scans()
     }
 
     /// The step that a scan belongs to, from 0.
     pub(super) fn step(&self, scan: u64) -> usize {
-        let step = usize::try_from(scan / self.case.scans).unwrap_or(usize::MAX);
-        step.min(self.case.steps.saturating_sub(1))
+        self.case.step_at(scan)
     }
 }

@@ -2,6 +2,7 @@
 
 use super::error::ScenarioError;
 use super::parse::{Cell, Direction, Row, Scenario, Suite};
+use super::steps::Steps;
 use super::tolerance::Tolerance;
 use crate::simulation::Simulation;
 use crate::tags::Point;
@@ -19,12 +20,26 @@ pub struct Case {
     pub name: String,
     /// Its name in the file.
     pub range: TextRange,
-    /// How many steps it has.
-    pub steps: usize,
-    /// How many scans a step has.
-    pub scans: u64,
+    pub(super) steps: Steps,
     pub(super) given: Vec<Given>,
     pub(super) expected: Vec<Expected>,
+}
+
+impl Case {
+    /// How many steps it has.
+    pub const fn steps(&self) -> usize {
+        self.steps.count()
+    }
+
+    /// How many scans it has.
+    pub fn scans(&self) -> u64 {
+        self.steps.begin(self.steps.count())
+    }
+
+    /// The step that a scan belongs to, from 0; the last one for those after it.
+    pub fn step_at(&self, scan: u64) -> usize {
+        self.steps.at(scan)
+    }
 }
 
 /// What is given to a tag.
@@ -70,10 +85,14 @@ const MOST_SCANS: u64 = 10_000_000;
 /// Binds all scenarios of a file. With errors, those of the file itself included, none of them is to be run.
 pub fn bind(suite: &Suite, simulation: &Simulation) -> (Vec<Case>, Vec<ScenarioError>) {
     let mut errors = Vec::new();
-    let scans = scans_of_a_step(suite, simulation.options().interval).unwrap_or_else(|error| {
-        errors.push(error);
-        1
-    });
+    let interval = simulation.options().interval;
+    let scans = match suite.step {
+        Some((step, range)) => whole_scans(step, interval, range).unwrap_or_else(|error| {
+            errors.push(error);
+            1
+        }),
+        None => 1,
+    };
     let cases: Vec<Case> = suite
         .scenarios
         .iter()
@@ -92,10 +111,8 @@ pub fn bind(suite: &Suite, simulation: &Simulation) -> (Vec<Case>, Vec<ScenarioE
     (cases, errors)
 }
 
-fn scans_of_a_step(suite: &Suite, interval: i64) -> Result<u64, ScenarioError> {
-    let Some((step, range)) = suite.step else {
-        return Ok(1);
-    };
+/// How many scans a step of this length has.
+fn whole_scans(step: i64, interval: i64, range: TextRange) -> Result<u64, ScenarioError> {
     if step % interval == 0 {
         return Ok((step / interval) as u64);
     }
@@ -121,15 +138,17 @@ fn scans_of_a_step(suite: &Suite, interval: i64) -> Result<u64, ScenarioError> {
 
 /// The first scenario that would take too long.
 fn too_long(suite: &Suite, cases: &[Case]) -> Option<ScenarioError> {
-    let scans = |case: &Case| case.scans.saturating_mul(case.steps as u64);
-    let case = cases.iter().find(|case| scans(case) > MOST_SCANS)?;
-    let range = suite.step.map_or(case.range, |(_, range)| range);
+    let case = cases.iter().find(|case| case.scans() > MOST_SCANS)?;
+    let range = match (&case.steps, suite.step) {
+        (Steps::Even { .. }, Some((_, range))) => range,
+        _ => case.range,
+    };
     Some(ScenarioError::new(
         range,
         format!(
             "\"{}\" would take {} scans, and a scenario has at most {MOST_SCANS}",
             case.name,
-            scans(case)
+            case.scans()
         ),
         "shorten the step, or take a longer scan interval, as in: interval 1s",
     ))
@@ -139,8 +158,8 @@ struct Binder<'a> {
     suite: &'a Suite,
     simulation: &'a Simulation,
     errors: &'a mut Vec<ScenarioError>,
-    /// Tags that have a row, by direction.
-    rows: HashSet<(Direction, String)>,
+    /// Tags that have a row, by direction and the step with which it begins.
+    rows: HashSet<(Direction, String, usize)>,
 }
 
 impl Binder<'_> {
@@ -152,17 +171,17 @@ impl Binder<'_> {
         let mut case = Case {
             name: scenario.name.clone(),
             range: scenario.range,
-            steps: scenario.steps,
-            scans,
+            steps: self.steps(scenario, scans),
             given: Vec::new(),
             expected: Vec::new(),
         };
+        let count = case.steps.count();
         for row in &scenario.rows {
             let Some((name, target)) = self.target(row) else {
                 continue;
             };
             let values = self.values(row, &name, target.ty());
-            if !self.rows.insert((row.direction, name.clone())) {
+            if !self.rows.insert((row.direction, name.clone(), row.first)) {
                 let way = match row.direction {
                     Direction::Given => "is given by two rows",
                     Direction::Expected => "is expected by two rows",
@@ -175,20 +194,79 @@ impl Binder<'_> {
             }
             let tolerance = self.tolerance(row, target.ty());
             match row.direction {
-                Direction::Given => case.given.push(Given { name, target, values }),
-                Direction::Expected => case.expected.push(Expected {
-                    name,
-                    range: row.range,
-                    target,
-                    values: values
-                        .into_iter()
-                        .zip(row.cells.iter().map(|cell| cell.1))
-                        .collect(),
-                    tolerance,
-                }),
+                Direction::Given => {
+                    let known = case.given.iter().position(|given| given.name == name);
+                    let at = known.unwrap_or_else(|| {
+                        case.given.push(Given {
+                            name,
+                            target,
+                            values: Vec::new(),
+                        });
+                        case.given.len() - 1
+                    });
+                    put(&mut case.given[at].values, row.first, values, None);
+                }
+                Direction::Expected => {
+                    let known = case.expected.iter().position(|expected| expected.name == name);
+                    let at = known.unwrap_or_else(|| {
+                        case.expected.push(Expected {
+                            name,
+                            range: row.range,
+                            target,
+                            values: Vec::new(),
+                            tolerance,
+                        });
+                        case.expected.len() - 1
+                    });
+                    if let Some((_, range)) = &row.tolerance
+                        && case.expected[at].tolerance != tolerance
+                    {
+                        let problem = format!("{} has another tolerance above", row.name);
+                        self.error(*range, problem, "a tag has one tolerance in a scenario: write it in its first row");
+                    }
+                    let places = row.cells.iter().map(|cell| cell.1);
+                    let cells = values.into_iter().zip(places).collect();
+                    put(&mut case.expected[at].values, row.first, cells, (None, row.range));
+                }
             }
         }
+        // Tags whose rows end before the last step stay as they are, and are not checked any more.
+        for given in &mut case.given {
+            given.values.resize(count, None);
+        }
+        for expected in &mut case.expected {
+            let last = expected.values.last().map_or(expected.range, |(_, range)| *range);
+            expected.values.resize(count, (None, last));
+        }
         case
+    }
+
+    /// How long the steps of a scenario are.
+    fn steps(&mut self, scenario: &Scenario, scans: u64) -> Steps {
+        if scenario.times.is_empty() {
+            return Steps::Even {
+                count: scenario.steps,
+                scans,
+            };
+        }
+        let interval = self.simulation.options().interval;
+        let cells = scenario.times.iter().flat_map(|time| &time.cells);
+        let lengths: Vec<u64> = cells
+            .map(|(time, range)| match time {
+                None => scans,
+                Some(time) => whole_scans(*time, interval, *range).unwrap_or_else(|mut error| {
+                    error.help = error.help.map(|help| help.replace("`step ", "`"));
+                    self.errors.push(error);
+                    1
+                }),
+            })
+            .collect();
+        // Rows above the first of them, and those that are too long, have steps as the file has them.
+        let first = scenario.times.first().map_or(0, |time| time.first);
+        let before = std::iter::repeat_n(scans, first);
+        let missing = scenario.steps.saturating_sub(first + lengths.len());
+        let after = std::iter::repeat_n(scans, missing);
+        Steps::of_lengths(before.chain(lengths).chain(after), scans)
     }
 
     fn target(&mut self, row: &Row) -> Option<(String, Target)> {
@@ -296,6 +374,13 @@ impl Binder<'_> {
             }
         }
     }
+}
+
+/// The values of a row among those of its tag: from this step on.
+fn put<T: Clone>(all: &mut Vec<T>, first: usize, values: Vec<T>, nothing: T) {
+    all.resize(first.max(all.len()), nothing);
+    all.truncate(first);
+    all.extend(values);
 }
 
 /// A reader of values says `what is wrong: what to do`.

@@ -1,7 +1,9 @@
 //! The rows of a scenario that came out differently: what was expected and what came, the differing steps marked.
 
 use super::bind::{Case, Given, Target};
+use super::parse::TIME;
 use super::run::{Difference, Ran};
+use super::steps::Steps;
 use crate::value_text;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
@@ -68,7 +70,9 @@ struct Group<'a> {
 
 impl Group<'_> {
     fn draw(&self, interval: i64, width: usize, lines: &mut Vec<Line>) {
-        let names = self.given.iter().map(|row| row.name.as_str());
+        let times = self.times(interval);
+        let time = times.is_some().then_some(TIME);
+        let names = self.given.iter().map(|row| row.name.as_str()).chain(time);
         let differing = self.differences.iter().map(|difference| difference.tag.as_str());
         let longest = names
             .chain(differing)
@@ -80,7 +84,14 @@ impl Group<'_> {
             let gap = longest - name.width().min(longest);
             format!("{name}{}  {what:<8}  ", " ".repeat(gap))
         };
-        let table = Table::of(self, width.saturating_sub(longest + 12).max(20));
+        let table = Table::of(self, times.as_deref(), width.saturating_sub(longest + 12).max(20));
+        if let Some(times) = times {
+            let cells: Vec<Drawn> = times.into_iter().map(Drawn::Text).collect();
+            lines.push(Line {
+                kind: LineKind::Given,
+                text: label(TIME, "") + &table.row(&cells),
+            });
+        }
         for row in &self.given {
             let cells: Vec<Drawn> = row
                 .values
@@ -122,6 +133,24 @@ impl Group<'_> {
             });
         }
     }
+
+    /// How long each step is, as it may be written; nothing where all are alike.
+    fn times(&self, interval: i64) -> Option<Vec<String>> {
+        let steps = &self.case.steps;
+        if matches!(steps, Steps::Even { .. }) {
+            return None;
+        }
+        let written = |step: usize| match steps.unusual(step) {
+            Some(scans) => duration(i64::try_from(scans).unwrap_or(i64::MAX).saturating_mul(interval)),
+            None => ".".to_owned(),
+        };
+        Some((0..steps.count()).map(written).collect())
+    }
+}
+
+fn duration(nanoseconds: i64) -> String {
+    let text = value_text::display(&Value::Int(nanoseconds), Scalar::Time);
+    text.trim_start_matches("T#").to_owned()
 }
 
 /// A difference in words: `run is FALSE in step 3 (at 300ms), TRUE was expected; 4 of 9 steps differ`.
@@ -133,9 +162,8 @@ pub fn sentence(case: &Case, ran: &Ran, difference: &Difference, interval: i64) 
         |value: Option<&Value>| value.map_or_else(String::new, |value| value_text::display(value, ty));
     let wanted = shown(row.values[step].0.as_ref());
     // The last scan of the step.
-    let scans = (step as i64 + 1).saturating_mul(case.scans as i64) - 1;
-    let time = value_text::display(&Value::Int(scans.saturating_mul(interval)), Scalar::Time);
-    let when = format!("in step {step} (at {})", time.trim_start_matches("T#"));
+    let scans = i64::try_from(case.steps.begin(step + 1)).unwrap_or(i64::MAX) - 1;
+    let when = format!("in step {step} (at {})", duration(scans.saturating_mul(interval)));
     let mut text = match &ran.got[difference.row][step] {
         Some(got) => format!(
             "{} is {} {when}, {wanted} was expected",
@@ -148,7 +176,7 @@ pub fn sentence(case: &Case, ran: &Ran, difference: &Difference, interval: i64) 
         text.push_str(&format!(
             "; {} of {} steps differ",
             difference.steps.len(),
-            case.steps
+            case.steps()
         ));
     }
     if row.tolerance.is_none()
@@ -192,8 +220,8 @@ struct Table {
 }
 
 impl Table {
-    fn of(group: &Group, room: usize) -> Table {
-        let mut widths = vec![1; group.case.steps];
+    fn of(group: &Group, times: Option<&[String]>, room: usize) -> Table {
+        let mut widths = vec![1; group.case.steps()];
         let mut has_texts = false;
         let mut take = |step: usize, value: Option<&Value>, target: &Target| {
             if let Drawn::Text(text) = drawn(value, target, ".") {
@@ -212,6 +240,10 @@ impl Table {
                 take(step, wanted.as_ref(), &row.target);
                 take(step, group.ran.got[difference.row][step].as_ref(), &row.target);
             }
+        }
+        for (width, time) in widths.iter_mut().zip(times.unwrap_or_default()) {
+            has_texts = true;
+            *width = (*width).max(time.width());
         }
         if has_texts {
             // A blank after each value.

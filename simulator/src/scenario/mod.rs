@@ -19,6 +19,7 @@ mod play;
 mod played;
 mod record;
 mod run;
+mod steps;
 #[cfg(test)]
 mod tests;
 mod tolerance;
@@ -28,7 +29,7 @@ pub use bind::{Case, bind};
 pub use draw::{Line, LineKind, draw, sentence};
 pub use error::ScenarioError;
 pub use layout::layout;
-pub use parse::{Cell, Direction, HEADINGS, Row, Scenario, Suite, parse};
+pub use parse::{Cell, Direction, HEADINGS, Row, Scenario, Suite, TIME, TimeRow, parse};
 pub use play::Unmet;
 pub use record::{Recorded, record, recorded_file};
 pub use run::{Difference, Ran, run};

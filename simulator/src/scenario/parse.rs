@@ -38,6 +38,27 @@ pub struct Scenario {
     pub steps: usize,
     /// Its rows, in the order of the file.
     pub rows: Vec<Row>,
+    /// Its rows `time`, in the order of the file. With the second the steps go on below those of the rows above.
+    pub times: Vec<TimeRow>,
+}
+
+impl Scenario {
+    /// How long a step is, in nanoseconds, where a row `time` says it.
+    pub fn time_of(&self, step: usize) -> Option<i64> {
+        let row = self.times.iter().rev().find(|row| row.first <= step)?;
+        row.cells.get(step - row.first)?.0
+    }
+}
+
+/// A row `time`: how long each of the steps below it is.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct TimeRow {
+    /// The word `time`.
+    pub range: TextRange,
+    /// The step of its first cell.
+    pub first: usize,
+    /// In nanoseconds, with its place; none for a dot, which is a step as the file has them.
+    pub cells: Vec<(Option<i64>, TextRange)>,
 }
 
 /// A row: a tag, and a cell for each step.
@@ -49,6 +70,8 @@ pub struct Row {
     pub range: TextRange,
     /// Whether it goes in or is expected to come out.
     pub direction: Direction,
+    /// The step of its first cell.
+    pub first: usize,
     /// One for each step, with its place.
     pub cells: Vec<(Cell, TextRange)>,
     /// What is after `±`.
@@ -90,6 +113,7 @@ pub fn parse(text: &str) -> Suite {
         },
         names: HashMap::new(),
         tolerance_given: false,
+        first: 0,
     };
     for line in lines(text) {
         if let [first, rest @ ..] = line.words.as_slice() {
@@ -102,11 +126,16 @@ pub fn parse(text: &str) -> Suite {
 /// The words that begin a line before the first scenario.
 pub const HEADINGS: [&str; 4] = ["program", "step", "interval", "tolerance"];
 
+/// The word that begins a row of how long steps are.
+pub const TIME: &str = "time";
+
 struct Reader {
     suite: Suite,
     /// The scenarios' names, to find the second of a kind.
     names: HashMap<String, TextRange>,
     tolerance_given: bool,
+    /// The step of the cells that are first in their rows.
+    first: usize,
 }
 
 impl Reader {
@@ -119,6 +148,10 @@ impl Reader {
             return self.scenario(first, rest);
         }
         if !self.suite.scenarios.is_empty() {
+            // What is expected of a tag of that name has an arrow.
+            if first.text == TIME && rest.first().is_none_or(|word| word.text != "=>") {
+                return self.time(first, rest);
+            }
             return self.row(first, rest);
         }
         match first.text {
@@ -226,6 +259,7 @@ impl Reader {
     }
 
     fn scenario(&mut self, first: Word, rest: &[Word]) {
+        self.check_last_time();
         const EXAMPLE: &str = "write it as in: scenario \"the pump starts\"";
         let whole = rest
             .last()
@@ -264,7 +298,60 @@ impl Reader {
             range: place,
             steps: 0,
             rows: Vec::new(),
+            times: Vec::new(),
         });
+        self.first = 0;
+    }
+
+    /// How long the steps are whose rows follow. After other rows the steps go on.
+    fn time(&mut self, first: Word, rest: &[Word]) {
+        const EXAMPLE: &str = "write a duration for each step, and a dot for one as long as `step` says, as in: time . 3s .";
+        self.check_last_time();
+        let mut cells: Vec<(Option<i64>, TextRange)> = Vec::new();
+        for word in rest {
+            if word.text.bytes().all(|letter| letter == b'.') {
+                let dots = word.start..word.end();
+                cells.extend(dots.map(|at| (None, range(at, at + 1))));
+                continue;
+            }
+            match value_text::parse(word.text, Scalar::Time) {
+                Ok(Value::Int(nanoseconds)) if nanoseconds > 0 => {
+                    cells.push((Some(nanoseconds), word.range()));
+                }
+                _ => {
+                    let problem = format!("`{}` is not a duration longer than 0", word.text);
+                    self.error(word.range(), problem, EXAMPLE);
+                    cells.push((None, word.range()));
+                }
+            }
+        }
+        if cells.is_empty() {
+            return self.error(first.range(), "`time` has no durations", EXAMPLE);
+        }
+        if let Some(scenario) = self.suite.scenarios.last_mut() {
+            self.first = scenario.steps;
+            scenario.steps += cells.len();
+            scenario.times.push(TimeRow {
+                range: first.range(),
+                first: self.first,
+                cells,
+            });
+        }
+    }
+
+    /// A row of durations is above the rows that it is about.
+    fn check_last_time(&mut self) {
+        let Some(scenario) = self.suite.scenarios.last() else { return };
+        let Some(time) = scenario.times.last() else { return };
+        if scenario.rows.last().is_none_or(|row| row.first < time.first)
+            && !self.suite.errors.iter().any(|error| error.range.start() > time.range.start())
+        {
+            self.error(
+                time.range,
+                "no row is below `time`",
+                "the rows that have these steps are below it; a second `time` goes on with more steps",
+            );
+        }
     }
 
     fn row(&mut self, first: Word, rest: &[Word]) {
@@ -284,6 +371,7 @@ impl Reader {
             name: first.text.to_owned(),
             range: first.range(),
             direction,
+            first: self.first,
             cells: Vec::new(),
             tolerance,
         };
@@ -313,7 +401,7 @@ impl Reader {
         }
         self.check_length(&row);
         if let Some(scenario) = self.suite.scenarios.last_mut() {
-            scenario.steps = scenario.steps.max(row.cells.len());
+            scenario.steps = scenario.steps.max(row.first + row.cells.len());
             scenario.rows.push(row);
         }
     }
@@ -349,16 +437,16 @@ impl Reader {
         (&words[..at], Some((text.to_owned(), place)))
     }
 
+    /// Rows below each other have one length: that of the row `time` above them, or of the first.
     fn check_length(&mut self, row: &Row) {
-        let Some(first) = self
-            .suite
-            .scenarios
-            .last()
-            .and_then(|scenario| scenario.rows.first())
-        else {
-            return;
+        let Some(scenario) = self.suite.scenarios.last() else { return };
+        let time = scenario.times.last().map(|time| (TIME, time.cells.len()));
+        let first = || {
+            let first = scenario.rows.first()?;
+            Some((first.name.as_str(), first.cells.len()))
         };
-        let (there, wanted) = (row.cells.len(), first.cells.len());
+        let Some((above, wanted)) = time.or_else(first) else { return };
+        let there = row.cells.len();
         if there == wanted {
             return;
         }
@@ -368,19 +456,19 @@ impl Reader {
             None => TextRange::new(row.cells[0].1.start(), end),
         };
         let message = format!(
-            "`{}` has {}, but `{}` has {wanted}",
+            "`{}` has {}, but `{above}` has {wanted}",
             row.name,
             counted(there, "step"),
-            first.name
         );
-        self.error(
-            place,
-            message,
-            "all rows of a scenario have one length: a value for each step",
-        );
+        let help = match scenario.times.is_empty() {
+            true => "all rows of a scenario have one length: a value for each step",
+            false => "all rows below a row `time` have its length: a value for each step",
+        };
+        self.error(place, message, help);
     }
 
     fn finish(mut self, text: &str) -> Suite {
+        self.check_last_time();
         let end = TextSize::of(text);
         let start = TextSize::new(if text.starts_with('\u{feff}') { 3 } else { 0 });
         if self.suite.program.is_none() && !self.suite.errors.iter().any(|m| m.message.contains("program")) {

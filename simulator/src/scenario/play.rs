@@ -22,8 +22,14 @@ pub struct Unmet {
 impl Case {
     /// The step whose first scan this is; none if it is within a step, or after the last.
     pub fn step_before(&self, scan: u64) -> Option<usize> {
-        let step = usize::try_from(scan / self.scans).ok()?;
-        (scan.is_multiple_of(self.scans) && step < self.steps).then_some(step)
+        let step = self.steps.at(scan);
+        (self.steps.begin(step) == scan && scan < self.scans()).then_some(step)
+    }
+
+    /// The step whose last scan was the one before this; none if it is within a step.
+    pub fn step_after(&self, scan: u64) -> Option<usize> {
+        let step = self.steps.at(scan.checked_sub(1)?);
+        (self.steps.begin(step + 1) == scan).then_some(step)
     }
 
     /// Provides what is before a step.

@@ -63,16 +63,16 @@ pub(super) fn run_within(
     simulation.take_faults();
     simulation.take_serial();
     let mut ran = Ran {
-        got: vec![Vec::with_capacity(case.steps); case.expected.len()],
+        got: vec![Vec::with_capacity(case.steps()); case.expected.len()],
         differences: Vec::new(),
         faults: Vec::new(),
         scans: 0,
         stopped: None,
     };
     let begun = simulation.work();
-    for step in 0..case.steps {
+    for step in 0..case.steps() {
         give(case, step, simulation);
-        for _ in 0..case.scans {
+        for _ in case.steps.begin(step)..case.steps.begin(step + 1) {
             if !simulation.scan() {
                 break;
             }

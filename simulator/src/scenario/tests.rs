@@ -98,6 +98,112 @@ starts => 0 1 1 1 1 1 1 1 1
 }
 
 #[test]
+fn steps_are_as_long_as_their_times() {
+    check(
+        "\
+program motor.clad
+step 20ms
+scenario \"a wait is one column\"
+time     . 1s .
+start    - _  _
+stop     _ _  -
+run   => - -  _
+warmup.ET => 10ms 50ms .
+
+time     3s . 70ms
+start    _  - .
+stop     _  _ .
+run   => _  - -
+ready => _  _ -
+starts => 1 2 2
+",
+        expect![[r#"
+            ok a wait is one column, 413 scans
+        "#]],
+    );
+    check(
+        "\
+program motor.clad
+step 10ms
+scenario \"what differs\"
+time     .  1s .
+start    -  _  _
+stop     _  _  -
+run   => -  _  -
+time     3s . 70ms
+stop     _  _ .
+run   => _  - _
+starts => 1 2 2
+",
+        expect![[r#"
+            FAILED what differs, 410 scans
+            time             . 1s . 3s . 70ms
+            start            --_____.  . .
+            stop             _____--_____.
+            run    expected  --___--___--_____
+                   got       -----____________
+                               ^^ ^    ^
+            run is TRUE in step 1 (at 1s), FALSE was expected; 3 of 6 steps differ
+            time              . 1s . 3s . 70ms
+            start             --_____.  . .
+            stop              _____--_____.
+            starts  expected  . .  . 1  2 2
+                    got       1 1  1 1  1 1
+                                        ^ ^^^^
+            starts is 1 in step 4 (at 4s20ms), 2 was expected; 2 of 6 steps differ
+        "#]],
+    );
+}
+
+#[test]
+fn errors_of_times() {
+    check(
+        "\
+program motor.clad
+step 20ms
+scenario \"one\"
+time     . 0s _ 15ms x
+start    - _  _
+run   => - -  _ - -
+time
+time .
+scenario \"two\"
+time . 2s
+run => - - -
+run => - -
+time .
+run => - ± 1
+TIME 1s
+time => 2s
+",
+        expect![[r#"
+            4:12-14: `0s` is not a duration longer than 0
+                write a duration for each step, and a dot for one as long as `step` says, as in: time . 3s .
+            4:15-16: `_` is not a duration longer than 0
+                write a duration for each step, and a dot for one as long as `step` says, as in: time . 3s .
+            4:22-23: `x` is not a duration longer than 0
+                write a duration for each step, and a dot for one as long as `step` says, as in: time . 3s .
+            5:10-16: `start` has 3 steps, but `time` has 5
+                all rows below a row `time` have its length: a value for each step
+            7:1-5: `time` has no durations
+                write a duration for each step, and a dot for one as long as `step` says, as in: time . 3s .
+            8:1-5: no row is below `time`
+                the rows that have these steps are below it; a second `time` goes on with more steps
+            11:12-13: `run` has 3 steps, but `time` has 2
+                all rows below a row `time` have its length: a value for each step
+            4:17-21: a step is a whole number of scans, and 15ms is not a multiple of the scan interval 10ms
+                write `10ms`, or give another scan interval, as in: interval 1ms
+            12:1-4: run is expected by two rows of this scenario
+                leave only one of them
+            14:10-13: values of a BOOL are equal or not: they have no tolerance
+                take the ± away
+            15:1-5: there is no tag `TIME` in this program
+            16:1-5: there is no tag `time` in this program
+        "#]],
+    );
+}
+
+#[test]
 fn what_differs_is_drawn_twice_and_marked() {
     check(
         "\

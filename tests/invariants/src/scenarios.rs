@@ -44,7 +44,7 @@ pub(crate) fn check(data: &[u8]) {
     }
     let mut left = MOST_SCANS;
     for case in &cases {
-        let scans = case.scans.saturating_mul(case.steps as u64);
+        let scans = case.scans();
         if scans > left {
             return;
         }

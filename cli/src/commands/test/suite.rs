@@ -179,7 +179,7 @@ fn play(path: &Path, source: &Source, wishes: &Wishes, report: &mut FileReport) 
             name: case.name.clone(),
             place: FileRange::of(source, case.range),
             passed: ran.passed(),
-            steps: case.steps,
+            steps: case.steps(),
             scans: ran.scans,
             seconds,
             drawing,

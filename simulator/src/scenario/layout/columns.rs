@@ -1,11 +1,49 @@
 //! The columns of one scenario.
 
-use super::super::parse::{Cell, Row};
+use super::super::parse::{Cell, Row, TimeRow};
 use super::{at, is_expected, ruler, width};
-use ladder_syntax::line_around;
+use ladder_syntax::{TextRange, line_around};
 
 /// What is between a tag and its values: an arrow with a blank at either side, or as many blanks.
 const ARROW: &str = " => ";
+
+/// A row of cells below others.
+#[derive(Debug, Clone)]
+pub(super) struct Laid {
+    /// What it begins with.
+    name: TextRange,
+    is_expected: bool,
+    /// The step of its first cell.
+    pub(super) first: usize,
+    /// Where each cell is, and whether it is as long as its value.
+    cells: Vec<(bool, TextRange)>,
+    tolerance: Option<TextRange>,
+}
+
+impl From<&Row> for Laid {
+    fn from(row: &Row) -> Laid {
+        let cell = |(cell, place): &(Cell, TextRange)| (matches!(cell, Cell::Value(_)), *place);
+        Laid {
+            name: row.range,
+            is_expected: is_expected(row),
+            first: row.first,
+            cells: row.cells.iter().map(cell).collect(),
+            tolerance: row.tolerance.as_ref().map(|(_, place)| *place),
+        }
+    }
+}
+
+impl From<&TimeRow> for Laid {
+    fn from(row: &TimeRow) -> Laid {
+        Laid {
+            name: row.range,
+            is_expected: false,
+            first: row.first,
+            cells: row.cells.iter().map(|(time, place)| (time.is_some(), *place)).collect(),
+            tolerance: None,
+        }
+    }
+}
 
 /// Where the rows of a scenario have their columns.
 #[derive(Debug, Default)]
@@ -21,13 +59,17 @@ pub(super) struct Columns {
 }
 
 impl Columns {
-    /// The columns of rows.
-    pub(super) fn of(rows: &[&Row], text: &str) -> Columns {
-        let names = rows.iter().map(|row| width(at(text, row.range))).max();
+    /// The width of the longest tag.
+    pub(super) fn names(rows: &[Laid], text: &str) -> usize {
+        rows.iter().map(|row| width(at(text, row.name))).max().unwrap_or(0)
+    }
+
+    /// The columns of rows below each other, whose longest tag has this width.
+    pub(super) fn of(rows: &[Laid], names: usize, text: &str) -> Columns {
         let count = rows.iter().map(|row| row.cells.len()).max().unwrap_or(0);
         let steps = (0..count).map(|step| (is_apart(rows, step), widest(rows, step, text)));
         let mut columns = Columns {
-            names: names.unwrap_or(0),
+            names,
             steps: steps.collect(),
             ..Columns::default()
         };
@@ -38,7 +80,7 @@ impl Columns {
     }
 
     /// A row with the comment after it.
-    pub(super) fn line(&self, row: &Row, comment: Option<&str>, text: &str) -> String {
+    pub(super) fn line(&self, row: &Laid, comment: Option<&str>, text: &str) -> String {
         let mut line = self.row(row, text);
         if let Some(comment) = comment {
             pad(&mut line, self.comments);
@@ -47,10 +89,10 @@ impl Columns {
         line
     }
 
-    fn row(&self, row: &Row, text: &str) -> String {
-        let mut line = at(text, row.range).to_owned();
+    fn row(&self, row: &Laid, text: &str) -> String {
+        let mut line = at(text, row.name).to_owned();
         pad(&mut line, self.names);
-        line.push_str(if is_expected(row) { ARROW } else { "    " });
+        line.push_str(if row.is_expected { ARROW } else { "    " });
         for ((_, place), (step, end)) in row.cells.iter().zip(self.places()) {
             pad(&mut line, self.names + ARROW.len() + step);
             line.push_str(at(text, *place));
@@ -58,7 +100,7 @@ impl Columns {
                 pad(&mut line, self.names + ARROW.len() + end);
             }
         }
-        if let Some((_, place)) = &row.tolerance {
+        if let Some(place) = &row.tolerance {
             let written = at(text, *place);
             line.push(' ');
             if written.contains(['\'', '"', '[']) {
@@ -80,12 +122,12 @@ impl Columns {
         })
     }
 
-    fn moves(&self, rows: &[&Row], text: &str) -> Vec<(usize, usize)> {
+    fn moves(&self, rows: &[Laid], text: &str) -> Vec<(usize, usize)> {
         let longest = rows.iter().rev().max_by_key(|row| row.cells.len());
         let Some(row) = longest else {
             return Vec::new();
         };
-        let line = line_around(text, row.range.start()).start();
+        let line = line_around(text, row.name.start()).start();
         let line = &text[usize::from(line)..];
         let line = line.strip_prefix('\u{feff}').unwrap_or(line);
         let start = text.len() - line.len();
@@ -104,11 +146,11 @@ impl Columns {
 }
 
 /// Whether a blank is before a step: where a value is longer than a letter might be, or where most rows have one.
-fn is_apart(rows: &[&Row], step: usize) -> bool {
+fn is_apart(rows: &[Laid], step: usize) -> bool {
     let Some(before) = step.checked_sub(1) else {
         return false;
     };
-    let is_value = |row: &&Row, step: usize| matches!(row.cells.get(step), Some((Cell::Value(_), _)));
+    let is_value = |row: &Laid, step: usize| row.cells.get(step).is_some_and(|cell| cell.0);
     if rows
         .iter()
         .any(|row| is_value(row, before) || is_value(row, step))
@@ -122,7 +164,7 @@ fn is_apart(rows: &[&Row], step: usize) -> bool {
     apart.len() > touching.len()
 }
 
-fn widest(rows: &[&Row], step: usize, text: &str) -> usize {
+fn widest(rows: &[Laid], step: usize, text: &str) -> usize {
     let cells = rows.iter().filter_map(|row| row.cells.get(step));
     cells.map(|(_, place)| width(at(text, *place))).max().unwrap_or(0)
 }

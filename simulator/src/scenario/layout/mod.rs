@@ -14,9 +14,9 @@
 mod columns;
 mod ruler;
 
-use super::parse::{Direction, HEADINGS, Row, Scenario, Suite, parse};
+use super::parse::{Direction, HEADINGS, Row, Suite, parse};
 use super::words::{Line, lines};
-use columns::Columns;
+use columns::{Columns, Laid};
 use ladder_syntax::{TextRange, TextSize};
 use unicode_width::UnicodeWidthStr;
 
@@ -28,12 +28,16 @@ pub fn layout(text: &str) -> String {
         return text.to_owned();
     }
     let shapes = shapes(&suite, &lines);
-    let columns: Vec<Columns> = suite
-        .scenarios
-        .iter()
-        .enumerate()
-        .map(|(number, scenario)| Columns::of(&rows_of(number, scenario, &shapes), text))
+    let rows: Vec<Vec<Laid>> = (0..suite.scenarios.len())
+        .map(|scenario| rows_of(scenario, &suite, &shapes))
         .collect();
+    // Of each scenario the columns of each piece, by the step with which it begins.
+    let columns: Vec<Vec<(usize, Columns)>> = rows.iter().map(|rows| pieces(rows, text)).collect();
+    let columns_at = |scenario: usize, first: usize| {
+        let pieces: &[(usize, Columns)] = &columns[scenario];
+        let at = pieces.partition_point(|(begin, _)| *begin <= first);
+        &pieces[at.saturating_sub(1)].1
+    };
     let mut out = Written::new(text, &lines);
     for (at, line) in lines.iter().enumerate() {
         if is_blank(line) {
@@ -41,17 +45,22 @@ pub fn layout(text: &str) -> String {
             continue;
         }
         let goes_on = at > 0 && is_remark(&lines[at - 1]);
-        if !goes_on && begins_scenario(&lines[at..]) {
+        // More steps are a piece of their own.
+        let goes_on_below = matches!(shapes[at], Shape::Time(scenario, time) if suite.scenarios[scenario].times[time].first > 0);
+        if !goes_on && (goes_on_below || begins_scenario(&lines[at..])) {
             out.blank();
         }
         let written = match shapes[at] {
             Shape::Heading | Shape::Scenario => with_comment(heading(line, text), line),
             Shape::Row(scenario, row) => {
-                let columns = &columns[scenario];
-                let row = &suite.scenarios[scenario].rows[row];
-                columns.line(row, line.comment(), text)
+                let row = Laid::from(&suite.scenarios[scenario].rows[row]);
+                columns_at(scenario, row.first).line(&row, line.comment(), text)
             }
-            Shape::Remark(Some(scenario)) => columns[scenario].ruler(line.text.trim_end()),
+            Shape::Time(scenario, time) => {
+                let row = Laid::from(&suite.scenarios[scenario].times[time]);
+                columns_at(scenario, row.first).line(&row, line.comment(), text)
+            }
+            Shape::Remark(Some((scenario, first))) => columns_at(scenario, first).ruler(line.text.trim_end()),
             Shape::Remark(None) => line.text.trim().to_owned(),
             Shape::Stays => line.text.trim_end().to_owned(),
         };
@@ -69,32 +78,43 @@ enum Shape {
     Scenario,
     /// A row: the scenario's number, and its own.
     Row(usize, usize),
-    /// Nothing but a comment; between the rows of which scenario.
-    Remark(Option<usize>),
+    /// A row of how long steps are: the scenario's number, and its own.
+    Time(usize, usize),
+    /// Nothing but a comment; between the rows of which scenario, and with which step those below it begin.
+    Remark(Option<(usize, usize)>),
     /// What cannot be read, or would be read as something else with other blanks in it.
     Stays,
 }
 
 fn shapes(suite: &Suite, lines: &[Line<'_>]) -> Vec<Shape> {
     let mut next = (0, 0);
+    let mut next_time = 0;
     let mut shapes = Vec::with_capacity(lines.len());
     // How many scenarios have begun.
     let mut begun: usize = 0;
     for line in lines {
         let Some(first) = line.words.first() else {
-            let rows = |scenario: &usize| suite.scenarios[*scenario].rows.len();
-            let between = begun.checked_sub(1).filter(|scenario| next.1 < rows(scenario));
+            let between = begun.checked_sub(1).and_then(|scenario| {
+                let below = suite.scenarios[scenario].rows.get(next.1)?;
+                Some((scenario, below.first))
+            });
             shapes.push(Shape::Remark(between));
             continue;
         };
         let mut shape = Shape::Stays;
         if first.text == "scenario" {
             next = (begun, 0);
+            next_time = 0;
             begun += 1;
             let is_whole = matches!(&line.words[1..], [name] if name.text.starts_with('"') && !name.unclosed);
             shape = if is_whole { Shape::Scenario } else { Shape::Stays };
         } else if begun == 0 && HEADINGS.contains(&first.text) {
             shape = Shape::Heading;
+        } else if let Some(time) = suite.scenarios.get(next.0).and_then(|it| it.times.get(next_time))
+            && time.range == first.range()
+        {
+            shape = Shape::Time(next.0, next_time);
+            next_time += 1;
         } else if let Some(row) = suite.scenarios.get(next.0).and_then(|it| it.rows.get(next.1))
             && row.range == first.range()
         {
@@ -135,12 +155,25 @@ fn reads_the_same(line: &Line<'_>) -> bool {
     words(&read) == words(line) && read.comment() == line.comment()
 }
 
-fn rows_of<'s>(number: usize, scenario: &'s Scenario, shapes: &[Shape]) -> Vec<&'s Row> {
+/// The rows of a scenario that are laid out, in the order of the file.
+fn rows_of(number: usize, suite: &Suite, shapes: &[Shape]) -> Vec<Laid> {
+    let scenario = &suite.scenarios[number];
     let laid_out = shapes.iter().filter_map(|shape| match shape {
-        Shape::Row(of, row) if *of == number => scenario.rows.get(*row),
+        Shape::Row(of, row) if *of == number => scenario.rows.get(*row).map(Laid::from),
+        Shape::Time(of, time) if *of == number => scenario.times.get(*time).map(Laid::from),
         _ => None,
     });
     laid_out.collect()
+}
+
+/// The columns of a scenario's rows: those that begin with one step have columns of their own, but all tags are as wide.
+fn pieces(rows: &[Laid], text: &str) -> Vec<(usize, Columns)> {
+    let names = Columns::names(rows, text);
+    let of = |rows: &[Laid]| (rows.first().map_or(0, |row| row.first), Columns::of(rows, names, text));
+    if rows.is_empty() {
+        return vec![of(rows)];
+    }
+    rows.chunk_by(|above, below| above.first == below.first).map(of).collect()
 }
 
 /// Whether a scenario begins here, with the comments above it.

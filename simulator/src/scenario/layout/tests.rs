@@ -26,9 +26,13 @@ fn said(suite: &Suite) -> String {
             let cells: Vec<&Cell> = row.cells.iter().map(|it| &it.0).collect();
             let tolerance = row.tolerance.as_ref().map(|it| &it.0);
             out.push_str(&format!(
-                "{} {:?} {cells:?} {tolerance:?}\n",
-                row.name, row.direction
+                "{} {:?} {} {cells:?} {tolerance:?}\n",
+                row.name, row.direction, row.first
             ));
+        }
+        for time in &scenario.times {
+            let cells: Vec<Option<i64>> = time.cells.iter().map(|it| it.0).collect();
+            out.push_str(&format!("time {} {cells:?}\n", time.first));
         }
     }
     let mut errors: Vec<&str> = suite.errors.iter().map(|it| it.message.as_str()).collect();
@@ -63,6 +67,39 @@ fn levels_touch_and_values_stand_in_columns() {
             start        _ -   _  _       # pressed
             warmup.ET => 0 100 20 . ± 1%  # warm
             stop         _ _   _  _
+        "#]],
+    );
+}
+
+#[test]
+fn durations_are_above_their_steps() {
+    check(
+        "program a.clad\nscenario \"waits\"\ntime .. 3s ... # s\nstart _--___\nrunning=>_-----\n# on\ntime 1m30s . # wide\n  start _-\n running => __\n",
+        expect![[r#"
+            program a.clad
+
+            scenario "waits"
+            time       .. 3s ...  # s
+            start      _- -  ___
+            running => _- -  ---
+            # on
+            time       1m30s .  # wide
+            start      _     -
+            running => _     _
+        "#]],
+    );
+    check(
+        "program a.clad\nscenario \"waits\"\nstart _--\nrun=>_--\ntime 3s\nrun=> _\ntime =>   1 2\n",
+        expect![[r#"
+            program a.clad
+
+            scenario "waits"
+            start    _--
+            run   => _--
+
+            time     3s
+            run   => _
+            time  => 1  2
         "#]],
     );
 }
