@@ -80,7 +80,7 @@ impl Target {
 }
 
 /// A scenario runs at most this many scans: 27 hours at 10 ms.
-const MOST_SCANS: u64 = 10_000_000;
+pub(super) const MOST_SCANS: u64 = 10_000_000;
 
 /// Binds all scenarios of a file. With errors, those of the file itself included, none of them is to be run.
 pub fn bind(suite: &Suite, simulation: &Simulation) -> (Vec<Case>, Vec<ScenarioError>) {
@@ -222,7 +222,11 @@ impl Binder<'_> {
                         && case.expected[at].tolerance != tolerance
                     {
                         let problem = format!("{} has another tolerance above", row.name);
-                        self.error(*range, problem, "a tag has one tolerance in a scenario: write it in its first row");
+                        self.error(
+                            *range,
+                            problem,
+                            "a tag has one tolerance in a scenario: write it in its first row",
+                        );
                     }
                     let places = row.cells.iter().map(|cell| cell.1);
                     let cells = values.into_iter().zip(places).collect();

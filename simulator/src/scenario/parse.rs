@@ -305,7 +305,8 @@ impl Reader {
 
     /// How long the steps are whose rows follow. After other rows the steps go on.
     fn time(&mut self, first: Word, rest: &[Word]) {
-        const EXAMPLE: &str = "write a duration for each step, and a dot for one as long as `step` says, as in: time . 3s .";
+        const EXAMPLE: &str =
+            "write a duration for each step, and a dot for one as long as `step` says, as in: time . 3s .";
         self.check_last_time();
         let mut cells: Vec<(Option<i64>, TextRange)> = Vec::new();
         for word in rest {
@@ -341,10 +342,16 @@ impl Reader {
 
     /// A row of durations is above the rows that it is about.
     fn check_last_time(&mut self) {
-        let Some(scenario) = self.suite.scenarios.last() else { return };
+        let Some(scenario) = self.suite.scenarios.last() else {
+            return;
+        };
         let Some(time) = scenario.times.last() else { return };
         if scenario.rows.last().is_none_or(|row| row.first < time.first)
-            && !self.suite.errors.iter().any(|error| error.range.start() > time.range.start())
+            && !self
+                .suite
+                .errors
+                .iter()
+                .any(|error| error.range.start() > time.range.start())
         {
             self.error(
                 time.range,
@@ -439,13 +446,17 @@ impl Reader {
 
     /// Rows below each other have one length: that of the row `time` above them, or of the first.
     fn check_length(&mut self, row: &Row) {
-        let Some(scenario) = self.suite.scenarios.last() else { return };
+        let Some(scenario) = self.suite.scenarios.last() else {
+            return;
+        };
         let time = scenario.times.last().map(|time| (TIME, time.cells.len()));
         let first = || {
             let first = scenario.rows.first()?;
             Some((first.name.as_str(), first.cells.len()))
         };
-        let Some((above, wanted)) = time.or_else(first) else { return };
+        let Some((above, wanted)) = time.or_else(first) else {
+            return;
+        };
         let there = row.cells.len();
         if there == wanted {
             return;

@@ -1,5 +1,5 @@
-//! What outputs held after each scan of a session that is played again, as little of it as a scenario needs: changes, and of
-//! those no more than its columns can show.
+//! What outputs do in a session that is played again, as little of it as a scenario needs: first when they change, and once
+//! it is known where columns end, what they hold there.
 
 use crate::simulation::Simulation;
 use crate::tags::Point;
@@ -11,158 +11,126 @@ use std::collections::BTreeSet;
 /// With more rows than this only outputs are drawn.
 const MOST_ROWS: usize = 8;
 
-/// This many columns can be read; with more a step takes no account of what the outputs do in between.
-const READABLE: u64 = 200;
+/// So many columns can be read: a tag that changes more often has none for each of its changes.
+const READABLE: usize = 200;
 
-/// What one point held.
+/// What one point did.
 #[derive(Debug)]
 pub(super) struct Track {
     pub(super) point: Point,
     cold: Value,
-    /// From which scan on, the earliest first.
-    changes: Vec<(u64, Value)>,
-    /// Of what was given, and of these changes, all moments are a multiple of this many scans.
-    moments: u64,
+    last: Value,
+    /// The scans after which it held something else than before, up to as many as can be read.
+    changes: Vec<u64>,
+    /// What it held at the end of each column.
+    pub(super) held: Vec<Value>,
 }
 
 impl Track {
-    fn last(&self) -> &Value {
-        self.changes.last().map_or(&self.cold, |(_, value)| value)
-    }
-
-    /// What it held after scans, the earliest first.
-    pub(super) fn at(&self, scans: impl Iterator<Item = u64>) -> impl Iterator<Item = &Value> {
-        let mut next = 0;
-        scans.map(move |scan| {
-            while self.changes.get(next).is_some_and(|(from, _)| *from <= scan) {
-                next += 1;
-            }
-            next.checked_sub(1)
-                .map_or(&self.cold, |last| &self.changes[last].1)
-        })
-    }
-
     fn is_output(&self) -> bool {
         self.point.role == Role::Output
     }
 
-    fn is_level(&self) -> bool {
-        !self.is_output() && self.point.ty == Scalar::Bool
+    fn rests(&self) -> bool {
+        self.held.iter().all(|held| *held == self.cold)
     }
+}
+
+/// What the tracks are of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Choice {
+    /// The outputs, and a few other BOOLs that change; where there are none, whatever changes.
+    Usual,
+    /// A person chose them.
+    Chosen,
 }
 
 /// What was played so far.
 #[derive(Debug)]
 pub(super) struct Played {
-    /// How many scans.
-    pub(super) scans: u64,
     pub(super) tracks: Vec<Track>,
-    /// How many there are to play.
-    whole: u64,
-    /// Of what was given all moments are a multiple of this many scans.
-    of_given: u64,
-    /// There are too many columns for what the outputs do in between.
-    is_coarse: bool,
+    choice: Choice,
+    /// Only outputs have columns for their changes.
+    has_outputs: bool,
 }
 
 impl Played {
-    /// Nothing yet. `given` are the scans before which something will be given.
-    pub(super) fn new(
-        simulation: &Simulation,
-        points: Vec<Point>,
-        given: &BTreeSet<u64>,
-        scans: u64,
-    ) -> Played {
-        let of_given = given.iter().fold(scans, |step, &moment| divisor(step, moment));
+    /// Nothing yet.
+    pub(super) fn new(simulation: &Simulation, points: Vec<Point>, choice: Choice) -> Played {
         let tracks = points.into_iter().map(|point| Track {
             cold: simulation.value(&point),
+            last: simulation.value(&point),
             point,
             changes: Vec::new(),
-            moments: of_given,
+            held: Vec::new(),
         });
         let mut tracks: Vec<Track> = tracks.collect();
-        if tracks.iter().any(Track::is_output) {
-            tracks.retain(|track| track.is_output() || track.is_level());
+        let has_outputs = choice == Choice::Usual && tracks.iter().any(Track::is_output);
+        if has_outputs {
+            tracks.retain(|track| track.is_output() || track.point.ty == Scalar::Bool);
         }
         Played {
-            scans: 0,
             tracks,
-            whole: scans,
-            of_given,
-            is_coarse: false,
+            choice,
+            has_outputs,
         }
     }
 
-    /// Notes what a simulation holds after its next scan.
-    pub(super) fn note(&mut self, simulation: &Simulation) {
-        let scan = self.scans;
-        self.scans += 1;
-        if !self.is_noted(scan) {
-            return;
-        }
-        let mut has_changed = false;
+    /// Notes what changes with a scan, which was just run.
+    pub(super) fn note(&mut self, simulation: &Simulation, scan: u64) {
         for track in &mut self.tracks {
+            let counts = !self.has_outputs || track.is_output();
+            if !counts || track.changes.len() > READABLE {
+                continue;
+            }
             let value = simulation.value(&track.point);
-            if *track.last() != value {
-                has_changed = true;
-                track.changes.push((scan, value));
-                if scan > 0 {
-                    track.moments = divisor(track.moments, scan);
-                }
+            if track.last != value {
+                track.last = value;
+                track.changes.push(scan);
             }
         }
-        if has_changed {
-            self.leave_out_too_many();
-            self.is_coarse |= self.whole / self.exact() > READABLE;
+    }
+
+    /// The scans before which columns begin: those before which something is given, and those that change what is expected.
+    /// Where these are too many, tags that change often are left out.
+    pub(super) fn begins(&self, given: &BTreeSet<u64>) -> BTreeSet<u64> {
+        let mut begins = given.clone();
+        begins.insert(0);
+        let mut tracks: Vec<&Track> = self.tracks.iter().collect();
+        tracks.sort_by_key(|track| track.changes.len());
+        for track in tracks {
+            let mut more = begins.clone();
+            more.extend(track.changes.iter().copied());
+            if track.changes.len() > READABLE || more.len() > READABLE.max(begins.len()) {
+                break;
+            }
+            begins = more;
+        }
+        begins
+    }
+
+    /// Notes what is held at the end of a column.
+    pub(super) fn hold(&mut self, simulation: &Simulation) {
+        for track in &mut self.tracks {
+            track.held.push(simulation.value(&track.point));
         }
     }
 
-    /// Whether what was held after a scan is known. Once there are too many columns for what the outputs do in between,
-    /// only the ends of columns are.
-    pub(super) fn is_noted(&self, scan: u64) -> bool {
-        !self.is_coarse || (scan + 1).is_multiple_of(self.of_given)
-    }
-
-    /// How many scans a column stands for: as many as all that happens is a multiple of.
-    pub(super) fn step(&self) -> u64 {
-        if self.is_coarse {
-            self.of_given
-        } else {
-            divisor(self.exact(), self.scans)
+    /// Next to the outputs only a few other tags are drawn, and of those only BOOLs that change: when there are too many of
+    /// them, none is.
+    pub(super) fn leave_out_what_rests(&mut self) {
+        if self.choice == Choice::Chosen {
+            return;
         }
-    }
-
-    fn exact(&self) -> u64 {
-        let moments = self.tracks.iter().map(|track| track.moments);
-        moments.fold(self.of_given, divisor)
-    }
-
-    /// Next to the outputs only a few other tags are drawn: when there are too many of those that change, none is.
-    fn leave_out_too_many(&mut self) {
-        let outputs = self.tracks.iter().filter(|track| track.is_output()).count();
-        let levels = self
-            .tracks
-            .iter()
-            .filter(|track| track.is_level() && !track.changes.is_empty());
-        if outputs > 0 && outputs + levels.count() > MOST_ROWS {
+        if !self.has_outputs {
+            if !self.tracks.iter().all(Track::rests) {
+                self.tracks.retain(|track| !track.rests());
+            }
+            return;
+        }
+        self.tracks.retain(|track| track.is_output() || !track.rests());
+        if self.tracks.len() > MOST_ROWS {
             self.tracks.retain(Track::is_output);
         }
     }
-
-    /// Next to the outputs only those are drawn that change: BOOLs, or whatever there is where nothing else comes out of
-    /// the program.
-    pub(super) fn leave_out_what_rests(&mut self) {
-        let has_outputs = self.tracks.iter().any(Track::is_output);
-        let rests = self.tracks.iter().all(|track| track.changes.is_empty());
-        self.tracks.retain(|track| {
-            let changes = !track.changes.is_empty();
-            track.is_output()
-                || (has_outputs && changes && track.is_level())
-                || (!has_outputs && (changes || rests))
-        });
-    }
-}
-
-pub(super) fn divisor(a: u64, b: u64) -> u64 {
-    if b == 0 { a } else { divisor(b, a % b) }
 }

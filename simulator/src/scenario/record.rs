@@ -4,7 +4,9 @@
 //! expects: so it passes, also where the program was changed meanwhile or tags were forced. Where what was seen was
 //! something else, that is reported.
 
-use super::played::{Played, Track, divisor};
+use super::bind::MOST_SCANS;
+use super::played::{Choice, Played};
+use super::recorded_text::{self, Cell, Lengths, WrittenRow};
 use super::run::MOST_BLOCKS;
 use crate::session::{MOST_GIVEN, NotKnown, Session};
 use crate::simulation::{Simulation, Status};
@@ -14,7 +16,6 @@ use ladder_analysis::program::Role;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt::Write;
 
 /// A session as a scenario file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -28,13 +29,49 @@ pub struct Recorded {
 /// This many values are written at most: a file of about as many bytes.
 const MOST_CELLS: u64 = 10_000_000;
 
-/// A session up to where it is as a scenario of this name; `program` is the program's file, as the scenario file
-/// names it.
+/// What is wanted of a recording.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Wanted<'a> {
+    /// The program's file, as the scenario file names it.
+    pub program: &'a str,
+    /// What the scenario is called.
+    pub name: &'a str,
+    /// The tags of which is expected what they hold; the outputs, and a few other BOOLs that change, unless they are chosen.
+    pub outputs: Option<&'a [String]>,
+}
+
+/// A tag that a recording may expect something of.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Recordable {
+    /// The tag.
+    pub name: String,
+    /// Its type.
+    pub ty: Scalar,
+    /// Whether it is an output.
+    pub is_output: bool,
+}
+
+/// The tags among which the rows of what is expected can be chosen: outputs, then the other tags, then members.
+pub fn recordable(session: &Session) -> Vec<Recordable> {
+    let points = session.simulation().points().iter();
+    let points = points.filter(|point| !point.read_only && point.role != Role::Input);
+    let mut found: Vec<Recordable> = points
+        .map(|point| Recordable {
+            name: point.name.clone(),
+            ty: point.ty,
+            is_output: point.role == Role::Output,
+        })
+        .collect();
+    found.sort_by_key(|it| (!it.is_output, it.name.contains('.')));
+    found
+}
+
+/// A session up to where it is as a scenario.
 ///
 /// # Errors
 /// Nothing has run, what was given is not known, nothing comes out of the program, or it would be too long: why there is no
 /// scenario, and what to do.
-pub fn record(session: &Session, program: &str, name: &str) -> Result<Recorded, String> {
+pub fn record(session: &Session, wanted: Wanted<'_>) -> Result<Recorded, String> {
     let scans = session.simulation().scans();
     if scans == 0 {
         return Err("nothing has run yet: run some scans, and record then".into());
@@ -42,8 +79,8 @@ pub fn record(session: &Session, program: &str, name: &str) -> Result<Recorded, 
     let given = session.given().map_err(not_known)?;
     let mut notes = Vec::new();
     let options = session.simulation().options();
-    let mut simulation =
-        Simulation::new(session.newest_program().clone(), options).map_err(|error| error.message)?;
+    let fresh = || Simulation::new(session.newest_program().clone(), options).map_err(|error| error.message);
+    let mut simulation = fresh()?;
     let mut rows: BTreeMap<String, Row> = BTreeMap::new();
     let mut order: Vec<String> = Vec::new();
     let mut moments = BTreeSet::new();
@@ -74,23 +111,37 @@ pub fn record(session: &Session, program: &str, name: &str) -> Result<Recorded, 
         row.cells.insert(scan, (value.clone(), text));
         moments.insert(scan);
     }
-    let outputs = outputs(&simulation);
+    let (outputs, choice) = match wanted.outputs {
+        Some(chosen) => (chosen_points(chosen, &simulation)?, Choice::Chosen),
+        None => (outputs(&simulation), Choice::Usual),
+    };
     if outputs.is_empty() {
         return Err("the program writes no tag that a scenario could look at".into());
     }
-    let columns = scans / moments.iter().fold(scans, |step, &moment| divisor(step, moment));
-    let of_outputs = outputs.iter().filter(|point| point.role == Role::Output).count();
-    fits(columns, rows.len() + of_outputs.max(1), options.interval)?;
-    let mut played = Played::new(&simulation, outputs, &moments, scans);
-    play(&mut simulation, &mut rows, &mut played, scans)?;
-    if played.scans < scans {
+    fits(moments.len() as u64, rows.len() + 1, scans)?;
+    let mut played = Played::new(&simulation, outputs, choice);
+    let ran = play(&mut simulation, &mut rows, scans, |simulation, scan| {
+        played.note(simulation, scan)
+    })?;
+    if ran == 0 {
+        return Err("the program stops in its first scan".into());
+    }
+    if ran < scans {
         push_once(&mut notes, "the program stops in the midst of it".into());
     }
     if session.simulation().has_serial() {
         push_once(&mut notes, "what came in at the serial port is not in it".into());
     }
+    let mut begins = played.begins(&moments);
+    begins.split_off(&ran);
+    let ends: BTreeSet<u64> = begins.iter().copied().skip(1).chain([ran]).collect();
+    play(&mut fresh()?, &mut rows, ran, |simulation, scan| {
+        if ends.contains(&(scan + 1)) {
+            played.hold(simulation);
+        }
+    })?;
     played.leave_out_what_rests();
-    if differs(session, &played) {
+    if differs(session, &played, &ends, ran) {
         push_once(
             &mut notes,
             "the program was changed, or tags were forced, while this was recorded: what is expected is what the program \
@@ -98,44 +149,48 @@ pub fn record(session: &Session, program: &str, name: &str) -> Result<Recorded, 
                 .into(),
         );
     }
-    let step = played.step();
-    let steps = played.scans / step;
-    if steps == 0 {
-        return Err("the program stops in its first scan".into());
+    fits(ends.len() as u64, rows.len() + played.tracks.len(), scans)?;
+    let columns: Vec<u64> = begins.iter().zip(&ends).map(|(begin, end)| end - begin).collect();
+    let given_rows = order.iter().map(|name| rows[name].written(name, &begins));
+    let expected_rows = played.tracks.iter().map(|track| WrittenRow {
+        name: track.point.name.clone(),
+        is_expected: true,
+        is_level: track.point.ty == Scalar::Bool,
+        goes_on: true,
+        cells: track
+            .held
+            .iter()
+            .map(|value| written(value, track.point.ty).map_or(Cell::Nothing, Cell::New))
+            .collect(),
+    });
+    let all: Vec<WrittenRow> = given_rows.chain(expected_rows).collect();
+    let lengths = Lengths {
+        columns: &columns,
+        interval: options.interval,
+    };
+    Ok(Recorded {
+        text: format!(
+            "program {}\n{}",
+            quoted(wanted.program),
+            recorded_text::text(&all, lengths, wanted.name)
+        ),
+        notes,
+    })
+}
+
+/// The tags that a person chose.
+fn chosen_points(names: &[String], simulation: &Simulation) -> Result<Vec<Point>, String> {
+    if names.is_empty() {
+        return Err("no tag is chosen, and a scenario expects something: choose one at least".into());
     }
-    fits(steps, rows.len() + played.tracks.len(), options.interval)?;
-    let mut text = format!(
-        "program {}\nstep {}\ninterval {}\n\nscenario \"{}\"\n",
-        quoted(program),
-        duration(step as i64 * options.interval),
-        duration(options.interval),
-        name.replace('"', "'")
-    );
-    let width = order
-        .iter()
-        .chain(played.tracks.iter().map(|track| &track.point.name));
-    let width = width.map(|name| name.chars().count()).max().unwrap_or(0);
-    for name in &order {
-        let row = &rows[name];
-        // A level that nothing but the outside changes is drawn as it is.
-        let is_level = row.point.ty == Scalar::Bool && !row.is_overwritten;
-        let mut level = is_level.then(|| written(&row.before, row.point.ty)).flatten();
-        let cells = (0..steps).map(|column| {
-            let given = row.cells.get(&(column * step)).map(|(_, text)| text.clone());
-            if is_level && given.is_some() {
-                level.clone_from(&given);
-            }
-            given.or_else(|| level.clone())
-        });
-        let _ = writeln!(text, "{name:width$}    {}", line(row.point.ty, cells));
+    let mut points: Vec<Point> = Vec::new();
+    for name in names {
+        let point = simulation.resolve(name).map_err(|unknown| unknown.message)?;
+        if !points.iter().any(|known| known.name == point.name) {
+            points.push(point);
+        }
     }
-    for track in &played.tracks {
-        let Track { point, .. } = track;
-        let values = track.at((1..=steps).map(|column| column * step - 1));
-        let cells = values.map(|value| written(value, point.ty));
-        let _ = writeln!(text, "{:width$} => {}", point.name, line(point.ty, cells));
-    }
-    Ok(Recorded { text, notes })
+    Ok(points)
 }
 
 /// Why there is no scenario where it is not known what was given.
@@ -156,18 +211,21 @@ fn not_known(why: NotKnown) -> String {
     }
 }
 
-/// Whether a file of this many columns and rows is one that can be read.
-fn fits(columns: u64, rows: usize, interval: i64) -> Result<(), String> {
-    let cells = columns.saturating_mul(rows as u64);
-    if cells <= MOST_CELLS {
-        return Ok(());
+/// Whether a file of this many columns and rows is one that can be read, and one that can be run.
+fn fits(columns: u64, rows: usize, scans: u64) -> Result<(), String> {
+    const AGAIN: &str = "restart, do it again in a shorter time, and record then";
+    if scans > MOST_SCANS {
+        return Err(format!(
+            "a scenario has at most {MOST_SCANS} scans, and these are {scans}: {AGAIN}"
+        ));
     }
-    let most = (MOST_CELLS / rows as u64).saturating_mul(interval as u64);
-    Err(format!(
-        "a column for each moment in which something was given makes {columns} columns in {rows} rows, and a scenario has at \
-         most {MOST_CELLS} values: restart, do it again within {}, and record then",
-        duration(i64::try_from(most).unwrap_or(i64::MAX) / 60_000_000_000 * 60_000_000_000)
-    ))
+    if columns.saturating_mul(rows as u64) > MOST_CELLS {
+        return Err(format!(
+            "a column for each moment in which something was given makes {columns} columns in {rows} rows, and a scenario has \
+             at most {MOST_CELLS} values: {AGAIN}"
+        ));
+    }
+    Ok(())
 }
 
 /// How the file of a recorded scenario may be called that is next to a program: `motor-recorded.ladder-test`.
@@ -186,6 +244,32 @@ struct Row {
     is_overwritten: bool,
 }
 
+impl Row {
+    /// What is written of it, for columns that begin before these scans.
+    fn written(&self, name: &str, begins: &BTreeSet<u64>) -> WrittenRow {
+        // A level that nothing but the outside changes is drawn as it is.
+        let is_level = self.point.ty == Scalar::Bool;
+        let is_drawn = is_level && !self.is_overwritten;
+        let mut level = is_drawn.then(|| written(&self.before, self.point.ty)).flatten();
+        let cells = begins.iter().map(|begin| match self.cells.get(begin) {
+            Some((_, text)) => {
+                if is_drawn {
+                    level = Some(text.clone());
+                }
+                Cell::New(text.clone())
+            }
+            None => level.clone().map_or(Cell::Nothing, Cell::Still),
+        });
+        WrittenRow {
+            cells: cells.collect(),
+            name: name.to_owned(),
+            is_expected: false,
+            is_level,
+            goes_on: is_drawn,
+        }
+    }
+}
+
 fn push_once(notes: &mut Vec<String>, note: String) {
     if !notes.contains(&note) {
         notes.push(note);
@@ -201,13 +285,13 @@ fn outputs(simulation: &Simulation) -> Vec<Point> {
     outputs.into_iter().chain(others).cloned().collect()
 }
 
-/// Plays what was given, and notes what the outputs hold after each scan, as far as the program runs.
+/// Plays what was given, as far as the program runs: how many scans that are. `after` sees each of them.
 fn play(
     simulation: &mut Simulation,
     rows: &mut BTreeMap<String, Row>,
-    played: &mut Played,
     scans: u64,
-) -> Result<(), String> {
+    mut after: impl FnMut(&Simulation, u64),
+) -> Result<u64, String> {
     let begun = simulation.work();
     for scan in 0..scans {
         for row in rows.values() {
@@ -217,7 +301,7 @@ fn play(
             }
         }
         if simulation.status() != Status::Ready || !simulation.scan() {
-            break;
+            return Ok(scan);
         }
         if simulation.work() - begun > MOST_BLOCKS {
             return Err(format!(
@@ -230,13 +314,13 @@ fn play(
             let given = given.map_or(&row.before, |(_, (value, _))| value);
             row.is_overwritten |= simulation.value(&row.point) != *given;
         }
-        played.note(simulation);
+        after(simulation, scan);
     }
-    Ok(())
+    Ok(scans)
 }
 
-/// Whether the session saw anything else, as far as it is kept.
-fn differs(session: &Session, played: &Played) -> bool {
+/// Whether the session saw anything else at the ends of columns, as far as it is kept.
+fn differs(session: &Session, played: &Played, ends: &BTreeSet<u64>, scans: u64) -> bool {
     let seen: Vec<Point> = played
         .tracks
         .iter()
@@ -245,17 +329,17 @@ fn differs(session: &Session, played: &Played) -> bool {
     if seen.len() < played.tracks.len() {
         return true;
     }
-    let past = session.past(&seen, usize::try_from(played.scans).unwrap_or(usize::MAX));
+    let past = session.past(&seen, usize::try_from(scans).unwrap_or(usize::MAX));
     let kept = past.first().map_or(0, Vec::len) as u64;
     // What an earlier program did that is no longer kept is not known to have been the same.
-    if kept < played.scans && session.newest_generation() > 0 {
+    if kept < scans && session.newest_generation() > 0 {
         return true;
     }
-    let first = played.scans - kept;
-    let noted = || (first..played.scans).filter(|scan| played.is_noted(*scan));
+    let first = scans - kept;
     played.tracks.iter().zip(&past).any(|(track, past)| {
-        let seen = noted().map(|scan| &past[(scan - first) as usize]);
-        track.at(noted()).ne(seen)
+        let held = ends.iter().zip(&track.held).filter(|(end, _)| **end > first);
+        held.into_iter()
+            .any(|(end, held)| past[(end - 1 - first) as usize] != *held)
     })
 }
 
@@ -263,25 +347,6 @@ fn differs(session: &Session, played: &Played) -> bool {
 fn written(value: &Value, ty: Scalar) -> Option<String> {
     let text = value_text::display(value, ty);
     (value_text::parse(&text, ty).as_ref() == Ok(value)).then_some(text)
-}
-
-/// The cells of a row.
-fn line(ty: Scalar, cells: impl Iterator<Item = Option<String>>) -> String {
-    if ty == Scalar::Bool {
-        let letters = cells.map(|cell| match cell.as_deref() {
-            Some("TRUE") => '-',
-            Some(_) => '_',
-            None => '.',
-        });
-        return letters.collect();
-    }
-    let cells: Vec<String> = cells.map(|cell| cell.unwrap_or_else(|| ".".into())).collect();
-    cells.join(" ")
-}
-
-fn duration(nanoseconds: i64) -> String {
-    let text = value_text::display(&Value::Int(nanoseconds), Scalar::Time);
-    text.trim_start_matches("T#").to_owned()
 }
 
 /// A file's name, in quotes where it holds what would end it.
@@ -299,9 +364,10 @@ mod tests {
 
     #[test]
     fn a_file_that_nobody_could_open_is_refused_with_what_to_do() {
-        assert_eq!(fits(360_000, 20, 10_000_000), Ok(()));
-        let refused = fits(3_600_000, 20, 10_000_000).unwrap_err();
+        assert_eq!(fits(360_000, 20, 360_000), Ok(()));
+        let refused = fits(3_600_000, 20, 3_600_000).unwrap_err();
         assert!(refused.contains("3600000 columns in 20 rows"), "{refused}");
-        assert!(refused.contains("do it again within 1h23m"), "{refused}");
+        assert!(refused.contains("do it again in a shorter time"), "{refused}");
+        assert!(fits(2, 2, 36_000_000).is_err());
     }
 }

@@ -49,7 +49,9 @@ impl Steps {
 
     /// How many scans a step has, where that is not as many as steps usually have.
     pub(super) fn unusual(&self, step: usize) -> Option<u64> {
-        let Steps::Uneven { usual, .. } = self else { return None };
+        let Steps::Uneven { usual, .. } = self else {
+            return None;
+        };
         let scans = self.begin(step + 1) - self.begin(step);
         (scans != *usual).then_some(scans)
     }

@@ -4,7 +4,7 @@ use crate::change_and_back::{Numbers, give, programs};
 use crate::support::{simulation, simulation_with};
 use expect_test::{Expect, expect};
 use ladder_analysis::values::value::Value;
-use ladder_simulator::scenario::{Recorded, bind, parse, record, run};
+use ladder_simulator::scenario::{self, Recorded, Wanted, bind, parse, run};
 use ladder_simulator::value_text;
 use ladder_simulator::{HistoryLimits, Options, Session};
 
@@ -28,6 +28,15 @@ fn scan(session: &mut Session, scans: usize) {
     for _ in 0..scans {
         session.scan();
     }
+}
+
+fn record(session: &Session, program: &str, name: &str) -> Result<Recorded, String> {
+    let wanted = Wanted {
+        program,
+        name,
+        outputs: None,
+    };
+    scenario::record(session, wanted)
 }
 
 #[track_caller]
@@ -105,9 +114,10 @@ fn what_was_pressed_and_what_came_of_it() {
             interval 10ms
 
             scenario "what was done"
-            start    ------------
-            warm  => _-----------
-            run   => ------------
+            time     . 550ms
+            start    - -
+            warm  => _ -
+            run   => - -
         "#]],
     );
 }
@@ -129,19 +139,19 @@ fn values_of_all_types() {
         &session,
         text,
         expect![[r#"
-        program motor.clad
-        step 20ms
-        interval 10ms
+            program motor.clad
+            step 20ms
+            interval 10ms
 
-        scenario "what was done"
-        level    3.5 . .
-        wait     T#1s500ms . .
-        n        . -7 4
-        k        . . 100
-        name  => '' '' 'it$'s # n'
-        half  => 1.75 1.75 1.75
-        long  => T#1s500ms T#1s500ms T#1s500ms
-    "#]],
+            scenario "what was done"
+            level    3.5     .       .
+            wait     1s500ms .       .
+            n        .       -7      4
+            k        .       .       100
+            name  => ''      ''      'it$'s # n'
+            half  => 1.75    1.75    1.75
+            long  => 1s500ms 1s500ms 1s500ms
+        "#]],
     );
 }
 
@@ -227,13 +237,14 @@ fn what_was_pressed_is_known_for_as_long_as_the_session_lasts() {
         MOTOR,
         expect![[r#"
             program motor.clad
-            step 10s
+            step 50ms
             interval 10ms
 
             scenario "what was done"
-            start    _-___
-            warm  => _----
-            run   => _----
+            time     10s . 9.95s 30s
+            start    _   - -     _
+            warm  => _   _ -     -
+            run   => _   - -     -
         "#]],
     );
     // On another way what was given on the first one was not given.
@@ -247,25 +258,169 @@ fn what_was_pressed_is_known_for_as_long_as_the_session_lasts() {
         MOTOR,
         expect![[r#"
             program motor.clad
-            step 10s
+            step 50ms
             interval 10ms
 
             scenario "what was done"
-            start    _-___-----
-            warm  => _---------
-            run   => _---------
+            time     10s . 9.95s 30s 50s
+            start    _   - -     _   -
+            warm  => _   _ -     -   -
+            run   => _   - -     -   -
         "#]],
     );
     let mut hour = Session::of(simulation(MOTOR), HistoryLimits::of_scans(3));
     scan(&mut hour, 7);
     set(&mut hour, "start", "1");
     scan(&mut hour, 60_000);
-    let recorded = record(&hour, "motor.clad", "what was done").unwrap();
-    assert_eq!(
-        recorded.text.lines().last().unwrap().len(),
-        "run   => ".len() + 60_007
+    check(
+        &hour,
+        MOTOR,
+        expect![[r#"
+        program motor.clad
+        step 10ms
+        interval 10ms
+
+        scenario "what was done"
+        time     70ms 50ms 9m59s950ms
+        start    _    -    -
+        warm  => _    _    -
+        run   => _    -    -
+    "#]],
     );
-    passes(&recorded, MOTOR);
+}
+
+/// A belt for a minute, with a box every six seconds: as people press, at any moment.
+#[test]
+fn a_minute_fits_on_a_screen() {
+    let text = include_str!("../../../examples/conveyor.clad");
+    let mut session = session(text);
+    let mut give = |scans: usize, tag: &str, value: &str| {
+        scan(&mut session, scans);
+        set(&mut session, tag, value);
+    };
+    give(0, "stop", "1");
+    give(123, "start", "1");
+    give(31, "start", "0");
+    for _ in 0..9 {
+        give(437, "beam", "1");
+        give(63, "beam", "0");
+    }
+    give(611, "stop", "0");
+    scan(&mut session, 200);
+    let wanted = Wanted {
+        program: "conveyor.clad",
+        name: "recorded",
+        outputs: None,
+    };
+    let recorded = scenario::record(&session, wanted).unwrap();
+    passes(&recorded, text);
+    assert!(recorded.text.lines().count() <= 40, "{}", recorded.text);
+    assert!(
+        recorded.text.lines().all(|line| line.len() <= 80),
+        "{}",
+        recorded.text
+    );
+    expect![[r#"
+        program conveyor.clad
+        step 10ms
+        interval 10ms
+
+        scenario "recorded"
+        time       1.23s 310ms 4.37s 630ms 4.37s 630ms 4.37s 630ms 4.37s 630ms 4.37s
+        stop       -     -     -     -     -     -     -     -     -     -     -
+        start      _     -     _     _     _     _     _     _     _     _     _
+        beam       _     _     _     -     _     -     _     -     _     -     _
+        belt    => _     -     -     -     -     -     -     -     -     -     -
+        pusher  => _     _     _     _     _     _     _     _     _     _     _
+        jam     => _     _     _     _     _     _     _     _     _     _     _
+        running => _     -     -     -     -     -     -     -     -     -     -
+
+        time       630ms 4.37s 630ms 2s 2.37s 630ms 4.37s 630ms 4.37s 630ms 6.11s 2s
+        stop       -     -     -     -  -     -     -     -     -     -     -     _
+        beam       -     _     -     _  _     -     _     -     _     -     _     _
+        belt    => -     -     -     _  -     -     -     -     -     -     -     _
+        pusher  => _     _     _     -  _     _     _     _     _     _     _     _
+        jam     => _     _     _     _  _     _     _     _     _     _     _     _
+        running => -     -     -     -  -     -     -     -     -     -     -     _
+    "#]]
+    .assert_eq(&recorded.text);
+    let chosen = ["boxes.CV".to_owned(), "belt".to_owned()];
+    let wanted = Wanted {
+        outputs: Some(&chosen),
+        ..wanted
+    };
+    let recorded = scenario::record(&session, wanted).unwrap();
+    passes(&recorded, text);
+    expect![[r#"
+        program conveyor.clad
+        step 10ms
+        interval 10ms
+
+        scenario "recorded"
+        time        1.23s 310ms 4.37s 630ms 4.37s 630ms 4.37s 630ms 4.37s 630ms 4.37s
+        stop        -     -     -     -     -     -     -     -     -     -     -
+        start       _     -     _     _     _     _     _     _     _     _     _
+        beam        _     _     _     -     _     -     _     -     _     -     _
+        boxes.CV => 0     0     0     0     1     1     2     2     3     3     4
+        belt     => _     -     -     -     -     -     -     -     -     -     -
+
+        time        630ms 4.37s 630ms . 1.99s 2.37s 630ms 4.37s 630ms 4.37s 630ms 6.11s
+        beam        -     _     -     _ _     _     -     _     -     _     -     _
+        boxes.CV => 4     5     5     6 0     0     0     1     1     2     2     3
+        belt     => -     -     -     _ _     -     -     -     -     -     -     -
+
+        time        2s
+        stop        _
+        boxes.CV => 3
+        belt     => _
+    "#]]
+    .assert_eq(&recorded.text);
+    let none = scenario::record(
+        &session,
+        Wanted {
+            outputs: Some(&[]),
+            ..wanted
+        },
+    );
+    assert!(none.unwrap_err().contains("choose one"));
+    let unknown = ["bolt".to_owned()];
+    let unknown = scenario::record(
+        &session,
+        Wanted {
+            outputs: Some(&unknown),
+            ..wanted
+        },
+    );
+    assert!(unknown.unwrap_err().contains("did you mean belt"));
+    let offered = scenario::recordable(&session);
+    let names: Vec<&str> = offered.iter().map(|it| it.name.as_str()).collect();
+    expect!["belt pusher jam running passed total boxes.Q boxes.CV push.Q push.ET blocked.Q blocked.ET"]
+        .assert_eq(&names.join(" "));
+}
+
+/// A tag that changes in every scan does not make a column of each.
+#[test]
+fn a_tag_that_always_changes_makes_no_columns() {
+    let text = "VAR_INPUT go : BOOL; END_VAR\nVAR_OUTPUT n : DINT; on : BOOL; END_VAR\n+--[ADD]( n, n, 1 )--+\n+--[ ]( go )--( )( on )--+\n";
+    let mut session = session(text);
+    scan(&mut session, 500);
+    set(&mut session, "go", "1");
+    scan(&mut session, 700);
+    check(
+        &session,
+        text,
+        expect![[r#"
+        program motor.clad
+        step 1s
+        interval 10ms
+
+        scenario "what was done"
+        time    5s  7s
+        go      _   -
+        n    => 500 1200
+        on   => _   -
+    "#]],
+    );
 }
 
 #[test]

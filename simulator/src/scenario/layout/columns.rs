@@ -39,7 +39,11 @@ impl From<&TimeRow> for Laid {
             name: row.range,
             is_expected: false,
             first: row.first,
-            cells: row.cells.iter().map(|(time, place)| (time.is_some(), *place)).collect(),
+            cells: row
+                .cells
+                .iter()
+                .map(|(time, place)| (time.is_some(), *place))
+                .collect(),
             tolerance: None,
         }
     }
@@ -61,7 +65,10 @@ pub(super) struct Columns {
 impl Columns {
     /// The width of the longest tag.
     pub(super) fn names(rows: &[Laid], text: &str) -> usize {
-        rows.iter().map(|row| width(at(text, row.name))).max().unwrap_or(0)
+        rows.iter()
+            .map(|row| width(at(text, row.name)))
+            .max()
+            .unwrap_or(0)
     }
 
     /// The columns of rows below each other, whose longest tag has this width.

@@ -169,11 +169,18 @@ fn rows_of(number: usize, suite: &Suite, shapes: &[Shape]) -> Vec<Laid> {
 /// The columns of a scenario's rows: those that begin with one step have columns of their own, but all tags are as wide.
 fn pieces(rows: &[Laid], text: &str) -> Vec<(usize, Columns)> {
     let names = Columns::names(rows, text);
-    let of = |rows: &[Laid]| (rows.first().map_or(0, |row| row.first), Columns::of(rows, names, text));
+    let of = |rows: &[Laid]| {
+        (
+            rows.first().map_or(0, |row| row.first),
+            Columns::of(rows, names, text),
+        )
+    };
     if rows.is_empty() {
         return vec![of(rows)];
     }
-    rows.chunk_by(|above, below| above.first == below.first).map(of).collect()
+    rows.chunk_by(|above, below| above.first == below.first)
+        .map(of)
+        .collect()
 }
 
 /// Whether a scenario begins here, with the comments above it.
