@@ -207,6 +207,7 @@ A comment ends at the very next one."
 
 (defconst ladder--test-keywords
   '(("^[ \t]*\\(scenario\\|program\\|step\\|interval\\|tolerance\\)\\_>" 1 font-lock-keyword-face)
+    ("^[ \t]*\\(time\\)[ \t]+[^= \t]" 1 font-lock-keyword-face)
     ("\"[^\"\n]*\"" . font-lock-string-face)
     ("'\\(?:\\$.\\|[^'$\n]\\)*'" . font-lock-string-face)
     ("=>" . font-lock-keyword-face)

@@ -6,14 +6,11 @@ use super::plant::{Plant, Ran, Restart, StepUnit};
 use super::theme::Theme;
 use super::update::Command;
 use super::view::{Mode, Reasons, View};
-use ladder_simulator::{Changeover, scenario};
+use ladder_simulator::Changeover;
 use ladder_workspace::Stamp;
 use ratatui::Frame;
 use ratatui::crossterm::event::Event;
 use ratatui::layout::Rect;
-use std::fs::OpenOptions;
-use std::io::{ErrorKind, Write};
-use std::path::Path;
 use std::time::{Duration, Instant};
 
 /// A screen and its program.
@@ -21,7 +18,7 @@ pub(super) struct App<'r> {
     pub(super) view: View,
     pub(super) plant: Plant,
     theme: Theme,
-    request: &'r Request<'r>,
+    pub(super) request: &'r Request<'r>,
     stamp: Stamp,
     /// Simulated time that has passed and was not scanned yet.
     debt: i64,
@@ -131,7 +128,7 @@ impl<'r> App<'r> {
                 self.reload();
                 Ok(())
             }
-            Command::Record => self.record(),
+            Command::Record(outputs) => self.record(&outputs),
             Command::Redraw => return Next::Redraw,
             Command::Stop => return Next::Stop,
             Command::Quit => return Next::Quit,
@@ -227,21 +224,6 @@ impl<'r> App<'r> {
         self.view.say(said);
     }
 
-    /// Writes what was done so far as a file of scenarios next to the program; one that is there is left alone.
-    fn record(&mut self) -> Result<(), String> {
-        let program = self.request.file;
-        let name = program.file_name().unwrap_or_default().to_string_lossy();
-        let recorded = self.plant.record_as_test(&name)?;
-        let file = keep(
-            &recorded.text,
-            &program.with_file_name(scenario::recorded_file(&name)),
-        )?;
-        let written = format!("{file} was written: `ladder test` runs it");
-        let said: Vec<String> = std::iter::once(written).chain(recorded.notes).collect();
-        self.view.say(said.join("; "));
-        Ok(())
-    }
-
     /// Draws the screen.
     pub(super) fn draw(&mut self, frame: &mut Frame) {
         if frame.area() != self.view.area {
@@ -257,30 +239,6 @@ impl<'r> App<'r> {
             },
         );
     }
-}
-
-/// Writes a new file; its name, with a number if there is one of that name.
-fn keep(text: &str, file: &Path) -> Result<String, String> {
-    let stem = file.file_stem().unwrap_or_default().to_string_lossy();
-    for number in 1..1000 {
-        let file = match number {
-            1 => file.to_owned(),
-            number => file.with_file_name(format!("{stem}-{number}.ladder-test")),
-        };
-        let name = || {
-            file.file_name()
-                .unwrap_or_default()
-                .to_string_lossy()
-                .into_owned()
-        };
-        let opened = OpenOptions::new().write(true).create_new(true).open(&file);
-        match opened.and_then(|mut opened| opened.write_all(text.as_bytes())) {
-            Ok(()) => return Ok(name()),
-            Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
-            Err(error) => return Err(format!("{} cannot be written: {error}", name())),
-        }
-    }
-    Err(format!("there are a thousand files of the name {stem} already"))
 }
 
 /// A test wants to see the terminal after a panic. Programs that are built for use do not know this.

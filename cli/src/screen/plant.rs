@@ -8,7 +8,7 @@ use ladder_analysis::program::{Program, Role};
 use ladder_analysis::values::value::Value;
 use ladder_simulator::Inputs;
 use ladder_simulator::chart::{Recorder, Track};
-use ladder_simulator::scenario::{self, Recorded};
+use ladder_simulator::scenario::{self, Recordable, Recorded, Wanted};
 use ladder_simulator::{
     Brake, Breakpoint, Changeover, CompileError, Fault, Hit, Point, Session, Simulation, Status, Stepped,
     Stop,
@@ -187,12 +187,31 @@ impl Plant {
         why.text(&self.texts.iter().map(String::as_str).collect::<Vec<_>>())
     }
 
-    /// What was done so far, as a scenario of the program's file.
+    /// What was done so far, as a scenario of the program's file that expects something of these tags.
     ///
     /// # Errors
     /// There is nothing that could be recorded: why.
-    pub(super) fn record_as_test(&self, program: &str) -> Result<Recorded, String> {
-        scenario::record(&self.session, program, "recorded")
+    pub(super) fn record_as_test(
+        &self,
+        program: &str,
+        outputs: Option<&[String]>,
+    ) -> Result<Recorded, String> {
+        let wanted = Wanted {
+            program,
+            name: "recorded",
+            outputs,
+        };
+        scenario::record(&self.session, wanted)
+    }
+
+    /// The tags of which a recording can expect something.
+    pub(super) fn recordable(&self) -> Vec<Recordable> {
+        scenario::recordable(&self.session)
+    }
+
+    /// Whether what was recorded passes when it is run as a test.
+    pub(super) fn passes(&self, recorded: &Recorded) -> bool {
+        scenario::passes(&self.session, recorded)
     }
 
     /// The last thing that went wrong, and how often it did in its place.

@@ -1,6 +1,7 @@
 //! What a key or a click changes. The view changes at once; what concerns the program is given back as commands.
 
 use super::keys::{self, Action};
+use super::outputs::Outputs;
 use super::picker::{self, Picker};
 use super::plant::{Plant, Restart};
 use super::prompt::{self, Prompt};
@@ -31,7 +32,8 @@ pub(super) enum Command {
     Watch(Point),
     Unwatch(Point),
     Reload,
-    Record,
+    /// Writes a test that expects something of these tags.
+    Record(Vec<String>),
     Redraw,
     Stop,
     Quit,
@@ -74,6 +76,7 @@ impl View {
             Mode::Prompt(prompt) => self.prompt_key(prompt, key),
             Mode::Force(point) => self.force_key(point, key),
             Mode::Pick(picker) => self.picker_key(picker, key, plant),
+            Mode::Outputs(outputs) => self.outputs_key(outputs, key),
         }
     }
 
@@ -151,7 +154,10 @@ impl View {
             Action::LongerTime => self.scale = self.scale.longer(),
             Action::GoToFault => self.go_to_fault(plant),
             Action::Reload => return vec![Command::Reload],
-            Action::Record => return vec![Command::Record],
+            Action::Record => match Outputs::new(plant) {
+                Ok(outputs) => self.mode = Mode::Outputs(outputs),
+                Err(why) => self.refuse(why),
+            },
             Action::Help => self.mode = Mode::Help,
             Action::Close => self.note = None,
             Action::Redraw => return vec![Command::Redraw],
@@ -394,6 +400,20 @@ impl View {
             _ => {}
         }
         self.mode = Mode::Pick(picker);
+        Vec::new()
+    }
+
+    fn outputs_key(&mut self, mut outputs: Outputs, key: KeyEvent) -> Commands {
+        match key.code {
+            KeyCode::Esc => return Vec::new(),
+            KeyCode::Enter => return vec![Command::Record(outputs.chosen())],
+            KeyCode::Up | KeyCode::BackTab | KeyCode::Char('k') => outputs.move_by(-1),
+            KeyCode::Down | KeyCode::Tab | KeyCode::Char('j') => outputs.move_by(1),
+            KeyCode::Char(' ') => outputs.toggle(),
+            KeyCode::Char('a') => outputs.toggle_all(),
+            _ => {}
+        }
+        self.mode = Mode::Outputs(outputs);
         Vec::new()
     }
 

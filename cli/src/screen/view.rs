@@ -1,6 +1,7 @@
 //! What a person sees of a running program: a plain value. Events change it (`update`), drawing only reads it.
 
 use super::columns;
+use super::outputs::Outputs;
 use super::panes::{Panes, panes};
 use super::picker::Picker;
 use super::plant::Plant;
@@ -47,6 +48,8 @@ pub(super) enum Mode {
     Force(Point),
     /// A tag is being looked for.
     Pick(Picker),
+    /// Tags are being chosen of which a recorded test expects something.
+    Outputs(Outputs),
 }
 
 /// An answer that may be longer than the screen is high.

@@ -143,6 +143,13 @@ fn json() {
                       "column": 12,
                       "line": 10,
                       "message": "run is FALSE in step 3 (at 30ms), TRUE was expected; 3 of 6 steps differ",
+                      "places": [
+                        {
+                          "column": 12,
+                          "end_column": 15,
+                          "line": 10
+                        }
+                      ],
                       "steps": [
                         3,
                         4,

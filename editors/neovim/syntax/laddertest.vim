@@ -7,6 +7,8 @@ endif
 syntax match laddertestTag /^\s*[^ \t#"'=]\+/
 syntax match laddertestArrow /=>/
 syntax match laddertestHeading /^\s*\%(program\|step\|interval\|tolerance\)\>/
+" How long the steps below are; expected of a tag of that name is something with an arrow.
+syntax match laddertestHeading /^\s*time\>\%(\s*=>\)\@!/
 syntax match laddertestScenario /^\s*scenario\>/
 syntax match laddertestName /"[^"]*"/
 syntax match laddertestText /'\%(\$.\|[^'$]\)*'/

@@ -10,6 +10,7 @@ import { showReferences } from './lenses.ts';
 import { askValue, pickTag } from './prompts.ts';
 import { forceVariable, releaseVariable, startDebugging, stepBackScan } from './debugger.ts';
 import type { Speed, Tag } from './protocol.ts';
+import { record } from './record.ts';
 import type { Server } from './server.ts';
 import type { Simulation } from './simulation.ts';
 import { goToStop } from './tabStops.ts';
@@ -100,17 +101,6 @@ async function trace(simulation: Simulation, view: TraceView, given: Tag | undef
     }
 }
 
-/** Opens what was done so far as a new file of scenarios; a person saves it next to the program. */
-async function record(simulation: Simulation): Promise<void> {
-    const recorded = await simulation.record();
-    if (recorded) {
-        const document = await vscode.workspace.openTextDocument({ language: 'ladder-test', content: recorded.text });
-        await vscode.window.showTextDocument(document, vscode.ViewColumn.Beside);
-        const parts = [`Save it as ${recorded.file} next to the program to run it`, ...(recorded.notes ?? [])];
-        void vscode.window.showInformationMessage(`Ladder: ${parts.join('; ')}.`);
-    }
-}
-
 const speeds: readonly { readonly label: string; readonly description: string; readonly speed: Speed }[] = [
     { label: '0.01x', description: 'very slow motion', speed: { speed: 0.01 } },
     { label: '0.1x', description: 'slow motion', speed: { speed: 0.1 } },
@@ -162,7 +152,7 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
         'ladder.simulation.pause': () => simulation.pause(),
         'ladder.simulation.reset': () => simulation.command('reset', {}),
         'ladder.openExample': openExample,
-        'ladder.simulation.record': () => record(simulation),
+        'ladder.simulation.record': () => record(simulation, tests),
         'ladder.simulation.warmRestart': () => simulation.command('warmRestart', {}),
         'ladder.simulation.stop': () => simulation.stop(),
         'ladder.simulation.set': (tag) => assign(simulation, 'set', tag),

@@ -150,6 +150,10 @@ export interface Why {
 export interface Recorded {
     readonly file: string;
     readonly text: string;
+    /** The tags of which something is expected. */
+    readonly outputs: readonly string[];
+    /** All that `outputs` may have. */
+    readonly offered: readonly { readonly name: string; readonly type: string; readonly output: boolean }[];
     readonly notes?: readonly string[];
 }
 
@@ -164,7 +168,7 @@ export interface Commands {
     breakpoints: { argument: { lines: number[]; tags: string[] }; answer: State };
     why: { argument: { tag: string }; answer: Why };
     trace: { argument: TraceAsked & { tags: readonly string[] }; answer: Traced };
-    record: { argument: object; answer: Recorded };
+    record: { argument: { outputs?: readonly string[] }; answer: Recorded };
     warmRestart: { argument: object; answer: State };
     run: { argument: object; answer: State };
     speed: { argument: Speed; answer: State };

@@ -31,6 +31,8 @@ export interface Difference {
     readonly column: number;
     /** From 0. */
     readonly steps: readonly number[];
+    /** Where the values are that differ: from 1, `end_column` is the one after the last. */
+    readonly places: readonly { readonly line: number; readonly column: number; readonly end_column: number }[];
     readonly message: string;
 }
 
@@ -59,31 +61,12 @@ export function unitsBefore(line: string, column: number): number {
     return [...line].slice(0, column - 1).join('').length;
 }
 
-/**
- * Where the steps of a row are that are not as expected: each run of them in a waveform, else the first value.
- *
- * @param line the row's text
- */
-export function failingStretches(line: string, { line: number, column, steps }: Difference): Stretch[] {
-    const first = unitsBefore(line, column);
-    const at = number - 1;
-    const wave = /^[_\-.]+/.exec(line.slice(first))?.[0] ?? '';
-    const [from] = steps;
-    if (from === undefined || wave === '') {
-        const word = /^'[^']*'|^\S+/.exec(line.slice(first))?.[0] ?? ' ';
-        return [{ line: at, start: first, end: first + word.length }];
-    }
-    const stretches: { line: number; start: number; end: number }[] = [];
-    for (const step of steps) {
-        const start = first + step - from;
-        const last = stretches.at(-1);
-        if (last?.end === start) {
-            last.end += 1;
-        } else if (start < first + wave.length) {
-            stretches.push({ line: at, start, end: start + 1 });
-        }
-    }
-    return stretches;
+/** Where the values of a row are that are not as expected. */
+export function failingStretches(lines: readonly string[], { places }: Difference): Stretch[] {
+    return places.map(({ line, column, end_column: end }) => {
+        const text = lines[line - 1] ?? '';
+        return { line: line - 1, start: unitsBefore(text, column), end: unitsBefore(text, end) };
+    });
 }
 
 /** What is missing of a contact, comparison or coil to have been seen both ways. */

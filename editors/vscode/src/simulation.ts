@@ -155,10 +155,10 @@ export class Simulation implements vscode.Disposable {
         }
     }
 
-    /** What was done so far, as a scenario. */
-    async record(): Promise<Recorded | undefined> {
+    /** What was done so far, as a scenario that expects something of these tags. */
+    async record(outputs?: readonly string[]): Promise<Recorded | undefined> {
         const session = this.current;
-        return session && (await this.#tell(session.command('record', {})));
+        return session && (await this.#tell(session.command('record', { ...(outputs && { outputs }) })));
     }
 
     /** Why a tag holds what it holds, in words. */

@@ -246,7 +246,7 @@ export class TestExplorer implements vscode.Disposable {
     #showDifferences(uri: vscode.Uri, { scenarios }: FileResult, lines: readonly string[]): void {
         const findings = scenarios.flatMap(({ name, differences }) =>
             differences.flatMap((difference) =>
-                failingStretches(lines[difference.line - 1] ?? '', difference).map((stretch) => {
+                failingStretches(lines, difference).map((stretch) => {
                     const finding = new vscode.Diagnostic(toRange(stretch), difference.message, vscode.DiagnosticSeverity.Error);
                     finding.source = `scenario "${name}"`;
                     return finding;

@@ -13,17 +13,17 @@ test('the scenarios of a file, and where they end', () => {
     assert.deepEqual(scenariosOf(''), []);
 });
 
-test('the steps of a waveform that fail, run by run', () => {
-    const difference = { tag: 'run', line: 4, column: 10, steps: [2, 3, 6], message: '' };
-    assert.deepEqual(failingStretches('run => __-----', difference), [
-        { line: 3, start: 9, end: 11 },
-        { line: 3, start: 13, end: 14 },
+test('the values that differ are marked, in whichever row they are', () => {
+    const lines = ['time  => 1s .', 'run   => _  -', '', 'ü => ä'];
+    const places = [
+        { line: 2, column: 10, end_column: 11 },
+        { line: 4, column: 6, end_column: 7 },
+    ];
+    const difference = { tag: 'run', line: 2, column: 10, steps: [0, 2], places, message: '' };
+    assert.deepEqual(failingStretches(lines, difference), [
+        { line: 1, start: 9, end: 10 },
+        { line: 3, start: 5, end: 6 },
     ]);
-});
-
-test('of a row of values the first that fails', () => {
-    const difference = { tag: 'level', line: 1, column: 12, steps: [1, 2], message: '' };
-    assert.deepEqual(failingStretches('level => 0 12.5 13.0', difference), [{ line: 0, start: 11, end: 15 }]);
 });
 
 test('columns count characters', () => {

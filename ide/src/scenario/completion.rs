@@ -9,7 +9,7 @@ use super::used::used_files;
 use crate::completion::{Completion, CompletionKind, Completions, Snippet, Topic};
 use ladder_analysis::program::SystemTag;
 use ladder_analysis::values::types::Scalar;
-use ladder_simulator::scenario::{Direction, HEADINGS, Scenario, TextLine};
+use ladder_simulator::scenario::{Direction, HEADINGS, Scenario, TIME, TextLine, TimeRow};
 use ladder_syntax::{Name, TextRange, TextSize};
 
 /// This many are proposed at once.
@@ -124,6 +124,9 @@ fn at_line_start(
     let written = &scenarios.text[out.word];
     if let Some(scenario) = scenario {
         tags(scenarios, scenario, offset, written, out);
+        if trigger.is_none() {
+            word(TIME, Snippet::plain_text(format!("{TIME} ")), out);
+        }
     } else {
         let suite = &scenarios.suite;
         let given = |heading: &str| match heading {
@@ -160,10 +163,12 @@ fn tags(
     out: &mut Proposals,
 ) {
     let Some(program) = scenarios.program else { return };
+    let first = time_above(scenario, offset).map_or(0, |time| time.first);
     let has_row = |name: &str, direction: Direction| {
         let mut rows = scenario.rows.iter();
         rows.any(|row| {
             row.direction == direction
+                && row.first == first
                 && Name::new(&row.name) == Name::new(name)
                 && !row.range.contains_inclusive(offset)
         })
@@ -253,6 +258,13 @@ fn in_row(
     start: TextSize,
     out: &mut Proposals,
 ) {
+    if tag == TIME && after != Some("=>") {
+        out.value(".", "as long as `step` says");
+        for duration in ["100ms", "1s", "3s", "1m"] {
+            out.value(duration, "so long is the step");
+        }
+        return;
+    }
     if after.is_none() {
         let words = "What follows is expected of the program after each step.";
         out.add(
@@ -286,15 +298,26 @@ fn in_row(
     }
 }
 
+/// The row `time` that an offset is below.
+fn time_above(scenario: &Scenario, offset: TextSize) -> Option<&TimeRow> {
+    scenario
+        .times
+        .iter()
+        .rev()
+        .find(|time| time.range.start() < offset)
+}
+
 /// Levels: one, or as many as the other rows have steps.
 fn levels(scenario: &Scenario, start: TextSize, out: &mut Proposals) {
     let own = scenario.rows.iter().find(|row| row.range.start() >= start);
     let own = own.filter(|row| row.range.start() < out.word.end());
-    let others = scenario
-        .rows
-        .iter()
-        .filter(|row| row.range.start() < start || row.range.start() > out.word.end());
-    let steps = others.map(|row| row.cells.len()).max().unwrap_or(0);
+    let time = time_above(scenario, start);
+    let first = time.map_or(0, |time| time.first);
+    let others = scenario.rows.iter().filter(|row| {
+        row.first == first && (row.range.start() < start || row.range.start() > out.word.end())
+    });
+    let longest = others.map(|row| row.cells.len()).max().unwrap_or(0);
+    let steps = time.map_or(longest, |time| time.cells.len());
     let there = own.map_or(0, |row| {
         row.cells
             .iter()

@@ -33,7 +33,8 @@ pub fn hover(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<(Hover, Opti
         AtCursor::Program(range) => (range, program(scenarios)?),
         AtCursor::Scenario(scenario) => (scenario.range, length(scenarios, scenario)),
         AtCursor::Tag(row) => (row.range, of_value(scenarios, row)?),
-        AtCursor::Step(scenario, row, step) => (row.cells[step].1, of_step(scenarios, scenario, row, step)),
+        AtCursor::Step(scenario, row, cell) => (row.cells[cell].1, of_step(scenarios, scenario, row, cell)),
+        AtCursor::Time(scenario, range, step) => (range, when(scenarios, scenario, step)),
         AtCursor::Tolerance(range) => (
             range,
             "How far a value may be from what is expected: `± 0.01`, or a part of it, `± 1%`.".to_owned(),
@@ -75,6 +76,10 @@ pub(super) fn keyword(word: &str) -> Option<&'static str> {
             "The time from one scan to the next. Without it what `ladder.toml` or the program says."
         }
         "tolerance" => "How far all reals may be from what is expected, such as `0.001` or `1%`.",
+        "time" => {
+            "How long each of the steps below it is, such as `3s`; `.` for one as long as `step` says. A second row `time` goes \
+             on with more steps."
+        }
         "scenario" => {
             "What is shown, in quotes. Its rows follow: a tag and a value for each step. Each scenario starts cold."
         }
@@ -95,13 +100,41 @@ fn program(scenarios: &Scenarios<'_>) -> Option<String> {
 
 fn length(scenarios: &Scenarios<'_>, scenario: &Scenario) -> String {
     let steps = counted(scenario.steps, "step");
-    match scenarios.suite.step {
-        Some((step, _)) => format!(
-            "{steps} of {}, {} together. It starts cold.",
-            time(step),
-            time(step.saturating_mul(scenario.steps as i64))
-        ),
-        None => format!("{steps} of one scan each. It starts cold."),
+    let alike = scenario.times.is_empty();
+    match (scenarios.suite.step, begin(scenarios, scenario, scenario.steps)) {
+        (Some((step, _)), Some(all)) if alike => {
+            format!(
+                "{steps} of {}, {} together. It starts cold.",
+                time(step),
+                time(all)
+            )
+        }
+        (_, Some(all)) => format!("{steps}, {} together. It starts cold.", time(all)),
+        (_, None) if alike => format!("{steps} of one scan each. It starts cold."),
+        (_, None) => format!("{steps}. It starts cold."),
+    }
+}
+
+/// When a step begins, where that is known without the time of a scan.
+fn begin(scenarios: &Scenarios<'_>, scenario: &Scenario, step: usize) -> Option<i64> {
+    let usual = scenarios.suite.step.map(|(step, _)| step);
+    let usual = usual.or(scenarios.suite.interval.map(|(interval, _)| interval));
+    if scenario.times.is_empty() {
+        return Some(scenarios.suite.step?.0.saturating_mul(i64::try_from(step).ok()?));
+    }
+    (0..step).try_fold(0i64, |sum, step| {
+        Some(sum.saturating_add(scenario.time_of(step).or(usual)?))
+    })
+}
+
+/// Which step it is, and from when to when it lasts.
+fn when(scenarios: &Scenarios<'_>, scenario: &Scenario, step: usize) -> String {
+    let number = format!("step {} of {}", step + 1, scenario.steps);
+    let times = begin(scenarios, scenario, step).zip(begin(scenarios, scenario, step + 1));
+    match times {
+        Some((from, to)) => format!("{number}: {} to {}", time(from), time(to)),
+        None if scenario.times.is_empty() => format!("{number}: scan {}", step + 1),
+        None => number,
     }
 }
 
@@ -147,7 +180,7 @@ fn declared_comment(program: &Context, tag: &TagFacts) -> Option<String> {
     )
 }
 
-fn of_step(scenarios: &Scenarios<'_>, scenario: &Scenario, row: &Row, step: usize) -> String {
+fn of_step(scenarios: &Scenarios<'_>, scenario: &Scenario, row: &Row, number: usize) -> String {
     let ty = value_type(scenarios, &row.name);
     let shown = |cell: &Cell| match cell {
         Cell::Low => "low (`FALSE`)".to_owned(),
@@ -159,12 +192,12 @@ fn of_step(scenarios: &Scenarios<'_>, scenario: &Scenario, row: &Row, step: usiz
             format!("`{}`", value.replace('`', "'"))
         }
     };
-    let before = row.cells[..step]
+    let before = row.cells[..number]
         .iter()
         .rev()
         .find(|(cell, _)| *cell != Cell::Same);
     let name = format!("`{}`", row.name);
-    let said = match (&row.cells[step].0, row.direction) {
+    let said = match (&row.cells[number].0, row.direction) {
         (Cell::Same, Direction::Expected) => format!("{name} is not checked"),
         (Cell::Same, Direction::Given) => match before {
             Some((cell, _)) => format!("{name} is not given again; last it was {}", shown(cell)),
@@ -173,14 +206,7 @@ fn of_step(scenarios: &Scenarios<'_>, scenario: &Scenario, row: &Row, step: usiz
         (cell, Direction::Given) => format!("{name} is given: {}", shown(cell)),
         (cell, Direction::Expected) => format!("{name} is expected to be {}", shown(cell)),
     };
-    let number = format!("step {} of {}", step + 1, scenario.steps);
-    match scenarios.suite.step {
-        Some((length, _)) => {
-            let at = |step: usize| time(length.saturating_mul(step as i64));
-            format!("{said}  \n{number}: {} to {}", at(step), at(step + 1))
-        }
-        None => format!("{said}  \n{number}: scan {}", step + 1),
-    }
+    format!("{said}  \n{}", when(scenarios, scenario, row.first + number))
 }
 
 fn time(nanoseconds: i64) -> String {

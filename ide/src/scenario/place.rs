@@ -1,7 +1,7 @@
 //! What is at an offset of a scenario file.
 
 use super::file::Scenarios;
-use ladder_simulator::scenario::{Row, Scenario};
+use ladder_simulator::scenario::{Row, Scenario, TimeRow};
 use ladder_syntax::{TextRange, TextSize, line_around};
 
 /// What the cursor is at.
@@ -13,10 +13,12 @@ pub(super) enum AtCursor<'s> {
     Scenario(&'s Scenario),
     /// The tag of a row.
     Tag(&'s Row),
-    /// The value of a step: of which row of which scenario, and the number of the step, from 0.
+    /// The value of a step: of which row of which scenario, and the number of its cell, from 0.
     Step(&'s Scenario, &'s Row, usize),
     /// What is after `±`.
     Tolerance(TextRange),
+    /// How long a step is: its place in a row `time`, and the number of the step.
+    Time(&'s Scenario, TextRange, usize),
 }
 
 /// What is at an offset; a cursor right after a word counts, unless something else begins there.
@@ -33,11 +35,16 @@ pub(super) fn place<'s>(scenarios: &Scenarios<'s>, offset: TextSize) -> Option<A
     if scenario.range.contains_inclusive(offset) {
         return Some(AtCursor::Scenario(scenario));
     }
-    let row = scenario
-        .rows
+    let time = scenario
+        .times
         .iter()
         .rev()
-        .find(|row| row.range.start() <= offset)?;
+        .find(|row| row.range.start() <= offset);
+    let row = scenario.rows.iter().rev().find(|row| row.range.start() <= offset);
+    if let Some(time) = time.filter(|time| row.is_none_or(|row| row.range.start() < time.range.start())) {
+        return in_time(scenario, time, offset);
+    }
+    let row = row?;
     if row.range.contains_inclusive(offset) {
         return Some(AtCursor::Tag(row));
     }
@@ -46,11 +53,20 @@ pub(super) fn place<'s>(scenarios: &Scenarios<'s>, offset: TextSize) -> Option<A
     {
         return Some(AtCursor::Tolerance(*range));
     }
-    let at = |touches: fn(TextRange, TextSize) -> bool| {
-        row.cells.iter().position(|(_, range)| touches(*range, offset))
-    };
-    let step = at(TextRange::contains).or_else(|| at(TextRange::contains_inclusive))?;
+    let step = cell_at(row.cells.iter().map(|(_, range)| *range), offset)?;
     Some(AtCursor::Step(scenario, row, step))
+}
+
+fn in_time<'s>(scenario: &'s Scenario, time: &'s TimeRow, offset: TextSize) -> Option<AtCursor<'s>> {
+    let cell = cell_at(time.cells.iter().map(|(_, range)| *range), offset)?;
+    Some(AtCursor::Time(scenario, time.cells[cell].1, time.first + cell))
+}
+
+/// The cell at an offset; of two that touch there the second.
+fn cell_at(cells: impl Iterator<Item = TextRange> + Clone, offset: TextSize) -> Option<usize> {
+    let at =
+        |touches: fn(TextRange, TextSize) -> bool| cells.clone().position(|range| touches(range, offset));
+    at(TextRange::contains).or_else(|| at(TextRange::contains_inclusive))
 }
 
 /// The line of an offset, up to its end, and where it begins.

@@ -51,8 +51,8 @@ pub(crate) enum Action {
     Breakpoints(Vec<u32>, Vec<String>),
     /// Say why a tag holds what it holds.
     Why(String),
-    /// Make a scenario of this name of what was done so far.
-    Record(String),
+    /// Make a scenario of this name of what was done so far, which expects something of these tags.
+    Record(String, Option<Vec<String>>),
     /// Say what tags held in the last scans.
     History(Vec<String>, u64),
     /// Record tags, and say what is drawn of them.
@@ -120,7 +120,7 @@ impl Action {
             self,
             Action::State
                 | Action::Why(_)
-                | Action::Record(_)
+                | Action::Record(..)
                 | Action::History(..)
                 | Action::Trace(_)
                 | Action::DiagramText(_)

@@ -1,6 +1,6 @@
 //! What a simulation reports about its past, and where it stops.
 
-use ladder_simulator::scenario;
+use ladder_simulator::scenario::{self, Wanted};
 use ladder_simulator::{Breakpoint, Hit, value_text};
 
 use super::engine::{Engine, point};
@@ -36,12 +36,29 @@ impl Engine {
     }
 
     /// What was done so far as a scenario.
-    pub(super) fn record(&self, name: &str) -> Result<messages::Recorded, Failure> {
+    pub(super) fn record(
+        &self,
+        name: &str,
+        outputs: Option<&[String]>,
+    ) -> Result<messages::Recorded, Failure> {
         let program = self.line_map.shown().file_name();
-        let recorded = scenario::record(&self.session, &program, name).map_err(Failure::Failed)?;
+        let wanted = Wanted {
+            program: &program,
+            name,
+            outputs,
+        };
+        let recorded = scenario::record(&self.session, wanted).map_err(Failure::Failed)?;
+        let offered = scenario::recordable(&self.session).into_iter();
+        let offered = offered.map(|it| messages::Offered {
+            name: it.name,
+            kind: it.ty.to_string(),
+            output: it.is_output,
+        });
         Ok(messages::Recorded {
             file: scenario::recorded_file(&program),
             text: recorded.text,
+            outputs: recorded.expected,
+            offered: offered.collect(),
             notes: recorded.notes,
         })
     }

@@ -198,6 +198,9 @@ pub struct Record {
     /// What the scenario is called; "recorded" unless given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
+    /// The tags of which is expected what they hold; the outputs, and a few other BOOLs that change, unless given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outputs: Option<Vec<String>>,
 }
 
 /// The answer of `ladder.simulate.record`.
@@ -208,9 +211,26 @@ pub struct Recorded {
     pub file: String,
     /// What it holds: one scenario.
     pub text: String,
+    /// The tags of which something is expected.
+    pub outputs: Vec<String>,
+    /// All tags that `outputs` may have.
+    pub offered: Vec<Offered>,
     /// What a person should know of it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
+}
+
+/// A tag of which a scenario can expect something.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Offered {
+    /// The tag.
+    pub name: String,
+    /// Its type.
+    #[serde(rename = "type")]
+    pub kind: String,
+    /// Whether it is an output of the program.
+    pub output: bool,
 }
 
 /// The answer of `ladder.simulate.history`.

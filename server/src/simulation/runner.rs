@@ -144,7 +144,10 @@ impl Runner {
                 let drawn = self.simulation.engine.diagram_text(&asked);
                 drawn.map(Answer::DiagramText)
             }
-            Action::Record(name) => self.simulation.engine.record(&name).map(Answer::Recorded),
+            Action::Record(name, outputs) => {
+                let recorded = self.simulation.engine.record(&name, outputs.as_deref());
+                recorded.map(Answer::Recorded)
+            }
             Action::Tags(search) => Ok(Answer::Found(self.simulation.engine.search(&search))),
             Action::ValuesAt(offset) => Ok(Answer::Values(self.simulation.engine.values_at(offset))),
             Action::HasShown => {
@@ -210,7 +213,7 @@ impl Runner {
             }
             // They change nothing and are answered where they arrive.
             Action::Why(_)
-            | Action::Record(_)
+            | Action::Record(..)
             | Action::History(..)
             | Action::Trace(_)
             | Action::DiagramText(_)

@@ -32,7 +32,7 @@ pub use error::ScenarioError;
 pub use layout::layout;
 pub use parse::{Cell, Direction, HEADINGS, Row, Scenario, Suite, TIME, TimeRow, parse};
 pub use play::Unmet;
-pub use record::{Recordable, Recorded, Wanted, record, recordable, recorded_file};
+pub use record::{Recordable, Recorded, Wanted, passes, record, recordable, recorded_file};
 pub use run::{Difference, Ran, run};
 pub use tolerance::Tolerance;
 pub use words::{Line as TextLine, Word};

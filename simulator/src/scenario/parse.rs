@@ -57,7 +57,7 @@ pub struct TimeRow {
     pub range: TextRange,
     /// The step of its first cell.
     pub first: usize,
-    /// In nanoseconds, with its place; none for a dot, which is a step as the file has them.
+    /// In nanoseconds, with its place; none for a dot, which is a step as the file has them. 0 where no duration is written.
     pub cells: Vec<(Option<i64>, TextRange)>,
 }
 
@@ -259,8 +259,8 @@ impl Reader {
     }
 
     fn scenario(&mut self, first: Word, rest: &[Word]) {
-        self.check_last_time();
         const EXAMPLE: &str = "write it as in: scenario \"the pump starts\"";
+        self.check_last_time();
         let whole = rest
             .last()
             .map_or(first.range(), |last| range(first.start, last.end()));
@@ -322,7 +322,7 @@ impl Reader {
                 _ => {
                     let problem = format!("`{}` is not a duration longer than 0", word.text);
                     self.error(word.range(), problem, EXAMPLE);
-                    cells.push((None, word.range()));
+                    cells.push((Some(0), word.range()));
                 }
             }
         }
@@ -471,9 +471,10 @@ impl Reader {
             row.name,
             counted(there, "step"),
         );
-        let help = match scenario.times.is_empty() {
-            true => "all rows of a scenario have one length: a value for each step",
-            false => "all rows below a row `time` have its length: a value for each step",
+        let help = if scenario.times.is_empty() {
+            "all rows of a scenario have one length: a value for each step"
+        } else {
+            "all rows below a row `time` have its length: a value for each step"
         };
         self.error(place, message, help);
     }

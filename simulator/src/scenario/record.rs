@@ -4,10 +4,11 @@
 //! expects: so it passes, also where the program was changed meanwhile or tags were forced. Where what was seen was
 //! something else, that is reported.
 
-use super::bind::MOST_SCANS;
+use super::bind::{MOST_SCANS, bind};
+use super::parse::parse;
 use super::played::{Choice, Played};
 use super::recorded_text::{self, Cell, Lengths, WrittenRow};
-use super::run::MOST_BLOCKS;
+use super::run::{MOST_BLOCKS, run};
 use crate::session::{MOST_GIVEN, NotKnown, Session};
 use crate::simulation::{Simulation, Status};
 use crate::tags::Point;
@@ -22,6 +23,8 @@ use std::collections::{BTreeMap, BTreeSet};
 pub struct Recorded {
     /// The file.
     pub text: String,
+    /// The tags of which something is expected.
+    pub expected: Vec<String>,
     /// What a person should know of it.
     pub notes: Vec<String>,
 }
@@ -121,7 +124,7 @@ pub fn record(session: &Session, wanted: Wanted<'_>) -> Result<Recorded, String>
     fits(moments.len() as u64, rows.len() + 1, scans)?;
     let mut played = Played::new(&simulation, outputs, choice);
     let ran = play(&mut simulation, &mut rows, scans, |simulation, scan| {
-        played.note(simulation, scan)
+        played.note(simulation, scan);
     })?;
     if ran == 0 {
         return Err("the program stops in its first scan".into());
@@ -174,8 +177,28 @@ pub fn record(session: &Session, wanted: Wanted<'_>) -> Result<Recorded, String>
             quoted(wanted.program),
             recorded_text::text(&all, lengths, wanted.name)
         ),
+        expected: played
+            .tracks
+            .iter()
+            .map(|track| track.point.name.clone())
+            .collect(),
         notes,
     })
+}
+
+/// Whether a recorded scenario passes, when it is run as a test.
+pub fn passes(session: &Session, recorded: &Recorded) -> bool {
+    let suite = parse(&recorded.text);
+    let options = session.simulation().options();
+    let Ok(mut simulation) = Simulation::new(session.newest_program().clone(), options) else {
+        return false;
+    };
+    let (cases, errors) = bind(&suite, &simulation);
+    suite.errors.is_empty()
+        && errors.is_empty()
+        && cases
+            .iter()
+            .all(|case| run(case, &mut simulation, |_| {}).passed())
 }
 
 /// The tags that a person chose.

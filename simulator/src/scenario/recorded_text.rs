@@ -122,13 +122,12 @@ fn by_change(rows: &[WrittenRow], lengths: Lengths<'_>, step: u64) -> String {
     let times: Vec<String> = lengths
         .columns
         .iter()
-        .map(|&length| match length == step {
-            true => ".".to_owned(),
-            false => duration(
-                i64::try_from(length)
-                    .unwrap_or(i64::MAX)
-                    .saturating_mul(lengths.interval),
-            ),
+        .map(|&length| {
+            if length == step {
+                return ".".to_owned();
+            }
+            let scans = i64::try_from(length).unwrap_or(i64::MAX);
+            duration(scans.saturating_mul(lengths.interval))
         })
         .collect();
     let names = rows.iter().map(|row| row.name.width()).max().unwrap_or(0);
@@ -162,11 +161,11 @@ fn by_change(rows: &[WrittenRow], lengths: Lengths<'_>, step: u64) -> String {
 /// The first column that does not fit after those from here on; at least one does.
 fn fitting(rows: &[WrittenRow], times: &[String], from: usize, room: usize) -> usize {
     let mut used = 0;
-    for column in from..times.len() {
+    for (column, time) in times.iter().enumerate().skip(from) {
         let cells = rows
             .iter()
             .map(|row| row.cells[column].text(row.is_level).width());
-        used += cells.max().unwrap_or(0).max(times[column].width());
+        used += cells.max().unwrap_or(0).max(time.width());
         if used > room && column > from {
             return column;
         }

@@ -44,6 +44,8 @@ pub struct Difference {
     pub range: TextRange,
     /// The steps that differ, from 0, in their order.
     pub steps: Vec<usize>,
+    /// Where their values are; those that touch are one place.
+    pub places: Vec<TextRange>,
 }
 
 /// Runs a scenario from a cold start. `observe` sees the simulation after each scan.
@@ -129,6 +131,7 @@ fn compare(case: &Case, ran: &mut Ran) {
     for (index, (row, got)) in case.expected.iter().zip(&ran.got).enumerate() {
         let mut range = row.range;
         let mut steps = Vec::new();
+        let mut places: Vec<TextRange> = Vec::new();
         for (step, ((wanted, place), got)) in row.values.iter().zip(got).enumerate() {
             let Some(wanted) = wanted else {
                 continue;
@@ -140,6 +143,10 @@ fn compare(case: &Case, ran: &mut Ran) {
                 range = *place;
             }
             steps.push(step);
+            match places.last_mut() {
+                Some(last) if last.end() == place.start() => *last = last.cover(*place),
+                _ => places.push(*place),
+            }
         }
         if !steps.is_empty() {
             ran.differences.push(Difference {
@@ -147,6 +154,7 @@ fn compare(case: &Case, ran: &mut Ran) {
                 tag: row.name.clone(),
                 range,
                 steps,
+                places,
             });
         }
     }

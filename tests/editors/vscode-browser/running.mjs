@@ -133,8 +133,12 @@ export async function running(page, { step, until, weights, row, screenshot }) {
     });
     await step('what was done becomes a test', async () => {
         await command(page, 'Ladder: Record as Test');
+        await page.getByText('Tags of which the test expects values').or(page.locator('.quick-input-widget input[placeholder^="Tags of which"]')).first().waitFor({ timeout: 10_000 });
+        await page.keyboard.press('Enter');
+        await page.locator('.tab', { hasText: 'running-recorded.ladder-test' }).first().waitFor({ timeout: 10_000 });
         await line('scenario "recorded"').waitFor({ timeout: 10_000 });
         await line('program running.clad').waitFor({ timeout: 10_000 });
+        await page.locator('.codicon-testing-passed-icon').first().waitFor({ timeout: 15_000 });
         await screenshot(page, 'recorded');
         await command(page, 'View: Revert and Close Editor');
         await page.locator('.tab', { hasText: 'running.clad' }).first().click();

@@ -3,7 +3,7 @@
 use super::coverage;
 use super::report::{CaseReport, DifferenceReport, FaultReport, FileReport};
 use super::{All, Writer};
-use crate::findings::Problem;
+use crate::findings::{FileRange, Problem};
 use crate::json::to_writer;
 use serde::Serialize;
 use std::io::{self, Write};
@@ -117,6 +117,8 @@ struct Difference<'a> {
     line: u32,
     column: u32,
     steps: &'a [usize],
+    /// Where the values are that differ.
+    places: Vec<Place>,
     message: &'a str,
 }
 
@@ -127,7 +129,26 @@ impl<'a> Difference<'a> {
             line: difference.place.line,
             column: difference.place.column,
             steps: &difference.steps,
+            places: difference.places.iter().map(Place::new).collect(),
             message: &difference.sentence,
+        }
+    }
+}
+
+/// From 1, columns in characters; `end_column` is the one after the last.
+#[derive(Serialize)]
+struct Place {
+    line: u32,
+    column: u32,
+    end_column: u32,
+}
+
+impl Place {
+    fn new(place: &FileRange) -> Place {
+        Place {
+            line: place.line,
+            column: place.column,
+            end_column: place.end_column,
         }
     }
 }

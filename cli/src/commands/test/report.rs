@@ -85,6 +85,8 @@ pub(super) struct DifferenceReport {
     pub(super) tag: String,
     pub(super) place: FileRange,
     pub(super) steps: Vec<usize>,
+    /// Where the values are that differ.
+    pub(super) places: Vec<FileRange>,
     pub(super) sentence: String,
 }
 

@@ -190,6 +190,11 @@ fn play(path: &Path, source: &Source, wishes: &Wishes, report: &mut FileReport) 
                     tag: difference.tag.clone(),
                     place: FileRange::of(source, difference.range),
                     steps: difference.steps.clone(),
+                    places: difference
+                        .places
+                        .iter()
+                        .map(|place| FileRange::of(source, *place))
+                        .collect(),
                     sentence: scenario::sentence(case, &ran, difference, interval),
                 })
                 .collect(),

@@ -88,6 +88,19 @@ pub(super) fn draw(buffer: &mut Buffer, pane: Rect, scene: Scene) -> Option<Posi
                 pane.y,
             ));
         }
+        Mode::Outputs(_) => {
+            let mut column = put(buffer, pane, 0, 0, " record: ", theme.note());
+            for (key, does) in [
+                ("space", "on or off"),
+                ("a", "all"),
+                ("Enter", "write"),
+                ("Esc", "leave it"),
+            ] {
+                column = put(buffer, pane, column, 0, key, theme.key());
+                column = put(buffer, pane, column, 0, &format!(" {does}   "), Style::new());
+            }
+            return None;
+        }
         Mode::Diagram | Mode::Help | Mode::Why(_) => {}
     }
     if let Some(note) = &view.note {

@@ -8,6 +8,7 @@ pub(super) mod hints;
 mod info;
 mod inputs_bar;
 mod menu;
+mod outputs_list;
 mod watch_list;
 mod why;
 
@@ -38,16 +39,15 @@ pub(super) fn screen(frame: &mut Frame, scene: Scene) {
     fault::draw(buffer, panes.fault, scene);
     let typing_at = info::draw(buffer, panes.info, scene);
     hints::draw(buffer, panes.hints, scene);
+    let above = Rect {
+        height: panes.info.y.saturating_sub(scene.view.area.y),
+        ..scene.view.area
+    };
     match &scene.view.mode {
         Mode::Help => help::draw(buffer, scene),
         Mode::Why(reasons) => why::draw(buffer, reasons, scene),
-        Mode::Pick(picker) => {
-            let above = Rect {
-                height: panes.info.y.saturating_sub(scene.view.area.y),
-                ..scene.view.area
-            };
-            menu::draw(buffer, above, picker, scene);
-        }
+        Mode::Pick(picker) => menu::draw(buffer, above, picker, scene),
+        Mode::Outputs(outputs) => outputs_list::draw(buffer, above, outputs, scene),
         Mode::Diagram | Mode::Prompt(_) | Mode::Force(_) => {}
     }
     if let Some(position) = typing_at {

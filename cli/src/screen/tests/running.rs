@@ -518,13 +518,15 @@ fn why() {
 /// What was done is written as a test, which passes; a file that is there is left alone.
 #[test]
 fn a_session_becomes_a_test() {
-    let bench = Bench::new(MOTOR);
-    let message = bench.play("s space s s space s s tab space s R R", |_, buffer| {
+    let line = |buffer: &ratatui::buffer::Buffer, line: usize| {
         let all = super::characters(buffer);
-        all.lines().nth(22).unwrap_or_default().to_owned()
-    });
-    expect!["| motor-recorded-2.ladder-test was written: `ladder test` runs it"].assert_eq(&message);
-    let file = bench.folder.path().join("motor-recorded.ladder-test");
+        all.lines().nth(line).unwrap_or_default().to_owned()
+    };
+    let bench = Bench::new(MOTOR);
+    let keys = "s space s s space s s tab space s";
+    let message = bench.play(&format!("{keys} R enter R enter"), |_, buffer| line(buffer, 22));
+    expect!["| motor-recorded-2.ladder-test was written and passes"].assert_eq(&message);
+    let read = |name: &str| std::fs::read_to_string(bench.folder.path().join(name)).unwrap();
     expect![[r#"
         program motor.clad
         step 10ms
@@ -536,14 +538,54 @@ fn a_session_becomes_a_test() {
         ready => ______
         run   => _----_
     "#]]
-    .assert_eq(&std::fs::read_to_string(&file).unwrap());
+    .assert_eq(&read("motor-recorded.ladder-test"));
     assert_eq!(
-        std::fs::read_to_string(&file).unwrap(),
-        std::fs::read_to_string(bench.folder.path().join("motor-recorded-2.ladder-test")).unwrap()
+        read("motor-recorded.ladder-test"),
+        read("motor-recorded-2.ladder-test")
     );
-    let message = Bench::new(MOTOR).play("R", |_, buffer| {
-        let all = super::characters(buffer);
-        all.lines().nth(22).unwrap_or_default().to_owned()
+    // One output less, and a timer's value more.
+    bench.play(&format!("{keys} R space down down down space enter"), |_, _| {
+        String::new()
     });
+    expect![[r#"
+        program motor.clad
+        step 10ms
+        interval 10ms
+
+        scenario "recorded"
+        start        _  -  -    _    _    _
+        stop         _  _  _    _    _    -
+        run       => _  -  -    -    -    _
+        warmup.ET => 0s 0s 10ms 20ms 30ms 0s
+    "#]]
+    .assert_eq(&read("motor-recorded-3.ladder-test"));
+    let message = Bench::new(MOTOR).play("R", |_, buffer| line(buffer, 22));
     expect!["| nothing has run yet: run some scans, and record then"].assert_eq(&message);
+    let message = bench.play(&format!("{keys} R a a enter"), |_, buffer| line(buffer, 22));
+    expect!["| no tag is chosen, and a scenario expects something: choose one at least"].assert_eq(&message);
+}
+
+/// The outputs of a recorded test are chosen from a list.
+#[test]
+fn what_a_test_expects_is_chosen_from_a_list() {
+    let bench = Bench::new(MOTOR);
+    bench.check(
+        "s space s s size:60x14 R down space",
+        expect![[r#"
+        | motor.clad  ■ PAUSED  speed 1x              scan 3  0.03 s
+        |   VAR  warmup : TON;  END_VAR
+        |
+        |   # Seal-in #
+        | > +══\══[ ](●start )══\══[/]( stop )══════════( )(●run )══+
+        |   |  /══[ ](●run )════/                                   |
+        |┌ The test expects values of ────────────────┐
+        |│ [x] ready             BOOL    output       │──────────────
+        |│ [ ] run               BOOL                 │
+        |│ [ ] warmup.Q          BOOL                 │umn = 100 ms ─
+        |│ [ ] warmup.ET         TIME                 │             ⡀
+        |└────────────────────────────────────────────┘             █
+        | record: space on or off   a all   Enter write   Esc leave i
+        | space switch p run s step b back +- speed f force w watch ?
+    "#]],
+    );
 }

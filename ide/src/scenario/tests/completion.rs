@@ -57,6 +57,7 @@ fn completion_of_tags_and_values() {
             list[2]|INT, internal|list[2] => 
             lib.total|BOOL, internal of lib.clad|lib.total => 
             lib.go|BOOL, internal of lib.clad|lib.go => 
+            time||time 
             scenario||scenario "${1:what is shown}"
             $0
         "#]],
@@ -75,6 +76,7 @@ fn completion_of_tags_and_values() {
             list[2]|INT, internal|list[2]
             lib.total|BOOL, internal of lib.clad|lib.total
             lib.go|BOOL, internal of lib.clad|lib.go
+            time||time 
             scenario||scenario "${1:what is shown}"
             $0
         "#]],
@@ -100,6 +102,47 @@ fn completion_of_tags_and_values() {
         -|high|-
         ...|as before to the end|...
         .|as before; not checked|.
+    "#]],
+    );
+    // Below a row `time` it is as many as that has; a row above it is another piece's.
+    check(
+        "start _--_\nrun => _-__\ntime 1s . 3s\nrun => $0\n",
+        expect![[r#"
+        ___|low to the end|___
+        _|low|_
+        ---|high to the end|---
+        -|high|-
+        ...|as before to the end|...
+        .|as before; not checked|.
+    "#]],
+    );
+    check(
+        "start _-\nrun => _-\ntime 1s\nr$0",
+        expect![[r#"
+        run|BOOL, output|run => 
+        start|BOOL, input|start 
+        total|DINT, internal|total => 
+        warm.Q|BOOL, internal|warm.Q => 
+        warm.ET|TIME, internal|warm.ET => 
+        warm.IN|BOOL, internal|warm.IN => 
+        warm.PT|TIME, internal|warm.PT => 
+        list[1]|INT, internal|list[1] => 
+        list[2]|INT, internal|list[2] => 
+        lib.total|BOOL, internal of lib.clad|lib.total => 
+        lib.go|BOOL, internal of lib.clad|lib.go => 
+        time||time 
+        scenario||scenario "${1:what is shown}"
+        $0
+    "#]],
+    );
+    check(
+        "start _-\ntime $0\n",
+        expect![[r#"
+        .|as long as `step` says|.
+        100ms|so long is the step|100ms
+        1s|so long is the step|1s
+        3s|so long is the step|3s
+        1m|so long is the step|1m
     "#]],
     );
     check(
@@ -176,6 +219,7 @@ VAR nothing : INT; END_VAR
         lib.warm.ET|TIME, internal of sub/lib.clad|lib.warm.ET => 
         lib.warm.IN|BOOL, internal of sub/lib.clad|lib.warm.IN => 
         lib.warm.PT|TIME, internal of sub/lib.clad|lib.warm.PT => 
+        time||time 
         scenario||scenario "${1:what is shown}"
         $0
     "#]]

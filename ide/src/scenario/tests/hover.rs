@@ -39,6 +39,28 @@ fn hover_says_what_a_row_and_a_value_mean() {
     "#]],
     );
     check(
+        "time . $03s\nstart _ -\n",
+        expect![[r#"
+        [3s]
+        step 2 of 2: 100ms to 3s100ms
+    "#]],
+    );
+    check(
+        "time . 3s\nstart _ -\ntime 1s\nstart $0_\nrun => .\n",
+        expect![[r#"
+        [_]
+        `start` is given: low (`FALSE`)  
+        step 3 of 3: 3s100ms to 4s100ms
+    "#]],
+    );
+    check(
+        "ti$0me . 3s\nstart _ -\n",
+        expect![[r#"
+        [time]
+        How long each of the steps below it is, such as `3s`; `.` for one as long as `step` says. A second row `time` goes on with more steps.
+    "#]],
+    );
+    check(
         "warm.E$0T => 1s\n",
         expect![[r#"
         [warm.ET]

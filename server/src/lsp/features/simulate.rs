@@ -56,7 +56,7 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
         }
         Request::Record(it) => {
             let name = it.name.unwrap_or_else(|| "recorded".to_owned());
-            act(shared, &it.session, Action::Record(name)).await
+            act(shared, &it.session, Action::Record(name, it.outputs)).await
         }
         Request::Run(it) => {
             let pace = pace(it.real_time, it.speed)?;

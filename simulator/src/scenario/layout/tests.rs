@@ -226,6 +226,8 @@ fn texts() -> impl Strategy<Value = String> {
         "..-",
         "12",
         "T#5s",
+        "time",
+        "time .. 3s",
         "16#FF",
         "±",
         "± 1%",
@@ -248,6 +250,7 @@ fn texts() -> impl Strategy<Value = String> {
         "\r",
         "\n  ",
         "\nscenario \"n\"\na => _-\n",
+        "\ntime . 3s .\n",
     ]);
     let glue = proptest::sample::select(vec!["", " ", "  "]);
     let joined = |parts: Vec<(&str, &str)>| parts.iter().flat_map(|(a, b)| [*a, *b]).collect::<String>();
