@@ -31,6 +31,7 @@ mod boolean;
 mod checking;
 pub mod context;
 mod cplc_draft;
+mod cross_reference;
 pub mod findings;
 pub mod names;
 pub mod networks;
@@ -48,6 +49,7 @@ pub use analyze::{
 pub use boolean::formula::{Formulas, formulas};
 pub use checking::keep_nearest;
 pub use cplc_draft::is_cplc_draft;
+pub use cross_reference::{Deed, TagEntry, TagKind, TagPlace, cross_reference, deeds};
 pub use findings::Finding;
 pub use findings::article::with_article;
 pub use findings::diagnostic::{Applicability, Diagnostic, Fix, Related};

@@ -1,6 +1,6 @@
 //! What is on the command line.
 
-use crate::commands::{check, convert, dap, explain, fmt, lsp, render, sim, test, tree};
+use crate::commands::{check, convert, dap, explain, fmt, lsp, render, sim, tags, test, tree};
 #[cfg(feature = "pages")]
 use crate::commands::{completions, man, pages};
 #[cfg(not(feature = "pages"))]
@@ -41,6 +41,7 @@ enum Command {
     Sim(sim::Arguments),
     Test(test::Arguments),
     Render(render::Arguments),
+    Tags(tags::Arguments),
     Convert(convert::Arguments),
     Explain(explain::Arguments),
     Lsp(lsp::Arguments),
@@ -69,6 +70,7 @@ impl Ladder {
             Command::Sim(arguments) => sim::run(&arguments),
             Command::Test(arguments) => test::run(&arguments),
             Command::Render(arguments) => render::run(&arguments),
+            Command::Tags(arguments) => tags::run(&arguments),
             Command::Convert(arguments) => convert::run(&arguments),
             Command::Explain(arguments) => explain::run(&arguments),
             Command::Tree(arguments) => tree::run(&arguments),

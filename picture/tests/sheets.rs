@@ -15,6 +15,13 @@ fn pages(text: &str, options: &Options<'_>) -> Vec<Sheet> {
     sheets(&analysis.context, &scene, options)
 }
 
+/// The pages before the cross-reference.
+fn drawn(text: &str, options: &Options<'_>) -> Vec<Sheet> {
+    let all = pages(text, options).into_iter();
+    all.take_while(|sheet| !texts(sheet).contains("\nCross-reference\n"))
+        .collect()
+}
+
 const A4: Options<'_> = Options {
     size: Size::A4,
     orientation: Orientation::Portrait,
@@ -142,7 +149,7 @@ fn a_file_with_nothing_in_it_has_a_page() {
 #[test]
 fn a_page_breaks_between_networks() {
     let network = "# a title #\n+--\\--[ ]( a )--\\--( )( y )--+\n   /--[ ]( b )--/\n\n";
-    let sheets = pages(&network.repeat(40), &A4);
+    let sheets = drawn(&network.repeat(40), &A4);
     check(&sheets);
     assert!(sheets.len() > 2);
     for (number, sheet) in sheets.iter().enumerate() {
@@ -162,7 +169,7 @@ fn a_network_higher_than_a_page_is_cut_between_rungs() {
         text += &format!("   /--\\--[ ]( a{branch} )--\\--/\n");
     }
     text += "   /--[ ]( last )--/\n";
-    let sheets = pages(&text, &A4);
+    let sheets = drawn(&text, &A4);
     check(&sheets);
     for branch in 0..80 {
         // Once in the list of tags, once in the network.
@@ -175,7 +182,7 @@ fn a_network_higher_than_a_page_is_cut_between_rungs() {
 #[test]
 fn a_box_higher_than_a_page_is_cut_between_its_rows() {
     let operands: Vec<String> = (0..200).map(|n| format!("v{n}")).collect();
-    let sheets = pages(&format!("+--[ADD]( y, {} )--+\n", operands.join(", ")), &A4);
+    let sheets = drawn(&format!("+--[ADD]( y, {} )--+\n", operands.join(", ")), &A4);
     check(&sheets);
     for operand in operands {
         // Once in the list of tags, once in the box.
@@ -193,7 +200,7 @@ fn a_network_wider_than_a_page_is_cut_through_its_wires() {
     };
     let below = rung("lower", "/", "/").replace("/--/", "/  /");
     let text = format!("+--{}--( )( y )--+\n   {below}\n", rung("upper", "\\", "\\"));
-    let sheets = pages(&text, &A4);
+    let sheets = drawn(&text, &A4);
     check(&sheets);
     for contact in 0..25 {
         for name in ["upper", "lower"] {
@@ -215,7 +222,7 @@ fn a_high_network_is_made_smaller_as_long_as_it_can_be_read() {
     let mut text = "+--\\--[ ]( a )--\\--( )( y )--+\n".to_owned();
     text += &"   /--\\--[ ]( b )--\\--/\n".repeat(28);
     text += "   /--[ ]( last )--/\n";
-    let sheets = pages(&text, &A4);
+    let sheets = drawn(&text, &A4);
     check(&sheets);
     let piece = sheets
         .iter()
@@ -228,7 +235,7 @@ fn a_high_network_is_made_smaller_as_long_as_it_can_be_read() {
 
 #[test]
 fn a_network_with_an_error_is_text_on_paper_too() {
-    let sheets = pages("+--[ ]( a --( )( b )--+\n", &A4);
+    let sheets = drawn("+--[ ]( a --( )( b )--+\n", &A4);
     check(&sheets);
     assert_eq!(seen(&sheets, "+--[ ]( a --( )( b )--+"), 1);
 }

@@ -14,5 +14,6 @@ pub(crate) mod man;
 pub(crate) mod pages;
 pub(crate) mod render;
 pub(crate) mod sim;
+pub(crate) mod tags;
 pub(crate) mod test;
 pub(crate) mod tree;

@@ -4,7 +4,7 @@ use crate::harness::Folder;
 use expect_test::expect_file;
 
 /// Every command of `ladder`.
-const COMMANDS: [&str; 10] = [
+const COMMANDS: [&str; 11] = [
     "check",
     "fmt",
     "sim",
@@ -12,6 +12,7 @@ const COMMANDS: [&str; 10] = [
     "render",
     "explain",
     "lsp",
+    "tags",
     "tree",
     "completions",
     "man",

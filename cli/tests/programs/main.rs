@@ -30,4 +30,5 @@ mod settings;
 mod several_files;
 mod sim;
 mod sim_formats;
+mod tags;
 mod tree;

@@ -83,6 +83,7 @@ fn manual_pages() {
         ladder-man.1
         ladder-render.1
         ladder-sim.1
+        ladder-tags.1
         ladder-test.1
         ladder-tree.1
         ladder.1

@@ -161,7 +161,30 @@ fn pages_with_text_that_can_be_read_back() {
         run
         run
         motor
-        1 / 1"#]]
+        1 / 2
+        -- page --
+        Cross-reference
+        NETWORK/LINE; S sets, R resets, * reads and writes
+        Tag
+        Type
+        Kind
+        Written
+        Read
+        run
+        BOOL
+        internal
+        1/1
+        1/2
+        start
+        BOOL
+        input
+        1/1
+        stop
+        BOOL
+        input
+        1/1
+        motor
+        2 / 2"#]]
     .assert_eq(&pages.join("\n-- page --\n"));
 }
 

@@ -14,11 +14,11 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 /// Points above a network, a heading or a comment of its own.
-const APART: f32 = 14.0;
+pub(super) const APART: f32 = 14.0;
 /// Pixels at the end of a wire that is cut, for its number.
 const MARK: i32 = 36;
 /// Points between a network and its title.
-const CLOSE: f32 = 3.0;
+pub(super) const CLOSE: f32 = 3.0;
 
 /// Fills the pages: what the file says of itself, its declarations, its networks.
 pub(super) fn fill(pages: &mut Pages, context: &Context, scene: &Scene) {
@@ -51,7 +51,7 @@ pub(super) fn fill(pages: &mut Pages, context: &Context, scene: &Scene) {
 }
 
 /// A line of text in full size.
-fn text(pages: &Pages, look: Look, said: &str, above: f32) -> Strip {
+pub(super) fn text(pages: &Pages, look: Look, said: &str, above: f32) -> Strip {
     let mut paper = Paper::default();
     paper.text(look, (0, LINE - 4), Anchor::Start, width(said), said);
     Strip::of((paper.into_shapes(), LINE), pages.pixels(), above)
@@ -74,7 +74,7 @@ fn comment(pages: &mut Pages, lines: &[String], above: f32) {
 }
 
 /// Places a strip, on the next page if it does not fit onto this one.
-fn place(pages: &mut Pages, strip: Strip) {
+pub(super) fn place(pages: &mut Pages, strip: Strip) {
     if !pages.has_room(&[&strip]) {
         pages.turn();
     }

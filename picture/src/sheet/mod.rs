@@ -1,4 +1,4 @@
-//! A drawn file as pages for a printer: title, declarations, and the networks with their numbers.
+//! A drawn file as pages for a printer: title, declarations, the networks with their numbers, and the cross-reference.
 //!
 //! ```text
 //! Scene, declarations --flow--> strips: a row of the table, a comment, a network or a piece of one
@@ -8,6 +8,7 @@
 //! A page breaks between networks. A network that is larger than a page is made smaller as long as it can be read, then
 //! cut: below each other between rungs, next to each other through wires, which are then numbered at both ends.
 
+mod cross_reference;
 mod cut;
 mod declarations;
 mod flow;
@@ -88,5 +89,6 @@ impl Size {
 pub fn sheets(context: &Context, scene: &Scene, options: &Options<'_>) -> Vec<Sheet> {
     let mut pages = pages::Pages::new(options);
     flow::fill(&mut pages, context, scene);
+    cross_reference::fill(&mut pages, context);
     pages.finish(options)
 }

@@ -23,30 +23,36 @@ pub(super) type Drawn = (Vec<Shape>, i32);
 
 /// Where the columns of the table begin, and how wide they are.
 pub(super) struct Table {
+    names: [&'static str; 5],
     places: [(u32, u32); 5],
     width: u32,
 }
 
 impl Table {
-    /// Columns for these tags on a page that is this many columns wide.
+    /// Columns for these declarations on a page that is this many columns wide.
     pub(super) fn new(groups: &[Group], width: u32) -> Table {
+        Table::with_columns(COLUMNS, groups, width)
+    }
+
+    /// The same with other names of the columns.
+    pub(super) fn with_columns(names: [&'static str; 5], groups: &[Group], width: u32) -> Table {
         let mut places = [(0, 0); 5];
         let mut at = 0;
         for (column, most) in WIDEST.into_iter().enumerate() {
             let rows = groups.iter().flat_map(|group| &group.rows);
             let widest = rows.map(|row| columns(&row[column])).max().unwrap_or(0);
-            let wide = widest.min(most).max(columns(COLUMNS[column]));
+            let wide = widest.min(most).max(columns(names[column]));
             places[column] = (at, wide);
             at += wide + APART;
         }
         places[4] = (at, width.saturating_sub(at).max(10));
-        Table { places, width }
+        Table { names, places, width }
     }
 
     /// The names of the columns, with a line below.
     pub(super) fn header(&self) -> Drawn {
         let mut paper = Paper::default();
-        for (name, (at, _)) in COLUMNS.into_iter().zip(self.places) {
+        for (name, (at, _)) in self.names.into_iter().zip(self.places) {
             let at = (at as i32 * UNIT, PADDING + LINE - 4);
             paper.text(Look::Name, at, Anchor::Start, width(name), name);
         }

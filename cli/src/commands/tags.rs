@@ -1,0 +1,186 @@
+//! `ladder tags`: the cross-reference of a program.
+
+use crate::findings::Source;
+use crate::form;
+use crate::json::to_writer_pretty;
+use crate::outcome::{Failure, Outcome};
+use crate::terminal::Stdout;
+use clap::{Args, ValueEnum};
+use ladder_analysis::{Deed, TagEntry, cross_reference};
+use ladder_workspace::shown;
+use serde::Serialize;
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+const EXAMPLES: &str = "\
+Examples:
+  ladder tags motor.clad                where each tag is read and written
+  ladder tags motor.clad --format csv   the same for a spreadsheet
+  ladder tags motor.clad --format json  and for other programs
+
+Exit status: 0 fine, 2 the file cannot be read.";
+
+/// List the tags of a program, and where each is read and written
+///
+/// Of each tag its type, whether it is an input or output, its address, the comment at its declaration, and the lines and
+/// networks that read, write, set and reset it. A program with errors is listed as far as it can be understood.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// The program
+    file: PathBuf,
+
+    /// The notation of the program, as for `ladder convert`; without it its content decides
+    #[arg(long, value_name = "NOTATION", value_parser = form::names(), hide_possible_values = true)]
+    from: Option<String>,
+
+    /// How the list is written
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// For people
+    Text,
+    /// A row for each tag; places as LINE:NETWORK
+    Csv,
+    /// An array of objects
+    Json,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let source = Source::read(&arguments.file, arguments.from.as_deref().map(form::named))?;
+    let entries = cross_reference(&source.analyze().context);
+    let mut out = Stdout::new();
+    match arguments.format {
+        Format::Text => text(&entries, &mut out)?,
+        Format::Csv => csv(&entries, &mut out)?,
+        Format::Json => json(&entries, &mut out)?,
+    }
+    out.flush()?;
+    Ok(Outcome::Fine)
+}
+
+const DEEDS: [Deed; 5] = [Deed::Write, Deed::Set, Deed::Reset, Deed::ReadWrite, Deed::Read];
+
+fn name_of(entry: &TagEntry) -> String {
+    match &entry.block {
+        Some(block) => format!("{block}.{}", entry.name),
+        None => entry.name.clone(),
+    }
+}
+
+fn text(entries: &[TagEntry], out: &mut Stdout) -> io::Result<()> {
+    for entry in entries {
+        let mut head = format!("{} : {}, {}", name_of(entry), entry.ty, entry.kind.word());
+        if let Some(address) = entry.address.as_ref().filter(|address| **address != entry.name) {
+            head.push_str(&format!(", at {address}"));
+        }
+        if let Some(line) = entry.declared {
+            head.push_str(&format!(", declared in line {line}"));
+        }
+        if !entry.comment.is_empty() {
+            head.push_str(&format!("  # {} #", entry.comment));
+        }
+        writeln!(out, "{}", shown::line(&head))?;
+        for deed in DEEDS {
+            let places = entry.places.iter().filter(|place| place.deed == deed);
+            let places: Vec<String> = places
+                .map(|place| format!("line {} (network {})", place.line, place.network))
+                .collect();
+            if !places.is_empty() {
+                writeln!(out, "    {:<14}  {}", deed.words(), places.join(", "))?;
+            }
+        }
+        if entry.places.is_empty() {
+            writeln!(out, "    used nowhere")?;
+        }
+    }
+    Ok(())
+}
+
+fn csv(entries: &[TagEntry], out: &mut Stdout) -> io::Result<()> {
+    writeln!(
+        out,
+        "tag,block,type,kind,address,declared,write,set,reset,read and write,read,comment"
+    )?;
+    for entry in entries {
+        let declared = entry.declared.map(|line| line.to_string());
+        let mut cells = vec![
+            entry.name.clone(),
+            entry.block.clone().unwrap_or_default(),
+            entry.ty.clone(),
+            entry.kind.word().to_owned(),
+            entry.address.clone().unwrap_or_default(),
+            declared.unwrap_or_default(),
+        ];
+        cells.extend(DEEDS.map(|deed| {
+            let places = entry.places.iter().filter(|place| place.deed == deed);
+            let places: Vec<String> = places
+                .map(|place| format!("{}:{}", place.line, place.network))
+                .collect();
+            places.join(" ")
+        }));
+        cells.push(entry.comment.clone());
+        let cells: Vec<String> = cells.iter().map(|cell| quoted(cell)).collect();
+        writeln!(out, "{}", shown::line(&cells.join(",")))?;
+    }
+    Ok(())
+}
+
+/// A cell, in quotes where it holds what would end it.
+fn quoted(cell: &str) -> String {
+    if cell.contains([',', '"', '\n', '\r']) {
+        return format!("\"{}\"", cell.replace('"', "\"\""));
+    }
+    cell.to_owned()
+}
+
+#[derive(Serialize)]
+struct Tag<'a> {
+    tag: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    block: Option<&'a str>,
+    #[serde(rename = "type")]
+    ty: &'a str,
+    kind: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    address: Option<&'a str>,
+    /// The line of the declaration, from 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    declared: Option<usize>,
+    comment: &'a str,
+    places: Vec<Place>,
+}
+
+#[derive(Serialize)]
+struct Place {
+    /// `read`, `write`, `set`, `reset` or `read and write`.
+    does: &'static str,
+    line: usize,
+    network: usize,
+}
+
+fn json(entries: &[TagEntry], out: &mut Stdout) -> io::Result<()> {
+    let tags = entries.iter().map(|entry| Tag {
+        tag: &entry.name,
+        block: entry.block.as_deref(),
+        ty: &entry.ty,
+        kind: entry.kind.word(),
+        address: entry.address.as_deref(),
+        declared: entry.declared,
+        comment: &entry.comment,
+        places: entry
+            .places
+            .iter()
+            .map(|place| Place {
+                does: place.deed.words(),
+                line: place.line,
+                network: place.network,
+            })
+            .collect(),
+    });
+    to_writer_pretty(out, &tags.collect::<Vec<_>>())?;
+    writeln!(out)
+}
