@@ -34,6 +34,7 @@
 
 mod busy;
 mod cancel;
+mod cross_reference;
 mod debug;
 mod diagram;
 mod diagram_text;
@@ -55,6 +56,7 @@ pub mod typing_messages;
 use std::path::Path;
 use std::process::ExitCode;
 
+pub use cross_reference::{CrossReference, CrossReferenced, ReferencedPlace, ReferencedTag};
 pub use diagram::{Diagram, Drawn, DrawnPiece, PieceKind};
 pub use diagram_text::{DiagramText, DrawnBlock, DrawnLine, DrawnText, InkName};
 pub use document::position::{Position, Range};

@@ -3,6 +3,7 @@ import * as vscode from 'vscode';
 
 import { CLICK, type Click } from './click.ts';
 import { convert, exportAs } from './conversion.ts';
+import type { CrossReferenceView } from './crossReferenceView.ts';
 import type { DiagramEditors } from './diagram/editor.ts';
 import { editDrawing, toggleComment } from './edit.ts';
 import { openExample } from './example.ts';
@@ -134,6 +135,7 @@ async function start(click: Click, simulation: Simulation): Promise<void> {
 }
 
 export interface Views {
+    readonly references: CrossReferenceView;
     readonly why: WhyView;
     readonly trace: TraceView;
     readonly diagrams: DiagramEditors;
@@ -152,6 +154,8 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
         'ladder.simulation.pause': () => simulation.pause(),
         'ladder.simulation.reset': () => simulation.command('reset', {}),
         'ladder.openExample': openExample,
+        'ladder.crossReference.show': () => views.references.show(),
+        'ladder.crossReference.filter': () => views.references.filter(),
         'ladder.simulation.record': () => record(simulation, tests),
         'ladder.simulation.warmRestart': () => simulation.command('warmRestart', {}),
         'ladder.simulation.stop': () => simulation.stop(),

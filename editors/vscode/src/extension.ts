@@ -3,6 +3,7 @@ import * as vscode from 'vscode';
 
 import { Click } from './click.ts';
 import { registerCommands } from './commands.ts';
+import { CrossReferenceView } from './crossReferenceView.ts';
 import { registerDebugger } from './debugger.ts';
 import { showPower } from './decorations.ts';
 import { DiagramEditors } from './diagram/editor.ts';
@@ -40,6 +41,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
         () => void vscode.commands.executeCommand('markdown.preview.refresh'),
     );
     const views = {
+        references: new CrossReferenceView(server),
         why: new WhyView(simulation),
         trace: new TraceView(simulation, context),
         diagrams: new DiagramEditors(context.extensionUri, server, simulation),
@@ -50,6 +52,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
         click,
         fences,
         server.onDidStart(() => fences.begin()),
+        views.references,
         views.why,
         views.trace,
         views.diagrams,

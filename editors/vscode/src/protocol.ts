@@ -1,6 +1,7 @@
 // What the simulator of the language server says and is asked, as docs/protocol.md of the project defines it.
 import type { Range } from 'vscode-languageclient/node';
 
+import type { CrossReferenced } from './crossReference.ts';
 import type { Drawn, Lines } from './diagram/messages.ts';
 import type { Traced, TraceAsked } from './trace/messages.ts';
 
@@ -248,6 +249,7 @@ export interface OtherCommands {
         argument: { uri: string; lines: Lines; rail: number; known: readonly string[] };
         answer: Drawn;
     };
+    'ladder.crossReference': { argument: { uri: string }; answer: CrossReferenced };
     'ladder.cursor': { argument: { uri: string; line: number | null }; answer: null };
     'ladder.preview': { argument: { uri: string }; answer: Previewed };
     'ladder.convert': { argument: { uri: string; text?: string; from?: string; to: string }; answer: Converted };

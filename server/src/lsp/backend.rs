@@ -44,7 +44,8 @@ use tower_lsp::{Client, LanguageServer};
 use crate::busy::Busy;
 use crate::lsp::documents::{configuration, file_operations, folders, pull, sync, typed, watch};
 use crate::lsp::features::{
-    call_hierarchy, code_action, code_lens, comment, completion, diagram, diagram_text, edit, fence, folding,
+    call_hierarchy, code_action, code_lens, comment, completion, cross_reference, diagram, diagram_text,
+    edit, fence, folding,
     formatting::{self, DocumentRangesFormattingParams},
     goto, hover, inlay_hint, links, notations, preview, references, rename, semantic_tokens, signature,
     simulate, symbols,
@@ -354,6 +355,7 @@ impl LanguageServer for Backend {
 
     async fn execute_command(&self, params: ExecuteCommandParams) -> Result<Option<LSPAny>> {
         let answer = match params.command.as_str() {
+            cross_reference::CROSS_REFERENCE => cross_reference::execute(&self.shared, params).await,
             diagram::DIAGRAM => diagram::execute(&self.shared, params).await,
             fence::FENCE => fence::execute(&self.shared, params).await,
             diagram_text::DIAGRAM_TEXT => diagram_text::execute(&self.shared, params).await,

@@ -17,8 +17,8 @@ use tower_lsp::ls_types::{
 use crate::document::position::Encoding;
 use crate::lsp::documents::{file_operations, pull, typed};
 use crate::lsp::features::{
-    code_action::KINDS, comment, completion, diagram, diagram_text, edit, fence, notations, preview,
-    semantic_tokens, signature,
+    code_action::KINDS, comment, completion, cross_reference, diagram, diagram_text, edit, fence, notations,
+    preview, semantic_tokens, signature,
 };
 use crate::lsp::session::agreed::Agreed;
 use crate::simulation::COMMANDS;
@@ -92,6 +92,7 @@ pub(crate) fn offered(agreed: Agreed) -> ServerCapabilities {
                 .chain(&notations::COMMANDS)
                 .chain(&[
                     preview::PREVIEW,
+                    cross_reference::CROSS_REFERENCE,
                     diagram::DIAGRAM,
                     diagram_text::DIAGRAM_TEXT,
                     fence::FENCE,

@@ -7,7 +7,10 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use ladder_server::typing_messages::{Cursor, EditDrawing, EditedDrawing, ToggleComment};
-use ladder_server::{Diagram, DiagramText, Drawn, DrawnFence, DrawnText, Fence, messages, notation_messages};
+use ladder_server::{
+    CrossReference, CrossReferenced, Diagram, DiagramText, Drawn, DrawnFence, DrawnText, Fence, messages,
+    notation_messages,
+};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
@@ -156,6 +159,11 @@ async fn the_page_shows_every_command_whole() {
             "diagram" => {
                 is_whole::<Diagram>(argument);
                 is_whole::<Drawn>(answer);
+                continue;
+            }
+            "crossReference" => {
+                is_whole::<CrossReference>(argument);
+                is_whole::<CrossReferenced>(answer);
                 continue;
             }
             "diagramText" => {

@@ -307,4 +307,29 @@ return function(t)
     local again = vim.system({ vim.v.progpath, '--headless', '--clean', '-u', init, file, '-c', look, '-c', 'qa!' }):wait(10000)
     assert(again.stdout:find('warmup.ET', 1, true), again.stdout .. again.stderr)
   end)
+
+  t.step(':Ladder references lists what reads, writes, sets and resets each tag, and leads there', function()
+    local bufnr = t.open('motor.clad')
+    vim.cmd('Ladder references')
+    local list = t.eventually('the list', function()
+      return vim.bo.filetype == 'ladder_references' and vim.api.nvim_get_current_buf()
+    end)
+    local lines = vim.api.nvim_buf_get_lines(list, 0, -1, false)
+    local at
+    for index, line in ipairs(lines) do
+      if line:find('^run : BOOL') then
+        at = index
+      end
+    end
+    assert(at, table.concat(lines, '\n'))
+    local place = lines[at + 1]
+    local line = tonumber(place:match('^    write%s+line (%d+), network %d+$'))
+    assert(line, place)
+    vim.api.nvim_win_set_cursor(0, { at + 1, 0 })
+    vim.api.nvim_feedkeys(vim.keycode('<CR>'), 'x', false)
+    t.equal('the buffer', bufnr, vim.api.nvim_get_current_buf())
+    t.equal('the line', line, vim.api.nvim_win_get_cursor(0)[1])
+    t.equal('the word there', 'run', vim.fn.expand('<cword>'))
+    vim.cmd('bwipeout! ' .. list)
+  end)
 end

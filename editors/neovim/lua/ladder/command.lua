@@ -246,6 +246,11 @@ local subcommands = {
       require('ladder.panel').toggle(drawing())
     end,
   },
+  references = {
+    run = function()
+      require('ladder.references').open(drawing())
+    end,
+  },
   diagram = {
     run = function()
       require('ladder.diagram').toggle(drawing())
