@@ -3,8 +3,7 @@
 
 use crate::context::Context;
 use crate::names::scope::{Origin, TagFacts};
-use crate::networks::access::Access;
-use crate::networks::use_kind::Effect;
+use crate::networks::deed::Deed;
 use crate::program::Role;
 use ladder_syntax::ast::NodeView;
 use ladder_syntax::{LineKind, SyntaxKind, TextRange};
@@ -68,53 +67,6 @@ pub struct TagPlace {
     pub deed: Deed,
 }
 
-/// What a place does with a tag.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-#[allow(missing_docs)]
-pub enum Deed {
-    Read,
-    Write,
-    /// `(S)`.
-    Set,
-    /// `(R)`.
-    Reset,
-    /// Both: `[ADD]( n, n, 1 )` in one place, a timer, an in-out.
-    ReadWrite,
-}
-
-impl Deed {
-    const fn of(access: Access, effect: Effect) -> Deed {
-        match (effect, access) {
-            (Effect::Sets, _) => Deed::Set,
-            (Effect::Resets, _) => Deed::Reset,
-            (_, Access::Read) => Deed::Read,
-            (_, Access::Write) => Deed::Write,
-            (_, Access::ReadWrite) => Deed::ReadWrite,
-        }
-    }
-
-    /// In words.
-    pub const fn words(self) -> &'static str {
-        match self {
-            Deed::Read => "read",
-            Deed::Write => "write",
-            Deed::Set => "set",
-            Deed::Reset => "reset",
-            Deed::ReadWrite => "read and write",
-        }
-    }
-
-    /// Whether the tag gets a value.
-    pub const fn writes(self) -> bool {
-        !matches!(self, Deed::Read)
-    }
-
-    /// Whether its value is asked for.
-    pub const fn reads(self) -> bool {
-        matches!(self, Deed::Read | Deed::ReadWrite)
-    }
-}
-
 impl TagEntry {
     /// The places that write it.
     pub fn writers(&self) -> impl Iterator<Item = &TagPlace> {
@@ -132,9 +84,7 @@ pub fn cross_reference(context: &Context) -> Vec<TagEntry> {
     let comments = comments(context);
     let mut entries = Vec::new();
     for scope in &context.scopes {
-        let block = scope
-            .block
-            .map(|block| context.user_blocks[block].name.to_string());
+        let block = scope.block.map(|block| context.user_blocks[block].name.clone());
         let from = entries.len();
         for tag in &scope.tags {
             // What the body of a block shares with its file is listed there.
@@ -147,13 +97,6 @@ pub fn cross_reference(context: &Context) -> Vec<TagEntry> {
         entries[from..].sort_by_cached_key(|it| it.name.to_lowercase());
     }
     entries
-}
-
-/// What the places of a tag do with it, by where they are.
-pub fn deeds(context: &Context, tag: &TagFacts) -> HashMap<TextRange, Deed> {
-    places(context, tag)
-        .map(|place| (place.range, place.deed))
-        .collect()
 }
 
 fn entry(
@@ -194,7 +137,7 @@ fn places<'c>(context: &'c Context, tag: &'c TagFacts) -> impl Iterator<Item = T
             line: context.line_number(found.range.start()),
             network: found.network + 1,
             // `(S)( word.3 )` sets a bit of the tag.
-            deed: Deed::of(found.access, place.effect()),
+            deed: place.deed(),
         }
     })
 }

@@ -49,13 +49,14 @@ pub use analyze::{
 pub use boolean::formula::{Formulas, formulas};
 pub use checking::keep_nearest;
 pub use cplc_draft::is_cplc_draft;
-pub use cross_reference::{Deed, TagEntry, TagKind, TagPlace, cross_reference, deeds};
+pub use cross_reference::{TagEntry, TagKind, TagPlace, cross_reference};
 pub use findings::Finding;
 pub use findings::article::with_article;
 pub use findings::diagnostic::{Applicability, Diagnostic, Fix, Related};
 pub use findings::rule::{Rule, RuleGroup, Severity};
 pub use findings::rule_settings::{Level, RuleSettings};
 pub use names::infer::member as state_member;
+pub use networks::deed::Deed;
 pub use other_files::exporting::exports;
 pub use other_files::exports::{ExportedBlock, ExportedFunction, Exports, Global};
 pub use other_files::import::Import;

@@ -5,6 +5,7 @@
 
 pub mod access;
 pub(crate) mod control_flow;
+pub mod deed;
 pub mod facts;
 pub(crate) mod kept;
 pub(crate) mod known_blocks;

@@ -1,6 +1,7 @@
 //! The places where tags are in operands.
 
 use super::access::Access;
+use super::deed::Deed;
 use super::use_kind::{Effect, UseKind};
 use ladder_syntax::TextRange;
 use smallvec::SmallVec;
@@ -53,6 +54,11 @@ impl UseRef {
         UseKind::from_bits(self.named).access()
     }
 
+    /// What people are told that it does with the tag.
+    pub(crate) const fn deed(self) -> Deed {
+        Deed::of(self.access(), self.effect())
+    }
+
     /// What its block does with the operand.
     pub(crate) const fn effect(self) -> Effect {
         UseKind::from_bits(self.named).effect()
@@ -77,6 +83,11 @@ impl Uses {
     /// The places that write it.
     pub(crate) fn writers(&self) -> impl Iterator<Item = UseRef> {
         self.0.iter().copied().filter(|place| place.access().writes())
+    }
+
+    /// What each place does with it.
+    pub fn deeds(&self) -> impl Iterator<Item = Deed> {
+        self.0.iter().map(|place| place.deed())
     }
 
     /// How each place uses it.

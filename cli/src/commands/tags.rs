@@ -139,7 +139,8 @@ fn quoted(cell: &str) -> String {
 
 #[derive(Serialize)]
 struct Tag<'a> {
-    tag: &'a str,
+    #[serde(rename = "tag")]
+    name: &'a str,
     #[serde(skip_serializing_if = "Option::is_none")]
     block: Option<&'a str>,
     #[serde(rename = "type")]
@@ -164,7 +165,7 @@ struct Place {
 
 fn json(entries: &[TagEntry], out: &mut Stdout) -> io::Result<()> {
     let tags = entries.iter().map(|entry| Tag {
-        tag: &entry.name,
+        name: &entry.name,
         block: entry.block.as_deref(),
         ty: &entry.ty,
         kind: entry.kind.word(),

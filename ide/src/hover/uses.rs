@@ -1,6 +1,7 @@
 //! Who writes and who reads a tag: the lines, and a few of the rungs.
 
 use crate::body::line_text;
+use ladder_analysis::Deed;
 use ladder_analysis::context::Context;
 use ladder_analysis::names::scope::{Origin, SectionKind, TagFacts};
 use ladder_analysis::networks::access::Access;
@@ -51,11 +52,15 @@ pub(super) fn card(context: &Context, tag: &TagFacts, here: Option<TextSize>) ->
     card
 }
 
-/// The lines of the uses that `wanted` takes, each once.
+/// The lines of the uses that `wanted` takes, each once; those that set or reset the tag say so.
 fn lines(context: &Context, tag: &TagFacts, wanted: impl Fn(Access) -> bool) -> Vec<String> {
-    let uses = context.uses(tag).filter(|place| wanted(place.access));
-    let mut lines: Vec<usize> = uses
-        .map(|place| context.line_number(place.range.start()))
+    let uses = context.uses(tag).zip(tag.uses.deeds());
+    let uses = uses.filter(|(place, _)| wanted(place.access));
+    let mut lines: Vec<(usize, Option<Deed>)> = uses
+        .map(|(place, deed)| {
+            let latch = matches!(deed, Deed::Set | Deed::Reset).then_some(deed);
+            (context.line_number(place.range.start()), latch)
+        })
         .collect();
     lines.sort_unstable();
     lines.dedup();
@@ -63,7 +68,10 @@ fn lines(context: &Context, tag: &TagFacts, wanted: impl Fn(Access) -> bool) -> 
     let mut shown: Vec<String> = lines
         .iter()
         .take(MOST_LINES)
-        .map(|&line| line_link(line))
+        .map(|&(line, latch)| match latch {
+            Some(deed) => format!("{} ({})", line_link(line), deed.words()),
+            None => line_link(line),
+        })
         .collect();
     if more > 0 {
         shown.push(format!("and {more} more"));

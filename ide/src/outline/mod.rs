@@ -3,14 +3,15 @@
 use crate::body::{line_body, line_text, without_line_end};
 use crate::comments;
 use crate::symbol::declared::names_of;
+use ladder_analysis::Deed;
 use ladder_analysis::context::{Body, Context, LabelFacts};
-use ladder_analysis::names::scope::SectionKind;
+use ladder_analysis::names::scope::{SectionKind, TagFacts};
 use ladder_analysis::networks::facts::NodeKind;
 use ladder_analysis::networks::network::{Formal, Meaning};
 use ladder_analysis::program::ParameterKind;
-use ladder_instructions::{Accepts, Direction};
+use ladder_instructions::{Accepts, Coil, Direction};
 use ladder_syntax::{Item, LineKind, Name, Parse, SyntaxKind, TextRange};
-use smol_str::{SmolStr, ToSmolStr, format_smolstr};
+use smol_str::{SmolStr, format_smolstr};
 
 /// A part of a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -182,7 +183,7 @@ fn section_item(context: &Context, section: usize) -> Outlined {
             );
         Outlined {
             name: parse.text_in(declared.at).into(),
-            detail: tag.and_then(|tag| tag.ty).map(|ty| ty.to_smolstr()),
+            detail: tag.and_then(of_tag),
             kind: match (constant, parameter) {
                 (true, _) => OutlineKind::Constant,
                 (false, true) => OutlineKind::Parameter,
@@ -232,6 +233,20 @@ fn block_item(context: &Context, block: usize) -> Outlined {
     }
 }
 
+/// The type of a tag, and how often it is read, written, set and reset.
+fn of_tag(tag: &TagFacts) -> Option<SmolStr> {
+    let ty = tag.ty?;
+    let mut detail = ty.to_string();
+    for deed in [Deed::Read, Deed::Write, Deed::Set, Deed::Reset, Deed::ReadWrite] {
+        match tag.uses.deeds().filter(|it| *it == deed).count() {
+            0 => {}
+            1 => detail.push_str(&format!(", {}", deed.words())),
+            times => detail.push_str(&format!(", {} {times}", deed.words())),
+        }
+    }
+    Some(detail.into())
+}
+
 fn network_item(context: &Context, network: usize) -> Outlined {
     let facts = context.networks.at(network);
     let first = facts.line(0);
@@ -263,7 +278,7 @@ fn label_item(label: &LabelFacts) -> Outlined {
     }
 }
 
-/// The tags that a network writes, each once, in the order of the text.
+/// The tags that a network writes, each once, in the order of the text; those that it sets or resets say so.
 fn written(context: &Context, network: usize) -> Vec<SmolStr> {
     let mut names: Vec<(Name, SmolStr)> = Vec::new();
     for block in context.networks.at(network).blocks() {
@@ -290,7 +305,12 @@ fn written(context: &Context, network: usize) -> Vec<SmolStr> {
             if let (true, NodeKind::Name(name) | NodeKind::Address(name)) = (writes, &node.kind) {
                 let key = Name::new(name);
                 if names.iter().all(|(known, _)| *known != key) {
-                    names.push((key, name.clone()));
+                    let said = match block.coil() {
+                        Some(Coil::Sets) => format_smolstr!("set {name}"),
+                        Some(Coil::Resets) => format_smolstr!("reset {name}"),
+                        _ => name.clone(),
+                    };
+                    names.push((key, said));
                 }
             }
         }

@@ -47,21 +47,21 @@ fn every_part_of_a_file() {
          +--[$Wait]( p, q )--+\n",
         expect![[r#"
             Section VAR_INPUT (The tags): 1:1 # The tags # ... END_VAR
-              Tag start (BOOL): 3:5 start, stop : BOOL;
+              Tag start (BOOL, read): 3:5 start, stop : BOOL;
               Tag stop (BOOL): 3:5 start, stop : BOOL;
             Section VAR CONSTANT: 5:1 VAR CONSTANT limit : INT := 3; END_VAR
               Constant limit (INT): 5:14 limit : INT := 3;
             Network Motor 1 (run): 7:1 # ladder: allow(never-read): no # ... |  /--[ ]( run )----/             |
-            Network Network 2 (n, a, b): 12:1 +--<LBL>( again )--[ADD]( n, n, 1 )--[TON]( t, 5s )--(S)( a[3] )--( )( b.2 )--+
+            Network Network 2 (n, set a, b): 12:1 +--<LBL>( again )--[ADD]( n, n, 1 )--[TON]( t, 5s )--(S)( a[3] )--( )( b.2 )--+
               Label again (<LBL>): 12:11 again
             Function count (counts): 14:1 # counts # ... +--( )( x )--+
               Network counts (n): 14:1 # counts # ... +--<FUN>( count )--[ADD]( n, n, 1 )--+
               Network second (x): 16:1 # second # ... +--( )( x )--+
             Block [$Wait] (( raw, out => )): 19:1 # waits # ... END_FUNCTION_BLOCK
               Section VAR_INPUT: 21:1 VAR_INPUT raw : BOOL; END_VAR
-                Parameter raw (BOOL): 21:11 raw : BOOL;
+                Parameter raw (BOOL, read): 21:11 raw : BOOL;
               Section VAR_OUTPUT: 22:1 VAR_OUTPUT out : BOOL; END_VAR
-                Parameter out (BOOL): 22:12 out : BOOL;
+                Parameter out (BOOL, write): 22:12 out : BOOL;
               Network inside (out): 23:1 # inside # ... +--[ ]( raw )--( )( out )--+
             Network Network 6 (q): 26:1 +--[$Wait]( p, q )--+
         "#]],
@@ -74,7 +74,7 @@ fn half_written_text() {
         "VAR\n  a : \n+--[ ]( a\nFUNCTION_BLOCK\n+--<FUN>( \n+--<LBL>( x\n",
         expect![[r#"
             Section VAR: 1:1 VAR ...   a :
-              Tag a (DINT): 2:3 a :
+              Tag a (DINT, read): 2:3 a :
             Network Network 1: 3:1 +--[ ]( a
             Block [?] (( )): 4:1 FUNCTION_BLOCK ... +--<LBL>( x
               Network Network 2: 5:1 +--<FUN>(
