@@ -8,6 +8,7 @@ import { registerDebugger } from './debugger.ts';
 import { showPower } from './decorations.ts';
 import { DiagramEditors } from './diagram/editor.ts';
 import { showFaults } from './faults.ts';
+import { linksInHovers } from './hover.ts';
 import { lensesFollow } from './lenses.ts';
 import { Fences } from './markdown/fences.ts';
 import type { State } from './protocol.ts';
@@ -61,6 +62,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
         registerTasks(server),
         tests,
         lensesFollow(server, simulation),
+        linksInHovers(simulation),
         showPower(simulation),
         showFaults(simulation),
         showStatus(simulation),

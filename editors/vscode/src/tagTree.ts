@@ -27,6 +27,12 @@ export function tagGroups(tags: readonly Tag[]): TagGroup[] {
         .filter((group) => group.tags.length > 0);
 }
 
+/** The tags whose name or type holds what a person looks for, in any case. */
+export function filtered(tags: readonly Tag[], wanted: string): readonly Tag[] {
+    const sought = wanted.trim().toLowerCase();
+    return sought === '' ? tags : tags.filter(({ name, type }) => `${name} : ${type}`.toLowerCase().includes(sought));
+}
+
 /** The parts of a group that is too long to be looked through. */
 export function partsOf({ id, tags }: TagGroup): TagGroup[] {
     if (tags.length <= LONG) {

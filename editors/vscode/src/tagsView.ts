@@ -4,7 +4,7 @@ import * as vscode from 'vscode';
 import type { Tag } from './protocol.ts';
 import type { Session } from './session.ts';
 import type { Simulation } from './simulation.ts';
-import { partsOf, type TagGroup, tagGroups, tagRow } from './tagTree.ts';
+import { filtered, partsOf, type TagGroup, tagGroups, tagRow } from './tagTree.ts';
 
 type Node = TagGroup | Tag;
 
@@ -27,6 +27,8 @@ class TagsProvider implements vscode.TreeDataProvider<Node>, vscode.Disposable {
     #program = 0;
     /** Every tag of the session, as it was when it was listed. A row stays the same row from state to state. */
     #groups: readonly TagGroup[] = [];
+    #all: readonly Tag[] = [];
+    #wanted = '';
     /** What each row showed when it was drawn. */
     readonly #drawn = new Map<string, string>();
     #later: NodeJS.Timeout | undefined;
@@ -60,6 +62,7 @@ class TagsProvider implements vscode.TreeDataProvider<Node>, vscode.Disposable {
                 this.#drawn.clear();
                 this.#open.clear();
                 this.#groups = [];
+                this.#all = [];
             }
             this.#session = session;
             this.#program = program;
@@ -67,15 +70,30 @@ class TagsProvider implements vscode.TreeDataProvider<Node>, vscode.Disposable {
             if (this.#session !== session || this.#program !== program) {
                 return;
             }
-            this.#groups = tagGroups(tags);
-            this.#changed.fire(undefined);
-            this.#simulation.look();
+            this.#all = tags;
+            this.#list();
             return;
         }
         const changed = this.#shown().filter((tag) => this.#drawn.has(tag.name) && this.#drawn.get(tag.name) !== this.#text(tag));
         if (changed.length > 0) {
             this.#changed.fire(changed);
         }
+    }
+
+    get wanted(): string {
+        return this.#wanted;
+    }
+
+    /** Leaves only the tags that are looked for. */
+    filter(wanted: string): void {
+        this.#wanted = wanted;
+        this.#list();
+    }
+
+    #list(): void {
+        this.#groups = tagGroups(filtered(this.#all, this.#wanted));
+        this.#changed.fire(undefined);
+        this.#simulation.look();
     }
 
     #now(tag: Tag): Tag {
@@ -165,9 +183,18 @@ export function showTags(simulation: Simulation): vscode.Disposable {
         simulation.look();
     };
     appear();
+    const filter = async () => {
+        const placeHolder = 'Part of a name or type; nothing shows all tags';
+        const wanted = await vscode.window.showInputBox({ title: 'Filter the Tags', value: provider.wanted, placeHolder });
+        if (wanted !== undefined) {
+            provider.filter(wanted);
+            view.description = wanted;
+        }
+    };
     return vscode.Disposable.from(
         provider,
         view,
+        vscode.commands.registerCommand('ladder.tags.filter', filter),
         view.onDidChangeVisibility(appear),
         view.onDidExpandElement(({ element }) => provider.fold(element, true)),
         view.onDidCollapseElement(({ element }) => provider.fold(element, false)),

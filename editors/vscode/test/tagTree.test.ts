@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import type { Tag } from '../src/protocol.ts';
-import { partsOf, tagGroups, tagRow } from '../src/tagTree.ts';
+import { filtered, partsOf, tagGroups, tagRow } from '../src/tagTree.ts';
 
 const start: Tag = { name: 'start', type: 'BOOL', value: true, text: '1', role: 'input', forced: false };
 const run: Tag = { name: 'run', type: 'BOOL', value: false, text: '0', role: 'output', forced: true };
@@ -16,6 +16,13 @@ test('tags are grouped by role, empty groups are left out', () => {
             ['Internal', ['t.ET']],
         ],
     );
+});
+
+test('tags are found by part of their name or type', () => {
+    const found = (wanted: string) => filtered([start, run, elapsed], wanted).map(({ name }) => name);
+    assert.deepEqual(found(''), ['start', 'run', 't.ET']);
+    assert.deepEqual(found(' RU '), ['run']);
+    assert.deepEqual(found('time'), ['t.ET']);
 });
 
 test('a BOOL input toggles on a click', () => {
