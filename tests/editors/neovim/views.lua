@@ -33,6 +33,20 @@ return function(t)
     assert(ladder.wait(bufnr), 'no answer')
     t.equal('the first line', { 'start', 'BOOL', 'input', '1' }, vim.split(vim.api.nvim_get_current_line(), '%s+'))
     t.equal('the number of scans', 3, ladder.state(bufnr).scan)
+    local input = vim.ui.input
+    local function filter(wanted)
+      vim.ui.input = function(_, done)
+        done(wanted)
+      end
+      vim.api.nvim_feedkeys('F', 'x', false)
+      vim.ui.input = input
+      return vim.tbl_map(function(line)
+        return line:match('^%S+')
+      end, vim.api.nvim_buf_get_lines(0, 0, -1, false))
+    end
+    t.equal('the tags that hold it', { 'run' }, filter('RU'))
+    assert(#filter('') > 3, 'all tags are shown again')
+    vim.api.nvim_win_set_cursor(0, { 1, 0 })
     vim.api.nvim_feedkeys('q', 'x', false)
     t.equal('the buffer in the window', bufnr, vim.api.nvim_get_current_buf())
   end)

@@ -19,7 +19,9 @@ local max_height = 14
 --- @field bufnr integer
 --- @field session string|nil whose tags are listed
 --- @field program integer which of its programs they are of
---- @field tags ladder.Tag[] as they were when they were listed
+--- @field all ladder.Tag[] as they were when they were listed
+--- @field wanted string what the names of those hold that are shown
+--- @field tags ladder.Tag[] those that are shown
 --- @field drawn table<integer, string> what is in the lines that were drawn, by line from 1
 --- @field names integer the width of the names
 --- @field types integer the width of the types
@@ -28,7 +30,7 @@ local max_height = 14
 --- @type table<integer, ladder.Panel>
 local panels = {}
 
-local keys = '<CR> toggle  c change  f force  u release  w why  s step  b back  r run  p pause  q close'
+local keys = '<CR> toggle  c change  f force  u release  w why  F filter  s step  b back  r run  p pause  q close'
 
 --- @param panel ladder.Panel
 --- @param tag ladder.Tag
@@ -101,8 +103,13 @@ local function title(panel, source)
 end
 
 --- @param panel ladder.Panel
---- @param tags ladder.Tag[]
-local function list(panel, tags)
+--- @param all ladder.Tag[]
+local function list(panel, all)
+  local sought = vim.fn.tolower(panel.wanted)
+  local tags = vim.tbl_filter(function(tag)
+    return vim.fn.tolower(tag.name .. ' : ' .. tag.type):find(sought, 1, true) ~= nil
+  end, all)
+  panel.all = all
   panel.tags, panel.drawn, panel.names, panel.types = tags, {}, 4, 4
   local names = {}
   for index, tag in ipairs(tags) do
@@ -196,6 +203,17 @@ local function map_keys(panel, source)
         require('ladder.why').ask(source, tag.name)
       end
     end,
+    F = function()
+      local panel = panels[source]
+      vim.ui.input({ prompt = 'Part of a name or type: ', default = panel.wanted }, function(wanted)
+        if wanted and panels[source] == panel then
+          panel.wanted = vim.trim(wanted)
+          list(panel, panel.all)
+          simulation.look(source)
+          refresh(source)
+        end
+      end)
+    end,
     q = function()
       M.close(source)
     end,
@@ -218,7 +236,7 @@ end
 
 --- @param source integer
 function M.open(source)
-  local panel = { bufnr = create(source), program = 0, tags = {}, drawn = {}, names = 4, types = 4 }
+  local panel = { bufnr = create(source), program = 0, wanted = '', all = {}, tags = {}, drawn = {}, names = 4, types = 4 }
   panels[source] = panel
   shown.tags(source, function()
     local first, last = lines_shown(panel)
