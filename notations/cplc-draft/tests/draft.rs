@@ -176,6 +176,24 @@ fn what_cannot_be_read() {
         "#]],
         ),
         (
+            "IN = { DI a }\n+--[EQU]<x><&a><5>--()<a>--+",
+            expect![[r#"
+                2:4: `&a` is not an operand: that is a name, a number, or an element such as `a[3]`
+            "#]],
+        ),
+        (
+            "IN = { DI a }\n+--[EQU]<x><a><+-5>--()<a>--+",
+            expect![[r#"
+                VAR_INPUT
+                    a : BOOL;
+                END_VAR
+
+                +--[EQ]( a, -5 )-----------------------------------------------------( )( a )--+
+                2:4 type-mismatch: the number 5 is no BOOL
+                2:22 input-written: `a` is an input, and is written here: the next reading of the inputs overwrites it
+            "#]],
+        ),
+        (
             "IN = { DI a }\n/* never closed",
             expect![[r#"
             2:1: the comment that begins here has no `*/`
