@@ -149,9 +149,16 @@ fn is_operand(text: &str) -> bool {
 
 /// Whether a text is a number as ladder text has them too; only the draft has `+5`.
 fn is_literal(text: &str) -> bool {
-    let number = text.strip_prefix('+').unwrap_or(text);
+    let number = match text.strip_prefix('+') {
+        Some(number) if number.starts_with('-') => return false,
+        number => number.unwrap_or(text),
+    };
     let is_plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | '+' | '-' | '#');
-    let reads = || ladder_syntax::parse(&format!("+--[MOV]( y, {number} )--+")).errors().is_empty();
+    let reads = || {
+        ladder_syntax::parse(&format!("+--[MOV]( y, {number} )--+"))
+            .errors()
+            .is_empty()
+    };
     number.starts_with(|c: char| c.is_ascii_digit() || c == '-') && number.chars().all(is_plain) && reads()
 }
 

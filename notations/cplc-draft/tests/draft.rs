@@ -184,13 +184,7 @@ fn what_cannot_be_read() {
         (
             "IN = { DI a }\n+--[EQU]<x><a><+-5>--()<a>--+",
             expect![[r#"
-                VAR_INPUT
-                    a : BOOL;
-                END_VAR
-
-                +--[EQ]( a, -5 )-----------------------------------------------------( )( a )--+
-                2:4 type-mismatch: the number 5 is no BOOL
-                2:22 input-written: `a` is an input, and is written here: the next reading of the inputs overwrites it
+                2:4: `+-5` is not an operand: that is a name, a number, or an element such as `a[3]`
             "#]],
         ),
         (
