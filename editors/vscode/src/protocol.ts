@@ -37,7 +37,7 @@ export interface Operand {
     readonly drawn?: boolean;
 }
 
-/** Where the value of an operand is shown: over the line above or below, which is blank there, or between two lines. */
+/** Where the value of an operand is shown: over the line above or below, which is blank there, or after the line. */
 export interface Label {
     /** Whose text it is. */
     readonly tag: string;
@@ -45,6 +45,8 @@ export interface Label {
     readonly at: Range['start'];
     readonly side: 'above' | 'below' | 'between';
     readonly column: number;
+    /** Where neither line leaves room: the column after the end of the line; the tag's name is before the value there. */
+    readonly after?: number;
 }
 
 /** A value for a tag, or what a person typed for it. */

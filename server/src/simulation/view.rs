@@ -190,6 +190,7 @@ impl View {
                 row: at.line,
                 column: display_width(&before),
                 width: room(point.ty).max(width(point, simulation)),
+                name: display_width(&point.name) + 2,
             });
             labels.push((point.name.clone(), at));
         }
@@ -199,11 +200,12 @@ impl View {
         });
         let placed = labels.into_iter().zip(places);
         placed
-            .map(|((tag, at), (side, column))| Label {
+            .map(|((tag, at), place)| Label {
                 tag,
                 at,
-                side,
-                column,
+                side: place.side,
+                column: place.column,
+                after: place.after,
             })
             .collect()
     }

@@ -266,11 +266,16 @@ async fn values_come_with_their_places() {
         let at = json!({"line": at[0], "character": at[1]});
         json!({"tag": tag, "at": at, "side": side, "column": column})
     };
+    let apart = |tag: &str, at: [u32; 2], column: u32, after: u32| {
+        let mut label = label(tag, at, "between", column);
+        label["after"] = after.into();
+        label
+    };
     // The first line has none above; the drawing tells what contacts and coils hold.
     let at_first = [
         label("t.ET", [0, 10], "below", 10),
         label("n", [0, 26], "below", 26),
-        label("n", [0, 29], "between", 29),
+        apart("n", [0, 29], 29, 50),
         label("m", [2, 20], "above", 20),
     ];
     assert_eq!(first["labels"], json!(at_first), "{:#}", first["labels"]);
@@ -293,7 +298,7 @@ async fn values_come_with_their_places() {
     let outgrown = [
         label("t.ET", [0, 10], "below", 10),
         label("n", [0, 26], "below", 26),
-        label("n", [0, 29], "between", 29),
+        apart("n", [0, 29], 29, 50),
         label("m", [2, 20], "below", 20),
     ];
     assert_eq!(state["labels"], json!(outgrown), "{:#}", state["labels"]);
@@ -305,7 +310,7 @@ async fn values_come_with_their_places() {
     let state = client.notification(STATE, |_| true).await;
     let labels = state["labels"].as_array().unwrap();
     let of_y: Vec<_> = labels.iter().filter(|label| label["tag"] == "y").collect();
-    let forced = [label("y", [0, 42], "below", 42), label("y", [2, 8], "between", 8)];
+    let forced = [label("y", [0, 42], "below", 42), apart("y", [2, 8], 8, 31)];
     assert_eq!(json!(of_y), json!(forced), "{:#}", state["labels"]);
 
     // What is not shown any more has no labels.

@@ -108,6 +108,10 @@ pub struct Label {
     pub side: Side,
     /// In which column of the screen it begins, from 0.
     pub column: u32,
+    /// Where neither side leaves room: the column after the end of the line, for editors that cannot show a line between two. There
+    /// the tag's name and `: ` are before it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub after: Option<u32>,
 }
 
 /// On which side of a line something is shown.
@@ -118,6 +122,6 @@ pub enum Side {
     Above,
     /// Over the line below, which is blank there.
     Below,
-    /// Between the line and the one above, where neither leaves room.
+    /// In a line of its own between the line and the one above, where neither leaves room.
     Between,
 }
