@@ -33,6 +33,8 @@ pub(crate) struct Agreed {
     pub(crate) prepares_rename: bool,
     /// Completions may have tab stops.
     pub(crate) snippets: bool,
+    /// Completions may have a few words in each row of the list.
+    pub(crate) label_details: bool,
     /// The documentation of completions may be Markdown.
     pub(crate) completion_markdown: bool,
     /// The documentation of completions cannot be asked for later.
@@ -201,6 +203,9 @@ impl Agreed {
                 .unwrap_or(false),
             signature_markdown: markdown(signature.and_then(|it| it.documentation_format.as_ref())),
             snippets: completion.and_then(|it| it.snippet_support).unwrap_or(false),
+            label_details: completion
+                .and_then(|it| it.label_details_support)
+                .unwrap_or(false),
             completion_markdown: markdown(completion.and_then(|it| it.documentation_format.as_ref())),
             documented_at_once: completion.is_some_and(|it| {
                 // A client from before this capability existed resolves it.
@@ -292,7 +297,7 @@ mod tests {
                 "definition": {"linkSupport": true},
                 "rename": {"prepareSupport": true},
                 "completion": {"completionItem": {
-                    "snippetSupport": true, "documentationFormat": ["markdown"],
+                    "snippetSupport": true, "labelDetailsSupport": true, "documentationFormat": ["markdown"],
                     "resolveSupport": {"properties": ["command"]}
                 }},
                 "documentSymbol": {"hierarchicalDocumentSymbolSupport": true},
@@ -335,6 +340,7 @@ mod tests {
                 resolves_edits: true,
                 disabled_actions: true,
                 markdown: true,
+                label_details: true,
                 watches_files: true,
                 file_operations: Reported {
                     created: true,
