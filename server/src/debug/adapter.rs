@@ -1,7 +1,6 @@
 //! A session: what it holds, and its requests, one function each.
 
 use std::collections::HashSet;
-use std::io::Write;
 use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
 
@@ -25,7 +24,7 @@ use super::stack;
 use super::stepping::Stepping;
 use super::target::Target;
 use super::variables::{self, Handles};
-use super::wire::Outlet;
+use super::wire::{Outlet, Output};
 
 /// A program has one thread.
 pub(super) const THREAD: i64 = 1;
@@ -46,8 +45,8 @@ pub(super) enum Phase {
 }
 
 /// A session of the debug adapter.
-pub(super) struct Adapter<W> {
-    out: Outlet<W>,
+pub(super) struct Adapter {
+    out: Outlet,
     /// What goes out after the answer.
     events: Vec<(&'static str, Json)>,
     pub(super) client: Initialize,
@@ -74,8 +73,8 @@ pub(super) struct Adapter<W> {
     is_left: bool,
 }
 
-impl<W: Write> Adapter<W> {
-    pub(super) fn new(output: W, urgent: Arc<AtomicUsize>) -> Adapter<W> {
+impl Adapter {
+    pub(super) fn new(output: Output, urgent: Arc<AtomicUsize>) -> Adapter {
         let client = Initialize::default();
         Adapter {
             out: Outlet::new(output),

@@ -1,6 +1,5 @@
 //! The requests about breakpoints and exceptions.
 
-use std::io::Write;
 use std::path::Path;
 
 use serde_json::{Value as Json, json};
@@ -14,7 +13,7 @@ use super::messages::{
 use super::running::{EXPECTATIONS, FAULTS};
 use super::variables;
 
-impl<W: Write> Adapter<W> {
+impl Adapter {
     /// Sets the places for the engine where it is to stop.
     pub(super) fn arm(&mut self) {
         let Some(target) = &mut self.target else {

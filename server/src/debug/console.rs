@@ -1,6 +1,5 @@
 //! What a person writes: expressions to be watched, and in the console assignments and forces too.
 
-use std::io::Write;
 
 use ladder_analysis::values::types::Type;
 use ladder_simulator::{Instance, Point, members_of};
@@ -21,7 +20,7 @@ unforce start      lets it go; `unforce` alone lets all go
 /// No more proposals than these are made.
 const MOST: usize = 500;
 
-impl<W: Write> Adapter<W> {
+impl Adapter {
     /// `evaluate`
     pub(super) fn evaluate(&mut self, arguments: &Evaluate) -> Result<Json, Problem> {
         let text = arguments.expression.trim();
