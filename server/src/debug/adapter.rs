@@ -10,6 +10,7 @@ use ladder_syntax::TextRange;
 use serde::Deserialize as _;
 use serde_json::{Value as Json, json};
 
+use super::attached::Lent;
 use super::breakpoints::Table;
 use super::capabilities::capabilities;
 use super::configuration::{BackBy, Configuration};
@@ -19,7 +20,7 @@ use super::messages::{
     StepArguments, Variables,
 };
 use super::running::{Going, Stopped};
-use super::sources::Counting;
+use super::sources::{Counting, Source};
 use super::stack;
 use super::stepping::Stepping;
 use super::target::Target;
@@ -69,6 +70,8 @@ pub(super) struct Adapter {
     pub(super) end_is_shown: bool,
     /// How many requests wait that a long scan is given up for.
     pub(super) urgent: Arc<AtomicUsize>,
+    /// The session belongs to a simulation of the language server.
+    pub(super) lent: Option<Lent>,
     /// The client is gone, or wants to be.
     is_left: bool,
 }
@@ -94,6 +97,7 @@ impl Adapter {
             faults_reported: HashSet::new(),
             end_is_shown: false,
             urgent,
+            lent: None,
             is_left: false,
         }
     }
@@ -163,6 +167,11 @@ impl Adapter {
     pub(super) fn leave(&mut self) {
         self.is_left = true;
         self.going = None;
+        if self.lent.is_some()
+            && let Some(target) = &mut self.target
+        {
+            target.session.clear_breakpoints();
+        }
         if self.phase != Phase::Over
             && let Some(target) = &mut self.target
         {
@@ -173,7 +182,10 @@ impl Adapter {
     /// The program has met an error of the engine: it cannot be trusted any more.
     pub(super) fn give_up(&mut self) {
         self.going = None;
-        self.target = None;
+        // One that is lent goes back.
+        if self.lent.is_none() {
+            self.target = None;
+        }
         self.write(
             "stderr",
             "the simulator has met an error of its own and stops; please report it\n",
@@ -301,14 +313,19 @@ impl Adapter {
         }
         self.counting = Counting::of(&self.client);
         self.phase = Phase::Ready;
-        Ok(capabilities())
+        Ok(capabilities(self.lent.is_none()))
     }
 
     fn launch(&mut self, request: &Request) -> Result<Json, String> {
         if self.phase != Phase::Ready {
             return Err("the program is launched already".into());
         }
-        self.load(request.arguments()?)?;
+        if self.lent.is_some() {
+            self.configuration = request.arguments()?;
+            self.configuration.speed()?;
+        } else {
+            self.load(request.arguments()?)?;
+        }
         self.phase = Phase::Launched;
         // Breakpoints can be placed only now.
         self.event("initialized", Json::Null);
@@ -350,6 +367,9 @@ impl Adapter {
     fn begin(&mut self) -> Result<(), String> {
         self.phase = Phase::Live;
         self.arm();
+        if let Some(Lent::Joined { runs }) = self.lent {
+            return self.begin_where_it_is(runs);
+        }
         if self.configuration.stop_on_entry && !self.configuration.no_debug {
             self.stop(Stopped::because("entry", "Before the first scan"));
             return Ok(());
@@ -357,7 +377,49 @@ impl Adapter {
         self.start_run()
     }
 
+    /// What ran goes on, and what did not is shown where it is.
+    fn begin_where_it_is(&mut self, runs: bool) -> Result<(), String> {
+        if runs {
+            return self.start_run();
+        }
+        self.stop(Stopped::because("pause", ""));
+        Ok(())
+    }
+
+    /// The simulation was led to another scan: what was given and found there before is of another past.
+    pub(super) fn led_elsewhere(&mut self) {
+        self.faults_seen = (0, 0);
+        self.end_is_shown = false;
+        if let Some(target) = &mut self.target {
+            target.give_again();
+        }
+    }
+
+    /// The program has another text. Breakpoints stay in the lines where they were.
+    pub(super) fn sources_are(&mut self, sources: Vec<Source>, lines: &[Option<u32>]) {
+        let counting = self.counting;
+        let Some(target) = &mut self.target else {
+            return;
+        };
+        target.sources = sources;
+        if let Some(own) = target.sources.first() {
+            self.table.move_lines(own, lines, counting);
+        }
+        let reported = self.table.place_again(target, counting);
+        self.arm();
+        self.handles.clear();
+        for breakpoint in reported {
+            self.event(
+                "breakpoint",
+                json!({"reason": "changed", "breakpoint": breakpoint}),
+            );
+        }
+    }
+
     fn restart(&mut self, request: &Request) -> Result<Json, String> {
+        if self.lent.is_some() {
+            return Err("a simulation is started again, not its debugger".into());
+        }
         if matches!(self.phase, Phase::Ready) {
             return Err(no_program());
         }

@@ -64,7 +64,7 @@ impl Adapter {
             .end_line
             .map_or(first, |line| counting.line(line))
             .min(last);
-        Ok(json!({"breakpoints": breakpoint_places::locations(target, file, first..=end, counting)}))
+        Ok(json!({"breakpoints": breakpoint_places::lines(target, file, first..=end.max(first), counting)}))
     }
 
     pub(super) fn data_breakpoint_info(&mut self, arguments: &DataBreakpointInfo) -> Result<Json, String> {

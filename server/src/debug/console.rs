@@ -1,6 +1,5 @@
 //! What a person writes: expressions to be watched, and in the console assignments and forces too.
 
-
 use ladder_analysis::values::types::Type;
 use ladder_simulator::{Instance, Point, members_of};
 use serde_json::{Value as Json, json};
@@ -139,7 +138,7 @@ impl Adapter {
     }
 
     /// What the client shows of tags is old.
-    fn has_changed(&mut self) {
+    pub(super) fn has_changed(&mut self) {
         if self.client.takes_invalidated {
             self.event(
                 "invalidated",

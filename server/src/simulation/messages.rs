@@ -1,5 +1,6 @@
 //! What travels between editor and simulator. `docs/protocol.md` shows each message.
 
+mod debug;
 mod shown;
 mod state;
 mod trace;
@@ -10,6 +11,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize, Serializer};
 use serde_json::Value;
 
+pub use debug::{Debug, Debugged, DebuggerMessage};
 pub use shown::{Contact, Found, Label, Lines, Operand, Search, Show, Shown, Side};
 pub use state::{Breakpoint, Fault, Hit, Lost, Power, ProgramChange, Role, State, Status, Tag};
 pub use trace::{Cursors, GoTo, Reach, Tick, Trace, TraceColumn, TraceTag, Traced, TracedKind};

@@ -11,6 +11,7 @@ use super::action::{Action, Answer, Pace};
 use super::engine::Engine;
 use super::messages::{Options, State, Status};
 use super::request::Failure;
+use super::retention::Keeping;
 use super::runner::{Runner, brake};
 use super::running_program::{Detail, Simulation};
 use crate::busy::Busy;
@@ -47,18 +48,20 @@ impl Session {
         id: String,
         revision: Arc<Revision>,
         options: &Options,
+        keeping: &Keeping,
         running: &Busy,
     ) -> Result<(Self, watch::Receiver<State>, Vec<String>), Failure> {
         let (commands, inbox) = channel();
         let urgent = Arc::<AtomicUsize>::default();
         let uri = revision.uri.clone();
-        let (mut engine, notes) = Engine::start(revision, options)?;
+        let (mut engine, notes) = Engine::start(revision, options, keeping)?;
         engine.obey(brake(&urgent, &Cancel::default()));
         let mut simulation = Simulation {
             id: id.clone(),
             engine,
             status: Status::Paused,
             hit: None,
+            debugging: None,
             pace: Pace::default(),
             answers: 0,
         };
