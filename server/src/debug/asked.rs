@@ -159,6 +159,7 @@ struct Scenario {
     file: Source,
     suite: scenario::Suite,
     name: Option<String>,
+    line: Option<u32>,
     program: PathBuf,
 }
 
@@ -193,6 +194,7 @@ fn scenario_of(configuration: &Configuration) -> Result<Option<Scenario>, String
     };
     Ok(Some(Scenario {
         name: configuration.scenario.clone(),
+        line: configuration.scenario_line,
         program,
         suite,
         file,
@@ -211,10 +213,17 @@ impl Scenario {
             return Err(error(&self.file, &errors));
         }
         let names: Vec<String> = cases.iter().map(|case| format!("\"{}\"", case.name)).collect();
+        let line = self.line.map(|line| line.saturating_sub(1) as usize);
         let mut cases = cases.into_iter();
-        let case = match &self.name {
-            None => cases.next(),
-            Some(name) => cases.find(|case| case.name == *name),
+        let case = match (&self.name, line) {
+            (Some(name), _) => cases.find(|case| case.name == *name),
+            // Above the first one it is the first one that is meant.
+            (None, Some(line)) => cases
+                .clone()
+                .filter(|case| self.file.line(case.range.start()) <= line)
+                .next_back()
+                .or_else(|| cases.next()),
+            (None, None) => cases.next(),
         };
         let case = case.ok_or_else(|| {
             format!(

@@ -35,6 +35,6 @@ pub(crate) use debugger::{Beginning, Debugger, Ground, Halt, ProgramFile};
 pub(crate) use request::{COMMANDS, Failure, Request, argument_of};
 pub(crate) use retention::Keeping;
 pub(crate) use runner::REPORT;
-pub(crate) use session::Session;
+pub(crate) use session::{Begun, Session};
 pub(crate) use sessions::Sessions;
 pub(crate) use status_text::status_text;

@@ -141,11 +141,10 @@ mod tests {
     #[test]
     fn every_command_is_read() {
         for command in COMMANDS {
-            let argument = json!({"uri": "file:///a.clad"});
-            let argument = if ["ladder.simulate.start", "ladder.simulate.debug"].contains(&command) {
-                argument
-            } else {
-                json!({"session": "s1"})
+            let argument = match command {
+                "ladder.simulate.start" => json!({"uri": "file:///a.clad"}),
+                "ladder.simulate.debug" => json!({"options": {}}),
+                _ => json!({"session": "s1"}),
             };
             match Request::read(command, vec![argument]) {
                 Ok(_) => {}

@@ -98,6 +98,8 @@ impl Debugged {
 
 const SCENARIOS: &str = "\
 program motor.clad
+scenario \"rests\"
+run  => __
 scenario \"starts\"
 start   _-_
 run  => _--
@@ -246,7 +248,8 @@ async fn a_running_simulation_is_given_a_breakpoint() {
 
 #[tokio::test]
 async fn a_scenario_is_debugged_in_the_live_view() {
-    let launch = json!({"scenarioFile": "motor.ladder-test", "scenario": "starts"});
+    // Which scenario is at a line the server knows.
+    let launch = json!({"scenarioFile": "motor.ladder-test", "scenarioLine": 6});
     let mut it = Debugged::launched(launch).await;
     it.break_at(6).await;
     it.body("configurationDone", Value::Null).await;

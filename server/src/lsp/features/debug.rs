@@ -49,6 +49,7 @@ pub(super) async fn debug(shared: &Arc<Shared>, Debug { launch, options }: Debug
             session: session.id.clone(),
             joined: true,
             state,
+            first: None,
             notes: Vec::new(),
         });
     }
@@ -69,6 +70,7 @@ pub(super) async fn debug(shared: &Arc<Shared>, Debug { launch, options }: Debug
         session: started.session,
         joined: false,
         state: json(&started.state)?,
+        first: started.first,
         notes: started.notes,
     })
 }

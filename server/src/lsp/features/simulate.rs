@@ -18,7 +18,7 @@ use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::{answered::answered, blocking::blocking};
 use crate::simulation::messages::{OfSession, Options, Show, Shown, Start, Started, State, Status, Stopped};
 use crate::simulation::{
-    Action, Answer, Beginning, Failure, Given, Keeping, Pace, REPORT, Request, Session, status_text,
+    Action, Answer, Beginning, Begun, Failure, Given, Keeping, Pace, REPORT, Request, Session, status_text,
 };
 
 /// The protocol's code for a request that makes sense but cannot be done.
@@ -176,7 +176,12 @@ pub(super) async fn begin(
         None => (Keeping::default(), None),
     };
     let started = blocking(move |_| Session::start(name, job, &options, &keeping, &running)).await?;
-    let (session, mut states, notes) = started.map_err(error)?;
+    let (session, begun) = started.map_err(error)?;
+    let Begun {
+        mut states,
+        notes,
+        first,
+    } = begun;
     let mut state = states.borrow_and_update().clone();
     if let Some((pace, beginning)) = debugging {
         answer(&session, Action::Debug(beginning)).await?;
@@ -202,6 +207,7 @@ pub(super) async fn begin(
     Ok(Started {
         session: session.id.clone(),
         state,
+        first,
         notes,
     })
 }

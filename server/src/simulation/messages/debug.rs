@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::{Options, is_false};
+use crate::document::position::Range;
 
 /// The argument of `ladder.simulate.debug`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -27,6 +28,9 @@ pub struct Debugged {
     pub joined: bool,
     /// How things are: as `ladder.simulate.start` answers, or as any other command where it ran already.
     pub state: Value,
+    /// Where the first rung is, where it was started.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub first: Option<Range>,
     /// What a person should know.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
