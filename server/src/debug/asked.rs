@@ -220,8 +220,7 @@ impl Scenario {
             // Above the first one it is the first one that is meant.
             (None, Some(line)) => cases
                 .clone()
-                .filter(|case| self.file.line(case.range.start()) <= line)
-                .next_back()
+                .rfind(|case| self.file.line(case.range.start()) <= line)
                 .or_else(|| cases.next()),
             (None, None) => cases.next(),
         };
