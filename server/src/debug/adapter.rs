@@ -7,9 +7,11 @@ use std::sync::atomic::AtomicUsize;
 use ladder_analysis::program::Location;
 use ladder_simulator::Brake;
 use ladder_syntax::TextRange;
+use ladder_workspace::shown;
 use serde::Deserialize as _;
 use serde_json::{Value as Json, json};
 
+use super::asked::Asked;
 use super::attached::Lent;
 use super::breakpoints::Table;
 use super::capabilities::capabilities;
@@ -313,7 +315,7 @@ impl Adapter {
         }
         self.counting = Counting::of(&self.client);
         self.phase = Phase::Ready;
-        Ok(capabilities(self.lent.is_none()))
+        Ok(capabilities())
     }
 
     fn launch(&mut self, request: &Request) -> Result<Json, String> {
@@ -386,6 +388,28 @@ impl Adapter {
         Ok(())
     }
 
+    /// The program of a simulation begins again from cold, with what a configuration gives it.
+    fn load_again(&mut self, configuration: Configuration) -> Result<(), String> {
+        configuration.speed()?;
+        let asked = Asked::of(&configuration)?;
+        let target = self.target()?;
+        if target.file_of(asked.program()) != Some(0) {
+            return Err(format!(
+                "{} is another program: start it instead of this one",
+                shown::path(asked.program())
+            ));
+        }
+        target.session.unforce_all();
+        target.session.reset();
+        let given = asked.give(&mut target.session)?;
+        target.gives(given);
+        self.configuration = configuration;
+        self.lent = Some(Lent::New);
+        self.faults_reported.clear();
+        self.led_elsewhere();
+        Ok(())
+    }
+
     /// The simulation was led to another scan: what was given and found there before is of another past.
     pub(super) fn led_elsewhere(&mut self) {
         self.faults_seen = (0, 0);
@@ -417,9 +441,6 @@ impl Adapter {
     }
 
     fn restart(&mut self, request: &Request) -> Result<Json, String> {
-        if self.lent.is_some() {
-            return Err("a simulation is started again, not its debugger".into());
-        }
         if matches!(self.phase, Phase::Ready) {
             return Err(no_program());
         }
@@ -429,7 +450,9 @@ impl Adapter {
         };
         self.going = None;
         self.forget_stop();
-        if let Err(problem) = self.load(configuration) {
+        if self.lent.is_some() {
+            self.load_again(configuration)?;
+        } else if let Err(problem) = self.load(configuration) {
             self.phase = Phase::Live;
             self.end(1);
             return Err(problem);

@@ -4,8 +4,8 @@ use serde_json::{Value as Json, json};
 
 use super::running::{EXPECTATIONS, FAULTS};
 
-/// The answer to `initialize`. The adapter restarts only programs of its own.
-pub(super) fn capabilities(restarts: bool) -> Json {
+/// The answer to `initialize`.
+pub(super) fn capabilities() -> Json {
     json!({
         "supportsConfigurationDoneRequest": true,
         "supportsConditionalBreakpoints": true,
@@ -15,7 +15,7 @@ pub(super) fn capabilities(restarts: bool) -> Json {
         "supportsDataBreakpoints": true,
         "supportsStepBack": true,
         "supportsSteppingGranularity": true,
-        "supportsRestartRequest": restarts,
+        "supportsRestartRequest": true,
         "supportsTerminateRequest": true,
         "supportsSetVariable": true,
         "supportsSetExpression": true,

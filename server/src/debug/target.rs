@@ -58,6 +58,11 @@ impl Target {
         self.give_inputs();
     }
 
+    /// Something else is given from now on.
+    pub(super) fn gives(&mut self, given: GivenByFiles) {
+        (self.play, self.inputs) = (given.play, given.inputs);
+    }
+
     /// What was given is given again where it is due.
     pub(super) fn give_again(&mut self) {
         self.given = Once::default();

@@ -267,4 +267,10 @@ async fn a_scenario_is_debugged_in_the_live_view() {
     it.body("continue", json!({"threadId": 1})).await;
     assert_eq!(it.event("exited").await["exitCode"], 0);
     it.event("terminated").await;
+    // A restart runs another one of the same program.
+    let launch = json!({"scenarioFile": path(&it.plant, "motor.ladder-test"), "scenario": "rests"});
+    it.body("restart", json!({"arguments": launch})).await;
+    it.event("stopped").await;
+    let frames = it.body("stackTrace", json!({"threadId": 1})).await;
+    assert_eq!(frames["stackFrames"][1]["name"], "scenario \"rests\", step 0");
 }

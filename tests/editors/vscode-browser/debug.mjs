@@ -51,7 +51,7 @@ async function force(page) {
     await row(page, 'button').getByText('TRUE (forced)').waitFor({ timeout: 5000 });
 }
 
-export async function debug(page, { step, screenshot }) {
+export async function debug(page, { step, until, weights, screenshot }) {
     const stack = page.locator('.debug-call-stack');
     await step('F5 starts the program of the editor, without a launch.json', async () => {
         await open(page, PROGRAM);
@@ -75,6 +75,19 @@ export async function debug(page, { step, screenshot }) {
         await expand(page, 'Internal');
         await row(page, 'presses').getByText('1').waitFor({ timeout: 5000 });
         await screenshot(page, 'debug');
+    });
+    await step('stopped there, the text shows power and values as in a simulation, and why answers', async () => {
+        await page.getByText('Ladder: paused, scan 0, 0ms, 1 forced').waitFor({ timeout: 5000 });
+        const rung = () => weights(page, '+--[P]( button )');
+        await until('power on the rung that has run', 5, async () => (await rung()).some(({ bold }) => bold));
+        await command(page, 'Ladder: Why Has the Tag This Value?');
+        await page.locator('.quick-input-widget input').fill('presses');
+        await page.keyboard.press('Enter');
+        await page.locator('.monaco-list-row', { hasText: '[ADD]( presses' }).first().waitFor({ timeout: 5000 });
+        await page.keyboard.press('Control+Shift+D');
+    });
+    await step('a mark of a breakpoint moves nothing within its line', async () => {
+        assert.equal(await page.locator('.debug-breakpoint-placeholder').count(), 0);
     });
     await step('an expression of several tags is watched, and follows the program', async () => {
         const pane = page.locator('.debug-pane, .pane', { has: page.locator('.pane-header', { hasText: 'Watch' }) }).last();
