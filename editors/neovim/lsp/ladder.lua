@@ -43,6 +43,9 @@ return {
     ['ladder/preview'] = function(_, previewed)
       require('ladder.click').receive(previewed)
     end,
+    ['ladder/fromDebugger'] = function(_, said, context)
+      require('ladder.bridge').receive(said, context.client_id)
+    end,
     ['ladder/simulationState'] = function(_, state, context)
       require('ladder.simulation').receive(state, context.client_id)
     end,

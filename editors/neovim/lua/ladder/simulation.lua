@@ -216,10 +216,32 @@ function M.start(bufnr, options)
   end
 end
 
+--- Shows a session that the server has started for a debugger; one that was there is ended.
+--- @param bufnr integer
+--- @param client vim.lsp.Client
+--- @param started { session: string, state: ladder.State, notes: string[]|nil }
+--- @param what table what was shown of the buffer when it was asked for
+--- @return ladder.Session
+function M.adopt(bufnr, client, started, what)
+  M.stop(bufnr)
+  local session = sessions.open(bufnr, client)
+  watch(session)
+  session.id = started.session
+  session.shown = what
+  session.debugged = true
+  view.show(session, started.state)
+  look(session)
+  for _, note in ipairs(started.notes or {}) do
+    notify(note, vim.log.levels.WARN)
+  end
+  return session
+end
+
 --- Tells the simulation of the buffer, if there is one, which breakpoints there are now.
 --- @param bufnr integer
 function M.send_breakpoints(bufnr)
-  if sessions.of(bufnr) then
+  local session = sessions.of(bufnr)
+  if session and not session.debugged then
     M.command(bufnr, 'breakpoints', breakpoints.argument(bufnr))
   end
 end
