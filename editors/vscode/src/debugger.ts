@@ -6,6 +6,7 @@ import * as vscode from 'vscode';
 import { completed, expressionAt, type ActiveFile } from './debugConfiguration.ts';
 import type { Server } from './server.ts';
 import type { Simulation } from './simulation.ts';
+import { withLinesOnly } from './stackFrames.ts';
 
 const TYPE = 'ladder';
 
@@ -91,7 +92,7 @@ class Bridge implements vscode.DebugAdapter {
         this.#subscriptions = vscode.Disposable.from(
             server.onDebuggerSays((said) => {
                 if (said.session === session) {
-                    this.#said.fire(said.message);
+                    this.#said.fire(withLinesOnly(said.message));
                 }
             }),
             server.onDidStop(() => this.#said.fire({ seq: 0, type: 'event', event: 'terminated' } as vscode.DebugProtocolMessage)),
