@@ -23,7 +23,7 @@ return {
   },
   commands = {
     ['ladder.simulation.start'] = function(command)
-      require('ladder.simulation').start(vim.uri_to_bufnr(command.arguments[1]))
+      require('ladder.simulation').begin(vim.uri_to_bufnr(command.arguments[1]))
     end,
     ['ladder.test'] = function(_, context)
       require('ladder.test').run(context.bufnr)
