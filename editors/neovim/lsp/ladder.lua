@@ -23,7 +23,7 @@ return {
   },
   commands = {
     ['ladder.simulation.start'] = function(command)
-      require('ladder.simulation').start(vim.uri_to_bufnr(command.arguments[1]))
+      require('ladder.simulation').begin(vim.uri_to_bufnr(command.arguments[1]))
     end,
     ['ladder.test'] = function(_, context)
       require('ladder.test').run(context.bufnr)
@@ -42,6 +42,9 @@ return {
     end,
     ['ladder/preview'] = function(_, previewed)
       require('ladder.click').receive(previewed)
+    end,
+    ['ladder/fromDebugger'] = function(_, said, context)
+      require('ladder.bridge').receive(said, context.client_id)
     end,
     ['ladder/simulationState'] = function(_, state, context)
       require('ladder.simulation').receive(state, context.client_id)

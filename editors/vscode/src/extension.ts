@@ -54,7 +54,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
         views.trace,
         views.diagrams,
         registerCommands(server, simulation, click, tests, views),
-        registerDebugger(server),
+        registerDebugger(server, simulation),
         registerTasks(server),
         tests,
         lensesFollow(server, simulation),

@@ -156,8 +156,24 @@ export interface Recorded {
 }
 
 /** What each command takes besides the session, and what it answers. */
+/** The answer of `start`. */
+export interface Started {
+    readonly session: string;
+    readonly state: State;
+    /** Where the first rung is. */
+    readonly first?: Stretch;
+    readonly notes?: readonly string[];
+}
+
+/** What a debugger says, or is told: a message of the Debug Adapter Protocol. */
+export interface DebuggerMessage {
+    readonly session: string;
+    readonly message: object;
+}
+
 export interface Commands {
-    start: { argument: { uri: string; options: { show: Shown } }; answer: { session: string; state: State; notes?: string[] } };
+    start: { argument: { uri: string; options: { show: Shown } }; answer: Started };
+    debug: { argument: { launch: object; options: { show: Shown } }; answer: Started & { joined?: boolean } };
     step: { argument: { scans: number }; answer: State };
     stepBlock: { argument: object; answer: State };
     stepRung: { argument: object; answer: State };
@@ -220,7 +236,7 @@ interface Place {
     readonly character: number;
 }
 
-interface Stretch {
+export interface Stretch {
     readonly start: Place;
     readonly end: Place;
 }
@@ -257,4 +273,6 @@ export interface OtherCommands {
 
 export const stateNotification = 'ladder/simulationState';
 export const shownNotification = 'ladder/simulationShown';
+export const toDebuggerNotification = 'ladder/toDebugger';
+export const fromDebuggerNotification = 'ladder/fromDebugger';
 export const previewNotification = 'ladder/preview';

@@ -44,7 +44,8 @@ use tower_lsp::{Client, LanguageServer};
 use crate::busy::Busy;
 use crate::lsp::documents::{configuration, file_operations, folders, pull, sync, typed, watch};
 use crate::lsp::features::{
-    call_hierarchy, code_action, code_lens, comment, completion, diagram, diagram_text, edit, fence, folding,
+    call_hierarchy, code_action, code_lens, comment, completion, debug, diagram, diagram_text, edit, fence,
+    folding,
     formatting::{self, DocumentRangesFormattingParams},
     goto, hover, inlay_hint, links, notations, preview, references, rename, semantic_tokens, signature,
     simulate, symbols,
@@ -54,7 +55,7 @@ use crate::lsp::{
     capabilities,
     session::{agreed::Agreed, shared::Shared},
 };
-use crate::simulation::messages::OfSession;
+use crate::simulation::messages::{DebuggerMessage, OfSession};
 
 /// The server as the framework sees it.
 #[derive(Debug)]
@@ -91,6 +92,12 @@ impl Backend {
     #[expect(clippy::unused_async, reason = "the framework asks for it")]
     pub(crate) async fn simulation_shown(&self, params: OfSession) {
         simulate::has_shown(&self.shared, params);
+    }
+
+    /// `ladder/toDebugger`, a notification of the client.
+    #[expect(clippy::unused_async, reason = "the framework asks for it")]
+    pub(crate) async fn to_debugger(&self, params: DebuggerMessage) {
+        debug::receive(&self.shared, params);
     }
 }
 

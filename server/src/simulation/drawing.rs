@@ -184,11 +184,11 @@ impl Contact {
     pub(super) fn state(&self, on: bool, simulation: &Simulation) -> super::messages::Contact {
         use super::messages::Contact;
         let comes = self.comes.is_some_and(|comes| simulation.is_live(comes));
-        match (comes, on) {
-            (true, true) => Contact::Closed,
+        // As it is now: a tag that is given a value moves its contacts at once, and the power with the next scan.
+        match (comes, self.condition.holds(simulation).unwrap_or(on)) {
+            (_, true) => Contact::Closed,
             (true, false) => Contact::Blocks,
-            (false, _) if self.condition.holds(simulation).unwrap_or(on) => Contact::Closed,
-            (false, _) => Contact::Open,
+            (false, false) => Contact::Open,
         }
     }
 }

@@ -17,7 +17,8 @@ use crate::client::Client;
 const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/protocol.md");
 
 /// Notifications that a client sends; all others are the server's.
-const OF_CLIENT: [&str; 5] = [
+const OF_CLIENT: [&str; 6] = [
+    "ladder/toDebugger",
     "ladder/simulationShown",
     "initialized",
     "textDocument/didOpen",
@@ -141,6 +142,11 @@ async fn the_page_shows_every_command_whole() {
             "start" => {
                 is_whole::<messages::Start>(argument);
                 is_whole::<messages::Started>(answer);
+                continue;
+            }
+            "debug" => {
+                is_whole::<messages::Debug>(argument);
+                is_whole::<messages::Debugged>(answer);
                 continue;
             }
             "stop" => {

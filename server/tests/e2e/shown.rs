@@ -167,6 +167,27 @@ VAR  n : DINT := 3;  END_VAR
     client.finish().await;
 }
 
+/// A person who toggles a tag of a paused program sees its contacts move, and not only with the next scan.
+#[tokio::test]
+async fn a_toggle_while_paused_moves_the_contact_at_once() {
+    let (mut client, s, _) = shown(MOTOR, [0, 0], json!([])).await;
+    client.simulate("step", json!({"session": s})).await.unwrap();
+    let contact_of_start = |state: &Value| {
+        let mut power = state["power"].as_array().unwrap().iter();
+        let start = power.find(|it| it["range"] == span([0, 6, 0, 18]))?;
+        Some((start["contact"].as_str()?.to_owned(), start["on"].as_bool()?))
+    };
+    let set = |value: bool| json!({"session": s, "tag": "start", "value": value});
+    for (given, contact) in [(None, "blocks"), (Some(true), "closed"), (Some(false), "blocks")] {
+        if let Some(given) = given {
+            client.notify(SEEN, json!({"session": s})).await;
+            client.simulate("set", set(given)).await.unwrap();
+        }
+        let state = client.notification(STATE, |_| true).await;
+        assert_eq!(contact_of_start(&state), Some((contact.into(), false)), "{state}");
+    }
+}
+
 #[tokio::test]
 async fn ten_thousand_rungs_cost_what_is_shown() {
     let mut program = String::new();

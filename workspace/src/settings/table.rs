@@ -233,6 +233,18 @@ pub const SECTIONS: &[Section] = &[
         settings: &[CODE_LENS],
     },
     Section {
+        name: "start",
+        about: "How the extension starts simulations.",
+        settings: &[Setting {
+            key: "paused",
+            kind: Kind::Switch,
+            place: SetBy::Extension,
+            default: Some("false"),
+            example: "true",
+            about: "*Start Simulation* begins before the first scan and waits, instead of running.",
+        }],
+    },
+    Section {
         name: "server",
         about: "The language server's program.",
         settings: &[Setting {

@@ -7,6 +7,7 @@ pub(crate) mod code_lens;
 pub(crate) mod comment;
 pub(crate) mod completion;
 mod conversion;
+pub(crate) mod debug;
 pub(crate) mod diagram;
 pub(crate) mod diagram_text;
 pub(crate) mod edit;
