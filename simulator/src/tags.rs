@@ -33,6 +33,13 @@ impl Point {
         self.name.starts_with("SYS.")
     }
 
+    /// Whether it holds the same in every scan: a constant of the program, and the system tags for on and off.
+    pub(crate) fn is_constant(&self) -> bool {
+        let is_member = matches!(self.slot, PointSlot::Timing { .. });
+        let is_fixed = matches!(self.name.as_str(), "SYS.ON" | "SYS.OFF");
+        is_fixed || (self.read_only && !is_member && !self.is_system())
+    }
+
     /// What it holds in a memory.
     pub(crate) fn read(&self, memory: &Memory) -> Value {
         match self.slot {
