@@ -449,3 +449,36 @@ fn coverage_is_taken_over_all_scenarios_of_a_run() {
         "#]],
     );
 }
+
+const TURNS: &str = "\
+VAR_INPUT run : BOOL; trip : ARRAY[1..3] OF BOOL; END_VAR
+VAR_OUTPUT alarm : BOOL; pump : ARRAY[1..3] OF BOOL; found : BOOL; END_VAR
+VAR i, n : INT; END_VAR
++--[MOV]( i, 0 )--<FOR>( 3 )--+
+
++--[ADD]( i, i, 1 )--[/]( trip[i] )--[ ]( run )--( )( pump[i] )--+
++--[ ]( trip[i] )--(S)( alarm )--+
++--<NEXT>--+
+
++--[MOV]( n, 1 )--<CALL>( look )--[MOV]( n, 2 )--<CALL>( look )--+
+
++--<FUN>( look )--[EQ]( n, 1 )--( )( found )--+
+";
+
+#[test]
+fn coverage_counts_every_turn_of_a_loop_and_every_call() {
+    let test = "program turns.clad\nscenario \"a\"\nrun __--\ntrip[1] ___-\npump[2] => __--\n";
+    let files = [("turns.clad", TURNS), ("turns.ladder-test", test)];
+    check(&files, &["test", "turns.ladder-test", "--coverage"], expect![[r#"
+        exit status 0
+        -- stdout
+        turns.ladder-test
+          ok    a
+
+        Coverage
+          networks  contacts  coils
+               6/6       4/4    3/3  turns.clad
+
+        1 scenario in 1 file: 1 passed, in T s.
+    "#]]);
+}
