@@ -482,3 +482,32 @@ fn coverage_counts_every_turn_of_a_loop_and_every_call() {
         1 scenario in 1 file: 1 passed, in T s.
     "#]]);
 }
+
+#[test]
+fn a_waveform_that_differs_is_shown_with_the_numbers_that_were_given() {
+    let program = "VAR_INPUT auto : BOOL; level : INT; t : TIME; END_VAR\nVAR_OUTPUT pump, n : BOOL; END_VAR\n\
+                   +--[ ]( auto )--[GT]( level, 50 )--( )( pump )--+\n";
+    let test = "program tank.clad\nscenario \"fills\"\nauto _----\nlevel 10 30 50 70 .\nt . T#2s . . .\npump => ___--\n\
+                scenario \"differs\"\nauto _----\nlevel 10 30 50 70 .\nt . T#2s . . .\npump => __---\n";
+    check(
+        &[("tank.clad", program), ("tank.ladder-test", test)],
+        &["test", "tank.ladder-test"],
+        expect![[r#"
+            exit status 1
+            -- stdout
+            tank.ladder-test
+              ok    fills
+              FAIL  differs
+                    auto             ___-----------
+                    level            10 30 50 70 .
+                    t                .  2s .  .  .
+                    pump   expected  ______--------
+                           got       _________-----
+                                           ^^
+                    pump is FALSE in step 2 (at 20ms), TRUE was expected
+                    at tank.ladder-test:11:11
+
+            2 scenarios in 1 file: 1 passed, 1 failed, in T s.
+        "#]],
+    );
+}

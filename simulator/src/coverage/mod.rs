@@ -172,8 +172,9 @@ impl Coverage {
         let (parts, watch) = (&mut self.parts, &mut self.watch);
         let has_run = match self.runs {
             Runs::Through => simulation.scan(),
-            Runs::ByTurns => simulation
-                .scan_by_turns(|simulation| watch.within_scan(|index| see(&mut parts[index as usize], simulation))),
+            Runs::ByTurns => simulation.scan_by_turns(|simulation| {
+                watch.within_scan(|index| see(&mut parts[index as usize], simulation))
+            }),
         };
         if !has_run {
             return false;

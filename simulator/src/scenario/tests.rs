@@ -56,7 +56,7 @@ fn report(program: &str, text: &str, width: usize) -> String {
         return out;
     }
     for case in &cases {
-        let ran: Ran = run(case, &mut simulation, |_| {});
+        let ran: Ran = run(case, &mut simulation, Simulation::scan);
         let word = if ran.passed() { "ok" } else { "FAILED" };
         out.push_str(&format!("{word} {}, {} scans\n", case.name, ran.scans));
         for line in draw(case, &ran, simulation.options().interval, width) {

@@ -406,7 +406,11 @@ fn blocks_tell_what_they_have_come_to() {
                 +--[ ]( a )--<FOR>( 3 )--+\n\
                 +--[ADD]( i, i, 1 )--[ADD]( f[i], f[i], i )--[GT]( f[i], 2 )--( )( high )--+\n\
                 +--<NEXT>--+\n";
-    check(text, "a _-", "up down late count high", expect![[r#"
+    check(
+        text,
+        "a _-",
+        "up down late count high",
+        expect![[r#"
         up is 1 since scan 1 (10 ms): line 4, ( )( up ) wrote it; power came through [ ]( a ) (line 4, column 4): a is 1, [CTU]( c, 1 ) (line 4, column 14): c.CV is 1
           a is 1 since scan 1 (10 ms): it was given from outside
           c.CV is 1 since scan 1 (10 ms): line 4, [CTU]( c, 1 ) wrote it; power came through [ ]( a ) (line 4, column 4): a is 1
@@ -422,12 +426,18 @@ fn blocks_tell_what_they_have_come_to() {
         high is 1 since scan 1 (10 ms): line 9, ( )( high ) wrote it; power came through [ADD]( i, i, 1 ) (line 9, column 4): i is 3, [ADD]( f[i], f[i], i ) (line 9, column 22): f[3] is 3, i is 3, [GT]( f[i], 2 ) (line 9, column 46): f[3] is 3
           i is 3 since scan 1 (10 ms): line 9, [ADD]( i, i, 1 ) wrote it; power came straight from the rail
           f[3] is 3 since scan 1 (10 ms): line 9, [ADD]( f[i], f[i], i ) wrote it (i is 3); power came through [ADD]( i, i, 1 ) (line 9, column 4): i is 3
-    "#]]);
-    check(text, "a _-__", "late", expect![[r#"
+    "#]],
+    );
+    check(
+        text,
+        "a _-__",
+        "late",
+        expect![[r#"
         late is 1 since scan 1 (10 ms): line 6, ( )( late ) wrote it; power came through [ ]( a ) (line 6, column 4): a is 1, [TOF]( t, T#20ms ) (line 6, column 14): t.ET is T#0s
           a is 1 since scan 1 (10 ms): it was given from outside
           t.ET is T#0s since the start: line 6, [TOF]( t, T#20ms ) wrote it; power came through [ ]( a ) (line 6, column 4): a is 1
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
