@@ -469,7 +469,10 @@ VAR i, n : INT; END_VAR
 fn coverage_counts_every_turn_of_a_loop_and_every_call() {
     let test = "program turns.clad\nscenario \"a\"\nrun __--\ntrip[1] ___-\npump[2] => __--\n";
     let files = [("turns.clad", TURNS), ("turns.ladder-test", test)];
-    check(&files, &["test", "turns.ladder-test", "--coverage"], expect![[r#"
+    check(
+        &files,
+        &["test", "turns.ladder-test", "--coverage"],
+        expect![[r#"
         exit status 0
         -- stdout
         turns.ladder-test
@@ -480,7 +483,8 @@ fn coverage_counts_every_turn_of_a_loop_and_every_call() {
                6/6       4/4    3/3  turns.clad
 
         1 scenario in 1 file: 1 passed, in T s.
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
