@@ -3,6 +3,7 @@
 mod activations;
 mod forces;
 mod instances;
+mod listing;
 mod power;
 mod restart;
 mod scan;
@@ -11,6 +12,7 @@ mod state;
 use crate::compile::{Compiled, compile};
 use crate::compile_error::CompileError;
 use crate::fault::{Fault, Trouble};
+use crate::groups;
 use crate::machine::{FaultRecord, Machine};
 use crate::memory::SERIAL_ROOM;
 use crate::tags::{self, Names, Point, UnknownTag};
@@ -121,7 +123,7 @@ impl Simulation {
         );
         Ok(Simulation {
             names: Names::of(&program),
-            points: Names::points(&program, &compiled.homes),
+            points: groups::points(&program, &compiled.homes),
             program,
             compiled,
             machine,
@@ -205,8 +207,9 @@ impl Simulation {
         }
     }
 
-    /// Every scalar tag in the order of its first appearance. Of timers, counters and bistables it has the members
-    /// that show what they do (`t1.Q`, `t1.ET`); arrays are found element by element with [`Self::resolve`].
+    /// Every value that a list of all tags has, in the order of the tags' first appearance: of timers, counters and bistables
+    /// the members that show what they do (`t1.Q`, `t1.ET`), of arrays the elements, unless there are very many
+    /// ([`Self::entries`] has those arrays too).
     pub fn points(&self) -> &[Point] {
         &self.points
     }
