@@ -3,6 +3,7 @@
 use super::Simulation;
 use crate::groups::{Entry, Group, element, is_long, own, parts, range_of};
 use crate::tags::{Point, UnknownTag};
+use ladder_analysis::program::TagId;
 use ladder_analysis::values::types::Type;
 
 impl Simulation {
@@ -24,6 +25,11 @@ impl Simulation {
             }));
         }
         entries
+    }
+
+    /// Whether an array has so many elements that [`Self::points`] has none of them.
+    pub fn is_long(&self, tag: TagId) -> bool {
+        is_long(&self.program.tags[tag.0 as usize])
     }
 
     /// The values that a text names: one, as for [`Self::resolve`]; of an array all elements, or those of a range,

@@ -2,6 +2,7 @@
 
 mod activations;
 mod forces;
+mod indexed;
 mod instances;
 mod listing;
 mod power;
@@ -25,6 +26,7 @@ use std::sync::{Arc, OnceLock};
 pub(crate) use activations::Bodies;
 pub use activations::{Activation, Routine};
 pub use forces::ValueRefused;
+pub(crate) use indexed::{name, number};
 pub use instances::Instance;
 pub(crate) use power::PowerSource;
 pub use scan::Stepped;

@@ -22,7 +22,8 @@ fn names(points: &[Point]) -> String {
 #[test]
 fn a_list_of_all_tags_has_the_elements_unless_they_are_very_many() {
     let simulation = simulation(PUMPS);
-    expect!["trip[1] trip[2] pump[0] pump[1] pump[2] t.Q t.ET n words[1] words[2]"].assert_eq(&names(simulation.points()));
+    expect!["trip[1] trip[2] pump[0] pump[1] pump[2] t.Q t.ET n words[1] words[2]"]
+        .assert_eq(&names(simulation.points()));
     let entries = simulation.entries().into_iter().map(|entry| match entry {
         Entry::Value(point) => format!("{} : {}\n", point.name, point.ty),
         Entry::Group(group) => format!("{} : {}, {} parts\n", group.name, group.ty, group.parts),
@@ -35,7 +36,8 @@ fn a_list_of_all_tags_has_the_elements_unless_they_are_very_many() {
         n : INT
         recipe : ARRAY[-1..400] OF INT, 402 parts
         words : ARRAY[1..2] OF STRING[5], 2 parts
-    "#]].assert_eq(&entries.collect::<String>());
+    "#]]
+    .assert_eq(&entries.collect::<String>());
 }
 
 #[test]
@@ -54,11 +56,23 @@ fn a_name_may_stand_for_many() {
     all("recipe[-1..1]", expect!["recipe[-1] recipe[0] recipe[1]"]);
     all("t", expect!["t.Q t.ET"]);
     all("n", expect!["n"]);
-    all("pump[2..1]", expect!["pump[2..1] has no elements: write the smaller index first"]);
-    all("pump[1..3]", expect!["pump[3] does not exist: the array goes from 0 to 2"]);
-    all("n[1..3]", expect!["n is not an array: it is an INT and has no elements"]);
+    all(
+        "pump[2..1]",
+        expect!["pump[2..1] has no elements: write the smaller index first"],
+    );
+    all(
+        "pump[1..3]",
+        expect!["pump[3] does not exist: the array goes from 0 to 2"],
+    );
+    all(
+        "n[1..3]",
+        expect!["n is not an array: it is an INT and has no elements"],
+    );
     all("pmp", expect!["there is no tag `pmp`; did you mean pump?"]);
-    all("pump[1..x]", expect!["`1..x` is not an index: write a number, as in pump[0]"]);
+    all(
+        "pump[1..x]",
+        expect!["`1..x` is not an index: write a number, as in pump[0]"],
+    );
     assert_eq!(simulation.resolve_all("recipe").unwrap().len(), 402);
 }
 
