@@ -42,6 +42,11 @@ impl Point {
         let (group, _) = self.name.split_once('[')?;
         Some(group)
     }
+
+    /// Which element of it, or bit of one: `[3]` of `a[3]`.
+    pub fn index(&self) -> Option<&str> {
+        self.name.find('[').map(|at| &self.name[at..])
+    }
 }
 
 /// Every value that a list of all tags has, in the order of the program's tags.

@@ -122,7 +122,7 @@ function hangsOn(document: vscode.TextDocument, { at: { line, character }, side,
  */
 function labelOptions(session: Session, label: Label, tag: Tag): vscode.DecorationOptions {
     const { side } = label;
-    const text = tag.text + (tag.forced ? '!' : '');
+    const text = (label.index ?? '') + tag.text + (tag.forced ? '!' : '');
     const { range, isApart, shift } = hangsOn(session.document, label);
     // A cell of the label is as much smaller than one of the text.
     const size = side === 'between' ? 0.68 : 0.9;
@@ -154,7 +154,7 @@ function paintValues(editor: vscode.TextEditor, canvas: Canvas): void {
         const tag = session.tag(label.tag);
         return tag ? [{ label, tag }] : [];
     });
-    const key = shown.map(({ label: { at, side, column }, tag }) => `${at.line}:${at.character} ${side} ${column} ${tag.text} ${tag.forced}`);
+    const key = shown.map(({ label: { index, at, side, column }, tag }) => `${at.line}:${at.character} ${side} ${column} ${index} ${tag.text} ${tag.forced}`);
     draw(editor, canvas, values, shown.map(({ label, tag }) => labelOptions(session, label, tag)), key.join(' '));
 }
 

@@ -41,6 +41,8 @@ export interface Operand {
 export interface Label {
     /** Whose text it is. */
     readonly tag: string;
+    /** What is before that text: which element it is of. */
+    readonly index?: string;
     /** Where the operand begins. */
     readonly at: Range['start'];
     readonly side: 'above' | 'below' | 'between';

@@ -38,7 +38,9 @@ impl Engine {
                 },
             );
         };
-        let update = view.update(&self.line_map, self.session.simulation());
+        let simulation = self.session.simulation();
+        let drawing = self.drawing.get_or_init(|| Drawing::of(simulation));
+        let update = view.update(drawing, &self.line_map, simulation);
         (
             update.points.iter().map(|point| self.tag(point)).collect(),
             update,

@@ -11,21 +11,21 @@ impl Simulation {
     /// user-defined block, of which every place where the block is has its own.
     pub fn indexed_point(&self, place: &Place) -> Option<Point> {
         let is_of_body = |tag: TagId| self.program.tags[tag.0 as usize].block.is_some();
-        if !has_index(place) || place.root().is_none_or(is_of_body) {
+        if !Self::has_index(place) || place.root().is_none_or(is_of_body) {
             return None;
         }
         let point = self.resolve(&name(self, place)?).ok()?;
         let is_it = |tag: TagId| self.compiled.homes[tag.0 as usize].holds(point.slot);
         place.root().is_some_and(is_it).then_some(point)
     }
-}
 
-/// Whether a place has an index that is computed.
-fn has_index(place: &Place) -> bool {
-    match place {
-        Place::Element(_, index) => !matches!(index.kind, ExprKind::Constant(_)),
-        Place::Bit(inner, ..) | Place::As(inner, ..) => has_index(inner),
-        _ => false,
+    /// Whether a place has an index that is computed.
+    pub fn has_index(place: &Place) -> bool {
+        match place {
+            Place::Element(_, index) => !matches!(index.kind, ExprKind::Constant(_)),
+            Place::Bit(inner, ..) | Place::As(inner, ..) => Self::has_index(inner),
+            _ => false,
+        }
     }
 }
 

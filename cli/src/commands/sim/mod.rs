@@ -263,8 +263,7 @@ fn opens(name: &str, point: &Point) -> bool {
 
 /// The name of a tag, or of an element of it, where the tag goes by this name.
 fn called(name: &str, point: &Point) -> String {
-    let index = point.name.find('[').map_or("", |at| &point.name[at..]);
-    format!("{name}{index}")
+    format!("{name}{}", point.index().unwrap_or_default())
 }
 
 /// The tags that a block writes as a whole.

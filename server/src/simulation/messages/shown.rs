@@ -102,6 +102,9 @@ pub struct Operand {
 pub struct Label {
     /// The tag whose text it is.
     pub tag: String,
+    /// What is before that text: of an element with a computed index which one it is, `[2]=`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub index: Option<String>,
     /// Where its operand begins.
     pub at: Position,
     /// On which side of the operand's line.
