@@ -378,3 +378,33 @@ async fn an_operand_says_which_element_it_is() {
     assert!(hover.contains("trip[2]"), "{hover}");
     client.finish().await;
 }
+
+#[tokio::test]
+async fn an_array_is_listed_as_one_that_opens_or_by_its_elements() {
+    let (mut client, s, _) = shown(PUMPS, [0, 0], json!([])).await;
+    let listed = async |client: &mut Client, mut search: Value| {
+        search["session"] = json!(s);
+        client.simulate("tags", search).await.unwrap()
+    };
+    let top = listed(&mut client, json!({"of": ""})).await;
+    assert_eq!(names(&top), ["trip", "run", "pump", "i", "starts"]);
+    assert_eq!(
+        top["tags"][0],
+        json!({
+            "name": "trip", "type": "ARRAY[1..2] OF BOOL", "value": "", "text": "", "role": "input", "forced": false,
+            "parts": 2
+        })
+    );
+    let parts = listed(&mut client, json!({"of": "Trip"})).await;
+    assert_eq!(names(&parts), ["trip[1]", "trip[2]"]);
+    assert_eq!(parts["tags"][0]["value"], json!(false));
+    let found = listed(&mut client, json!({"containing": "P[2"})).await;
+    assert_eq!(names(&found), ["trip[2]", "pump[2]"]);
+    let found = listed(&mut client, json!({"of": "", "containing": "pump[2]"})).await;
+    assert_eq!(names(&found), ["pump"]);
+    let force = json!({"session": s, "tag": "pump[2]", "value": true});
+    client.simulate("force", force).await.unwrap();
+    let top = listed(&mut client, json!({"of": "", "containing": "pump"})).await;
+    assert_eq!(top["tags"][0]["forced"], json!(true));
+    client.finish().await;
+}

@@ -50,6 +50,10 @@ pub struct Search {
     /// Only tags whose names hold this, in any case.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub containing: Option<String>,
+    /// Only what this tag opens into, such as the elements of an array. With an empty name the tags of the program, of which
+    /// those that open are listed as one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub of: Option<String>,
     /// This many of them are left out at the beginning of the list.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub first: Option<usize>,
