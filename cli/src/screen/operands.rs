@@ -1,7 +1,7 @@
 //! What of a block's operands can be checked.
 
-use super::sheet::{Operand, Shown};
-use ladder_analysis::program::{Argument, Block, BlockKind, Bound, Program, TagId};
+use super::sheet::{Indexed, Operand, Shown};
+use ladder_analysis::program::{Argument, Block, BlockKind, Bound, Place, Program, TagId};
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_instructions::{Direction, Instruction};
 use ladder_simulator::Simulation;
@@ -71,7 +71,9 @@ pub(super) fn shown(text: &str, block: &Block, simulation: &Simulation) -> Vec<S
             if of_state {
                 continue;
             }
-            if let Some(point) = simulation.point_at(place, &text[range])
+            if Simulation::has_index(place) {
+                shown.extend(indexed(program, place, &text[range], simulation));
+            } else if let Some(point) = simulation.point_at(place, &text[range])
                 && point.ty != Scalar::Bool
             {
                 shown.push(Shown::Value(point));
@@ -79,6 +81,20 @@ pub(super) fn shown(text: &str, block: &Block, simulation: &Simulation) -> Vec<S
         }
     }
     shown
+}
+
+/// An element with a computed index, also one of BOOL: the drawing shows what it holds, but not which one it is.
+fn indexed(program: &Program, place: &Place, written: &str, simulation: &Simulation) -> Option<Shown> {
+    let tag = &program.tags[place.root()?.0 as usize];
+    if tag.block.is_some() {
+        return None;
+    }
+    Some(Shown::Indexed(Indexed {
+        written: written.to_owned(),
+        place: place.clone(),
+        // The last one has a long name.
+        sample: simulation.resolve_all(&tag.name).ok()?.pop()?,
+    }))
 }
 
 fn progress(program: &Program, tag: TagId, preset: Option<&str>, simulation: &Simulation) -> Option<Shown> {

@@ -414,28 +414,39 @@ fn arrays_are_written_element_by_element() {
         ];
         expected.assert_eq(&folder.ladder(&[&given, arguments].concat()).to_string());
     };
-    run(&[], expect![[r#"
+    run(
+        &[],
+        expect![[r#"
         exit status 0
         -- stdout
         scan,time_ms,i,pump[1],pump[2],run,starts[1],starts[2],trip[1],trip[2]
         0,0,2,1,0,1,1,0,0,1
         1,10,2,1,0,1,2,0,0,1
-    "#]]);
-    run(&["--watch", "pump"], expect![[r#"
+    "#]],
+    );
+    run(
+        &["--watch", "pump"],
+        expect![[r#"
         exit status 0
         -- stdout
         scan,time_ms,pump[1],pump[2]
         0,0,1,0
         1,10,1,0
-    "#]]);
-    run(&["--watch", "starts[1..2],t,pump[2..2],run"], expect![[r#"
+    "#]],
+    );
+    run(
+        &["--watch", "starts[1..2],t,pump[2..2],run"],
+        expect![[r#"
         exit status 0
         -- stdout
         scan,time_ms,starts[1],starts[2],t.Q,t.ET,pump[2],run
         0,0,1,0,0,0,0,1
         1,10,2,0,0,0,0,1
-    "#]]);
-    run(&["--format", "vcd", "--watch", "trip,pump[1]"], expect![[r#"
+    "#]],
+    );
+    run(
+        &["--format", "vcd", "--watch", "trip,pump[1]"],
+        expect![[r#"
         exit status 0
         -- stdout
         $comment TIME is in milliseconds $end
@@ -454,17 +465,24 @@ fn arrays_are_written_element_by_element() {
         1#
         $end
         #2
-    "#]]);
-    run(&["--watch", "pump[0..2]"], expect![[r#"
+    "#]],
+    );
+    run(
+        &["--watch", "pump[0..2]"],
+        expect![[r#"
         exit status 2
         -- stderr
         error: --watch pump[0..2]: pump[0] does not exist: the array goes from 1 to 2
-    "#]]);
-    run(&["--force", "pump[2]=1", "--watch", "pump"], expect![[r#"
+    "#]],
+    );
+    run(
+        &["--force", "pump[2]=1", "--watch", "pump"],
+        expect![[r#"
         exit status 0
         -- stdout
         scan,time_ms,pump[1],pump[2]
         0,0,1,1
         1,10,1,1
-    "#]]);
+    "#]],
+    );
 }
