@@ -69,14 +69,27 @@ pub(super) struct Block {
     pub(super) network: usize,
     /// Its row of the instruction table; none for a user-defined block.
     pub(super) instruction: Option<&'static Instruction>,
-    /// Its tags that can be checked, in the order of its operands.
+    /// Its tags that are always the same, in the order of its operands.
     pub(super) operands: Vec<Operand>,
+    /// Its operands with a computed index.
+    pub(super) indexed: Vec<IndexedOperand>,
     /// What the end of its line shows of it.
     pub(super) shown: Vec<Shown>,
 }
 
-/// A tag that a block names.
+/// An operand that may be another tag with each scan.
 #[derive(Debug)]
+pub(super) struct IndexedOperand {
+    /// Its bytes in the text.
+    pub(super) start: usize,
+    pub(super) end: usize,
+    pub(super) place: Place,
+    /// The block writes it.
+    pub(super) written: bool,
+}
+
+/// A tag that a block names.
+#[derive(Debug, Clone)]
 pub(super) struct Operand {
     /// Its bytes in the text.
     pub(super) start: usize,
@@ -154,6 +167,7 @@ impl Sheet {
                     network: index,
                     instruction: operands::instruction(block),
                     operands: operands::named(&source.text, block, simulation),
+                    indexed: operands::indexed(block),
                     shown: operands::shown(&source.text, block, simulation),
                 });
             }

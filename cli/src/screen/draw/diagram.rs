@@ -232,7 +232,7 @@ fn look(offset: usize, rest: &str, mark: Option<&Mark>, blocks: &[(&Block, bool)
 fn look_of_block(offset: usize, rest: &str, block: &Block, power: Style, scene: Scene) -> Look {
     let Scene { plant, theme, .. } = scene;
     let blank = rest.starts_with(' ');
-    for operand in &block.operands {
+    for operand in plant.operands(block).iter() {
         let point = &operand.point;
         let inside = (operand.start..operand.end).contains(&offset);
         let before = blank && offset + 1 == operand.start;
