@@ -173,7 +173,7 @@ impl Coverage {
         let has_run = match self.runs {
             Runs::Through => simulation.scan(),
             Runs::ByTurns => simulation.scan_by_turns(|simulation| {
-                watch.within_scan(|index| see(&mut parts[index as usize], simulation))
+                watch.within_scan(|index| see(&mut parts[index as usize], simulation));
             }),
         };
         if !has_run {

@@ -51,7 +51,7 @@ impl Watch {
                 }
                 let source = match runs {
                     Runs::Through => simulation.power_source(place),
-                    Runs::ByTurns => simulation.plain_power_source(place),
+                    Runs::ByTurns => Simulation::plain_power_source(place),
                 };
                 match source {
                     // The rail's, which never changes.

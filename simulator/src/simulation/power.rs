@@ -47,7 +47,7 @@ impl Simulation {
     }
 
     /// Where that power is read from after a scan that halted on its way, or one with forces.
-    pub(crate) fn plain_power_source(&self, element: &ElementPlace) -> PowerSource {
+    pub(crate) fn plain_power_source(element: &ElementPlace) -> PowerSource {
         PowerSource::Bit(element.power.0 as usize)
     }
 

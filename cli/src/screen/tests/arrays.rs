@@ -145,10 +145,17 @@ fn an_array_is_watched_element_by_element() {
 #[test]
 fn the_element_of_now_is_what_keys_act_on() {
     let bench = Bench::new(PUMPS).size(100, 24);
-    bench.check_lines("p s right right", 7..8, expect![[r#"
+    bench.check_lines(
+        "p s right right",
+        7..8,
+        expect![[r#"
         | > +══[ADD]( i, i, 1 )══[ ]( run )──[/]( trip[i] )──( )( pump[i] )──+  i=2  trip[2]=0  pump[2]=0
-    "#]]);
-    bench.check_lines("p s right", 17..24, expect![[r#"
+    "#]],
+    );
+    bench.check_lines(
+        "p s right",
+        17..24,
+        expect![[r#"
         |─ Inputs: press the number ─────────────────────────────────────────────────────────────────────────
         | 1 ○ trip[1]   2 ○ trip[2]   3 ○ run
         |─ Watch ──────────────────────────────────────────────────────────────────── [ ] 1 column = 100 ms ─
@@ -156,8 +163,12 @@ fn the_element_of_now_is_what_keys_act_on() {
         | pump[2]  FALSE                                                                                    ⡀
         | Closed contact: input trip[2] is FALSE; space switches it
         | space switch   p run   s step   b back   +- speed   f force   w watch   ? help   q quit
-    "#]]);
-    bench.check_lines("p s right space", 17..24, expect![[r#"
+    "#]],
+    );
+    bench.check_lines(
+        "p s right space",
+        17..24,
+        expect![[r#"
         |─ Inputs: press the number ─────────────────────────────────────────────────────────────────────────
         | 1 ○ trip[1]   2 ● trip[2]   3 ○ run
         |─ Watch ──────────────────────────────────────────────────────────────────── [ ] 1 column = 100 ms ─
@@ -165,5 +176,6 @@ fn the_element_of_now_is_what_keys_act_on() {
         | pump[2]  FALSE                                                                                    ⡀
         | trip[2] is on; the program sees it in the next scan: s or p
         | space switch   p run   s step   b back   +- speed   f force   w watch   ? help   q quit
-    "#]]);
+    "#]],
+    );
 }
