@@ -123,7 +123,8 @@ function hangsOn(document: vscode.TextDocument, { at: { line, character }, side,
 /** A label is over the text, out of its flow: it takes no room in its line. */
 function labelOptions(session: Session, label: Label, tag: Tag): vscode.DecorationOptions {
     const { side } = label;
-    const before = { above: '', below: '↑', between: `${label.tag}: ` }[side];
+    const index = label.index ?? '';
+    const before = { above: index, below: `↑${index}`, between: `${label.tag}: ` }[side];
     const text = `${before}${tag.text}${tag.forced ? '!' : ''}`;
     const { range, isApart, shift } = hangsOn(session.document, label);
     // A cell of the label is as much smaller than one of the text.
@@ -156,7 +157,7 @@ function paintValues(editor: vscode.TextEditor, canvas: Canvas): void {
         const tag = session.tag(label.tag);
         return tag ? [{ label, tag }] : [];
     });
-    const key = shown.map(({ label: { at, side, column }, tag }) => `${at.line}:${at.character} ${side} ${column} ${tag.text} ${tag.forced}`);
+    const key = shown.map(({ label: { index, at, side, column }, tag }) => `${at.line}:${at.character} ${side} ${column} ${index} ${tag.text} ${tag.forced}`);
     draw(editor, canvas, values, shown.map(({ label, tag }) => labelOptions(session, label, tag)), key.join(' '));
 }
 

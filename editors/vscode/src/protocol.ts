@@ -9,6 +9,7 @@ export type Value = boolean | number | string;
 export interface Tag {
     readonly name: string;
     readonly type: string;
+    /** An empty text of one that opens. */
     readonly value: Value;
     /** The value as people read it. */
     readonly text: string;
@@ -16,6 +17,8 @@ export interface Tag {
     readonly forced: boolean;
     /** It can be neither set nor forced. */
     readonly readOnly?: boolean;
+    /** It has no value of its own, but opens into this many tags. */
+    readonly parts?: number;
 }
 
 /** What a contact does with power: lets it through, would not, or holds up what comes. */
@@ -41,6 +44,8 @@ export interface Operand {
 export interface Label {
     /** Whose text it is. */
     readonly tag: string;
+    /** What is before that text: which element it is of. */
+    readonly index?: string;
     /** Where the operand begins. */
     readonly at: Range['start'];
     readonly side: 'above' | 'below' | 'between';
@@ -187,7 +192,7 @@ export interface Commands {
     run: { argument: object; answer: State };
     speed: { argument: Speed; answer: State };
     show: { argument: Shown; answer: State };
-    tags: { argument: { containing?: string }; answer: { count: number; tags: Tag[] } };
+    tags: { argument: { containing?: string; of?: string }; answer: { count: number; tags: Tag[] } };
     pause: { argument: object; answer: State };
     set: { argument: { tag: string } & Given; answer: State };
     force: { argument: { tag: string } & Given; answer: State };

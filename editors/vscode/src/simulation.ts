@@ -205,6 +205,13 @@ export class Simulation implements vscode.Disposable {
         return found?.tags ?? [];
     }
 
+    /** What a tag opens into; of no name the tags of the program, of which those that open are listed as one. */
+    async partsOf(name: string): Promise<readonly Tag[]> {
+        const session = this.current;
+        const found = session && (await this.#tell(session.urgent('tags', { of: name })));
+        return found?.tags ?? [];
+    }
+
     async run(): Promise<void> {
         await this.command('run', {});
     }

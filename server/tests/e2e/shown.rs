@@ -344,3 +344,93 @@ async fn values_come_with_their_places() {
     assert_eq!(tags, ["y", "m"]);
     client.finish().await;
 }
+
+/// Two pumps in a loop.
+const PUMPS: &str = "\
+VAR_INPUT trip : ARRAY[1..2] OF BOOL; run : BOOL; END_VAR
+VAR_OUTPUT pump : ARRAY[1..2] OF BOOL; END_VAR
+VAR i : INT; starts : ARRAY[1..2] OF INT; END_VAR
++--[MOV]( i, 0 )--<FOR>( 2 )--+
+
++--[ADD]( i, i, 1 )--+
++--[ ]( run )--[/]( trip[i] )--( )( pump[i] )--[ADD]( starts[i], starts[i], 1 )--+
++--<NEXT>--+
+";
+
+/// The labels on a line of the text, as a person reads them.
+fn labels(state: &Value, line: u64) -> String {
+    let labels = state["labels"].as_array().unwrap().iter();
+    let of_line = labels.filter(|label| label["at"]["line"] == line);
+    let shown = of_line.map(|label| {
+        let index = label.get("index").and_then(Value::as_str).unwrap_or_default();
+        format!("{} {index}", label["tag"].as_str().unwrap())
+    });
+    shown.collect::<Vec<_>>().join(", ")
+}
+
+#[tokio::test]
+async fn an_operand_says_which_element_it_is() {
+    let (mut client, s, first) = shown(PUMPS, [0, 8], json!([])).await;
+    // Before the loop there is none.
+    assert_eq!(labels(&first, 6), "");
+    let mut seen = Vec::new();
+    for _ in 0..9 {
+        client.simulate("stepRung", json!({"session": s})).await.unwrap();
+        let state = client.notification(STATE, |_| true).await;
+        client.notify(SEEN, json!({"session": s})).await;
+        if state.get("labels").is_some() {
+            seen.push(labels(&state, 6));
+        }
+        if let Some(operands) = state.get("operands") {
+            let of_line: Vec<&Value> = operands
+                .as_array()
+                .unwrap()
+                .iter()
+                .map(|it| &it["tags"][0])
+                .collect();
+            seen.push(format!("{of_line:?}"));
+        }
+    }
+    expect_test::expect![[r#"
+        [
+            "trip[1] [1]=, pump[1] [1]=, starts[1] [1]=, starts[1] [1]=",
+            "[String(\"run\"), String(\"trip[1]\"), String(\"pump[1]\"), String(\"starts[1]\"), String(\"starts[1]\")]",
+            "trip[2] [2]=, pump[2] [2]=, starts[2] [2]=, starts[2] [2]=",
+            "[String(\"run\"), String(\"trip[2]\"), String(\"pump[2]\"), String(\"starts[2]\"), String(\"starts[2]\")]",
+        ]
+    "#]].assert_debug_eq(&seen);
+    // What is on the line can be found, and forced, by what it is now.
+    let hover = client.hover(6, 23).await.unwrap().to_string();
+    assert!(hover.contains("trip[2]"), "{hover}");
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn an_array_is_listed_as_one_that_opens_or_by_its_elements() {
+    let (mut client, s, _) = shown(PUMPS, [0, 0], json!([])).await;
+    let listed = async |client: &mut Client, mut search: Value| {
+        search["session"] = json!(s);
+        client.simulate("tags", search).await.unwrap()
+    };
+    let top = listed(&mut client, json!({"of": ""})).await;
+    assert_eq!(names(&top), ["trip", "run", "pump", "i", "starts"]);
+    assert_eq!(
+        top["tags"][0],
+        json!({
+            "name": "trip", "type": "ARRAY[1..2] OF BOOL", "value": "", "text": "", "role": "input", "forced": false,
+            "parts": 2
+        })
+    );
+    let parts = listed(&mut client, json!({"of": "Trip"})).await;
+    assert_eq!(names(&parts), ["trip[1]", "trip[2]"]);
+    assert_eq!(parts["tags"][0]["value"], json!(false));
+    let found = listed(&mut client, json!({"containing": "P[2"})).await;
+    assert_eq!(names(&found), ["trip[2]", "pump[2]"]);
+    let found = listed(&mut client, json!({"of": "", "containing": "pump[2]"})).await;
+    assert_eq!(names(&found), ["pump"]);
+    let force = json!({"session": s, "tag": "pump[2]", "value": true});
+    client.simulate("force", force).await.unwrap();
+    let top = listed(&mut client, json!({"of": "", "containing": "pump"})).await;
+    assert_eq!(top["tags"][0]["forced"], json!(true));
+    client.finish().await;
+}

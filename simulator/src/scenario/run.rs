@@ -46,9 +46,9 @@ pub struct Difference {
     pub steps: Vec<usize>,
 }
 
-/// Runs a scenario from a cold start. `observe` sees the simulation after each scan.
-pub fn run(case: &Case, simulation: &mut Simulation, observe: impl FnMut(&Simulation)) -> Ran {
-    run_within(MOST_BLOCKS, case, simulation, observe)
+/// Runs a scenario from a cold start. `scan` runs each scan, as [`Simulation::scan`] does.
+pub fn run(case: &Case, simulation: &mut Simulation, scan: impl FnMut(&mut Simulation) -> bool) -> Ran {
+    run_within(MOST_BLOCKS, case, simulation, scan)
 }
 
 /// Runs a scenario that may do the work of this many blocks.
@@ -56,7 +56,7 @@ pub(super) fn run_within(
     most: u64,
     case: &Case,
     simulation: &mut Simulation,
-    mut observe: impl FnMut(&Simulation),
+    mut scan: impl FnMut(&mut Simulation) -> bool,
 ) -> Ran {
     simulation.unforce_all();
     simulation.reset();
@@ -73,10 +73,9 @@ pub(super) fn run_within(
     for step in 0..case.steps {
         give(case, step, simulation);
         for _ in 0..case.scans {
-            if !simulation.scan() {
+            if !scan(simulation) {
                 break;
             }
-            observe(simulation);
             if simulation.work() - begun > most {
                 simulation.exhaust(most);
                 break;

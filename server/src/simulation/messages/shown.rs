@@ -50,6 +50,10 @@ pub struct Search {
     /// Only tags whose names hold this, in any case.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub containing: Option<String>,
+    /// Only what this tag opens into, such as the elements of an array. With an empty name the tags of the program, of which
+    /// those that open are listed as one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub of: Option<String>,
     /// This many of them are left out at the beginning of the list.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub first: Option<usize>,
@@ -102,6 +106,9 @@ pub struct Operand {
 pub struct Label {
     /// The tag whose text it is.
     pub tag: String,
+    /// What is before that text: of an element with a computed index which one it is, `[2]=`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub index: Option<String>,
     /// Where its operand begins.
     pub at: Position,
     /// On which side of the operand's line.
