@@ -28,6 +28,7 @@ mod redraw;
 mod region;
 mod remove_branch;
 mod split_network;
+mod suggestions;
 mod toggle;
 mod wrap_branch;
 

@@ -247,7 +247,13 @@ fn join(parse: &Parse, other: &Row, kind: PartKind, column: usize) -> Option<Fix
 /// No wire of the other line passes the connector: the nearest one from which the two are still a pair, if one is near.
 fn draw(parse: &Parse, other: &Row, kind: PartKind, column: usize, suspect: usize) -> Option<Fix> {
     // Below, a rung that comes from the left rail is one of its own.
-    if kind == PartKind::Down && other.rung.parts.iter().any(|part| part.kind == PartKind::LeftRail) {
+    if kind == PartKind::Down
+        && other
+            .rung
+            .parts
+            .iter()
+            .any(|part| part.kind == PartKind::LeftRail)
+    {
         return None;
     }
     let distance = |part: usize| {

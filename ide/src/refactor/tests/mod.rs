@@ -5,6 +5,7 @@ mod branches;
 mod latches;
 mod networks;
 mod redraw;
+mod suggestions;
 mod toggles;
 
 use super::{Action, refactorings};
