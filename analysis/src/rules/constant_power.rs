@@ -8,11 +8,8 @@ use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::program::Step;
 use ladder_syntax::TextRange;
 
-pub(crate) const RULE: Rule = Rule(
-    &RuleFacts::new(RuleGroup::Wiring, "constant-power", Severity::Warning)
-        .fixed(Applicability::Unsafe)
-        .about_types(),
-);
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Wiring, "constant-power", Severity::Warning).about_types());
 
 pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
     for (index, step) in table.network.order.steps.iter().enumerate() {

@@ -13,11 +13,8 @@ use crate::networks::BlockAt;
 use ladder_instructions::Power;
 use rustc_hash::FxHashSet;
 
-pub(crate) const RULE: Rule = Rule(
-    &RuleFacts::new(RuleGroup::Wiring, "redundant-element", Severity::Warning)
-        .fixed(Applicability::Unsafe)
-        .about_types(),
-);
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Wiring, "redundant-element", Severity::Warning).about_types());
 
 /// Tells of the contacts round which a wire leads, together where it joins their lines at one place; but for those
 /// that shorted-branch reported.
