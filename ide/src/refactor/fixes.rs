@@ -1,5 +1,6 @@
 //! Fixes of findings: each where its finding is, and all safe ones of a file at once.
 
+use super::allow;
 use super::suggestions::suggestions;
 use super::{Action, ActionKind, Work};
 use ladder_analysis::findings::fix;
@@ -27,7 +28,7 @@ pub fn quick_fixes(analysis: &Analysis, range: TextRange) -> Vec<Action> {
             fixes.push(action);
         }
     };
-    for (nth, (index, found)) in touched.enumerate() {
+    for (nth, (index, found)) in touched.clone().enumerate() {
         let found = found.diagnostic();
         let drawn = match nth < MOST_DRAWN {
             true => suggestions(analysis, &found),
@@ -46,6 +47,15 @@ pub fn quick_fixes(analysis: &Analysis, range: TextRange) -> Vec<Action> {
                 ..suggestion
             });
         }
+    }
+    // What is meant so comes after all that would change it.
+    for (index, found) in touched.take(MOST_DRAWN) {
+        allow::offer(&analysis.context, found, |action| {
+            offer(Action {
+                finding: Some(index),
+                ..action
+            });
+        });
     }
     fixes
 }

@@ -1,5 +1,6 @@
 //! Refactorings, with `$0` where the cursor is, or from `$0` to `$1` what is selected.
 
+mod allows;
 mod blocks;
 mod branches;
 mod latches;
