@@ -25,6 +25,7 @@ mod outline;
 mod refactor;
 mod references;
 mod rename;
+mod rule_page;
 mod scenario;
 mod selection;
 mod semantic_tokens;
@@ -55,6 +56,7 @@ pub use refactor::{Action, ActionKind, fix_all, may_be_switched_off, quick_fixes
 pub use refactor::{Redraw, Redrawn, redraw};
 pub use references::{Reference, references};
 pub use rename::{Renamable, RenameRefused, Renamed, prepare_rename, rename};
+pub use rule_page::rule_page;
 pub use scenario::{
     ScenarioPart, Scenarios, prepare_scenario_rename, rename_in_scenario, scenario_completions,
     scenario_definition, scenario_highlights, scenario_hover, scenario_layout, scenario_on_type,

@@ -10,6 +10,7 @@ mod given;
 mod lint;
 mod reader;
 mod simulate;
+mod switch_off;
 pub mod table;
 
 pub use editor::EditorSettings;

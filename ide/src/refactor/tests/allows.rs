@@ -32,7 +32,9 @@ fn check(rule: &str, text: &str, expected: Expect) {
     let rule = rules::rule_named(rule).expect("a rule of this name");
     let mut shown = String::new();
     for (title, after) in allowed(rule, text) {
-        let _ = writeln!(shown, "> {title}\n{after}");
+        let is_crlf = text.contains("\r\n");
+        assert!(!is_crlf || !after.replace("\r\n", "").contains('\n'), "{after:?}");
+        let _ = writeln!(shown, "> {title}\n{}", after.replace("\r\n", "\n"));
     }
     expected.assert_eq(&shown);
 }
