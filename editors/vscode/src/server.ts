@@ -10,6 +10,7 @@ import { CodeLensRequest, LanguageClient, State as ClientState } from 'vscode-la
 import { lensCommands, lensesOf } from './lenses.ts';
 import { offer, whenThere } from './missingServer.ts';
 import { previewNotification, shownNotification, stateNotification, type OtherCommands, type Previewed, type State } from './protocol.ts';
+import { rulePageLinks } from './rulePages.ts';
 import { cannotStart, findCargo, findServer, type Place, type Surroundings } from './serverPath.ts';
 import { fit, misfit } from './serverVersion.ts';
 import type { Send } from './session.ts';
@@ -153,6 +154,7 @@ export class Server implements vscode.Disposable {
             },
         );
         client.registerFeature(lensCommands);
+        client.registerFeature(rulePageLinks);
         client.onNotification(stateNotification, (state: State) => this.#stateReceived.fire(state));
         client.onNotification(previewNotification, (previewed: Previewed) => this.#previewReceived.fire(previewed));
         client.onDidChangeState(({ newState }) => {
