@@ -394,3 +394,27 @@ VAR  n : INT;  b, c : BOOL;  t : TIME;  t1 : TON;  END_VAR
         "#]],
     );
 }
+
+#[test]
+fn a_loop_with_a_counter() {
+    check(
+        "+--[FOR]( i, 1, 3 )--+\n+--<NEXT>--+\n\n+--<FOR>( i, 0, n )--+\n+--<NEXT>--+\n\n+--<FOR>( i, 1, n )--+\n+--<NEXT>--+\n",
+        expect![[r#"
+            > +--[FOR]( i, 1, 3 )--+
+                 ^^^^^^^^^^^^^^^^ error[wrong-shape]: a loop takes how many times it runs: write <FOR>( 3 )
+                help: set `i` before the loop, and count it in a rung before <NEXT>
+                fix: Write <FOR>( 3 )
+                  +------------------------------------------------------------------<FOR>( 3 )--+
+            > +--<FOR>( i, 0, n )--+
+                 ^^^^^^^^^^^^^^^^ error[wrong-shape]: a loop takes how many times it runs: write <FOR>( turns )
+                help: set `i` before the loop, and count it in a rung before <NEXT>
+                fix: Write <FOR>( turns )
+                  +--------------------------------------------------------------<FOR>( turns )--+
+            > +--<FOR>( i, 1, n )--+
+                 ^^^^^^^^^^^^^^^^ error[wrong-shape]: a loop takes how many times it runs: write <FOR>( n )
+                help: set `i` before the loop, and count it in a rung before <NEXT>
+                fix: Write <FOR>( n )
+                  +------------------------------------------------------------------<FOR>( n )--+
+        "#]],
+    );
+}
