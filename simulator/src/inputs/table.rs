@@ -202,13 +202,16 @@ mod tests {
 
     #[test]
     fn a_line_of_blanks_is_a_blank_one() {
-        check("start,stop\n1,0\n  \n\t\n0,1\n", expect![[r#"
+        check(
+            "start,stop\n1,0\n  \n\t\n0,1\n",
+            expect![[r#"
             start stop
             2: ["1", "0"]
             3: ["", ""]
             4: ["", ""]
             5: ["0", "1"]
-        "#]]);
+        "#]],
+        );
     }
 
     #[test]
