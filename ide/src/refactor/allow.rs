@@ -63,9 +63,10 @@ fn start(context: &Context, line: usize) -> TextSize {
     const MARK: char = '\u{feff}';
     let lines = context.parse.lines();
     let is_marked = line == 0 && lines.get(0).is_some_and(|line| line.text().starts_with(MARK));
-    let mark = match is_marked {
-        true => TextSize::of(MARK),
-        false => TextSize::new(0),
+    let mark = if is_marked {
+        TextSize::of(MARK)
+    } else {
+        TextSize::new(0)
     };
     context.parse.line_start(line) + mark
 }

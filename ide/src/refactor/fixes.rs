@@ -30,9 +30,10 @@ pub fn quick_fixes(analysis: &Analysis, range: TextRange) -> Vec<Action> {
     };
     for (nth, (index, found)) in touched.clone().enumerate() {
         let found = found.diagnostic();
-        let drawn = match nth < MOST_DRAWN {
-            true => suggestions(analysis, &found),
-            false => Vec::new(),
+        let drawn = if nth < MOST_DRAWN {
+            suggestions(analysis, &found)
+        } else {
+            Vec::new()
         };
         for (nth, fix) in found.fixes.into_iter().enumerate() {
             offer(Action {

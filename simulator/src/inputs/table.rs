@@ -61,9 +61,10 @@ impl Table {
                 }
                 // A line of blanks is blank, too.
                 let is_blank = record.len() == 1 && record.iter().all(str::is_empty);
-                let row = match is_blank {
-                    true => StringRecord::from(vec![""; table.names.len()]),
-                    false => std::mem::take(&mut record),
+                let row = if is_blank {
+                    StringRecord::from(vec![""; table.names.len()])
+                } else {
+                    std::mem::take(&mut record)
                 };
                 table.push(line, row)?;
             }

@@ -56,10 +56,12 @@ fn added(text: &str, rule: Rule) -> Option<Edit> {
             text: format!("{before}{setting}"),
         });
     }
-    let before = match text.is_empty() {
-        true => String::new(),
-        false if text.ends_with('\n') => line_end.to_owned(),
-        false => line_end.repeat(2),
+    let before = if text.is_empty() {
+        String::new()
+    } else if text.ends_with('\n') {
+        line_end.to_owned()
+    } else {
+        line_end.repeat(2)
     };
     Some(Edit {
         range: range(text.len()..text.len())?,

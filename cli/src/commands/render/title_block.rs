@@ -19,7 +19,7 @@ pub(super) fn title_block(program: &Path) -> Result<Vec<String>, Failure> {
     let cells = [
         project.name,
         version,
-        file.map(|file| file.into_owned()),
+        file.map(std::borrow::Cow::into_owned),
         day(program),
     ];
     let cells = cells.into_iter().flatten().filter(|cell| !cell.is_empty());

@@ -4,6 +4,7 @@ use super::{Spot, action};
 use crate::refactor::Action;
 use crate::refactor::circuits::Rung;
 use crate::refactor::drawing::{Item, ItemKind};
+use ladder_analysis::networks::network::BoundBlock;
 use ladder_analysis::{Analysis, Diagnostic};
 use ladder_format::Circuit;
 use ladder_instructions::Op;
@@ -52,7 +53,7 @@ pub(super) fn offer(analysis: &Analysis, found: &Diagnostic) -> Option<Action> {
 fn keeps_power(spot: &Spot<'_>, item: &Item) -> bool {
     match item.kind {
         ItemKind::Block(Some(number)) => {
-            let op = spot.on.facts.blocks.get(number).and_then(|block| block.op());
+            let op = spot.on.facts.blocks.get(number).and_then(BoundBlock::op);
             matches!(op, Some(Op::Coil | Op::NegatedCoil | Op::RetentiveCoil))
         }
         _ => true,

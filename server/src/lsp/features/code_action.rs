@@ -79,9 +79,10 @@ pub(crate) async fn code_action(
             })
             .and_then(|_| conversion::action(agreed, &revision, analysis))
             .filter(|action| action.disabled.is_none() || agreed.disabled_actions);
-        let off = match wanted(&params.context, &name(ActionKind::QuickFix)) {
-            true => switch_off::actions(&shared, agreed, &revision, analysis, problems),
-            false => Vec::new(),
+        let off = if wanted(&params.context, &name(ActionKind::QuickFix)) {
+            switch_off::actions(&shared, agreed, &revision, analysis, problems)
+        } else {
+            Vec::new()
         };
         let others = conversion.into_iter().chain(off);
         Some(shown.chain(others.map(CodeActionOrCommand::CodeAction)).collect())
