@@ -183,9 +183,9 @@ fn values_that_do_not_pass() {
             b : BOOL, Internal
             s : STRING, Internal
             n : TON, Internal
-            type-mismatch: this is UINT, INT is expected here `u`
-            type-mismatch: this is REAL, INT is expected here `r`
-            type-mismatch: this is INT, BOOL is expected here `i`
+            type-mismatch: `u` is UINT, and `a` of [MOV] takes INT `u`
+            type-mismatch: `r` is REAL, and `a` of [MOV] takes INT `r`
+            type-mismatch: `i` is INT, and `a` of [MOV] takes BOOL `i`
             type-mismatch: the result is WORD, this block gives a number or a TIME `w`
             type-mismatch: the number 5 is given, TIME is expected `5`
             type-mismatch: TIME and INT cannot be compared `[GT]( t, i )`

@@ -19,6 +19,8 @@ return {
     -- What the lenses above networks may do here: see `commands`.
     experimental = {
       commands = { 'ladder.simulation.start', 'ladder.test', 'ladder.showReferences', 'ladder.completion.cut' },
+      -- Findings link the pages of their rules, which `:Ladder explain` shows.
+      rulePages = true,
     },
   },
   commands = {

@@ -10,6 +10,7 @@ import { showFaults } from './faults.ts';
 import { lensesFollow } from './lenses.ts';
 import { Fences } from './markdown/fences.ts';
 import type { State } from './protocol.ts';
+import { showRulePages } from './rulePages.ts';
 import { Server } from './server.ts';
 import { Simulation } from './simulation.ts';
 import { showStatus } from './statusBar.ts';
@@ -63,6 +64,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
         showStatus(simulation),
         showTags(simulation),
         sayTypedLine(server),
+        showRulePages(server),
         vscode.workspace.onDidGrantWorkspaceTrust(() => server?.start()),
         vscode.workspace.onDidChangeConfiguration((event) => {
             if (event.affectsConfiguration('ladder.server.path')) {

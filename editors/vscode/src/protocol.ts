@@ -261,6 +261,8 @@ export interface DrawnFence {
 
 export interface OtherCommands {
     'ladder.fence': { argument: { text: string }; answer: DrawnFence };
+    /** The page of a rule, in Markdown. */
+    'ladder.rulePage': { argument: { rule: string }; answer: { markdown: string } };
     'ladder.comment': { argument: { uri: string; lines: readonly Lines[] }; answer: EditedDrawing };
     'ladder.edit': { argument: { uri: string; range: Stretch; edit: EditKind }; answer: EditedDrawing };
     'ladder.diagram': {

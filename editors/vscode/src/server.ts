@@ -20,6 +20,7 @@ import {
     type Previewed,
     type State,
 } from './protocol.ts';
+import { rulePageLinks } from './rulePages.ts';
 import { cannotStart, findCargo, findServer, type Place, type Surroundings } from './serverPath.ts';
 import { fit, misfit } from './serverVersion.ts';
 import type { Send } from './session.ts';
@@ -165,6 +166,7 @@ export class Server implements vscode.Disposable {
             },
         );
         client.registerFeature(lensCommands);
+        client.registerFeature(rulePageLinks);
         client.onNotification(stateNotification, (state: State) => this.#stateReceived.fire(state));
         client.onNotification(fromDebuggerNotification, (said: DebuggerMessage) => this.#debuggerSaid.fire(said));
         client.onNotification(previewNotification, (previewed: Previewed) => this.#previewReceived.fire(previewed));

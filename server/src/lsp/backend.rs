@@ -47,8 +47,8 @@ use crate::lsp::features::{
     call_hierarchy, code_action, code_lens, comment, completion, debug, diagram, diagram_text, edit, fence,
     folding,
     formatting::{self, DocumentRangesFormattingParams},
-    goto, hover, inlay_hint, links, notations, preview, references, rename, semantic_tokens, signature,
-    simulate, symbols,
+    goto, hover, inlay_hint, links, notations, preview, references, rename, rule_page, semantic_tokens,
+    signature, simulate, symbols,
 };
 use crate::lsp::session::parent;
 use crate::lsp::{
@@ -368,6 +368,7 @@ impl LanguageServer for Backend {
             typed::CURSOR => typed::execute(&self.shared, params).await,
             edit::EDIT => edit::execute(&self.shared, params).await,
             comment::COMMENT => comment::execute(&self.shared, params).await,
+            rule_page::RULE_PAGE => rule_page::execute(params),
             command if notations::COMMANDS.contains(&command) => {
                 notations::execute(&self.shared, params).await
             }

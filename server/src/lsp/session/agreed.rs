@@ -19,6 +19,8 @@ pub(crate) struct Agreed {
     pub(crate) unnecessary_tag: bool,
     /// Diagnostics may carry data.
     pub(crate) diagnostic_data: bool,
+    /// The pages of rules that diagnostics link can be opened: the client asks for their text.
+    pub(crate) rule_pages: bool,
     /// Edits may name the version of the document that they are for.
     pub(crate) versioned_edits: bool,
     /// The edits of a code action may be asked for later.
@@ -147,6 +149,10 @@ impl Agreed {
                 .and_then(|it| it.data_support)
                 .or(pull.and_then(|it| it.data_support))
                 .unwrap_or(false),
+            rule_pages: client
+                .experimental
+                .as_ref()
+                .is_some_and(|it| it["rulePages"] == true),
             versioned_edits: edit.and_then(|it| it.document_changes).unwrap_or(false),
             file_operations: Reported::by(workspace.and_then(|workspace| workspace.file_operations.as_ref())),
             pulls_diagnostics: pull.is_some(),
@@ -327,7 +333,7 @@ mod tests {
                 "codeLens": {"refreshSupport": true}
             },
             "general": {"positionEncodings": ["utf-8"]},
-            "experimental": {"commands": ["ladder.completion.cut"]}
+            "experimental": {"commands": ["ladder.completion.cut"], "rulePages": true}
         });
         assert_eq!(
             agreed(client),
@@ -336,6 +342,7 @@ mod tests {
                 related_information: true,
                 unnecessary_tag: true,
                 diagnostic_data: true,
+                rule_pages: true,
                 versioned_edits: true,
                 resolves_edits: true,
                 disabled_actions: true,
