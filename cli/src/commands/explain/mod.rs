@@ -26,7 +26,7 @@ Examples:
   ladder explain '[/]'              the quotes keep the shell from the brackets
   ladder explain '$Alarm'           a block of the programs in this folder
   ladder explain '$Alarm' plant.clad
-                                    of this program, or of another file of its workspace
+                                    of this program or its workspace
   ladder explain '( S )'            the coil, where a name means several things
 
 Exit status: 0 fine, 2 nothing has this name.";
