@@ -52,6 +52,7 @@ mod output;
 mod run;
 #[cfg(feature = "screen")]
 mod screen;
+mod seen;
 mod settings;
 #[cfg(feature = "server")]
 mod small_pages;

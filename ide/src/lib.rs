@@ -25,6 +25,7 @@ mod outline;
 mod refactor;
 mod references;
 mod rename;
+mod rule_page;
 mod scenario;
 mod selection;
 mod semantic_tokens;
@@ -51,10 +52,11 @@ pub use links::{Link, LinkTarget, links};
 pub use neighbour::{Alone, ScenarioFile, Which, Workspace, gathered};
 pub use on_type::{TRIGGERS, on_type};
 pub use outline::{OutlineKind, Outlined, outline};
-pub use refactor::{Action, ActionKind, fix_all, quick_fixes, refactorings};
+pub use refactor::{Action, ActionKind, fix_all, may_be_switched_off, quick_fixes, refactorings};
 pub use refactor::{Redraw, Redrawn, redraw};
 pub use references::{Reference, references};
 pub use rename::{Renamable, RenameRefused, Renamed, prepare_rename, rename};
+pub use rule_page::rule_page;
 pub use scenario::{
     ScenarioPart, Scenarios, prepare_scenario_rename, rename_in_scenario, scenario_completions,
     scenario_definition, scenario_highlights, scenario_hover, scenario_layout, scenario_on_type,

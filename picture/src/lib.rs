@@ -53,6 +53,9 @@ pub struct Options<'o> {
     /// There is room for values above operands, and each shape knows whose power it shows: a user will write the
     /// state of a running program on the drawing.
     pub live: bool,
+    /// The right rail is no further left than in this column: pages are filled so. Without it the picture is as small as its
+    /// networks.
+    pub rail: Option<u32>,
 }
 
 /// The value of an operand by its text; none if it is not shown.

@@ -40,7 +40,7 @@ pub(super) fn draw(context: &Context, options: &Options<'_>) -> Scene {
         _ => None,
     });
     let rail = least_rails.filter(|&rail| rail <= WIDEST).max();
-    let rail = rail.unwrap_or(0).max(LEAST);
+    let rail = rail.unwrap_or(0).max(options.rail.unwrap_or(LEAST));
     let mut paper = Paper::new(options.live);
     let mut y = MARGIN;
     let mut close = true;

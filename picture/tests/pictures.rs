@@ -69,7 +69,7 @@ fn power_and_values() {
         &Options {
             power: Some(power),
             value: Some(&value),
-            live: false,
+            ..Options::default()
         },
     );
     expect_file!["pictures/power.svg"].assert_eq(&picture);

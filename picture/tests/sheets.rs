@@ -6,6 +6,7 @@ use ladder_analysis::analyze;
 use ladder_picture::scene;
 use ladder_picture::scene::{Extent, Form};
 use ladder_picture::sheet::{Options, Orientation, Piece, Sheet, Size, sheets};
+use ladder_picture::style::Look;
 use ladder_syntax::parse;
 use std::sync::Arc;
 
@@ -27,6 +28,7 @@ const A4: Options<'_> = Options {
     orientation: Orientation::Portrait,
     title: "program",
     note: "",
+    block: &[],
 };
 
 /// Where a pixel of a piece is on its page, in points.
@@ -238,4 +240,28 @@ fn a_network_with_an_error_is_text_on_paper_too() {
     let sheets = drawn("+--[ ]( a --( )( b )--+\n", &A4);
     check(&sheets);
     assert_eq!(seen(&sheets, "+--[ ]( a --( )( b )--+"), 1);
+}
+
+#[test]
+fn networks_take_the_whole_width_of_a_page() {
+    let analysis = analyze(&Arc::new(parse("+--[ ]( a )--( )( y )--+\n")), "program");
+    for orientation in [Orientation::Portrait, Orientation::Landscape] {
+        let options = Options { orientation, ..A4 };
+        let drawn = ladder_picture::Options {
+            rail: Some(options.rail()),
+            ..ladder_picture::Options::default()
+        };
+        let sheet = &sheets(&analysis.context, &scene(&analysis.context, &drawn), &options)[0];
+        let rails = sheet.pieces.iter().flat_map(|piece| {
+            let rails = piece.shapes.iter().filter(|shape| shape.look == Look::Rail);
+            rails.map(|rail| on_page(piece, (rail.extent().left, 0)).0)
+        });
+        let right = rails.fold(0.0, f32::max);
+        // The blank on both sides is 42 points.
+        assert!(
+            (sheet.width - 42.0 - 12.0..=sheet.width - 42.0).contains(&right),
+            "{right} of {}",
+            sheet.width
+        );
+    }
 }

@@ -48,6 +48,7 @@ mod notation;
 pub mod probe;
 mod recording;
 mod replay;
+mod rule_page;
 mod settling;
 mod simulation;
 mod standard_input;
@@ -63,6 +64,7 @@ pub use document::position::{Position, Range};
 pub use fence::{DrawnFence, Fence, FencePicture, FenceWord};
 pub use lsp::{Ending, serve};
 pub use notation::messages as notation_messages;
+pub use rule_page::{AskedPage, RulePage};
 pub use simulation::messages;
 
 /// Threads that read, write and dispatch messages. The work itself runs on blocking threads.

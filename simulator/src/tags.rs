@@ -1,8 +1,9 @@
 //! Tags by name: what a person writes (`t1.ET`, `a[3]`, `w.3`) to where it lives.
 
 use crate::compile::{CHANNELS, Ports};
+use crate::groups;
 use crate::layout::{self, Home, MemberSlot};
-use crate::members::{member_of, members, shown};
+use crate::members::{member_of, members};
 use crate::memory::{Bit, Memory, TextSlot, Word};
 use crate::system::{self, SystemSlot};
 use ladder_analysis::program::{Program, Role, SystemTag, TagId};
@@ -31,6 +32,13 @@ impl Point {
     /// Whether it is a system tag.
     pub(crate) fn is_system(&self) -> bool {
         self.name.starts_with("SYS.")
+    }
+
+    /// Whether it holds the same in every scan: a constant of the program, and the system tags for on and off.
+    pub(crate) fn is_constant(&self) -> bool {
+        let is_member = matches!(self.slot, PointSlot::Timing { .. });
+        let is_fixed = matches!(self.name.as_str(), "SYS.ON" | "SYS.OFF");
+        is_fixed || (self.read_only && !is_member && !self.is_system())
     }
 
     /// What it holds in a memory.
@@ -155,29 +163,22 @@ impl Names {
         let text = text.trim();
         if let Some(index) = self.find(text) {
             let tag = &program.tags[index];
-            let whole = |slot, ty| Point {
-                name: tag.name.clone(),
-                ty,
-                role: tag.role,
-                read_only: tag.constant,
-                slot,
-            };
-            return match (homes[index], tag.ty) {
-                (Home::Bits { at, .. }, Type::Scalar(ty)) => Ok(whole(PointSlot::Bit(at), ty)),
-                (Home::Words { at, .. }, Type::Scalar(ty)) => Ok(whole(PointSlot::Word(at), ty)),
-                (Home::Texts { at, .. }, Type::Scalar(ty)) => Ok(whole(PointSlot::Text(at), ty)),
-                (_, Type::State(state)) => unknown(format!(
+            if let (Type::Scalar(_), Some(point)) = (tag.ty, groups::element(tag, homes[index], 0)) {
+                return Ok(point);
+            }
+            return match tag.ty {
+                Type::State(state) => unknown(format!(
                     "{} is {}: name one of its members, as in {}.{}",
                     tag.name,
                     with_article(state.name()),
                     tag.name,
                     members(state)[0].0
                 )),
-                (_, Type::Array { first, .. }) => unknown(format!(
+                Type::Array { first, .. } => unknown(format!(
                     "{} is an array: name one of its elements, as in {}[{first}]",
                     tag.name, tag.name
                 )),
-                _ => unknown(format!("{} has no value that can be shown", tag.name)),
+                Type::Scalar(_) => unknown(format!("{} has no value that can be shown", tag.name)),
             };
         }
         if let Some((array, index)) = text.strip_suffix(']').and_then(|text| text.rsplit_once('[')) {
@@ -189,7 +190,8 @@ impl Names {
         self.unknown_tag(program, text)
     }
 
-    fn find(&self, text: &str) -> Option<usize> {
+    /// The number of the tag with this name.
+    pub(crate) fn find(&self, text: &str) -> Option<usize> {
         self.tags.get(&Name::new(text)).map(|&index| index as usize)
     }
 
@@ -204,7 +206,7 @@ impl Names {
             return self.unknown_tag(program, array);
         };
         let tag = &program.tags[number];
-        let Type::Array { first, last, element } = tag.ty else {
+        let Type::Array { first, last, .. } = tag.ty else {
             return unknown(format!(
                 "{} is not an array: it is {} and has no elements",
                 tag.name,
@@ -223,20 +225,10 @@ impl Names {
                 tag.name
             ));
         }
-        let offset = (position - first) as u32;
-        let slot = match homes[number] {
-            Home::Bits { at, .. } => PointSlot::Bit(at.offset(offset)),
-            Home::Words { at, .. } => PointSlot::Word(at.offset(offset)),
-            Home::Texts { at, .. } => PointSlot::Text(TextSlot(at.0 + offset)),
-            _ => return unknown(format!("{} has no value that can be shown", tag.name)),
-        };
-        Ok(Point {
-            name: format!("{}[{position}]", tag.name),
-            ty: element,
-            role: tag.role,
-            read_only: tag.constant,
-            slot,
-        })
+        groups::element(tag, homes[number], position).map_or_else(
+            || unknown(format!("{} has no value that can be shown", tag.name)),
+            Ok,
+        )
     }
 
     fn member(
@@ -336,49 +328,6 @@ impl Names {
             }
             None => unknown(format!("there is no tag `{text}` in this program")),
         }
-    }
-
-    /// Every scalar tag in the order of the program's tags; of timers, counters and bistables the members that
-    /// show what they do.
-    pub(crate) fn points(program: &Program, homes: &[Home]) -> Vec<Point> {
-        let mut points = Vec::new();
-        for (tag, &home) in program
-            .tags
-            .iter()
-            .zip(homes)
-            .filter(|(tag, _)| tag.block.is_none())
-        {
-            let mut push = |name: String, ty, slot| {
-                points.push(Point {
-                    name,
-                    ty,
-                    role: tag.role,
-                    read_only: tag.constant,
-                    slot,
-                });
-            };
-            match (home, tag.ty) {
-                (Home::Bits { at, .. }, Type::Scalar(ty)) => push(tag.name.clone(), ty, PointSlot::Bit(at)),
-                (Home::Words { at, .. }, Type::Scalar(ty)) => push(tag.name.clone(), ty, PointSlot::Word(at)),
-                (Home::Texts { at, .. }, Type::Scalar(ty)) => push(tag.name.clone(), ty, PointSlot::Text(at)),
-                (Home::State { state, bits, words }, _) => {
-                    for &(name, member) in shown(state) {
-                        let slot = match layout::member(state, bits, words, member) {
-                            Some(MemberSlot::Bit(slot)) => PointSlot::Bit(slot),
-                            Some(MemberSlot::Word(slot)) => PointSlot::Word(slot),
-                            _ => continue,
-                        };
-                        push(
-                            format!("{}.{name}", tag.name),
-                            program.member_type(tag, member),
-                            slot,
-                        );
-                    }
-                }
-                _ => {}
-            }
-        }
-        points
     }
 }
 

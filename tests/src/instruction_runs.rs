@@ -144,8 +144,15 @@ impl Stimulus {
         }
         let is_given = |point: &Point| self.inputs.iter().any(|(name, _)| *name == point.name);
         let points = simulation.points().iter();
+        // Of an array of which some elements are given, the others are at rest.
+        let is_of_given = |point: &Point| {
+            let given = self.inputs.iter().filter_map(|(name, _)| name.split_once('['));
+            point
+                .group()
+                .is_some_and(|group| given.into_iter().any(|(name, _)| name == group))
+        };
         points
-            .filter(|point| !point.read_only && !is_given(point))
+            .filter(|point| !point.read_only && !is_given(point) && !is_of_given(point))
             .cloned()
             .collect()
     }

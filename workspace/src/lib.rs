@@ -56,7 +56,7 @@ pub use search::{
 };
 pub use settings::table;
 pub use settings::{
-    EditorSettings, Files, Levels, Lint, SettingError, Settings, SettingsError, Simulate, Tree,
+    EditorSettings, Files, Levels, Lint, Project, SettingError, Settings, SettingsError, Simulate, Tree,
 };
 pub use stamp::Stamp;
 pub use text::{decode, read, read_bytes};

@@ -183,16 +183,16 @@ fn values_that_do_not_pass() {
             b : BOOL, Internal
             s : STRING, Internal
             n : TON, Internal
-            type-mismatch: this is UINT, INT is expected here `u`
-            type-mismatch: this is REAL, INT is expected here `r`
-            type-mismatch: this is INT, BOOL is expected here `i`
+            type-mismatch: `u` is UINT, and `a` of [MOV] takes INT `u`
+            type-mismatch: `r` is REAL, and `a` of [MOV] takes INT `r`
+            type-mismatch: `i` is INT, and `a` of [MOV] takes BOOL `i`
             type-mismatch: the result is WORD, this block gives a number or a TIME `w`
-            type-mismatch: the number 5 is no TIME `5`
+            type-mismatch: the number 5 is given, TIME is expected `5`
             type-mismatch: TIME and INT cannot be compared `[GT]( t, i )`
             type-mismatch: BOOL values are equal or not: none is greater than another `[GT]( b, TRUE )`
             type-mismatch: `n` is the state of a TON, a value is expected here `n`
             type-mismatch: this is INT, BOOL is expected here `i`
-            type-mismatch: the number 5 is no STRING `5`
+            type-mismatch: the number 5 is given, STRING is expected `5`
             literal-out-of-range: 40000 is outside of INT, which holds -32768 to 32767 `40000`
             constant-write: the tags of SYS are read only: the controller sets them `SYS.SCAN`
             bad-operand: a member of a timer or counter is written by its own block only: use (RES) or R := to clear it `n.ET`

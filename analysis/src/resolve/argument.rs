@@ -47,6 +47,7 @@ impl Resolver<'_, '_> {
             let Formal::Operand(operand) = *formal else {
                 continue;
             };
+            let since = self.out.len();
             let argument = match operand.accepts {
                 Accepts::Result(class) => {
                     let place = self.result(&written.value, operand, class);
@@ -107,6 +108,16 @@ impl Resolver<'_, '_> {
                 },
                 _ => self.argument(&written.value, operand),
             };
+            if argument.is_none() && row.operands.len() > 1 {
+                let wanted = match operand.accepts {
+                    Accepts::Bool | Accepts::BoolOrRange => Some(Scalar::Bool),
+                    Accepts::Value => works_in,
+                    _ => None,
+                };
+                if let Some(wanted) = wanted {
+                    self.name_operand(since, &written.value, operand.name, &bound.head_text(), wanted);
+                }
+            }
             if let Some(argument) = argument {
                 // What is written into a range takes the type of its elements ([FILL], [SHIFT]).
                 if let Argument::Range(range) = &argument {
@@ -336,7 +347,13 @@ impl Resolver<'_, '_> {
         // A number takes 0 or 1.
         let takes_truth = self.semantics().truth == Truth::NotZero && ty == Scalar::Bool && found.is_number();
         if found != ty && !takes_truth {
-            self.report(type_mismatch::does_not_pass(ty, found, self.at(node.range)));
+            let given = self.given(node);
+            self.report(type_mismatch::does_not_take(
+                &given,
+                found,
+                ("what this block writes", ty),
+                self.at(node.range),
+            ));
             return None;
         }
         Some(Argument::Place(place, found))

@@ -13,6 +13,7 @@ pub(crate) mod numbers;
 mod place;
 mod ranges;
 mod search;
+mod swapped;
 mod tags;
 mod times;
 mod user_argument;
@@ -324,6 +325,10 @@ impl Resolver<'_, '_> {
             // bad-arity says so; what the operands are is then anybody's guess.
             Meaning::Instruction(row) if !row.takes(bound.positional_count()) => None,
             Meaning::Instruction(row) => {
+                if let Some(found) = self.swapped_operands(row, bound) {
+                    self.report(found);
+                    return None;
+                }
                 let (arguments, works_in) = self.arguments(row, bound);
                 Some(Block {
                     kind: BlockKind::Instruction(row),
@@ -334,6 +339,10 @@ impl Resolver<'_, '_> {
             }
             Meaning::User(index) if self.context.user_blocks[index].doubtful => None,
             Meaning::User(index) => {
+                if let Some(found) = self.swapped_arguments(index, bound) {
+                    self.report(found);
+                    return None;
+                }
                 let arguments = self.user_arguments(index, bound);
                 Some(Block {
                     kind: BlockKind::User(self.block_number(index)),

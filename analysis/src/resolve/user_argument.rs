@@ -5,6 +5,7 @@ use crate::networks::BlockAt;
 use crate::networks::access::Access;
 use crate::networks::facts::Node;
 use crate::networks::network::Formal;
+use crate::networks::user_block::Parameter;
 use crate::program::{Argument, Bound, ParameterKind};
 use crate::rules::type_mismatch;
 use crate::values::types::{Scalar, Type, passes};
@@ -28,7 +29,12 @@ impl Resolver<'_, '_> {
             let parameter = &facts.parameters[index];
             // One whose type cannot be read is an error of its own.
             let Some(ty) = parameter.ty else { continue };
-            if let Some(argument) = self.user_argument(&written.value, ty, parameter.kind) {
+            let since = self.out.len();
+            let argument = self.user_argument(&written.value, ty, parameter);
+            if let (None, Type::Scalar(wanted)) = (&argument, ty) {
+                self.name_operand(since, &written.value, &parameter.name, &bound.head_text(), wanted);
+            }
+            if let Some(argument) = argument {
                 let range = bound.absolute(written.range);
                 arguments.push(Bound {
                     operand: None,
@@ -42,7 +48,8 @@ impl Resolver<'_, '_> {
         arguments
     }
 
-    fn user_argument(&mut self, node: &Node, ty: Type, kind: ParameterKind) -> Option<Argument> {
+    fn user_argument(&mut self, node: &Node, ty: Type, parameter: &Parameter) -> Option<Argument> {
+        let kind = parameter.kind;
         let range = self.at(node.range);
         let Type::Scalar(scalar) = ty else {
             // Arrays and states go as what they are, by reference.
@@ -81,7 +88,18 @@ impl Resolver<'_, '_> {
             _ => passes(scalar, found),
         };
         if !fits {
-            self.report(type_mismatch::does_not_pass(scalar, found, range));
+            let given = self.given(node);
+            let way = match kind {
+                ParameterKind::InOut => "in-out",
+                _ => "output",
+            };
+            let what = format!("the {way} `{}`", parameter.name);
+            self.report(type_mismatch::does_not_take(
+                &given,
+                found,
+                (&what, scalar),
+                range,
+            ));
             return None;
         }
         Some(Argument::Place(place, found))

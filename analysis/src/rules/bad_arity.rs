@@ -51,6 +51,9 @@ fn instruction(parse: &Parse, bound: BlockAt<'_>, row: &'static Instruction) -> 
     {
         return None;
     }
+    if let Some(counted) = wrong_shape::counted_loop(parse, bound, row) {
+        return Some(counted);
+    }
     if given > 0
         && let Some(other) = wrong_shape::taking_operands(bound)
     {

@@ -3,7 +3,7 @@
 use super::power_rules::{Table, is_condition};
 use crate::boolean::power::{Question, Replacement};
 use crate::boolean::space::Set;
-use crate::findings::diagnostic::Diagnostic;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::program::Step;
 use ladder_syntax::TextRange;
@@ -34,7 +34,13 @@ fn block_is_constant(table: &Table<'_>, block: usize, en: usize) -> Option<Diagn
                     bound.range(),
                     format!("{} always conducts", table.tags.written_block(bound)),
                 )
-                .help("whatever its tags hold, it is true: compare with another value, or remove it"),
+                .help("whatever its tags hold, it is true: compare with another value, or remove it")
+                .fix(
+                    Applicability::Unsafe,
+                    "Draw a wire in its place",
+                    bound.range(),
+                    "--",
+                ),
             );
         }
         Some(false) => {

@@ -7,7 +7,7 @@ use super::wiring_walk::Walk;
 use super::{constant_power, duplicate_branch, shorted_branch};
 use crate::boolean::gate::Gate;
 use crate::boolean::power::{Powers, Question, Replacement};
-use crate::findings::diagnostic::Diagnostic;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::BlockAt;
 use ladder_instructions::Power;
@@ -86,15 +86,25 @@ pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
             };
             same_effects(table, &table.power.powers(question))
         };
-        let help = if same(Replacement::Wire) {
-            "a wire in its place does the same: remove it, or correct the tag that was meant"
+        let name = table.tags.written_block(bound);
+        let found = Diagnostic::new(RULE, bound.range(), format!("{name} changes nothing here"));
+        let found = if same(Replacement::Wire) {
+            found
+                .help("a wire in its place does the same: remove it, or correct the tag that was meant")
+                .fix(
+                    Applicability::Unsafe,
+                    "Draw a wire in its place",
+                    bound.range(),
+                    "--",
+                )
         } else if same(Replacement::Gap) {
-            "without its branch everything stays the same: remove it, or correct the tag that was meant"
+            found.help(
+                "without its branch everything stays the same: remove it, or correct the tag that was meant",
+            )
         } else {
             continue;
         };
-        let name = table.tags.written_block(bound);
-        out.push(Diagnostic::new(RULE, bound.range(), format!("{name} changes nothing here")).help(help));
+        out.push(found);
         // What is redundant next to it may not be once it is gone.
         return;
     }

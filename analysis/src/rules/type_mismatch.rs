@@ -1,9 +1,10 @@
 //! `type-mismatch`: a value does not pass to the type that its place asks for.
 
 use crate::findings::article::with_article;
-use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::diagnostic::{Applicability, Diagnostic, Fix};
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::values::types::{Scalar, Type};
+use ladder_format::Edit;
 use ladder_instructions::{Op, StateType, TypeClass};
 use ladder_syntax::TextRange;
 
@@ -53,8 +54,58 @@ pub(crate) fn state_as_value(name: &str, state: StateType, range: TextRange) -> 
     wrong(range, message).help(member)
 }
 
+/// Two operands in each other's place: for a rule about operands.
+pub(crate) fn swapped(
+    rule: Rule,
+    first: (TextRange, &str),
+    second: (TextRange, &str),
+    order: String,
+) -> Diagnostic {
+    let edits = [(first.0, second.1), (second.0, first.1)].map(|(range, text)| Edit {
+        range,
+        text: text.to_owned(),
+    });
+    let title = format!("Swap `{}` and `{}`", first.1, second.1);
+    let message = format!("`{}` and `{}` are swapped", first.1, second.1);
+    Diagnostic::new(rule, first.0.cover(second.0), message)
+        .help(order)
+        .with(Fix::new(Applicability::Unsafe, title, edits.into()))
+}
+
+/// What a block writes does not pass to the tag that takes it.
+pub(crate) fn does_not_take(
+    given: &str,
+    tag: Scalar,
+    writes: (&str, Scalar),
+    range: TextRange,
+) -> Diagnostic {
+    let (what, written) = writes;
+    wrong(range, format!("{given} is {tag}, and {what} is {written}")).help(format!(
+        "give a tag of type {written}, and convert it with [TYP]( result, value ) afterwards"
+    ))
+}
+
+fn of_value(from: Scalar, to: Scalar) -> String {
+    format!("this is {from}, {to} is expected here")
+}
+
+/// Whether a finding says that a value does not pass.
+pub(crate) fn is_of_value(found: &Diagnostic, from: Scalar, to: Scalar, range: TextRange) -> bool {
+    found.rule == RULE && found.range == range && found.message == of_value(from, to)
+}
+
+/// Has such a finding name what is given, and the operand and the block that it is given for.
+pub(crate) fn name_operand(
+    found: &mut Diagnostic,
+    given: &str,
+    from: Scalar,
+    (operand, block, to): (&str, &str, Scalar),
+) {
+    found.message = format!("{given} is {from}, and `{operand}` of {block} takes {to}");
+}
+
 pub(crate) fn does_not_pass(from: Scalar, to: Scalar, range: TextRange) -> Diagnostic {
-    let found = wrong(range, format!("this is {from}, {to} is expected here"));
+    let found = wrong(range, of_value(from, to));
     let bits = |ty: Scalar| ty.is_bits() || ty.is_integer();
     if from == Scalar::Bool && bits(to) {
         return found

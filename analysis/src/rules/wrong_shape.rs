@@ -4,6 +4,8 @@ use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::excerpt;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::BlockAt;
+use crate::networks::facts::{Node, NodeKind};
+use crate::values::literal::Literal;
 use ladder_instructions::{Instruction, Op, in_other_shape};
 use ladder_syntax::Parse;
 
@@ -35,6 +37,55 @@ fn applicability(bound: BlockAt<'_>, row: &Instruction) -> Applicability {
     }
 }
 
+/// A loop in the way of other languages, with the counter, its first and its last value: `[FOR]( i, 1, 3 )`.
+pub(crate) fn counted_loop(
+    parse: &Parse,
+    bound: BlockAt<'_>,
+    row: &'static Instruction,
+) -> Option<Diagnostic> {
+    let facts = &bound.facts;
+    let [counter, first, last] = &facts.operands[..] else {
+        return None;
+    };
+    if row.op != Op::For || bound.positional_count() != 3 || !matches!(counter.value.kind, NodeKind::Name(_))
+    {
+        return None;
+    }
+    let text = |node: &Node| excerpt::text(parse, bound.absolute(node.range));
+    let number = |node: &Node| match node.literal() {
+        Some(Literal::Int(number)) => Some(*number),
+        _ => None,
+    };
+    let turns = match (number(&first.value), number(&last.value)) {
+        (Some(first), Some(last)) => last.saturating_sub(first).saturating_add(1).to_string(),
+        (Some(1), None) => text(&last.value),
+        _ => "turns".to_owned(),
+    };
+    let counter = text(&counter.value);
+    let block = row.block();
+    let found = |written: String, help: String| {
+        let list = facts.list_range.unwrap_or(facts.head_range);
+        let range = bound.absolute(facts.head_range.cover(list));
+        Diagnostic::new(
+            RULE,
+            range,
+            format!("a loop takes how many times it runs: write {written}"),
+        )
+        .help(help)
+        .fix(Applicability::Unsafe, format!("Write {written}"), range, written)
+    };
+    Some(match row.named("I") {
+        Some(_) => found(
+            format!("{block}( {turns}, I => {counter} )"),
+            format!("`{counter}` is then the number of the turn, from 1"),
+        ),
+        None => found(
+            format!("{block}( {turns} )"),
+            format!("set `{counter}` before the loop, and count it in a rung before <NEXT>"),
+        ),
+    })
+}
+
 pub(crate) fn brackets(parse: &Parse, bound: BlockAt<'_>, row: &'static Instruction) -> Diagnostic {
     let list = bound
         .facts
@@ -52,6 +103,9 @@ pub(crate) fn brackets(parse: &Parse, bound: BlockAt<'_>, row: &'static Instruct
             row.block()
         ),
     };
+    if let Some(counted) = counted_loop(parse, bound, row) {
+        return counted;
+    }
     let help = match row.op {
         Op::SetCoil => format!("to latch a bit write {written}"),
         Op::ResetCoil => format!("to reset a bit write {written}"),

@@ -70,7 +70,7 @@ pub(crate) fn place(
         ConstantProblem::new(
             ConstantFault::OtherType,
             range,
-            format!("{} is no {ty}", describe(literal)),
+            format!("{} is given, {ty} is expected", describe(literal)),
         )
     };
     if let Literal::Typed(own, inner) = literal {

@@ -104,7 +104,7 @@ fn typed(scalar: Scalar, rest: &str) -> Parsed<Literal> {
                 return out_of_range(format!("{scalar} holds {low} to {high}"));
             }
             Some(_) => Literal::Int(sign(n)),
-            None => return malformed(format!("a number is no {scalar}")),
+            None => return malformed(format!("{scalar} does not take a number")),
         },
         _ => return malformed(format!("{scalar} holds whole numbers only")),
     };

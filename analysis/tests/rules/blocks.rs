@@ -324,3 +324,97 @@ fn texts_of_any_length_compare() {
         "VAR s : STRING; y : BOOL; END_VAR\n+--[EQ]( s, 'a', 'text' )--( )( y )--+\n+--[NE]( 'a', s )--(R)( y )--+\n",
     );
 }
+
+#[test]
+fn operands_in_each_others_place() {
+    check(
+        r"FUNCTION_BLOCK [$A]
+VAR_INPUT   first : INT;  END_VAR
+VAR_OUTPUT  lamp : BOOL;  END_VAR
++--[GT]( first, 3 )--( )( lamp )--+
+END_FUNCTION_BLOCK
+
+FUNCTION_BLOCK [$C]
+VAR_INPUT   first : INT;  on : BOOL;  wait : TIME;  END_VAR
+VAR_OUTPUT  lamp : BOOL;  END_VAR
+VAR         t : TON;  END_VAR
++--[GT]( first, 3 )--[ ]( on )--[TON]( t, wait )--( )( lamp )--+
+END_FUNCTION_BLOCK
+
+VAR  n : INT;  b, c : BOOL;  t : TIME;  t1 : TON;  END_VAR
+
++--[$A]( b, n )--+
+
++--[$C]( TRUE, 3, t, c )--+
+
++--[$C]( n, t, b, c )--+
+
++--[$C]( b, c, t, n )--+
+
++--[TON]( 5s, t1 )--( )( c )--+
+
++--[MOV]( 3, n )--( )( b )--+
+
++--[SEL]( n, n, 3, 4 )--(S)( c )--+
+",
+        expect![[r#"
+            > +--[$A]( b, n )--+
+                       ^^^^ error[type-mismatch]: `b` and `n` are swapped
+                help: `first` of [$A] comes before `lamp`
+                fix: Swap `b` and `n`
+                  +----------------------------------------------------------------[$A]( n, b )--+
+            > +--[$C]( TRUE, 3, t, c )--+
+                       ^^^^^^^ error[type-mismatch]: `TRUE` and `3` are swapped
+                help: `first` of [$C] comes before `on`
+                fix: Swap `TRUE` and `3`
+                  +-------------------------------------------------------[$C]( 3, TRUE, t, c )--+
+            > +--[$C]( n, t, b, c )--+
+                          ^^^^ error[type-mismatch]: `t` and `b` are swapped
+                help: `on` of [$C] comes before `wait`
+                fix: Swap `t` and `b`
+                  +----------------------------------------------------------[$C]( n, b, t, c )--+
+            > +--[$C]( b, c, t, n )--+
+                       ^^^^^^^^^^ error[type-mismatch]: `b` and `n` are swapped
+                help: `first` of [$C] comes before `lamp`
+                fix: Swap `b` and `n`
+                  +----------------------------------------------------------[$C]( n, c, t, b )--+
+            > +--[TON]( 5s, t1 )--( )( c )--+
+                        ^^^^^^ error[bad-operand]: `5s` and `t1` are swapped
+                help: the tag that keeps the state of the TON comes first
+                fix: Swap `5s` and `t1`
+                  +---------------------------------------------------[TON]( t1, 5s )--( )( c )--+
+            > +--[MOV]( 3, n )--( )( b )--+
+                        ^^^^ error[bad-operand]: `3` and `n` are swapped
+                help: the result comes first
+                fix: Swap `3` and `n`
+                  +-----------------------------------------------------[MOV]( n, 3 )--( )( b )--+
+            > +--[SEL]( n, n, 3, 4 )--(S)( c )--+
+                           ^ error[type-mismatch]: `n` is INT, and `g` of [SEL] takes BOOL
+                help: compare it ([NE]( tag, 0 )), or name one of its bits (tag.0)
+        "#]],
+    );
+}
+
+#[test]
+fn a_loop_with_a_counter() {
+    check(
+        "+--[FOR]( i, 1, 3 )--+\n+--<NEXT>--+\n\n+--<FOR>( i, 0, n )--+\n+--<NEXT>--+\n\n+--<FOR>( i, 1, n )--+\n+--<NEXT>--+\n",
+        expect![[r#"
+            > +--[FOR]( i, 1, 3 )--+
+                 ^^^^^^^^^^^^^^^^ error[wrong-shape]: a loop takes how many times it runs: write <FOR>( 3 )
+                help: set `i` before the loop, and count it in a rung before <NEXT>
+                fix: Write <FOR>( 3 )
+                  +------------------------------------------------------------------<FOR>( 3 )--+
+            > +--<FOR>( i, 0, n )--+
+                 ^^^^^^^^^^^^^^^^ error[wrong-shape]: a loop takes how many times it runs: write <FOR>( turns )
+                help: set `i` before the loop, and count it in a rung before <NEXT>
+                fix: Write <FOR>( turns )
+                  +--------------------------------------------------------------<FOR>( turns )--+
+            > +--<FOR>( i, 1, n )--+
+                 ^^^^^^^^^^^^^^^^ error[wrong-shape]: a loop takes how many times it runs: write <FOR>( n )
+                help: set `i` before the loop, and count it in a rung before <NEXT>
+                fix: Write <FOR>( n )
+                  +------------------------------------------------------------------<FOR>( n )--+
+        "#]],
+    );
+}

@@ -22,6 +22,9 @@ fn nothing_below_or_above() {
                  ^ error[unpaired-connector]: the `/` on line 2 has no partner: line 1 above it has no `\`
                 help: every `/` needs a `\` on the rung above: together they join the two lines
                 at 1:1 `+--[ ]( a )--( )( y )--+`: its partner `\` belongs onto this rung
+                fix: Draw `\` above it
+                  +--\--[ ]( a )-------------------------------------------------------( )( y )--+
+                  |  /--[ ]( b )--                                                               |
         "#]],
     );
     check(
@@ -105,6 +108,10 @@ fn in_the_middle_of_three() {
                                  ^ error[unpaired-connector]: the 2nd `/` on line 3 has no partner: line 3 has 2 `/`, line 2 above it has 1 `\`
                 help: every `/` needs a `\` on the rung above: together they join the two lines
                 at 2:1 `|  /--\--[ ]( b )--/            |`: its partner `\` belongs onto this rung
+                fix: Draw `\` above it
+                  +--\--[ ]( a )--------\----------------------------------------------( )( y )--+
+                  |  /--\--[ ]( b )--\--/                                                        |
+                  |     /--[ ]( c )--/                                                           |
         "#]],
     );
 }
@@ -450,4 +457,54 @@ fn pairs() {
     clean("+--\\--[ ]( a )--\\--( )( y )--+\n|  /--[ ]( b )--/            |\n");
     // Columns do not matter.
     clean("+--\\--[ ]( a )--\\--( )( y )--+\n|     /--[ ]( b )--/            |\n");
+}
+
+#[test]
+fn a_connector_is_drawn_where_a_block_is_in_its_column() {
+    check(
+        r"
++--[ ]( b )--\--[ ]( a )--( )( y )--+
+|            /--[ ]( long_name )--/  |
+
++--[ ]( a )--( )( y )--+
+|  /--[ ]( c )--/      |
+
++--[ ]( b )--\--[ ]( long_name )--\--( )( y )--+
+|            /--[ ]( a )--( )( z )-----------+
+",
+        expect![[r#"
+            > |            /--[ ]( long_name )--/  |
+                                                ^ error[unpaired-connector]: the 2nd `/` on line 3 has no partner: line 3 has 2 `/`, line 2 above it has 1 `\`
+                help: every `/` needs a `\` on the rung above: together they join the two lines
+                at 2:1 `+--[ ]( b )--\--[ ]( a )--( )( y )--+`: its partner `\` belongs onto this rung
+                fix: Replace `+` with `\`
+                  +--[ ]( b )--\--[ ]( a )--( )( y )--\
+                  |            /--[ ]( long_name )----/
+                fix: Join with `\` above it
+                  +--[ ]( b )--\--[ ]( a )------------------------------------------( )( y )--\--+
+                  |            /--[ ]( long_name )--------------------------------------------/  |
+            > |  /--[ ]( c )--/      |
+                 ^ error[unpaired-connector]: the 1st `/` on line 6 has no partner: line 5 above it has no `\`
+                help: every `/` needs a `\` on the rung above: together they join the two lines
+                at 5:1 `+--[ ]( a )--( )( y )--+`: its partner `\` belongs onto this rung
+                fix: Draw `\` above it
+                  +--\--[ ]( a )--( )( y )--+
+            > |  /--[ ]( c )--/      |
+                              ^ error[unpaired-connector]: the 2nd `/` on line 6 has no partner: line 5 above it has no `\`
+                help: every `/` needs a `\` on the rung above: together they join the two lines
+                at 5:1 `+--[ ]( a )--( )( y )--+`: its partner `\` belongs onto this rung
+                fix: Draw `\` above it
+                  +--[ ]( a )--\--( )( y )--+
+            > +--[ ]( b )--\--[ ]( long_name )--\--( )( y )--+
+                                                ^ error[unpaired-connector]: the 2nd `\` on line 8 has no partner: line 8 has 2 `\`, line 9 below it has 1 `/`
+                help: every `\` needs a `/` on the rung below: together they join the two lines
+                at 9:1 `|            /--[ ]( a )--( )( z )-----------+`: its partner `/` belongs onto this rung
+                fix: Join with `/` below it
+                  +--[ ]( b )--\--[ ]( long_name )----------------------------------\--( )( y )--+
+                  |            /--[ ]( a )--------------------------------( )( z )--/------------+
+                fix: Replace `\` with wire
+                  +--[ ]( b )--\--[ ]( long_name )-------------------------------------( )( y )--+
+                  |            /--[ ]( a )---------------------------------------------( )( z )--+
+        "#]],
+    );
 }

@@ -335,10 +335,12 @@ fn a_error_in_a_type_is_reported_once() {
     check(
         "+--[MOV]( 5, a )--+\n",
         expect![[r#"
-        > +--[MOV]( 5, a )--+
-                    ^ error[bad-operand]: a tag is expected here: the block writes its result to it
-            help: the result comes first
-    "#]],
+            > +--[MOV]( 5, a )--+
+                        ^^^^ error[bad-operand]: `5` and `a` are swapped
+                help: the result comes first
+                fix: Swap `5` and `a`
+                  +---------------------------------------------------------------[MOV]( a, 5 )--+
+        "#]],
     );
     check(
         "VAR CONSTANT\n    limit : INT := 5;\nEND_VAR\n\n+--[MOV]( limit, 6 )--+\n",

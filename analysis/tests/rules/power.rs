@@ -99,6 +99,8 @@ fn comparisons() {
             > +--[GT]( level, 80 )--[LT]( 20, level )--( )( y )--+
                                     ^^^^^^^^^^^^^^^^^ warning[redundant-element]: [LT]( 20, level ) changes nothing here
                 help: a wire in its place does the same: remove it, or correct the tag that was meant
+                fix: Draw a wire in its place
+                  +--[GT]( level, 80 )-------------------------------------------------( )( y )--+
         "#]],
     );
     check(
@@ -130,6 +132,8 @@ fn comparisons() {
             > +--[GE]( n, 0 )--( )( Q2 )--+
                  ^^^^^^^^^^^^ warning[constant-power]: [GE]( n, 0 ) always conducts
                 help: whatever its tags hold, it is true: compare with another value, or remove it
+                fix: Draw a wire in its place
+                  +-------------------------------------------------------------------( )( Q2 )--+
             > +--[GT]( m, HIGH )--[LE]( m, 80 )--( )( Q3 )--+
                                   ^^^^^^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what is before it does not
                 help: change one of the conditions; to switch a rung off on purpose use [ ]( SYS.OFF )
@@ -137,6 +141,8 @@ fn comparisons() {
             > +--[GT]( HIGH, 5 )--( )( Q4 )--+
                  ^^^^^^^^^^^^^^^ warning[constant-power]: [GT]( HIGH, 5 ) always conducts
                 help: whatever its tags hold, it is true: compare with another value, or remove it
+                fix: Draw a wire in its place
+                  +-------------------------------------------------------------------( )( Q4 )--+
         "#]],
     );
     check(
@@ -158,6 +164,8 @@ fn comparisons() {
             > +--[GE]( a, a )--( )( z )--+
                  ^^^^^^^^^^^^ warning[constant-power]: [GE]( a, a ) always conducts
                 help: whatever its tags hold, it is true: compare with another value, or remove it
+                fix: Draw a wire in its place
+                  +--------------------------------------------------------------------( )( z )--+
         "#]],
     );
     clean("+--[GT]( a, b )--[GT]( b, c )--( )( y )--+\n\n+--[GE]( x, 30, 20 )--( )( z )--+\n");
@@ -171,6 +179,8 @@ fn what_changes_nothing() {
             > +--[ ]( a )--[ ]( b )--[ ]( a )--( )( y )--+
                  ^^^^^^^^ warning[redundant-element]: [ ]( a ) changes nothing here
                 help: a wire in its place does the same: remove it, or correct the tag that was meant
+                fix: Draw a wire in its place
+                  +--[ ]( b )--[ ]( a )------------------------------------------------( )( y )--+
         "#]],
     );
     check(
@@ -187,6 +197,8 @@ fn what_changes_nothing() {
             > +--[GT]( n, 80 )--[GT]( n, 20 )--( )( y )--+
                                 ^^^^^^^^^^^^^ warning[redundant-element]: [GT]( n, 20 ) changes nothing here
                 help: a wire in its place does the same: remove it, or correct the tag that was meant
+                fix: Draw a wire in its place
+                  +--[GT]( n, 80 )-----------------------------------------------------( )( y )--+
         "#]],
     );
     // Each is needed: two out of three.
@@ -267,6 +279,9 @@ fn order() {
             > |                /--[ ]( y )--[ ]( b )--( )( z )--+
                                   ^^^^^^^^ warning[redundant-element]: [ ]( y ) changes nothing here
                 help: a wire in its place does the same: remove it, or correct the tag that was meant
+                fix: Draw a wire in its place
+                  +--[GT]( n, 5 )--\---------------------------------------------------(S)( y )--+
+                  |                /--[ ]( b )-----------------------------------------( )( z )--+
             > |                /--[ ]( y )--[ ]( b )--( )( z )--+
                                                       ^^^^^^^^ info[order-sensitive]: the order of this network matters: with n > 5, y = 0, b = 1: `z` becomes 1, but 0 if all contacts were read first
                 help: a contact reads what a coil of the same network has just written: give the later part a rung of its own

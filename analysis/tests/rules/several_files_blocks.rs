@@ -26,15 +26,15 @@ VAR a, b : INT; t : TIME; END_VAR
         expect![[r#"
             == main.clad
             > +--[$Scale]( t, 3, b, 4 )--+
-                           ^ error[type-mismatch]: this is TIME, INT is expected here
+                           ^ error[type-mismatch]: `t` is TIME, and `raw` of [$Scale] takes INT
                 help: convert it with [TYP]( result, value ) into an INT first
             > +--[$Scale]( t, 3, b, 4 )--+
                                     ^ error[bad-arity]: [$Scale] takes 3 operands, 4 are given
                 help: it is written [$Scale]( raw, factor, scaled )
                 at lib.clad:1:16 `[$Scale]`: the block is defined here
             > +--[$Scale]( 1, 3, t )--+
-                                 ^ error[type-mismatch]: this is INT, TIME is expected here
-                help: convert it with [TYP]( result, value ) into a TIME first
+                                 ^ error[type-mismatch]: `t` is TIME, and the output `scaled` is INT
+                help: give a tag of type INT, and convert it with [TYP]( result, value ) afterwards
             > +--[$Scale]( factr := 1, raw := 2 )--+
                            ^^^^^ error[bad-operand]: [$Scale] has no operand of the name `factr`
                 help: did you mean `factor`?

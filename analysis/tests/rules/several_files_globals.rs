@@ -69,7 +69,7 @@ VAR_GLOBAL text : STRING; t1 : TON; list : ARRAY[1..4] OF INT; END_VAR
                 help: declare it in a VAR section without CONSTANT, or write another tag
                 at a.clad:1:21 `limit`: `limit` is declared CONSTANT here
             > +--[MOV]( limit, 1 )--[MOV]( text, 2 )--[ADD]( list[9], list[1], 1 )--+
-                                                 ^ error[type-mismatch]: the number 2 is no STRING
+                                                 ^ error[type-mismatch]: the number 2 is given, STRING is expected
             > +--[MOV]( limit, 1 )--[MOV]( text, 2 )--[ADD]( list[9], list[1], 1 )--+
                                                                   ^ error[bad-operand]: `list` has the elements 1 to 4, there is no 9
             > +--[ ]( t1.Q )--[ ]( t1.CV )--( )( y )--+

@@ -276,6 +276,8 @@ fn names_of_one_address_are_one_tag() {
             > +--[ ]( I2 )--( )( flag )--[ ]( %mx0.00 )--(S)( held )--+
                                          ^^^^^^^^^^^^^^ warning[redundant-element]: [ ]( %mx0.00 ) changes nothing here
                 help: a wire in its place does the same: remove it, or correct the tag that was meant
+                fix: Draw a wire in its place
+                  +--[ ]( I2 )-----------------------------------------( )( flag )--(S)( held )--+
             > +--[ ]( I2 )--( )( flag )--[ ]( %mx0.00 )--(S)( held )--+
                                          ^^^^^^^^^^^^^^ warning[contact-after-coil]: [ ]( %mx0.00 ) is after a coil: readers look for it left of the coils
                 help: draw a branch before the coil: the coil on one line, this contact and what it leads to on the other

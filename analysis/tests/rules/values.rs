@@ -102,6 +102,8 @@ fn spellings() {
             > +--[GRT]( n, 5 )--[equ]( n, 7 )--[R_TRIG]--( )( y )--+
                  ^^^^^^^^^^^^^ warning[redundant-element]: [GT]( n, 5 ) changes nothing here
                 help: a wire in its place does the same: remove it, or correct the tag that was meant
+                fix: Draw a wire in its place
+                  +--[EQU]( n, 7 )--[R_TRIG]-------------------------------------------( )( y )--+
             > +--[GRT]( n, 5 )--[equ]( n, 7 )--[R_TRIG]--( )( y )--+
                                 ^^^^^ info[alternative-mnemonic]: [equ] is another spelling of [EQ]
                 help: one spelling for one instruction makes a program easy to search

@@ -2,7 +2,7 @@
 
 use super::columns;
 use super::fold::{Band, Content, LineShape};
-use super::sheet::{Sheet, Shown};
+use super::sheet::{Indexed, Sheet, Shown};
 use ladder_analysis::values::types::Scalar;
 use ladder_format::display_width;
 use ladder_simulator::Point;
@@ -96,6 +96,7 @@ fn values(line: usize, sheet: &Sheet) -> usize {
             ..
         } => width(name) + 1 + room(reached, *goal_width) + 1 + goal_width,
         Shown::Value(point) => width(&point.name) + 1 + room(point, 0),
+        Shown::Indexed(Indexed { sample, .. }) => width(&sample.name) + 1 + room(sample, 0),
     });
     // Two blanks between them.
     widths.reduce(|all, next| all + 2 + next).unwrap_or(0)

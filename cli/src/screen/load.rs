@@ -123,13 +123,12 @@ fn plant(
 /// The tags that were asked for; else the first outputs, how far timers and counters are, and what else coils write.
 fn watched(simulation: &Simulation, names: &[String]) -> Result<Vec<Point>, Failure> {
     if !names.is_empty() {
-        return names
-            .iter()
-            .map(|name| {
-                let found = simulation.resolve(name);
-                found.map_err(|unknown| Failure::new(format!("--watch {name}: {unknown}")))
-            })
-            .collect();
+        let mut watched = Vec::new();
+        for name in names {
+            let found = simulation.resolve_all(name);
+            watched.extend(found.map_err(|unknown| Failure::new(format!("--watch {name}: {unknown}")))?);
+        }
+        return Ok(watched);
     }
     let all = simulation.points();
     let outputs = all.iter().filter(|point| point.role == Role::Output);

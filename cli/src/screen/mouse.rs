@@ -76,8 +76,8 @@ fn click_diagram(view: &mut View, pane: Rect, at: Position, plant: &Plant) -> Ve
     };
     view.selected = index;
     let block = &sheet.blocks[index];
-    if block
-        .operands
+    if plant
+        .operands(block)
         .iter()
         .any(|operand| Plant::is_input(&operand.point))
     {

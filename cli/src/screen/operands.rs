@@ -1,11 +1,12 @@
 //! What of a block's operands can be checked.
 
-use super::sheet::{Operand, Shown};
-use ladder_analysis::program::{Argument, Block, BlockKind, Bound, Program, TagId};
+use super::sheet::{Block as SheetBlock, Indexed, IndexedOperand, Operand, Shown};
+use ladder_analysis::program::{Argument, Block, BlockKind, Bound, Place, Program, TagId};
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_instructions::{Direction, Instruction};
 use ladder_simulator::Simulation;
 use ladder_syntax::TextRange;
+use std::borrow::Cow;
 
 /// The row of the instruction table.
 pub(super) fn instruction(block: &Block) -> Option<&'static Instruction> {
@@ -37,6 +38,44 @@ pub(super) fn named(text: &str, block: &Block, simulation: &Simulation) -> Vec<O
         }
     }
     operands
+}
+
+/// The operands whose index is computed.
+pub(super) fn indexed(block: &Block) -> Vec<IndexedOperand> {
+    let mut operands = Vec::new();
+    for bound in &block.arguments {
+        for (place, range) in bound
+            .places()
+            .into_iter()
+            .filter(|(place, _)| Simulation::has_index(place))
+        {
+            operands.push(IndexedOperand {
+                start: range.start().into(),
+                end: range.end().into(),
+                place: place.clone(),
+                written: matches!(bound.argument, Argument::Place(..)) && writes(bound),
+            });
+        }
+    }
+    operands
+}
+
+/// A block's tags as they are now, in the order of its operands.
+pub(super) fn now<'b>(block: &'b SheetBlock, simulation: &Simulation) -> Cow<'b, [Operand]> {
+    if block.indexed.is_empty() {
+        return Cow::Borrowed(&block.operands);
+    }
+    let indexed = block.indexed.iter().filter_map(|operand| {
+        Some(Operand {
+            start: operand.start,
+            end: operand.end,
+            point: simulation.indexed_point(&operand.place)?,
+            written: operand.written,
+        })
+    });
+    let mut all: Vec<Operand> = block.operands.iter().cloned().chain(indexed).collect();
+    all.sort_by_key(|operand| operand.start);
+    Cow::Owned(all)
 }
 
 /// A timer or counter stands for its output.
@@ -71,7 +110,9 @@ pub(super) fn shown(text: &str, block: &Block, simulation: &Simulation) -> Vec<S
             if of_state {
                 continue;
             }
-            if let Some(point) = simulation.point_at(place, &text[range])
+            if Simulation::has_index(place) {
+                shown.extend(element(program, place, &text[range], simulation));
+            } else if let Some(point) = simulation.point_at(place, &text[range])
                 && point.ty != Scalar::Bool
             {
                 shown.push(Shown::Value(point));
@@ -79,6 +120,20 @@ pub(super) fn shown(text: &str, block: &Block, simulation: &Simulation) -> Vec<S
         }
     }
     shown
+}
+
+/// An element with a computed index, also one of BOOL: the drawing shows what it holds, but not which one it is.
+fn element(program: &Program, place: &Place, written: &str, simulation: &Simulation) -> Option<Shown> {
+    let tag = &program.tags[place.root()?.0 as usize];
+    if tag.block.is_some() {
+        return None;
+    }
+    Some(Shown::Indexed(Indexed {
+        written: written.to_owned(),
+        place: place.clone(),
+        // The last one has a long name.
+        sample: simulation.resolve_all(&tag.name).ok()?.pop()?,
+    }))
 }
 
 fn progress(program: &Program, tag: TagId, preset: Option<&str>, simulation: &Simulation) -> Option<Shown> {

@@ -89,7 +89,14 @@ impl Picker {
         found.sort_by_key(|(likeness, index, _)| (*likeness, *index));
         found.truncate(OFFERED);
         self.matches = found.into_iter().map(|(_, _, point)| point.clone()).collect();
-        // Elements of arrays, bits of words and system tags are not in the list of all tags.
+        // Elements of long arrays, bits of words and system tags are not in the list of all tags.
+        if wanted.contains('[') {
+            let more = simulation.search(self.text.trim()).into_iter();
+            let known = self.matches.len();
+            let new = |point: &Point| self.matches[..known].iter().all(|found| found.name != point.name);
+            let more: Vec<Point> = more.filter(new).take(OFFERED - known).collect();
+            self.matches.extend(more);
+        }
         if let Ok(point) = simulation.resolve(self.text.trim())
             && self.matches.iter().all(|found| found.name != point.name)
         {

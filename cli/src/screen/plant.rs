@@ -1,6 +1,7 @@
 //! The program that the screen shows: the session, with what the screen remembers of it.
 
-use super::sheet::Sheet;
+use super::operands;
+use super::sheet::{Block, Operand, Sheet};
 use crate::findings::Source;
 use crate::outcome::Failure;
 use crate::run::Retention;
@@ -13,6 +14,7 @@ use ladder_simulator::{
     Brake, Breakpoint, Changeover, CompileError, Fault, Hit, Point, Session, Simulation, Status, Stepped,
     Stop,
 };
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// A running program.
@@ -88,6 +90,11 @@ impl Plant {
 
     pub(super) fn value(&self, point: &Point) -> Value {
         self.simulation().value(point)
+    }
+
+    /// The tags of a block that can be checked, in the order of its operands.
+    pub(super) fn operands<'b>(&self, block: &'b Block) -> Cow<'b, [Operand]> {
+        operands::now(block, self.simulation())
     }
 
     /// Whether a BOOL is high.

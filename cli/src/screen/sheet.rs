@@ -5,7 +5,7 @@
 use super::fold::{Band, Folding, Window};
 use super::{bands, operands};
 use crate::findings::Source;
-use ladder_analysis::program::{ElementKind, Location, Network, Program};
+use ladder_analysis::program::{ElementKind, Location, Network, Place, Program};
 use ladder_instructions::Instruction;
 use ladder_notations::Foreign;
 use ladder_simulator::{Point, Simulation};
@@ -32,7 +32,7 @@ pub(super) struct Sheet {
     bands: Vec<Band>,
     /// What the world outside gives to the program.
     pub(super) inputs: Vec<Point>,
-    /// Where each tag's blocks are: indices into `blocks`, by the point's name.
+    /// Where each tag's blocks are: indices into `blocks`, by the point's name, or that of the array.
     uses: HashMap<String, Vec<usize>>,
 }
 
@@ -69,14 +69,27 @@ pub(super) struct Block {
     pub(super) network: usize,
     /// Its row of the instruction table; none for a user-defined block.
     pub(super) instruction: Option<&'static Instruction>,
-    /// Its tags that can be checked, in the order of its operands.
+    /// Its tags that are always the same, in the order of its operands.
     pub(super) operands: Vec<Operand>,
+    /// Its operands with a computed index.
+    pub(super) indexed: Vec<IndexedOperand>,
     /// What the end of its line shows of it.
     pub(super) shown: Vec<Shown>,
 }
 
-/// A tag that a block names.
+/// An operand that may be another tag with each scan.
 #[derive(Debug)]
+pub(super) struct IndexedOperand {
+    /// Its bytes in the text.
+    pub(super) start: usize,
+    pub(super) end: usize,
+    pub(super) place: Place,
+    /// The block writes it.
+    pub(super) written: bool,
+}
+
+/// A tag that a block names.
+#[derive(Debug, Clone)]
 pub(super) struct Operand {
     /// Its bytes in the text.
     pub(super) start: usize,
@@ -99,6 +112,25 @@ pub(super) enum Shown {
     },
     /// A number, time or text.
     Value(Point),
+    /// An element with a computed index: which one it is now, and what it holds.
+    Indexed(Indexed),
+}
+
+/// An operand with a computed index.
+#[derive(Debug, Clone)]
+pub(super) struct Indexed {
+    /// As it is written.
+    pub(super) written: String,
+    pub(super) place: Place,
+    /// An element of the array, for the room that one takes.
+    pub(super) sample: Point,
+}
+
+/// What is written in the same way is the same element.
+impl PartialEq for Indexed {
+    fn eq(&self, other: &Indexed) -> bool {
+        self.written == other.written
+    }
 }
 
 impl Sheet {
@@ -135,6 +167,7 @@ impl Sheet {
                     network: index,
                     instruction: operands::instruction(block),
                     operands: operands::named(&source.text, block, simulation),
+                    indexed: operands::indexed(block),
                     shown: operands::shown(&source.text, block, simulation),
                 });
             }
@@ -142,8 +175,14 @@ impl Sheet {
         sheet.blocks.sort_by_key(|block| block.start);
         sheet.share_out();
         for (index, block) in sheet.blocks.iter().enumerate() {
-            for operand in &block.operands {
-                let uses = sheet.uses.entry(operand.point.name.clone()).or_default();
+            let points = block.operands.iter().map(|operand| operand.point.name.as_str());
+            // Which element of an array it is shows while it runs: any of them may be.
+            let arrays = block.shown.iter().filter_map(|shown| match shown {
+                Shown::Indexed(indexed) => indexed.sample.group(),
+                _ => None,
+            });
+            for name in points.chain(arrays) {
+                let uses = sheet.uses.entry(name.to_owned()).or_default();
                 // A block may name a tag twice.
                 if uses.last() != Some(&index) {
                     uses.push(index);
@@ -249,7 +288,9 @@ impl Sheet {
 
     /// The blocks that name a tag, in the order in which one reads.
     pub(super) fn uses(&self, point: &Point) -> &[usize] {
-        self.uses.get(&point.name).map_or(&[], Vec::as_slice)
+        let of_array = || self.uses.get(point.group()?);
+        let uses = self.uses.get(&point.name).or_else(of_array);
+        uses.map_or(&[], Vec::as_slice)
     }
 
     /// The lines of a network's blocks, from first to last.

@@ -238,14 +238,14 @@ impl View {
     }
 
     /// The tag of the selected block that keys act on.
-    pub(super) fn tag<'p>(&self, plant: &'p Plant) -> Option<&'p Point> {
+    pub(super) fn tag(&self, plant: &Plant) -> Option<Point> {
         let block = plant.sheet.blocks.get(self.selected)?;
-        Some(&block.operands.first()?.point)
+        Some(plant.operands(block).first()?.point.clone())
     }
 
     fn with_tag(&mut self, plant: &Plant, act: impl FnOnce(&mut View, Point) -> Commands) -> Commands {
         match self.tag(plant) {
-            Some(point) => act(self, point.clone()),
+            Some(point) => act(self, point),
             None => {
                 self.say("the selected block has no tag of this program");
                 Vec::new()
@@ -259,11 +259,11 @@ impl View {
             self.say("there is no block to switch");
             return Vec::new();
         };
-        let read = block
-            .operands
+        let operands = plant.operands(block);
+        let read = operands
             .iter()
             .find(|operand| !operand.written && !operand.point.read_only);
-        match read.or(block.operands.first()) {
+        match read.or(operands.first()) {
             Some(operand) => self.switch(&operand.point, plant),
             None => {
                 self.say("nothing of this block can be switched");
@@ -376,8 +376,8 @@ impl View {
     fn pick(&mut self, purpose: picker::Purpose, plant: &Plant) {
         let block = plant.sheet.blocks.get(self.selected);
         let mut near: Vec<Point> = Vec::new();
-        let operands = block.into_iter().flat_map(|block| &block.operands);
-        for point in operands.map(|operand| &operand.point) {
+        let operands = block.map(|block| plant.operands(block)).unwrap_or_default();
+        for point in operands.iter().map(|operand| &operand.point) {
             if near.iter().all(|other| other.name != point.name) {
                 near.push(point.clone());
             }
@@ -453,7 +453,7 @@ impl View {
     }
 
     fn find(&mut self, by: isize, plant: &Plant) {
-        let Some(point) = self.sought.clone().or_else(|| self.tag(plant).cloned()) else {
+        let Some(point) = self.sought.clone().or_else(|| self.tag(plant)) else {
             self.say("/ finds a tag");
             return;
         };

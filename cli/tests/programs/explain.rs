@@ -169,3 +169,51 @@ fn pages_are_as_wide_as_the_terminal() {
     // Wider lines are hard to read.
     assert!(widest(&["explain", "double-coil"], "200") <= 100);
 }
+
+#[test]
+fn a_block_of_a_program() {
+    const ALARM: &str = "FUNCTION_BLOCK [$Alarm]\nVAR_INPUT  high : BOOL;  wait : TIME := T#5s;  END_VAR\n\
+        VAR_OUTPUT  lamp : BOOL;  END_VAR\n+--[ ]( high )--( )( lamp )--+\nEND_FUNCTION_BLOCK\n";
+    let folder = Folder::with(&[
+        ("ladder.toml", ""),
+        ("lib/alarms.clad", ALARM),
+        ("plant.clad", "+--[$Alarm]( a, 2s, y )--+\n"),
+    ]);
+    let explain = |arguments: &[&str]| folder.ladder(&[&["explain"], arguments].concat()).to_string();
+    expect![[r#"
+        exit status 0
+        -- stdout
+            [$Alarm]( high, wait, lamp )
+        User-defined block in lib/alarms.clad
+
+        - `high`: BOOL, input
+        - `wait`: TIME, input, may be left out
+        - `lamp`: BOOL, output
+    "#]]
+    .assert_eq(&explain(&["[$alarm]"]));
+    assert_eq!(explain(&["$Alarm", "plant.clad"]), explain(&["$Alarm"]));
+    expect![[r#"
+        exit status 2
+        -- stderr
+        error: no block is called `$Alram` in this folder; did you mean `$Alarm`?
+    "#]]
+    .assert_eq(&explain(&["$Alram"]));
+    expect![[r#"
+        exit status 2
+        -- stderr
+        error: no block is called `$Other` in plant.clad
+    "#]]
+    .assert_eq(&explain(&["$Other", "plant.clad"]));
+    expect![[r#"
+        exit status 2
+        -- stderr
+        error: a program is only asked for a block, whose name begins with `$`; `TON` is the same in all
+    "#]]
+    .assert_eq(&explain(&["TON", "plant.clad"]));
+    expect![[r#"
+        exit status 2
+        -- stderr
+        error: none.clad: no such file or folder
+    "#]]
+    .assert_eq(&explain(&["$Alarm", "none.clad"]));
+}

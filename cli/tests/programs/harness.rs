@@ -103,7 +103,9 @@ impl Folder {
         command
             .current_dir(self.0.path())
             .args(arguments)
-            .env("COLUMNS", "100");
+            .env("COLUMNS", "100")
+            // The day in the title block of printed pages.
+            .env("SOURCE_DATE_EPOCH", "1795651200");
         for variable in ["NO_COLOR", "CLICOLOR_FORCE", "CLICOLOR", "TERM"] {
             command.env_remove(variable);
         }

@@ -103,13 +103,13 @@ fn manual_pages() {
         .ie \n(.g .ds Aq \(aq
         .el .ds Aq '
         .SH SYNOPSIS
-        \fBladder explain\fR [\fB\-h\fR|\fB\-\-help\fR] [\fIRULE\-OR\-INSTRUCTION\fR] 
+        \fBladder explain\fR [\fB\-h\fR|\fB\-\-help\fR] [\fIRULE\-OR\-INSTRUCTION\fR] [\fIPROGRAM\fR] 
         .ie \n(.g .ds Aq \(aq
         .el .ds Aq '
         .SH DESCRIPTION
         Show what a rule is about, or how an instruction works
         .PP
-        Of a rule: what is wrong, a rung that has it and one that does not, and what to do. Of an instruction: its operands, what it does, what power leaves it, and a rung that shows it. Without a name: what there is.
+        Of a rule: what is wrong, a rung that has it and one that does not, and what to do. Of an instruction: its operands, what it does, what power leaves it, and a rung that shows it. Of a block of a program: its operands with their types. Without a name: what there is.
         .ie \n(.g .ds Aq \(aq
         .el .ds Aq '
         .SH OPTIONS
@@ -118,7 +118,10 @@ fn manual_pages() {
         Print help (see a summary with \*(Aq\-h\*(Aq)
         .TP
         [\fIRULE\-OR\-INSTRUCTION\fR]
-        The name of a rule, or of an instruction, with its brackets or without
+        The name of a rule, of an instruction with its brackets or without, or of a block of a program
+        .TP
+        [\fIPROGRAM\fR]
+        The program whose block is explained; without it those in this folder are searched
         .ie \n(.g .ds Aq \(aq
         .el .ds Aq '
         .SH EXAMPLES
@@ -127,6 +130,9 @@ fn manual_pages() {
           ladder explain TON                an instruction
           ladder explain double\-coil        a rule: a finding shows its name in brackets
           ladder explain \*(Aq[/]\*(Aq              the quotes keep the shell from the brackets
+          ladder explain \*(Aq$Alarm\*(Aq           a block of the programs in this folder
+          ladder explain \*(Aq$Alarm\*(Aq plant.clad
+                                            of this program or its workspace
           ladder explain \*(Aq( S )\*(Aq            the coil, where a name means several things
         .fi
         .SH "EXIT STATUS"

@@ -263,3 +263,26 @@ fn a_letter_that_no_built_in_font_has() {
         .map(|object| String::from_utf8_lossy(&object.stream));
     assert!(whole.into_iter().any(|it| it.contains("/ActualText")));
 }
+
+#[test]
+fn the_title_block_is_the_projects() {
+    let folder = Folder::with(&[
+        ("motor.clad", MOTOR),
+        (
+            "ladder.toml",
+            "[project]\nname = \"Pumping station\"\nversion = \"1.2\"\n",
+        ),
+    ]);
+    let run = folder.ladder(&["render", "motor.clad", "-o", "motor.pdf"]);
+    assert_eq!(run.status, Some(0), "{run}");
+    let bytes = std::fs::read(folder.path("motor.pdf")).unwrap();
+    let page = pages(&bytes).remove(0);
+    let foot = page.iter().skip_while(|text| *text != "1 / 1");
+    expect![[r#"
+        1 / 1
+        Pumping station
+        Version 1.2
+        motor.clad
+        2026-11-26"#]]
+    .assert_eq(&foot.cloned().collect::<Vec<_>>().join("\n"));
+}

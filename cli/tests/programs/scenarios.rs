@@ -449,3 +449,69 @@ fn coverage_is_taken_over_all_scenarios_of_a_run() {
         "#]],
     );
 }
+
+const TURNS: &str = "\
+VAR_INPUT run : BOOL; trip : ARRAY[1..3] OF BOOL; END_VAR
+VAR_OUTPUT alarm : BOOL; pump : ARRAY[1..3] OF BOOL; found : BOOL; END_VAR
+VAR i, n : INT; END_VAR
++--[MOV]( i, 0 )--<FOR>( 3 )--+
+
++--[ADD]( i, i, 1 )--[/]( trip[i] )--[ ]( run )--( )( pump[i] )--+
++--[ ]( trip[i] )--(S)( alarm )--+
++--<NEXT>--+
+
++--[MOV]( n, 1 )--<CALL>( look )--[MOV]( n, 2 )--<CALL>( look )--+
+
++--<FUN>( look )--[EQ]( n, 1 )--( )( found )--+
+";
+
+#[test]
+fn coverage_counts_every_turn_of_a_loop_and_every_call() {
+    let test = "program turns.clad\nscenario \"a\"\nrun __--\ntrip[1] ___-\npump[2] => __--\n";
+    let files = [("turns.clad", TURNS), ("turns.ladder-test", test)];
+    check(
+        &files,
+        &["test", "turns.ladder-test", "--coverage"],
+        expect![[r#"
+        exit status 0
+        -- stdout
+        turns.ladder-test
+          ok    a
+
+        Coverage
+          networks  contacts  coils
+               6/6       4/4    3/3  turns.clad
+
+        1 scenario in 1 file: 1 passed, in T s.
+    "#]],
+    );
+}
+
+#[test]
+fn a_waveform_that_differs_is_shown_with_the_numbers_that_were_given() {
+    let program = "VAR_INPUT auto : BOOL; level : INT; t : TIME; END_VAR\nVAR_OUTPUT pump, n : BOOL; END_VAR\n\
+                   +--[ ]( auto )--[GT]( level, 50 )--( )( pump )--+\n";
+    let test = "program tank.clad\nscenario \"fills\"\nauto _----\nlevel 10 30 50 70 .\nt . T#2s . . .\npump => ___--\n\
+                scenario \"differs\"\nauto _----\nlevel 10 30 50 70 .\nt . T#2s . . .\npump => __---\n";
+    check(
+        &[("tank.clad", program), ("tank.ladder-test", test)],
+        &["test", "tank.ladder-test"],
+        expect![[r#"
+            exit status 1
+            -- stdout
+            tank.ladder-test
+              ok    fills
+              FAIL  differs
+                    auto             ___-----------
+                    level            10 30 50 70 .
+                    t                .  2s .  .  .
+                    pump   expected  ______--------
+                           got       _________-----
+                                           ^^
+                    pump is FALSE in step 2 (at 20ms), TRUE was expected
+                    at tank.ladder-test:11:11
+
+            2 scenarios in 1 file: 1 passed, 1 failed, in T s.
+        "#]],
+    );
+}

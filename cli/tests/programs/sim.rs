@@ -29,14 +29,14 @@ fn without_watch_every_elementary_tag_is_written_sorted_by_name() {
     types(
         &["--scans", "4", "--set", "go=1"],
         expect![[r#"
-        exit status 0
-        -- stdout
-        scan,time_ms,big,go,level,name,speed,total,wait,word1
-        0,0,0,1,0.1,,0,0.5,0,0
-        1,10,0,1,0.1,,0,1.0,0,0
-        2,20,0,1,0.1,,0,1.5,10,0
-        3,30,0,1,0.1,"a, b",0,2.0,20,255
-    "#]],
+            exit status 0
+            -- stdout
+            scan,time_ms,big,go,level,list[1],list[2],list[3],name,speed,total,wait,word1
+            0,0,0,1,0.1,0,0,0,,0,0.5,0,0
+            1,10,0,1,0.1,0,0,0,,0,1.0,0,0
+            2,20,0,1,0.1,0,0,0,,0,1.5,10,0
+            3,30,0,1,0.1,0,0,0,"a, b",0,2.0,20,255
+        "#]],
     );
 }
 
@@ -288,12 +288,12 @@ fn unknown_tags_are_refused_with_what_was_meant() {
         "--force pump=1: there is no tag `pump` in this program",
     );
     refused(
-        &with("--watch", "t1"),
-        "--watch t1: t1 is a TON: name one of its members, as in t1.Q",
+        &with("--set", "t1=1"),
+        "--set t1=1: t1 is a TON: name one of its members, as in t1.Q",
     );
     refused(
-        &with("--watch", "list"),
-        "--watch list: list is an array: name one of its elements, as in list[1]",
+        &with("--set", "list=1"),
+        "--set list=1: list is an array: name one of its elements, as in list[1]",
     );
 }
 
@@ -385,4 +385,104 @@ fn an_interval_must_be_a_time_that_passes() {
         assert_eq!(run.stdout, "", "{run}");
         assert!(run.stderr.starts_with("error: "), "{run}");
     }
+}
+
+/// Two pumps, each with an element of every array.
+const PUMPS: &str = "\
+VAR_INPUT trip : ARRAY[1..2] OF BOOL; run : BOOL; END_VAR
+VAR_OUTPUT pump : ARRAY[1..2] OF BOOL; END_VAR
+VAR i : INT; starts : ARRAY[1..2] OF INT; t : TON; END_VAR
++--[MOV]( i, 0 )--<FOR>( 2 )--+
+
++--[ADD]( i, i, 1 )--[ ]( run )--[/]( trip[i] )--( )( pump[i] )--[ADD]( starts[i], starts[i], 1 )--+
++--<NEXT>--+
+";
+
+#[test]
+fn arrays_are_written_element_by_element() {
+    let folder = Folder::with(&[("pumps.clad", PUMPS)]);
+    let run = |arguments: &[&str], expected: Expect| {
+        let given = [
+            "sim",
+            "pumps.clad",
+            "--scans",
+            "2",
+            "--set",
+            "run=1",
+            "--set",
+            "trip[2]=1",
+        ];
+        expected.assert_eq(&folder.ladder(&[&given, arguments].concat()).to_string());
+    };
+    run(
+        &[],
+        expect![[r#"
+        exit status 0
+        -- stdout
+        scan,time_ms,i,pump[1],pump[2],run,starts[1],starts[2],trip[1],trip[2]
+        0,0,2,1,0,1,1,0,0,1
+        1,10,2,1,0,1,2,0,0,1
+    "#]],
+    );
+    run(
+        &["--watch", "pump"],
+        expect![[r#"
+        exit status 0
+        -- stdout
+        scan,time_ms,pump[1],pump[2]
+        0,0,1,0
+        1,10,1,0
+    "#]],
+    );
+    run(
+        &["--watch", "starts[1..2],t,pump[2..2],run"],
+        expect![[r#"
+        exit status 0
+        -- stdout
+        scan,time_ms,starts[1],starts[2],t.Q,t.ET,pump[2],run
+        0,0,1,0,0,0,0,1
+        1,10,2,0,0,0,0,1
+    "#]],
+    );
+    run(
+        &["--format", "vcd", "--watch", "trip,pump[1]"],
+        expect![[r#"
+        exit status 0
+        -- stdout
+        $comment TIME is in milliseconds $end
+        $version ladder 0.1.0 $end
+        $timescale 10 ms $end
+        $scope module pumps $end
+        $var wire 1 ! trip[1] $end
+        $var wire 1 " trip[2] $end
+        $var wire 1 # pump[1] $end
+        $upscope $end
+        $enddefinitions $end
+        #0
+        $dumpvars
+        0!
+        1"
+        1#
+        $end
+        #2
+    "#]],
+    );
+    run(
+        &["--watch", "pump[0..2]"],
+        expect![[r#"
+        exit status 2
+        -- stderr
+        error: --watch pump[0..2]: pump[0] does not exist: the array goes from 1 to 2
+    "#]],
+    );
+    run(
+        &["--force", "pump[2]=1", "--watch", "pump"],
+        expect![[r#"
+        exit status 0
+        -- stdout
+        scan,time_ms,pump[1],pump[2]
+        0,0,1,1
+        1,10,1,1
+    "#]],
+    );
 }

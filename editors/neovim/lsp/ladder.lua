@@ -19,11 +19,13 @@ return {
     -- What the lenses above networks may do here: see `commands`.
     experimental = {
       commands = { 'ladder.simulation.start', 'ladder.test', 'ladder.showReferences', 'ladder.completion.cut' },
+      -- Findings link the pages of their rules, which `:Ladder explain` shows.
+      rulePages = true,
     },
   },
   commands = {
     ['ladder.simulation.start'] = function(command)
-      require('ladder.simulation').start(vim.uri_to_bufnr(command.arguments[1]))
+      require('ladder.simulation').begin(vim.uri_to_bufnr(command.arguments[1]))
     end,
     ['ladder.test'] = function(_, context)
       require('ladder.test').run(context.bufnr)
@@ -42,6 +44,9 @@ return {
     end,
     ['ladder/preview'] = function(_, previewed)
       require('ladder.click').receive(previewed)
+    end,
+    ['ladder/fromDebugger'] = function(_, said, context)
+      require('ladder.bridge').receive(said, context.client_id)
     end,
     ['ladder/simulationState'] = function(_, state, context)
       require('ladder.simulation').receive(state, context.client_id)

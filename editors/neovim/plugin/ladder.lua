@@ -26,6 +26,15 @@ vim.api.nvim_create_autocmd('FileType', {
   end,
 })
 
+vim.api.nvim_create_autocmd('FileType', {
+  group = group,
+  pattern = { 'clad', 'ladderclick', 'laddertest' },
+  once = true,
+  callback = function()
+    require('ladder.diagnostics').show_in_text()
+  end,
+})
+
 vim.api.nvim_create_autocmd('LspAttach', {
   group = group,
   callback = function(event)

@@ -14,6 +14,8 @@ export interface Configuration {
 export interface ActiveFile {
     readonly languageId: string;
     readonly path: string;
+    /** The line of the cursor, from 1. */
+    readonly line: number;
 }
 
 const LANGUAGES: readonly string[] = ['clad', 'ladder-test'];
@@ -25,7 +27,7 @@ export function canBeDebugged(file: ActiveFile | undefined): file is ActiveFile 
 
 /**
  * The configuration with what is left out of it: without a launch.json the program of the active editor, which is
- * before its first scan; a scenario runs.
+ * before its first scan; the scenario at the cursor runs.
  *
  * @returns undefined if there is nothing to be run
  */
@@ -40,9 +42,9 @@ export function completed(given: Configuration, active: ActiveFile | undefined):
             ...given,
             type: 'ladder',
             request: 'launch',
-            name: isProgram ? 'Run this program' : 'Run the first scenario of this file',
+            name: isProgram ? 'Run this program' : 'Run the scenario at the cursor',
             program: active.path,
-            ...(isProgram ? { stopOnEntry: true } : {}),
+            ...(isProgram ? { stopOnEntry: true } : { scenarioLine: active.line }),
         };
     }
     if (given.program === undefined && given.scenarioFile === undefined) {

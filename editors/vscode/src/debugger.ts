@@ -1,11 +1,12 @@
-// The debugger: the adapter is the program `ladder` itself.
-import { homedir } from 'node:os';
+// The debugger: the adapter is the language server, and works on the simulation that is shown.
 import { isAbsolute, join } from 'node:path';
 
 import * as vscode from 'vscode';
 
 import { completed, expressionAt, type ActiveFile } from './debugConfiguration.ts';
 import type { Server } from './server.ts';
+import type { Simulation } from './simulation.ts';
+import { withLinesOnly } from './stackFrames.ts';
 
 const TYPE = 'ladder';
 
@@ -17,8 +18,11 @@ interface VariableRow {
 }
 
 function activeFile(): ActiveFile | undefined {
-    const document = vscode.window.activeTextEditor?.document;
-    return document?.uri.scheme === 'file' ? { languageId: document.languageId, path: document.uri.fsPath } : undefined;
+    const editor = vscode.window.activeTextEditor;
+    const document = editor?.document;
+    return editor && document?.uri.scheme === 'file'
+        ? { languageId: document.languageId, path: document.uri.fsPath, line: editor.selection.active.line + 1 }
+        : undefined;
 }
 
 class Configurations implements vscode.DebugConfigurationProvider {
@@ -45,7 +49,7 @@ class Configurations implements vscode.DebugConfigurationProvider {
                 configuration[name] = join(folder.uri.fsPath, path);
             }
         }
-        // The adapter reads what is on disk.
+        // Scenarios are read as they are on disk; of a program the text of its editor counts.
         const names = [configuration['program'], configuration['scenarioFile']];
         for (const document of vscode.workspace.textDocuments) {
             if (document.isDirty && names.includes(document.uri.fsPath)) {
@@ -70,24 +74,62 @@ const programs: vscode.DebugConfigurationProvider = {
     },
 };
 
-class Adapters implements vscode.DebugAdapterDescriptorFactory {
+/** Passes the messages of the editor's debugger to the session that the live view shows, and back. */
+class Bridge implements vscode.DebugAdapter {
+    readonly #said = new vscode.EventEmitter<vscode.DebugProtocolMessage>();
+    readonly #subscriptions: vscode.Disposable;
     readonly #server: Server;
+    readonly #session: string;
+    readonly #gone: () => void;
 
-    constructor(server: Server) {
+    readonly onDidSendMessage = this.#said.event;
+
+    /** @param gone called when the editor is done with it */
+    constructor(server: Server, session: string, gone: () => void) {
         this.#server = server;
+        this.#session = session;
+        this.#gone = gone;
+        this.#subscriptions = vscode.Disposable.from(
+            server.onDebuggerSays((said) => {
+                if (said.session === session) {
+                    this.#said.fire(withLinesOnly(said.message));
+                }
+            }),
+            server.onDidStop(() => this.#said.fire({ seq: 0, type: 'event', event: 'terminated' } as vscode.DebugProtocolMessage)),
+        );
     }
 
-    createDebugAdapterDescriptor(): vscode.DebugAdapterDescriptor {
-        const program = this.#server.program();
-        if (program === undefined) {
+    handleMessage(message: vscode.DebugProtocolMessage): void {
+        this.#server.tellDebugger({ session: this.#session, message });
+    }
+
+    dispose(): void {
+        this.#subscriptions.dispose();
+        this.#said.dispose();
+        this.#gone();
+    }
+}
+
+class Adapters implements vscode.DebugAdapterDescriptorFactory {
+    readonly #server: Server;
+    readonly #simulation: Simulation;
+
+    constructor(server: Server, simulation: Simulation) {
+        this.#server = server;
+        this.#simulation = simulation;
+    }
+
+    async createDebugAdapterDescriptor({ configuration }: vscode.DebugSession): Promise<vscode.DebugAdapterDescriptor> {
+        if (this.#server.program() === undefined) {
             throw new Error(
                 vscode.workspace.isTrusted
                     ? 'there is no program "ladder"; the log says more ("Ladder: Show Log").'
                     : 'nothing is run in a workspace that is not trusted.',
             );
         }
-        // Not in the folder that is open, where Windows would look for libraries.
-        return new vscode.DebugAdapterExecutable(program, ['dap'], { cwd: homedir() });
+        const { session, isJoined } = await this.#simulation.debug(configuration);
+        const gone = () => void this.#simulation.undebug(session, isJoined);
+        return new vscode.DebugAdapterInlineImplementation(new Bridge(this.#server, session.id, gone));
     }
 }
 
@@ -146,7 +188,7 @@ async function tell(asked: Thenable<unknown>): Promise<void> {
     }
 }
 
-/** Starts the program, or the first scenario, of the active editor. */
+/** Starts the program of the active editor, or the scenario at its cursor. */
 export async function startDebugging(): Promise<void> {
     const file = activeFile();
     const folder = file && vscode.workspace.getWorkspaceFolder(vscode.Uri.file(file.path));
@@ -156,12 +198,12 @@ export async function startDebugging(): Promise<void> {
     }
 }
 
-export function registerDebugger(server: Server): vscode.Disposable {
+export function registerDebugger(server: Server, simulation: Simulation): vscode.Disposable {
     const { Dynamic } = vscode.DebugConfigurationProviderTriggerKind;
     return vscode.Disposable.from(
         vscode.debug.registerDebugConfigurationProvider(TYPE, new Configurations()),
         vscode.debug.registerDebugConfigurationProvider(TYPE, programs, Dynamic),
-        vscode.debug.registerDebugAdapterDescriptorFactory(TYPE, new Adapters(server)),
+        vscode.debug.registerDebugAdapterDescriptorFactory(TYPE, new Adapters(server, simulation)),
         vscode.languages.registerEvaluatableExpressionProvider({ language: 'clad' }, values),
     );
 }

@@ -106,9 +106,13 @@ function draw(
  * The place in the text that a label hangs on, and where the label is from there. If it is shown on a blank line it hangs on
  * that: the editor makes the line again with each value, and takes one under the pointer for one that the pointer has left.
  */
-function hangsOn(document: vscode.TextDocument, { at: { line, character }, side, column }: Label) {
-    const other = line + { above: -1, below: 1, between: 0 }[side];
-    if (side === 'between' || other < 0 || other >= document.lineCount || !document.lineAt(other).isEmptyOrWhitespace) {
+function hangsOn(document: vscode.TextDocument, { at: { line, character }, side, column, after }: Label) {
+    if (side === 'between') {
+        const end = document.lineAt(line).range.end;
+        return { range: new vscode.Range(end, end), isApart: false, shift: (after ?? column) - end.character };
+    }
+    const other = line + { above: -1, below: 1 }[side];
+    if (other < 0 || other >= document.lineCount || !document.lineAt(other).isEmptyOrWhitespace) {
         const start = new vscode.Position(line, character);
         return { range: new vscode.Range(start, start.translate(0, 1)), isApart: false, shift: column - character };
     }
@@ -116,20 +120,19 @@ function hangsOn(document: vscode.TextDocument, { at: { line, character }, side,
     return { range: new vscode.Range(start, start), isApart: true, shift: column - start.character };
 }
 
-/**
- * A label is over the text, out of its flow: it takes no room in its line. On a blank line it is as large as the
- * text; between two lines it is as large as the gap.
- */
+/** A label is over the text, out of its flow: it takes no room in its line. */
 function labelOptions(session: Session, label: Label, tag: Tag): vscode.DecorationOptions {
     const { side } = label;
-    const text = tag.text + (tag.forced ? '!' : '');
+    const index = label.index ?? '';
+    const before = { above: index, below: `↑${index}`, between: `${label.tag}: ` }[side];
+    const text = `${before}${tag.text}${tag.forced ? '!' : ''}`;
     const { range, isApart, shift } = hangsOn(session.document, label);
     // A cell of the label is as much smaller than one of the text.
-    const size = side === 'between' ? 0.68 : 0.9;
+    const size = 0.9;
     const place = {
         above: `top: ${isApart ? 0 : '-100%'}`,
         below: `top: ${isApart ? 0 : '100%'}`,
-        between: 'top: -0.6em; line-height: 1',
+        between: 'top: 0',
     }[side];
     const color = tag.forced ? 'ladder.forced' : tag.value === true ? 'ladder.powerOn' : 'ladder.value';
     return {
@@ -137,9 +140,9 @@ function labelOptions(session: Session, label: Label, tag: Tag): vscode.Decorati
         renderOptions: {
             before: {
                 // The page would make one blank of two. Below, it could be one of the next line.
-                contentText: `${side === 'below' ? '↑' : ''}${text}`.replaceAll(' ', '\u00a0'),
+                contentText: text.replaceAll(' ', '\u00a0'),
                 color: new vscode.ThemeColor(color),
-                fontWeight: side === 'between' ? 'bold' : 'normal',
+                fontWeight: 'normal',
                 fontStyle: 'normal',
                 margin: `0 0 0 ${shift / size}ch`,
                 textDecoration: `none; position: absolute; z-index: 2; pointer-events: none; white-space: pre; font-size: ${size}em; ${place};`,
@@ -154,7 +157,7 @@ function paintValues(editor: vscode.TextEditor, canvas: Canvas): void {
         const tag = session.tag(label.tag);
         return tag ? [{ label, tag }] : [];
     });
-    const key = shown.map(({ label: { at, side, column }, tag }) => `${at.line}:${at.character} ${side} ${column} ${tag.text} ${tag.forced}`);
+    const key = shown.map(({ label: { index, at, side, column }, tag }) => `${at.line}:${at.character} ${side} ${column} ${index} ${tag.text} ${tag.forced}`);
     draw(editor, canvas, values, shown.map(({ label, tag }) => labelOptions(session, label, tag)), key.join(' '));
 }
 

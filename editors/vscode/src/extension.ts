@@ -12,6 +12,7 @@ import { linksInHovers } from './hover.ts';
 import { lensesFollow } from './lenses.ts';
 import { Fences } from './markdown/fences.ts';
 import type { State } from './protocol.ts';
+import { showRulePages } from './rulePages.ts';
 import { Server } from './server.ts';
 import { Simulation } from './simulation.ts';
 import { showStatus } from './statusBar.ts';
@@ -58,7 +59,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
         views.trace,
         views.diagrams,
         registerCommands(server, simulation, click, tests, views),
-        registerDebugger(server),
+        registerDebugger(server, simulation),
         registerTasks(server),
         tests,
         lensesFollow(server, simulation),
@@ -68,6 +69,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
         showStatus(simulation),
         showTags(simulation),
         sayTypedLine(server),
+        showRulePages(server),
         vscode.workspace.onDidGrantWorkspaceTrust(() => server?.start()),
         vscode.workspace.onDidChangeConfiguration((event) => {
             if (event.affectsConfiguration('ladder.server.path')) {

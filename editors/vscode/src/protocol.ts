@@ -10,6 +10,7 @@ export type Value = boolean | number | string;
 export interface Tag {
     readonly name: string;
     readonly type: string;
+    /** An empty text of one that opens. */
     readonly value: Value;
     /** The value as people read it. */
     readonly text: string;
@@ -17,6 +18,8 @@ export interface Tag {
     readonly forced: boolean;
     /** It can be neither set nor forced. */
     readonly readOnly?: boolean;
+    /** It has no value of its own, but opens into this many tags. */
+    readonly parts?: number;
 }
 
 /** What a contact does with power: lets it through, would not, or holds up what comes. */
@@ -38,14 +41,18 @@ export interface Operand {
     readonly drawn?: boolean;
 }
 
-/** Where the value of an operand is shown: over the line above or below, which is blank there, or between two lines. */
+/** Where the value of an operand is shown: over the line above or below, which is blank there, or after the line. */
 export interface Label {
     /** Whose text it is. */
     readonly tag: string;
+    /** What is before that text: which element it is of. */
+    readonly index?: string;
     /** Where the operand begins. */
     readonly at: Range['start'];
     readonly side: 'above' | 'below' | 'between';
     readonly column: number;
+    /** Where neither line leaves room: the column after the end of the line; the tag's name is before the value there. */
+    readonly after?: number;
 }
 
 /** A value for a tag, or what a person typed for it. */
@@ -159,8 +166,24 @@ export interface Recorded {
 }
 
 /** What each command takes besides the session, and what it answers. */
+/** The answer of `start`. */
+export interface Started {
+    readonly session: string;
+    readonly state: State;
+    /** Where the first rung is. */
+    readonly first?: Stretch;
+    readonly notes?: readonly string[];
+}
+
+/** What a debugger says, or is told: a message of the Debug Adapter Protocol. */
+export interface DebuggerMessage {
+    readonly session: string;
+    readonly message: object;
+}
+
 export interface Commands {
-    start: { argument: { uri: string; options: { show: Shown } }; answer: { session: string; state: State; notes?: string[] } };
+    start: { argument: { uri: string; options: { show: Shown } }; answer: Started };
+    debug: { argument: { launch: object; options: { show: Shown } }; answer: Started & { joined?: boolean } };
     step: { argument: { scans: number }; answer: State };
     stepBlock: { argument: object; answer: State };
     stepRung: { argument: object; answer: State };
@@ -174,7 +197,7 @@ export interface Commands {
     run: { argument: object; answer: State };
     speed: { argument: Speed; answer: State };
     show: { argument: Shown; answer: State };
-    tags: { argument: { containing?: string }; answer: { count: number; tags: Tag[] } };
+    tags: { argument: { containing?: string; of?: string }; answer: { count: number; tags: Tag[] } };
     pause: { argument: object; answer: State };
     set: { argument: { tag: string } & Given; answer: State };
     force: { argument: { tag: string } & Given; answer: State };
@@ -223,7 +246,7 @@ interface Place {
     readonly character: number;
 }
 
-interface Stretch {
+export interface Stretch {
     readonly start: Place;
     readonly end: Place;
 }
@@ -243,6 +266,8 @@ export interface DrawnFence {
 
 export interface OtherCommands {
     'ladder.fence': { argument: { text: string }; answer: DrawnFence };
+    /** The page of a rule, in Markdown. */
+    'ladder.rulePage': { argument: { rule: string }; answer: { markdown: string } };
     'ladder.comment': { argument: { uri: string; lines: readonly Lines[] }; answer: EditedDrawing };
     'ladder.edit': { argument: { uri: string; range: Stretch; edit: EditKind }; answer: EditedDrawing };
     'ladder.diagram': {
@@ -261,4 +286,6 @@ export interface OtherCommands {
 
 export const stateNotification = 'ladder/simulationState';
 export const shownNotification = 'ladder/simulationShown';
+export const toDebuggerNotification = 'ladder/toDebugger';
+export const fromDebuggerNotification = 'ladder/fromDebugger';
 export const previewNotification = 'ladder/preview';

@@ -9,7 +9,18 @@ import { CodeLensRequest, LanguageClient, State as ClientState } from 'vscode-la
 
 import { lensCommands, lensesOf } from './lenses.ts';
 import { offer, whenThere } from './missingServer.ts';
-import { previewNotification, shownNotification, stateNotification, type OtherCommands, type Previewed, type State } from './protocol.ts';
+import {
+    fromDebuggerNotification,
+    previewNotification,
+    shownNotification,
+    stateNotification,
+    toDebuggerNotification,
+    type DebuggerMessage,
+    type OtherCommands,
+    type Previewed,
+    type State,
+} from './protocol.ts';
+import { rulePageLinks } from './rulePages.ts';
 import { cannotStart, findCargo, findServer, type Place, type Surroundings } from './serverPath.ts';
 import { fit, misfit } from './serverVersion.ts';
 import type { Send } from './session.ts';
@@ -40,6 +51,7 @@ export class Server implements vscode.Disposable {
     readonly #version: string;
     readonly #stateReceived = new vscode.EventEmitter<State>();
     readonly #previewReceived = new vscode.EventEmitter<Previewed>();
+    readonly #debuggerSaid = new vscode.EventEmitter<DebuggerMessage>();
     readonly #started = new vscode.EventEmitter<void>();
     readonly #stopped = new vscode.EventEmitter<void>();
     readonly #typedAhead = new TypedAhead();
@@ -49,6 +61,7 @@ export class Server implements vscode.Disposable {
 
     readonly onDidReceiveState = this.#stateReceived.event;
     readonly onDidReceivePreview = this.#previewReceived.event;
+    readonly onDebuggerSays = this.#debuggerSaid.event;
     /** Whether a simulation of a document is open. */
     isSimulated: (document: vscode.TextDocument) => boolean = () => false;
     /** The server runs, for the first time or again. */
@@ -153,7 +166,9 @@ export class Server implements vscode.Disposable {
             },
         );
         client.registerFeature(lensCommands);
+        client.registerFeature(rulePageLinks);
         client.onNotification(stateNotification, (state: State) => this.#stateReceived.fire(state));
+        client.onNotification(fromDebuggerNotification, (said: DebuggerMessage) => this.#debuggerSaid.fire(said));
         client.onNotification(previewNotification, (previewed: Previewed) => this.#previewReceived.fire(previewed));
         client.onDidChangeState(({ newState }) => {
             if (newState === ClientState.Stopped) {
@@ -191,6 +206,11 @@ export class Server implements vscode.Disposable {
     /** A session's state is shown: the next may come. */
     hasShown(session: string): void {
         void this.#client?.sendNotification(shownNotification, { session });
+    }
+
+    /** Tells the debugger of a session something. */
+    tellDebugger(message: DebuggerMessage): void {
+        void this.#client?.sendNotification(toDebuggerNotification, message);
     }
 
     /** Asks for one of the commands besides those of the simulator. */

@@ -1,7 +1,7 @@
 // One simulation of one document's text: sends its commands in order, and keeps what is known of what is shown.
 import type { TextDocument } from 'vscode';
 
-import type { Commands, Label, Operand, Power, Shown, State, Tag } from './protocol.ts';
+import type { Commands, Label, Operand, Power, Shown, Started, State, Stretch, Tag } from './protocol.ts';
 
 /** Sends `ladder.simulate.<name>` with one object. */
 export type Send = <Name extends keyof Commands>(
@@ -38,13 +38,19 @@ export class Session {
     watchedTags: readonly string[] = [];
     /** What the server had to say at the start. */
     readonly notes: readonly string[];
+    /** Where the first rung was at the start. */
+    readonly first: Stretch | undefined;
+    /** Breakpoints are the debugger's. */
+    isDebugged = false;
 
     readonly #send: Send;
     #last: Promise<unknown> = Promise.resolve();
 
-    private constructor(document: TextDocument, state: State, notes: readonly string[], shown: Shown, send: Send) {
+    /** One that the server has started. */
+    constructor(document: TextDocument, { state, first, notes = [] }: Started, shown: Shown, send: Send) {
         this.document = document;
         this.state = state;
+        this.first = first;
         this.notes = notes;
         this.shown = shown;
         this.#send = send;
@@ -52,8 +58,8 @@ export class Session {
     }
 
     static async start(document: TextDocument, shown: Shown, send: Send): Promise<Session> {
-        const { state, notes = [] } = await send('start', { uri: document.uri.toString(), options: { show: shown } });
-        return new Session(document, state, notes, shown, send);
+        const started = await send('start', { uri: document.uri.toString(), options: { show: shown } });
+        return new Session(document, started, shown, send);
     }
 
     get id(): string {

@@ -57,7 +57,10 @@ export class Simulation implements vscode.Disposable {
         return this.#lastDocument && this.of(this.#lastDocument);
     }
 
-    /** Starts a simulation of the document's text as it is now, else of the active one's; one that was there is ended. */
+    /**
+     * Starts a simulation of the document's text as it is now, else of the active one's, and lets it run; one that was there
+     * is ended.
+     */
     async start(given?: vscode.TextDocument): Promise<void> {
         const document = given ?? this.#lastDocument;
         this.#lastDocument = document;
@@ -72,16 +75,78 @@ export class Simulation implements vscode.Disposable {
         if (!session) {
             return;
         }
-        this.#sessions.set(document.uri.toString(), session);
-        for (const note of session.notes) {
-            void vscode.window.showWarningMessage(`Ladder: ${note}`);
-        }
+        this.#enter(session);
         await this.#sendBreakpoints(session, true);
         if (document.version !== version) {
             session.edited();
         }
         this.#announce(document);
         this.look();
+        if (!vscode.workspace.getConfiguration('ladder.start', document.uri).get<boolean>('paused', false)) {
+            const state = await this.#tell(session.command('run', {}));
+            if (state) {
+                this.#show(session, state);
+            }
+        }
+    }
+
+    /** A session is there: what it has to say, and where it begins. */
+    #enter(session: Session): void {
+        const { document, first, notes } = session;
+        this.#sessions.set(document.uri.toString(), session);
+        for (const note of notes) {
+            void vscode.window.showWarningMessage(`Ladder: ${note}`);
+        }
+        const range = first && toRange(first);
+        for (const editor of vscode.window.visibleTextEditors) {
+            const isAbove = editor.visibleRanges.every(({ end }) => range && end.line <= range.start.line);
+            if (range && isAbove && editor.document === document) {
+                editor.revealRange(range, vscode.TextEditorRevealType.InCenter);
+            }
+        }
+    }
+
+    /**
+     * A simulation for a debugger: the one that runs, or another one. It is shown like any other.
+     *
+     * @returns the session, and whether it was there before
+     */
+    async debug(launch: vscode.DebugConfiguration): Promise<{ session: Session; isJoined: boolean }> {
+        // The text of the editor counts, so that what is typed is followed.
+        const program: unknown = launch['program'];
+        const isProgram = typeof program === 'string' && program.endsWith('.clad');
+        const named = isProgram ? await vscode.workspace.openTextDocument(program) : undefined;
+        const shown: Shown = named ? this.#shown(named) : { lines: [], tags: [] };
+        const started = await this.#server.simulate('debug', { launch, options: { show: shown } });
+        const document = await vscode.workspace.openTextDocument(vscode.Uri.parse(started.state.uri));
+        const joined = this.of(document);
+        if (started.joined && joined?.id === started.session) {
+            joined.isDebugged = true;
+            this.#show(joined, started.state);
+            return { session: joined, isJoined: true };
+        }
+        await this.#end(document);
+        const send: Parameters<typeof Session.start>[2] = (name, argument) => this.#server.simulate(name, argument);
+        const session = new Session(document, started, shown, send);
+        session.isDebugged = true;
+        this.#lastDocument = document;
+        this.#enter(session);
+        this.#announce(document);
+        this.look();
+        return { session, isJoined: false };
+    }
+
+    /** The debugger of a session has left. */
+    async undebug(session: Session, isJoined: boolean): Promise<void> {
+        session.isDebugged = false;
+        if (this.of(session.document) !== session) {
+            return;
+        }
+        if (isJoined) {
+            await this.#sendBreakpoints(session, true);
+        } else {
+            await this.#end(session.document);
+        }
     }
 
     /** Tells the server what is shown now, if that is something else. */
@@ -140,6 +205,13 @@ export class Simulation implements vscode.Disposable {
         return found?.tags ?? [];
     }
 
+    /** What a tag opens into; of no name the tags of the program, of which those that open are listed as one. */
+    async partsOf(name: string): Promise<readonly Tag[]> {
+        const session = this.current;
+        const found = session && (await this.#tell(session.urgent('tags', { of: name })));
+        return found?.tags ?? [];
+    }
+
     async run(): Promise<void> {
         await this.command('run', {});
     }
@@ -170,7 +242,11 @@ export class Simulation implements vscode.Disposable {
     /** A run stops after the block that changes the tag, or no longer does. */
     async toggleBreakOnChange(tag: string): Promise<void> {
         const session = this.current;
-        if (session) {
+        if (session?.isDebugged) {
+            void vscode.window.showInformationMessage(
+                'Ladder: while the program is debugged, use "Break on Value Change" in the menu of a variable.',
+            );
+        } else if (session) {
             session.watchedTags = toggled(session.watchedTags, tag);
             await this.#sendBreakpoints(session, false);
         }
@@ -180,7 +256,7 @@ export class Simulation implements vscode.Disposable {
     async #sendBreakpoints(session: Session, atStart: boolean): Promise<void> {
         const lines = breakpointLines(vscode.debug.breakpoints, session.document.uri.toString());
         const tags = [...session.watchedTags];
-        if (atStart && lines.length === 0) {
+        if (session.isDebugged || (atStart && lines.length === 0)) {
             return;
         }
         const state = await this.#tell(session.command('breakpoints', { lines, tags }));

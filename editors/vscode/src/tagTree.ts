@@ -44,6 +44,29 @@ export function partsOf({ id, tags }: TagGroup): TagGroup[] {
     });
 }
 
+/** What is unfolded of tags: those that do not open, and of those that do what they open into. */
+export function unfolded(tags: readonly Tag[], isOpen: (id: string) => boolean, parts: ReadonlyMap<string, readonly Tag[]>): Tag[] {
+    return tags.flatMap((tag) => {
+        if (tag.parts === undefined) {
+            return [tag];
+        }
+        const group = opened(tag, parts.get(tag.name) ?? []);
+        return isOpen(group.id) ? unfoldedGroup(group, isOpen, parts) : [];
+    });
+}
+
+/** The same of a group that is unfolded itself. */
+export function unfoldedGroup(group: TagGroup, isOpen: (id: string) => boolean, parts: ReadonlyMap<string, readonly Tag[]>): Tag[] {
+    const inner = partsOf(group);
+    const groups = inner.length === 0 ? [group] : inner.filter(({ id }) => isOpen(id));
+    return groups.flatMap(({ tags }) => unfolded(tags, isOpen, parts));
+}
+
+/** A tag that opens, as a group of what it opens into. */
+export function opened(tag: Tag, tags: readonly Tag[]): TagGroup {
+    return { id: `tag ${tag.name}`, title: tag.name, tags, open: false };
+}
+
 export interface TagRow {
     readonly label: string;
     readonly description: string;
@@ -59,6 +82,16 @@ export function tagRow(tag: Tag): TagRow {
     const isBool = typeof tag.value === 'boolean';
     const settable = tag.readOnly !== true;
     const role = tag.readOnly ? 'constant' : tag.role;
+    if (tag.parts !== undefined) {
+        return {
+            label: tag.name,
+            description: tag.type + (tag.forced ? '  forced' : ''),
+            tooltip: `${tag.name} : ${tag.type}, ${role}`,
+            icon: 'symbol-array',
+            context: 'group',
+            toggles: false,
+        };
+    }
     const icon = tag.forced ? 'lock' : !isBool ? 'symbol-number' : tag.value ? 'circle-filled' : 'circle-large-outline';
     return {
         label: tag.name,

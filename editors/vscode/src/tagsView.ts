@@ -4,7 +4,7 @@ import * as vscode from 'vscode';
 import type { Tag } from './protocol.ts';
 import type { Session } from './session.ts';
 import type { Simulation } from './simulation.ts';
-import { filtered, partsOf, type TagGroup, tagGroups, tagRow } from './tagTree.ts';
+import { filtered, opened, partsOf, type TagGroup, tagGroups, tagRow, unfoldedGroup } from './tagTree.ts';
 
 type Node = TagGroup | Tag;
 
@@ -22,6 +22,8 @@ class TagsProvider implements vscode.TreeDataProvider<Node>, vscode.Disposable {
     readonly #changed = new vscode.EventEmitter<Node[] | undefined>();
     readonly #simulation: Simulation;
     readonly #open = new Set<string>();
+    /** What the tags that were unfolded open into. */
+    readonly #parts = new Map<string, readonly Tag[]>();
     #session: Session | undefined;
     /** Which of its programs the tags are of. */
     #program = 0;
@@ -66,7 +68,8 @@ class TagsProvider implements vscode.TreeDataProvider<Node>, vscode.Disposable {
             }
             this.#session = session;
             this.#program = program;
-            const tags = session ? await this.#simulation.allTags() : [];
+            this.#parts.clear();
+            const tags = session ? await this.#simulation.partsOf('') : [];
             if (this.#session !== session || this.#program !== program) {
                 return;
             }
@@ -107,11 +110,8 @@ class TagsProvider implements vscode.TreeDataProvider<Node>, vscode.Disposable {
 
     /** The tags that are unfolded. */
     #shown(): Tag[] {
-        return this.#groups.flatMap((group) => {
-            const parts = partsOf(group);
-            const unfolded = parts.length === 0 ? [group] : parts;
-            return this.#open.has(group.id) ? unfolded.filter(({ id }) => this.#open.has(id)).flatMap(({ tags }) => tags) : [];
-        });
+        const isOpen = (id: string) => this.#open.has(id);
+        return this.#groups.filter(({ id }) => isOpen(id)).flatMap((group) => unfoldedGroup(group, isOpen, this.#parts));
     }
 
     shownNames(): readonly string[] {
@@ -119,25 +119,35 @@ class TagsProvider implements vscode.TreeDataProvider<Node>, vscode.Disposable {
     }
 
     fold(node: Node, open: boolean): void {
-        if (isGroup(node)) {
-            if (open) {
-                this.#open.add(node.id);
-            } else {
-                this.#open.delete(node.id);
-            }
-            this.#simulation.look();
+        const { id } = isGroup(node) ? node : opened(node, []);
+        if (open) {
+            this.#open.add(id);
+        } else {
+            this.#open.delete(id);
         }
+        this.#simulation.look();
     }
 
-    getChildren(node?: Node): Node[] {
+    async getChildren(node?: Node): Promise<Node[]> {
         if (!node) {
             return [...this.#groups];
         }
-        if (!isGroup(node)) {
-            return [];
+        const group = isGroup(node) ? node : await this.#opened(node);
+        const parts = partsOf(group);
+        return parts.length > 0 ? parts : [...group.tags];
+    }
+
+    /** What a tag opens into, asked for when it is unfolded for the first time. */
+    async #opened(tag: Tag): Promise<TagGroup> {
+        if (tag.parts !== undefined && !this.#parts.has(tag.name)) {
+            const session = this.#session;
+            const tags = await this.#simulation.partsOf(tag.name);
+            if (this.#session === session) {
+                this.#parts.set(tag.name, tags);
+                this.#simulation.look();
+            }
         }
-        const parts = partsOf(node);
-        return parts.length > 0 ? parts : [...node.tags];
+        return opened(tag, this.#parts.get(tag.name) ?? []);
     }
 
     getTreeItem(node: Node): vscode.TreeItem {
@@ -155,7 +165,8 @@ class TagsProvider implements vscode.TreeDataProvider<Node>, vscode.Disposable {
         }
         const row = tagRow(this.#now(node));
         this.#drawn.set(node.name, this.#text(node));
-        const item = new vscode.TreeItem(row.label);
+        const { Collapsed, None } = vscode.TreeItemCollapsibleState;
+        const item = new vscode.TreeItem(row.label, node.parts === undefined ? None : Collapsed);
         item.id = node.name;
         item.description = row.description;
         item.tooltip = row.tooltip;

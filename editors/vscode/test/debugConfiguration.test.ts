@@ -3,8 +3,8 @@ import { test } from 'node:test';
 
 import { completed, expressionAt } from '../src/debugConfiguration.ts';
 
-const program = { languageId: 'clad', path: '/plant/motor.clad' };
-const scenarios = { languageId: 'ladder-test', path: '/plant/motor.ladder-test' };
+const program = { languageId: 'clad', path: '/plant/motor.clad', line: 1 };
+const scenarios = { languageId: 'ladder-test', path: '/plant/motor.ladder-test', line: 7 };
 
 test('without a launch.json the program of the active editor runs', () => {
     assert.deepEqual(completed({}, program), {
@@ -18,10 +18,11 @@ test('without a launch.json the program of the active editor runs', () => {
         noDebug: true,
         type: 'ladder',
         request: 'launch',
-        name: 'Run the first scenario of this file',
+        name: 'Run the scenario at the cursor',
         program: '/plant/motor.ladder-test',
+        scenarioLine: 7,
     });
-    assert.equal(completed({}, { languageId: 'python', path: '/plant/motor.py' }), undefined);
+    assert.equal(completed({}, { languageId: 'python', path: '/plant/motor.py', line: 1 }), undefined);
     assert.equal(completed({}, undefined), undefined);
 });
 

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import type { Tag } from '../src/protocol.ts';
-import { filtered, partsOf, tagGroups, tagRow } from '../src/tagTree.ts';
+import { filtered, opened, partsOf, tagGroups, tagRow, unfoldedGroup } from '../src/tagTree.ts';
 
 const start: Tag = { name: 'start', type: 'BOOL', value: true, text: '1', role: 'input', forced: false };
 const run: Tag = { name: 'run', type: 'BOOL', value: false, text: '0', role: 'output', forced: true };
@@ -64,4 +64,20 @@ test('a long group is shown in parts, which begin folded', () => {
         ['in200 – in249', false],
     ]);
     assert.deepEqual(partsOf({ ...group, tags: tags.slice(0, 200) }), []);
+});
+
+test('an array is a row that opens into its elements', () => {
+    const trip: Tag = { name: 'trip', type: 'ARRAY[1..2] OF BOOL', value: '', text: '', role: 'input', forced: false, parts: 2 };
+    const elements = ['trip[1]', 'trip[2]'].map((name) => ({ ...start, name }));
+    const row = tagRow(trip);
+    assert.equal(row.label, 'trip');
+    assert.equal(row.description, 'ARRAY[1..2] OF BOOL');
+    assert.equal(row.context, 'group');
+    assert.equal(row.toggles, false);
+    const [inputs] = tagGroups([start, trip]);
+    assert.ok(inputs);
+    const names = (open: readonly string[]) =>
+        unfoldedGroup(inputs, (id) => open.includes(id), new Map([['trip', elements]])).map(({ name }) => name);
+    assert.deepEqual(names([]), ['start']);
+    assert.deepEqual(names([opened(trip, []).id]), ['start', 'trip[1]', 'trip[2]']);
 });

@@ -6,7 +6,9 @@ use super::proposals::Proposals;
 use crate::typing::{Head, Operand, Typing};
 use crate::wanted::Called;
 use ladder_analysis::networks::user_block::UserBlockFacts;
-use ladder_instructions::{Accepts, Instruction, Op, Presence, Profile, Purpose, Shape, TABLE, purpose};
+use ladder_instructions::{
+    Accepts, Group, Instruction, Op, Presence, Profile, Purpose, Shape, TABLE, purpose,
+};
 use rustc_hash::FxHashSet;
 use std::ops::Range;
 
@@ -77,15 +79,15 @@ fn propose_row(typing: &Typing<'_>, row: &'static Instruction, around: Around<'_
     // Another spelling leads to the one that is written, and so does a word that says what it is for.
     let prefix = typing.prefix().to_ascii_uppercase();
     let spelled = |spelling: &&str| !prefix.is_empty() && spelling.starts_with(&*prefix);
-    let mut order = (0, 0);
+    let mut fit = 0;
     let filter = if spelled(&filter) {
         filter
     } else if let Some(spelling) = row.spellings().find(spelled) {
         spelling
     } else if let Some(purpose) = purpose(row, typing.prefix()) {
-        order = match purpose {
-            Purpose::Title => (1, 0),
-            Purpose::Sentence => (2, 0),
+        fit = match purpose {
+            Purpose::Title => 1,
+            Purpose::Sentence => 2,
         };
         typing.prefix()
     } else {
@@ -100,7 +102,7 @@ fn propose_row(typing: &Typing<'_>, row: &'static Instruction, around: Around<'_
         around,
     );
     out.add_at(
-        order,
+        (fit, rank(row)),
         Completion {
             label: row.block(),
             detail: row.title.to_owned(),
@@ -129,6 +131,19 @@ fn propose_user(typing: &Typing<'_>, block: &UserBlockFacts, around: Around<'_>,
         text,
         topic: Topic::UserBlock(block.name.clone()),
     });
+}
+
+/// What is used more comes first.
+fn rank(row: &Instruction) -> u8 {
+    match (row.group, row.op) {
+        (Group::Condition, Op::Eq | Op::Ne | Op::Gt | Op::Ge | Op::Lt | Op::Le) => 4,
+        (Group::Condition, _) => 0,
+        (Group::Coil, _) => 1,
+        (Group::State, Op::Ton | Op::Tof | Op::Tp | Op::Rto | Op::Rtof) => 2,
+        (Group::State, Op::Ctu | Op::Ctd | Op::Ctud | Op::Ctc) => 3,
+        (Group::Data, Op::Mov) => 5,
+        _ => 6,
+    }
 }
 
 /// Whether nothing is drawn after such a block but the rail: coils, and what leaves the network.

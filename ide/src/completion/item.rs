@@ -80,6 +80,8 @@ impl Topic {
 enum Piece {
     Text(String),
     Stop(String),
+    /// The place of an earlier stop with the same text, once more.
+    Again(String),
     End,
 }
 
@@ -103,6 +105,14 @@ impl Snippet {
     /// A stop with what is there until the user writes something else.
     pub(crate) fn stop(mut self, text: &str) -> Snippet {
         self.0.push(Piece::Stop(text.to_owned()));
+        self
+    }
+
+    /// As `stop`, unless there is one with this text: then what is written there is written here too.
+    pub(crate) fn stop_again(mut self, text: &str) -> Snippet {
+        let known = self.0.contains(&Piece::Stop(text.to_owned()));
+        let piece = if known { Piece::Again } else { Piece::Stop };
+        self.0.push(piece(text.to_owned()));
         self
     }
 
@@ -134,7 +144,7 @@ impl Snippet {
     /// As an editor without snippets inserts it.
     pub fn plain(&self) -> String {
         let pieces = self.0.iter().map(|piece| match piece {
-            Piece::Text(text) | Piece::Stop(text) => text.as_str(),
+            Piece::Text(text) | Piece::Stop(text) | Piece::Again(text) => text.as_str(),
             Piece::End => "",
         });
         pieces.collect()
@@ -143,13 +153,19 @@ impl Snippet {
     /// In the notation of the language server protocol.
     pub fn snippet(&self) -> String {
         let mut out = String::new();
-        let mut stops = 0;
+        let mut stops: Vec<&String> = Vec::new();
         for piece in &self.0 {
             match piece {
                 Piece::Text(text) => escape(text, &mut out),
                 Piece::Stop(text) => {
-                    stops += 1;
-                    out.push_str(&format!("${{{stops}:"));
+                    stops.push(text);
+                    out.push_str(&format!("${{{}:", stops.len()));
+                    escape(text, &mut out);
+                    out.push('}');
+                }
+                Piece::Again(text) => {
+                    let number = stops.iter().position(|stop| *stop == text).unwrap_or_default() + 1;
+                    out.push_str(&format!("${{{number}:"));
                     escape(text, &mut out);
                     out.push('}');
                 }

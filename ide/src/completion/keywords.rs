@@ -1,5 +1,6 @@
 //! Keywords of sections, declarations and block definitions, and the addresses after AT.
 
+use super::drawings;
 use super::item::{CompletionKind, Snippet, Topic};
 use super::proposals::Proposals;
 use crate::typing::{Declaration, Typing};
@@ -62,7 +63,7 @@ pub(super) fn at_line_start(typing: &Typing<'_>, out: &mut Proposals<'_>) {
     }
     let empty = typing.rest(typing.word.end).trim().is_empty();
     if empty {
-        drawings(out);
+        drawings::propose(out, in_block);
     }
 }
 
@@ -88,44 +89,6 @@ fn block_definitions(out: &mut Proposals<'_>) {
             Topic::Keyword("FUNCTION_BLOCK".to_owned()),
         );
     }
-}
-
-/// Rungs that most programs begin with.
-fn drawings(out: &mut Proposals<'_>) {
-    let rung = Snippet::default()
-        .text("+--[ ]( ")
-        .stop("a")
-        .text(" )-----------------------------( )( ")
-        .stop("y")
-        .text(" )--+")
-        .end();
-    out.snippet(
-        (2, 0),
-        CompletionKind::Drawing,
-        "rung",
-        "a contact and a coil",
-        rung,
-        Topic::Nothing,
-    );
-    let seal_in = Snippet::default()
-        .text("+--\\--[ ]( ")
-        .stop("start")
-        .text(" )--\\--[/]( ")
-        .stop("stop")
-        .text(" )--( )( ")
-        .stop("run")
-        .text(" )--+\n|  /--[ ]( ")
-        .stop("run")
-        .text(" )--/  |")
-        .end();
-    out.snippet(
-        (2, 0),
-        CompletionKind::Drawing,
-        "seal-in",
-        "start, held until stop",
-        seal_in,
-        Topic::Nothing,
-    );
 }
 
 /// On a line of declarations.

@@ -5,6 +5,7 @@
 //! around it is put straight by the formatter, which knows how wide it all became.
 
 mod blocks;
+mod drawings;
 mod expression;
 mod item;
 mod keywords;

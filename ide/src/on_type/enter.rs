@@ -3,6 +3,7 @@
 use super::typed_over::typed_over;
 use super::{drawn_again, network_at};
 use crate::body::line_text;
+use crate::typing::{CursorContext, typing};
 use ladder_analysis::context::Context;
 use ladder_format::{Edit, Options, display_width};
 use ladder_syntax::wiring::{PartKind, Rung};
@@ -20,6 +21,9 @@ const BRANCH: &str = "/--";
 /// The edits after Enter; `offset` is on the new line.
 pub(super) fn enter(context: &Context, offset: TextSize, options: &Options) -> Vec<Edit> {
     let parse = &context.parse;
+    if let Some(joined) = joined_within_block(context, offset) {
+        return vec![joined];
+    }
     if parse.unclosed_comment().is_some_and(|open| open.start() < offset) {
         return leave_branch(context, offset, options).unwrap_or_default();
     }
@@ -61,6 +65,29 @@ pub(super) fn enter(context: &Context, offset: TextSize, options: &Options) -> V
         }
         None => Vec::new(),
     }
+}
+
+/// Enter within a block: a block has one line, so the line end goes again.
+fn joined_within_block(context: &Context, offset: TextSize) -> Option<Edit> {
+    let parse = &context.parse;
+    let line = parse.line_at(offset)?;
+    let (above, start) = if parse.line_range(line).end() == offset && ends_line(context, line) {
+        (line, offset)
+    } else {
+        (line.checked_sub(1)?, parse.line_start(line))
+    };
+    let before = parse.text_in(TextRange::new(start, offset));
+    if parse.lines()[above].kind != LineKind::Rung || !before.trim().is_empty() {
+        return None;
+    }
+    let text = line_text(parse, above);
+    let end = parse.line_start(above) + TextSize::of(text.trim_end_matches(['\r', '\n']));
+    let place = typing(context, end)?.place;
+    let is_inside = matches!(place, CursorContext::Head(_) | CursorContext::Operand(_));
+    is_inside.then(|| Edit {
+        range: TextRange::new(end, offset),
+        text: String::new(),
+    })
 }
 
 /// The blanks of the physical line that an offset is in, if it holds nothing else, and the logical line above it.

@@ -5,6 +5,7 @@
 //! - Enter within a network goes on with its rail, and below an open `\` with the branch that it leads to.
 //! - A `/` at the end of such a branch draws the `\` that it comes up to.
 //! - Enter after a rung that completes its network draws the network again, and begins the next rung.
+//! - Enter within a block does nothing: a block has one line.
 //! - Enter in a section indents the next declaration.
 //! - What Enter has begun may be typed once more; a comment or a keyword takes its place.
 //!

@@ -1,5 +1,7 @@
 //! Fixes of findings: each where its finding is, and all safe ones of a file at once.
 
+use super::allow;
+use super::suggestions::suggestions;
 use super::{Action, ActionKind, Work};
 use ladder_analysis::findings::fix;
 use ladder_analysis::{Analysis, Applicability, Diagnostic, Finding};
@@ -9,6 +11,9 @@ use ladder_syntax::TextRange;
 /// This many fixes back a fix is looked for that is the same.
 const NEAR: usize = 16;
 
+/// Of this many findings what a person would draw is worked out: each takes the drawing of its network.
+const MOST_DRAWN: usize = 32;
+
 /// The fixes of the findings that a range touches, the best of each first. Only a safe one is preferred: editors may
 /// make it unasked.
 pub fn quick_fixes(analysis: &Analysis, range: TextRange) -> Vec<Action> {
@@ -16,19 +21,42 @@ pub fn quick_fixes(analysis: &Analysis, range: TextRange) -> Vec<Action> {
     let touched = findings
         .filter(|(_, found)| found.range.start() <= range.end() && range.start() <= found.range.end());
     let mut fixes: Vec<Action> = Vec::new();
-    for (index, found) in touched {
-        for (nth, fix) in found.diagnostic().fixes.into_iter().enumerate() {
-            let action = Action {
+    let mut offer = |action: Action| {
+        // One drawing can put several findings right; they are near to each other.
+        let mut near = fixes.iter().rev().take(NEAR);
+        if !near.any(|known| known.title == action.title && known.work == action.work) {
+            fixes.push(action);
+        }
+    };
+    for (nth, (index, found)) in touched.clone().enumerate() {
+        let found = found.diagnostic();
+        let drawn = if nth < MOST_DRAWN {
+            suggestions(analysis, &found)
+        } else {
+            Vec::new()
+        };
+        for (nth, fix) in found.fixes.into_iter().enumerate() {
+            offer(Action {
                 finding: Some(index),
                 preferred: nth == 0 && fix.is_safe(),
                 ..Action::new(ActionKind::QuickFix, fix.title, fix.edits)
-            };
-            // One drawing can put several findings right; they are near to each other.
-            let mut near = fixes.iter().rev().take(NEAR);
-            if !near.any(|known| known.title == action.title && known.work == action.work) {
-                fixes.push(action);
-            }
+            });
         }
+        for suggestion in drawn {
+            offer(Action {
+                finding: Some(index),
+                ..suggestion
+            });
+        }
+    }
+    // What is meant so comes after all that would change it.
+    for (index, found) in touched.take(MOST_DRAWN) {
+        allow::offer(&analysis.context, found, |action| {
+            offer(Action {
+                finding: Some(index),
+                ..action
+            });
+        });
     }
     fixes
 }

@@ -9,6 +9,7 @@
 //! draw what they touch, which reads the whole file; it is done for the one action that is wanted. Every action keeps what
 //! the program does, or says in its title that it does not.
 
+mod allow;
 mod circuits;
 mod declare_tags;
 mod drawing;
@@ -28,9 +29,11 @@ mod redraw;
 mod region;
 mod remove_branch;
 mod split_network;
+mod suggestions;
 mod toggle;
 mod wrap_branch;
 
+pub use allow::may_be_switched_off;
 pub use fixes::{fix_all, quick_fixes};
 pub use redraw::{Redraw, Redrawn, redraw};
 

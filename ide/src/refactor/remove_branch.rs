@@ -18,7 +18,8 @@ pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
     out.push(Action::new(ActionKind::Rewrite, title, vec![drawing.replace()]));
 }
 
-fn removed(on: &OnNetwork<'_>, row: usize, items: Range<usize>) -> Option<(Drawing, String)> {
+/// The drawing without the smallest branch around some items of a row, and how a title calls that branch.
+pub(super) fn removed(on: &OnNetwork<'_>, row: usize, items: Range<usize>) -> Option<(Drawing, String)> {
     let drawing = &on.drawing;
     let holds =
         |at: usize, range: Range<usize>| at == row && range.start <= items.start && items.end <= range.end;
@@ -118,7 +119,7 @@ fn without_upper(drawing: &Drawing, parallel: &Parallel, gone: &Region) -> Optio
 }
 
 /// Takes whole segments out of a row; their comments stay, after the rung.
-fn remove(drawing: &mut Drawing, row: usize, range: Range<usize>) {
+pub(super) fn remove(drawing: &mut Drawing, row: usize, range: Range<usize>) {
     let items = &mut drawing.rows[row].items;
     let gone: Vec<Item> = items.drain(range.clone()).collect();
     if let Some(next) = items.get_mut(range.start) {
@@ -133,7 +134,7 @@ fn remove(drawing: &mut Drawing, row: usize, range: Range<usize>) {
 
 /// Takes rows out that wires only pass: with one `/` and one `\\` in each wire the pairs above and below are in the same
 /// order.
-fn drop_passed_rows(drawing: &mut Drawing) {
+pub(super) fn drop_passed_rows(drawing: &mut Drawing) {
     let mut row = 0;
     while row < drawing.rows.len() {
         let items = &drawing.rows[row].items;

@@ -161,7 +161,7 @@ fn ends_loops_and_calls_are_checked() {
 ",
         expect![[r#"
             7:9 Error click-c0103: loops do not nest: end the loop above with next_loop() first
-            7:9 Error click-setpoint: 40000 is no number of loops: write a whole number from 0 to 32767, or an address of ds
+            7:9 Error click-setpoint: 40000 is not a number of loops: write a whole number from 0 to 32767, or an address of ds
             10:9 Error click-c0009: next_loop() is alone on its rung, without contacts: under `if True:`
             13:9 Error click-c0102: there is no loop that this next_loop() could end
             15:9 Error click-end: return is for subroutines: the main program ends with end()
@@ -266,14 +266,14 @@ fn addresses_and_kinds_are_checked() {
             28:9 Error click-math: ^ is for calc() alone
             29:9 Error click-math: math_hex() computes with hexadecimal words, and this is an integer
             30:9 Error click-timer: a timer is an address of t, and c[1] is none
-            30:9 Error click-setpoint: -5 is no set point: write a whole number from 0 to 32767, or an address of ds
+            30:9 Error click-setpoint: -5 is not a set point: write a whole number from 0 to 32767, or an address of ds
             31:9 Warning click-c0208: a counter needs its reset: reset=lambda: ..
             31:9 Info click-counter-level: whether Click counts the rise of a rung or every scan depends on who is asked: write re(..) in its condition
             31:9 Error click-counter: a counter is an address of ct, and t[1] is none
-            31:9 Error click-setpoint: df.A is no set point: write a whole number from 0 to 2147483647, or an address of ds or dd
+            31:9 Error click-setpoint: df.A is not a set point: write a whole number from 0 to 2147483647, or an address of ds or dd
             32:9 Error click-read-only: ct[3] cannot be written: its timer or counter alone writes it
             33:9 Warning click-c0205: a retentive timer needs its reset: reset=lambda: ..
-            33:9 Error click-setpoint: 99999 is no set point: write a whole number from 0 to 32767, or an address of ds
+            33:9 Error click-setpoint: 99999 is not a set point: write a whole number from 0 to 32767, or an address of ds
             34:9 Warning click-c0207: a counter of both directions needs count_down=lambda: ..
             34:9 Info click-c0208: Click itself wants a reset here: reset=lambda: ..
             34:9 Info click-counter-level: whether Click counts the rise of a rung or every scan depends on who is asked: write re(..) in its condition

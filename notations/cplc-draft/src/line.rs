@@ -140,15 +140,26 @@ fn is_operand(text: &str) -> bool {
         Some((name, rest)) => (name, rest.strip_suffix(']')),
         None => (text, Some("0")),
     };
-    let is_literal = name.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.'));
-    let is_plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | '+' | '-' | '#');
     let is_word = |index: &str| !index.is_empty() && index.chars().all(|c| c.is_alphanumeric() || c == '_');
-    index.is_some_and(is_word)
-        && if is_literal {
-            name.chars().all(is_plain) && !text.contains('[')
-        } else {
-            !name.trim().is_empty() && !name.contains(is_sign)
-        }
+    if !name.starts_with(|c: char| c.is_alphabetic() || c == '_') {
+        return is_literal(text);
+    }
+    index.is_some_and(is_word) && !name.contains(is_sign)
+}
+
+/// Whether a text is a number as ladder text has them too; only the draft has `+5`.
+fn is_literal(text: &str) -> bool {
+    let number = match text.strip_prefix('+') {
+        Some(number) if number.starts_with('-') => return false,
+        number => number.unwrap_or(text),
+    };
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | '+' | '-' | '#');
+    let reads = || {
+        ladder_syntax::parse(&format!("+--[MOV]( y, {number} )--+"))
+            .errors()
+            .is_empty()
+    };
+    number.starts_with(|c: char| c.is_ascii_digit() || c == '-') && number.chars().all(is_plain) && reads()
 }
 
 /// What is between the bracket that a text begins with and its partner, and the length of it all.

@@ -381,7 +381,7 @@ impl Reader {
     /// An operand as ladder text has it.
     fn operand(&mut self, operand: &str, ty: &'static str, place: LineColumn) -> String {
         if !is_name(operand) {
-            return operand.to_owned();
+            return operand.strip_prefix('+').unwrap_or(operand).to_owned();
         }
         if let Some(member) = self.states.get(operand) {
             let (name, member) = member.split_once('.').unwrap_or((member, "Q"));

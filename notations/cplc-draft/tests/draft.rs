@@ -176,6 +176,18 @@ fn what_cannot_be_read() {
         "#]],
         ),
         (
+            "IN = { DI a }\n+--[EQU]<x><&a><5>--()<a>--+",
+            expect![[r#"
+                2:4: `&a` is not an operand: that is a name, a number, or an element such as `a[3]`
+            "#]],
+        ),
+        (
+            "IN = { DI a }\n+--[EQU]<x><a><+-5>--()<a>--+",
+            expect![[r#"
+                2:4: `+-5` is not an operand: that is a name, a number, or an element such as `a[3]`
+            "#]],
+        ),
+        (
             "IN = { DI a }\n/* never closed",
             expect![[r#"
             2:1: the comment that begins here has no `*/`

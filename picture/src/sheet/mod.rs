@@ -49,6 +49,16 @@ pub struct Options<'o> {
     pub title: &'o str,
     /// What is there besides, on the right.
     pub note: &'o str,
+    /// The title block at the foot of each page, from left to right: what the project and the program are called, the version,
+    /// the day. Without anything in it only the pages are numbered there.
+    pub block: &'o [String],
+}
+
+impl Options<'_> {
+    /// The column of the right rail at which a network takes the whole width of a page, in letters of full size.
+    pub fn rail(&self) -> u32 {
+        pages::Pages::new(self).columns().saturating_sub(2)
+    }
 }
 
 /// A page. Lengths are in points: 72 to the inch.

@@ -154,10 +154,8 @@ impl Pages {
                 head.line(Look::Line, (0, LINE + 4), (right, LINE + 4));
                 let head = Strip::of((head.into_shapes(), LINE + 6), right, 0.0);
                 let place = format!("{} / {count}", number + 1);
-                let mut foot = Paper::default();
-                foot.text(Look::Text, (right, LINE - 4), Anchor::End, width(&place), &place);
-                let foot = Strip::of((foot.into_shapes(), LINE), right, 0.0);
-                for (strip, y) in [(head, TOP - 28.0), (foot, page_height - BOTTOM + 16.0)] {
+                let foot = foot(options.block, &place, right);
+                for (strip, y) in [(head, TOP - 28.0), (foot, page_height - BOTTOM + 14.0)] {
                     pieces.push(Piece {
                         shapes: strip.shapes,
                         window: strip.window,
@@ -173,4 +171,52 @@ impl Pages {
             })
             .collect()
     }
+}
+
+/// The number of a page, with the title block around it if there is one.
+fn foot(block: &[String], place: &str, right: i32) -> Strip {
+    /// The height of the block, and the least room that a page's number has in it.
+    const HIGH: i32 = LINE + 6;
+    const NUMBER: i32 = 10 * UNIT;
+    let mut paper = Paper::default();
+    let base = LINE - 1;
+    let number = NUMBER.max(width(place) + 2 * UNIT);
+    let edge = if block.is_empty() { right } else { right - UNIT };
+    paper.text(Look::Text, (edge, base), Anchor::End, width(place), place);
+    if let Ok(count @ 1..) = i32::try_from(block.len()) {
+        let cell = (right - number) / count;
+        for (index, said) in (0..).zip(block) {
+            let said = shortened(said, cell - 2 * UNIT);
+            let at = (index * cell + UNIT, base);
+            paper.text(Look::Text, at, Anchor::Start, width(&said), &said);
+        }
+        for line in (1..count)
+            .map(|index| index * cell)
+            .chain([0, right - number, right])
+        {
+            paper.line(Look::Line, (line, 0), (line, HIGH));
+        }
+        for line in [0, HIGH] {
+            paper.line(Look::Line, (0, line), (right, line));
+        }
+    }
+    let mut strip = Strip::of((paper.into_shapes(), HIGH), right, 0.0);
+    // The frame is drawn on the edge of the window.
+    strip.window = Extent {
+        left: -2,
+        top: -2,
+        right: right + 2,
+        bottom: HIGH + 2,
+    };
+    strip
+}
+
+/// So much of a text as there is room for.
+fn shortened(text: &str, room: i32) -> String {
+    if width(text) <= room {
+        return text.to_owned();
+    }
+    let mut kept = text.to_owned();
+    while kept.pop().is_some() && width(&kept) + UNIT > room {}
+    format!("{}…", kept.trim_end())
 }

@@ -1,16 +1,18 @@
 //! A session: what it holds, and its requests, one function each.
 
 use std::collections::HashSet;
-use std::io::Write;
 use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
 
 use ladder_analysis::program::Location;
 use ladder_simulator::Brake;
 use ladder_syntax::TextRange;
+use ladder_workspace::shown;
 use serde::Deserialize as _;
 use serde_json::{Value as Json, json};
 
+use super::asked::Asked;
+use super::attached::Lent;
 use super::breakpoints::Table;
 use super::capabilities::capabilities;
 use super::configuration::{BackBy, Configuration};
@@ -20,12 +22,12 @@ use super::messages::{
     StepArguments, Variables,
 };
 use super::running::{Going, Stopped};
-use super::sources::Counting;
+use super::sources::{Counting, Source};
 use super::stack;
 use super::stepping::Stepping;
 use super::target::Target;
 use super::variables::{self, Handles};
-use super::wire::Outlet;
+use super::wire::{Outlet, Output};
 
 /// A program has one thread.
 pub(super) const THREAD: i64 = 1;
@@ -46,8 +48,8 @@ pub(super) enum Phase {
 }
 
 /// A session of the debug adapter.
-pub(super) struct Adapter<W> {
-    out: Outlet<W>,
+pub(super) struct Adapter {
+    out: Outlet,
     /// What goes out after the answer.
     events: Vec<(&'static str, Json)>,
     pub(super) client: Initialize,
@@ -70,12 +72,14 @@ pub(super) struct Adapter<W> {
     pub(super) end_is_shown: bool,
     /// How many requests wait that a long scan is given up for.
     pub(super) urgent: Arc<AtomicUsize>,
+    /// The session belongs to a simulation of the language server.
+    pub(super) lent: Option<Lent>,
     /// The client is gone, or wants to be.
     is_left: bool,
 }
 
-impl<W: Write> Adapter<W> {
-    pub(super) fn new(output: W, urgent: Arc<AtomicUsize>) -> Adapter<W> {
+impl Adapter {
+    pub(super) fn new(output: Output, urgent: Arc<AtomicUsize>) -> Adapter {
         let client = Initialize::default();
         Adapter {
             out: Outlet::new(output),
@@ -95,6 +99,7 @@ impl<W: Write> Adapter<W> {
             faults_reported: HashSet::new(),
             end_is_shown: false,
             urgent,
+            lent: None,
             is_left: false,
         }
     }
@@ -164,6 +169,11 @@ impl<W: Write> Adapter<W> {
     pub(super) fn leave(&mut self) {
         self.is_left = true;
         self.going = None;
+        if self.lent.is_some()
+            && let Some(target) = &mut self.target
+        {
+            target.session.clear_breakpoints();
+        }
         if self.phase != Phase::Over
             && let Some(target) = &mut self.target
         {
@@ -174,7 +184,10 @@ impl<W: Write> Adapter<W> {
     /// The program has met an error of the engine: it cannot be trusted any more.
     pub(super) fn give_up(&mut self) {
         self.going = None;
-        self.target = None;
+        // One that is lent goes back.
+        if self.lent.is_none() {
+            self.target = None;
+        }
         self.write(
             "stderr",
             "the simulator has met an error of its own and stops; please report it\n",
@@ -309,7 +322,12 @@ impl<W: Write> Adapter<W> {
         if self.phase != Phase::Ready {
             return Err("the program is launched already".into());
         }
-        self.load(request.arguments()?)?;
+        if self.lent.is_some() {
+            self.configuration = request.arguments()?;
+            self.configuration.speed()?;
+        } else {
+            self.load(request.arguments()?)?;
+        }
         self.phase = Phase::Launched;
         // Breakpoints can be placed only now.
         self.event("initialized", Json::Null);
@@ -351,11 +369,75 @@ impl<W: Write> Adapter<W> {
     fn begin(&mut self) -> Result<(), String> {
         self.phase = Phase::Live;
         self.arm();
+        if let Some(Lent::Joined { runs }) = self.lent {
+            return self.begin_where_it_is(runs);
+        }
         if self.configuration.stop_on_entry && !self.configuration.no_debug {
             self.stop(Stopped::because("entry", "Before the first scan"));
             return Ok(());
         }
         self.start_run()
+    }
+
+    /// What ran goes on, and what did not is shown where it is.
+    fn begin_where_it_is(&mut self, runs: bool) -> Result<(), String> {
+        if runs {
+            return self.start_run();
+        }
+        self.stop(Stopped::because("pause", ""));
+        Ok(())
+    }
+
+    /// The program of a simulation begins again from cold, with what a configuration gives it.
+    fn load_again(&mut self, configuration: Configuration) -> Result<(), String> {
+        configuration.speed()?;
+        let asked = Asked::of(&configuration)?;
+        let target = self.target()?;
+        if target.file_of(asked.program()) != Some(0) {
+            return Err(format!(
+                "{} is another program: start it instead of this one",
+                shown::path(asked.program())
+            ));
+        }
+        target.session.unforce_all();
+        target.session.reset();
+        let given = asked.give(&mut target.session)?;
+        target.gives(given);
+        self.configuration = configuration;
+        self.lent = Some(Lent::New);
+        self.faults_reported.clear();
+        self.led_elsewhere();
+        Ok(())
+    }
+
+    /// The simulation was led to another scan: what was given and found there before is of another past.
+    pub(super) fn led_elsewhere(&mut self) {
+        self.faults_seen = (0, 0);
+        self.end_is_shown = false;
+        if let Some(target) = &mut self.target {
+            target.give_again();
+        }
+    }
+
+    /// The program has another text. Breakpoints stay in the lines where they were.
+    pub(super) fn sources_are(&mut self, sources: Vec<Source>, lines: &[Option<u32>]) {
+        let counting = self.counting;
+        let Some(target) = &mut self.target else {
+            return;
+        };
+        target.sources = sources;
+        if let Some(own) = target.sources.first() {
+            self.table.move_lines(own, lines, counting);
+        }
+        let reported = self.table.place_again(target, counting);
+        self.arm();
+        self.handles.clear();
+        for breakpoint in reported {
+            self.event(
+                "breakpoint",
+                json!({"reason": "changed", "breakpoint": breakpoint}),
+            );
+        }
     }
 
     fn restart(&mut self, request: &Request) -> Result<Json, String> {
@@ -368,7 +450,9 @@ impl<W: Write> Adapter<W> {
         };
         self.going = None;
         self.forget_stop();
-        if let Err(problem) = self.load(configuration) {
+        if self.lent.is_some() {
+            self.load_again(configuration)?;
+        } else if let Err(problem) = self.load(configuration) {
             self.phase = Phase::Live;
             self.end(1);
             return Err(problem);

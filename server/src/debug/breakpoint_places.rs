@@ -1,5 +1,7 @@
 //! Where breakpoints can be.
 
+use std::collections::BTreeSet;
+
 use ladder_analysis::program::Location;
 use ladder_simulator::Breakpoint;
 use ladder_syntax::{TextRange, TextSize};
@@ -55,8 +57,9 @@ fn blocks(target: &Target, file: u32) -> impl Iterator<Item = TextRange> {
     networks.flat_map(|network| network.blocks.iter().map(|block| block.location.range))
 }
 
-/// Every place in some lines where a breakpoint can be.
-pub(super) fn locations(
+/// The lines of some lines where a breakpoint can be. Places within a line are not among them: an editor would draw a mark at
+/// each, which moves the drawing apart. A client that wants a block asks for a breakpoint at its column.
+pub(super) fn lines(
     target: &Target,
     file: u32,
     lines: std::ops::RangeInclusive<usize>,
@@ -66,18 +69,11 @@ pub(super) fn locations(
     let networks = target.simulation().program().networks.iter();
     let rungs = networks
         .filter(|network| network.location.file == file)
-        .map(|network| TextRange::empty(network.location.range.start()));
-    let mut ranges: Vec<TextRange> = rungs.chain(blocks(target, file)).collect();
-    ranges.retain(|range| lines.contains(&source.line(range.start())));
-    ranges.sort_by_key(|range| (range.start(), range.len()));
-    ranges
-        .into_iter()
-        .map(|range| {
-            let place = counting.range(source, range);
-            if range.is_empty() {
-                return json!({"line": place["line"]});
-            }
-            place
-        })
+        .map(|network| network.location.range.start());
+    let starts = rungs.chain(blocks(target, file).map(TextRange::start));
+    let found: BTreeSet<usize> = starts.map(|start| source.line(start)).collect();
+    found
+        .range(lines)
+        .map(|&line| json!({"line": counting.line_out(line)}))
         .collect()
 }

@@ -1,6 +1,5 @@
 //! The requests about breakpoints and exceptions.
 
-use std::io::Write;
 use std::path::Path;
 
 use serde_json::{Value as Json, json};
@@ -14,7 +13,7 @@ use super::messages::{
 use super::running::{EXPECTATIONS, FAULTS};
 use super::variables;
 
-impl<W: Write> Adapter<W> {
+impl Adapter {
     /// Sets the places for the engine where it is to stop.
     pub(super) fn arm(&mut self) {
         let Some(target) = &mut self.target else {
@@ -65,7 +64,7 @@ impl<W: Write> Adapter<W> {
             .end_line
             .map_or(first, |line| counting.line(line))
             .min(last);
-        Ok(json!({"breakpoints": breakpoint_places::locations(target, file, first..=end, counting)}))
+        Ok(json!({"breakpoints": breakpoint_places::lines(target, file, first..=end.max(first), counting)}))
     }
 
     pub(super) fn data_breakpoint_info(&mut self, arguments: &DataBreakpointInfo) -> Result<Json, String> {

@@ -9,7 +9,7 @@ use serde_json::{Value as Json, json};
 use super::breakpoint_places::place;
 use super::marker::{Marker, Verdict};
 use super::messages::{DataBreakpoint, SourceBreakpoint};
-use super::sources::Counting;
+use super::sources::{Counting, Source};
 use super::target::Target;
 
 /// All breakpoints of a target.
@@ -67,9 +67,10 @@ impl Table {
             let source = target.source(file);
             let mut shown = json!({"id": id, "verified": true, "source": source.json()});
             let range = counting.range(source, location.range);
-            let is_block = matches!(breakpoint, Breakpoint::Block(_));
+            // A mark that nobody asked for within a line would move the drawing apart.
+            let is_within = wanted.column.is_some() && matches!(breakpoint, Breakpoint::Block(_));
             for name in ["line", "column", "endLine", "endColumn"] {
-                if is_block || name == "line" {
+                if is_within || name == "line" {
                     shown[name] = range[name].clone();
                 }
             }
@@ -119,6 +120,22 @@ impl Table {
         }
         self.data = markers;
         reported
+    }
+
+    /// The lines of a file are in other places: the breakpoints that were asked for go with them, to the next one below
+    /// where one is no more.
+    pub(super) fn move_lines(&mut self, source: &Source, lines: &[Option<u32>], counting: Counting) {
+        for (path, asked) in &mut self.asked {
+            if !source.is(path) {
+                continue;
+            }
+            for (_, wanted) in asked {
+                let after = lines.iter().skip(counting.line(wanted.line));
+                if let Some(line) = after.flatten().next() {
+                    wanted.line = counting.line_out(*line as usize);
+                }
+            }
+        }
     }
 
     /// Places all of them in another program. Gives what has become of each.

@@ -16,6 +16,8 @@ pub(super) struct Configuration {
     pub program: Option<String>,
     /// The scenario to run; without it the first of its file.
     pub scenario: Option<String>,
+    /// Or the one that this line of the file belongs to, counted from 1.
+    pub scenario_line: Option<u32>,
     /// The file of it; without it the one next to the program, of its name.
     pub scenario_file: Option<String>,
     pub inputs: GivenInputs,
@@ -100,7 +102,7 @@ impl Configuration {
     /// Whether a scenario is to be run.
     pub(super) fn scenario_asked_for(&self) -> bool {
         let is_file = self.program.as_deref().is_some_and(is_scenario_file);
-        is_file || self.scenario.is_some() || self.scenario_file.is_some()
+        is_file || self.scenario.is_some() || self.scenario_line.is_some() || self.scenario_file.is_some()
     }
 
     /// The time from one scan to the next, in nanoseconds.

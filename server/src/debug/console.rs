@@ -1,7 +1,5 @@
 //! What a person writes: expressions to be watched, and in the console assignments and forces too.
 
-use std::io::Write;
-
 use ladder_analysis::values::types::Type;
 use ladder_simulator::{Instance, Point, members_of};
 use serde_json::{Value as Json, json};
@@ -21,7 +19,7 @@ unforce start      lets it go; `unforce` alone lets all go
 /// No more proposals than these are made.
 const MOST: usize = 500;
 
-impl<W: Write> Adapter<W> {
+impl Adapter {
     /// `evaluate`
     pub(super) fn evaluate(&mut self, arguments: &Evaluate) -> Result<Json, Problem> {
         let text = arguments.expression.trim();
@@ -140,7 +138,7 @@ impl<W: Write> Adapter<W> {
     }
 
     /// What the client shows of tags is old.
-    fn has_changed(&mut self) {
+    pub(super) fn has_changed(&mut self) {
         if self.client.takes_invalidated {
             self.event(
                 "invalidated",

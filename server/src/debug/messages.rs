@@ -28,6 +28,11 @@ impl Request {
             seq: 0,
             message: format!("the message is not JSON: {error}"),
         })?;
+        Request::of(message)
+    }
+
+    /// A message that is read already.
+    pub(super) fn of(message: Json) -> Result<Request, NoRequest> {
         let seq = message.get("seq").and_then(Json::as_i64).unwrap_or(0);
         let refused = |message: String| NoRequest { seq, message };
         match message.get("type").and_then(Json::as_str) {
@@ -46,6 +51,25 @@ impl Request {
             self.command.as_str(),
             "pause" | "disconnect" | "terminate" | "restart" | "stepBack" | "reverseContinue"
         )
+    }
+
+    /// Whether the program, or what is known of its breakpoints, may be another one after it.
+    pub(super) fn changes(&self) -> bool {
+        match self.command.as_str() {
+            "initialize"
+            | "launch"
+            | "threads"
+            | "stackTrace"
+            | "scopes"
+            | "variables"
+            | "completions"
+            | "breakpointLocations"
+            | "dataBreakpointInfo"
+            | "exceptionInfo"
+            | "setExceptionBreakpoints" => false,
+            "evaluate" => self.arguments.get("context").and_then(Json::as_str) == Some("repl"),
+            _ => true,
+        }
     }
 
     /// Its arguments. A client may leave out arguments of which none is needed.

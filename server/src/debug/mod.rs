@@ -17,6 +17,8 @@
 //! `docs/src/guide/debugging.md` is the page for people.
 
 mod adapter;
+mod asked;
+mod attached;
 mod breakpoint_places;
 mod breakpoint_requests;
 mod breakpoints;
@@ -42,4 +44,6 @@ mod variables;
 mod watch;
 mod wire;
 
+pub(crate) use attached::{Launch, answer_of_none, is_urgent};
 pub(crate) use serve::serve;
+pub(crate) use wire::Output;

@@ -42,6 +42,11 @@ impl Play {
         self.case.give(step, session);
     }
 
+    /// What was given is given again where it is due.
+    pub(super) fn give_again(&mut self) {
+        self.given = Once::default();
+    }
+
     /// After a scan: what is not as expected, if a step ends here.
     pub(super) fn unmet(&mut self, session: &Session) -> Vec<Unmet> {
         let scans = session.simulation().scans();

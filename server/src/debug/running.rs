@@ -1,6 +1,5 @@
 //! A program on its way: scan after scan, up to what stops it.
 
-use std::io::Write;
 use std::time::{Duration, Instant};
 
 use ladder_analysis::program::Location;
@@ -65,7 +64,7 @@ pub(super) enum After {
     End(i64),
 }
 
-impl<W: Write> Adapter<W> {
+impl Adapter {
     /// Begins to run.
     pub(super) fn start_run(&mut self) -> Result<(), String> {
         let now = Instant::now();

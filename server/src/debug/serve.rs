@@ -20,7 +20,7 @@ use super::wire::{self, Incoming};
 pub(crate) fn serve<I, W>(input: impl FnOnce() -> I + Send + 'static, output: W) -> std::io::Result<()>
 where
     I: AsyncRead + Unpin,
-    W: Write,
+    W: Write + Send + 'static,
 {
     let (sender, inbox) = channel();
     let urgent = Arc::<AtomicUsize>::default();
@@ -33,7 +33,7 @@ where
         runtime.block_on(async { wire::read(input(), sender, counter).await });
         runtime.shutdown_background();
     })?;
-    let mut adapter = Adapter::new(output, urgent.clone());
+    let mut adapter = Adapter::new(wire::framed(output), urgent.clone());
     while !adapter.is_over() {
         match next(&inbox, &adapter) {
             Ok(Incoming::Request(request)) => {
@@ -51,7 +51,7 @@ where
 }
 
 /// What comes next: a message, or the time to go on.
-fn next<W: Write>(inbox: &Receiver<Incoming>, adapter: &Adapter<W>) -> Result<Incoming, RecvTimeoutError> {
+fn next(inbox: &Receiver<Incoming>, adapter: &Adapter) -> Result<Incoming, RecvTimeoutError> {
     if !adapter.is_running() {
         return inbox.recv().map_err(|_| RecvTimeoutError::Disconnected);
     }
@@ -65,7 +65,7 @@ fn next<W: Write>(inbox: &Receiver<Incoming>, adapter: &Adapter<W>) -> Result<In
 }
 
 /// Answers a request, whatever happens.
-pub(super) fn handle<W: Write>(adapter: &mut Adapter<W>, request: &Request) {
+pub(super) fn handle(adapter: &mut Adapter, request: &Request) {
     let outcome = catch_unwind(AssertUnwindSafe(|| adapter.answer(request)));
     let outcome =
         outcome.unwrap_or_else(|_| Err("the adapter has met an error of its own; please report it".into()));
@@ -73,7 +73,7 @@ pub(super) fn handle<W: Write>(adapter: &mut Adapter<W>, request: &Request) {
 }
 
 /// Goes on with a run, whatever happens.
-pub(super) fn go_on<W: Write>(adapter: &mut Adapter<W>) {
+pub(super) fn go_on(adapter: &mut Adapter) {
     if catch_unwind(AssertUnwindSafe(|| adapter.go_on())).is_err() {
         adapter.give_up();
     }

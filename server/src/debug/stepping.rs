@@ -1,6 +1,5 @@
 //! Steps: by block, by rung, out of a routine or to the end of the scan, and back.
 
-use std::io::Write;
 use std::sync::atomic::Ordering;
 
 use ladder_analysis::program::Location;
@@ -34,7 +33,7 @@ impl Stepping {
     }
 }
 
-impl<W: Write> Adapter<W> {
+impl Adapter {
     /// Goes a step forward.
     pub(super) fn step(&mut self, step: Stepping) -> Result<(), String> {
         self.forget_stop();

@@ -7,6 +7,7 @@ use ladder_analysis::program::Location;
 use ladder_simulator::{Activation, Inputs, Instance, Routine, Session, Simulation, Stop};
 use ladder_workspace::RetentiveFile;
 
+use super::asked::GivenByFiles;
 use super::once::Once;
 use super::play::Play;
 use super::sources::Source;
@@ -29,15 +30,14 @@ impl Target {
     pub(super) fn new(
         session: Session,
         sources: Vec<Source>,
-        play: Option<Play>,
-        inputs: Inputs,
+        given: GivenByFiles,
         retention: Option<RetentiveFile>,
     ) -> Target {
         Target {
             session,
             sources,
-            play,
-            inputs,
+            play: given.play,
+            inputs: given.inputs,
             given: Once::default(),
             retention,
         }
@@ -56,6 +56,19 @@ impl Target {
             play.give(&mut self.session);
         }
         self.give_inputs();
+    }
+
+    /// Something else is given from now on.
+    pub(super) fn gives(&mut self, given: GivenByFiles) {
+        (self.play, self.inputs) = (given.play, given.inputs);
+    }
+
+    /// What was given is given again where it is due.
+    pub(super) fn give_again(&mut self) {
+        self.given = Once::default();
+        if let Some(play) = &mut self.play {
+            play.give_again();
+        }
     }
 
     /// What the table gives before a scan, unless the history gives it again.

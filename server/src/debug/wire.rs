@@ -61,16 +61,28 @@ pub(super) async fn read(input: impl AsyncRead + Unpin, to: Sender<Incoming>, ur
     }
 }
 
+/// Takes a message to the client; an error if that is gone.
+pub(crate) type Output = Box<dyn FnMut(&Json) -> io::Result<()> + Send>;
+
+/// Messages with the length of each in front of it.
+pub(super) fn framed(mut output: impl Write + Send + 'static) -> Output {
+    Box::new(move |message| {
+        let body = message.to_string();
+        write!(output, "Content-Length: {}\r\n\r\n{body}", body.len())?;
+        output.flush()
+    })
+}
+
 /// Where messages go out.
-pub(super) struct Outlet<W> {
-    output: W,
+pub(super) struct Outlet {
+    output: Output,
     seq: i64,
     /// The client does not take anything any more.
     is_broken: bool,
 }
 
-impl<W: Write> Outlet<W> {
-    pub(super) fn new(output: W) -> Outlet<W> {
+impl Outlet {
+    pub(super) fn new(output: Output) -> Outlet {
         Outlet {
             output,
             seq: 0,
@@ -115,11 +127,6 @@ impl<W: Write> Outlet<W> {
     fn send(&mut self, mut message: Json) {
         self.seq += 1;
         message["seq"] = self.seq.into();
-        self.is_broken |= self.write(&message.to_string()).is_err();
-    }
-
-    fn write(&mut self, body: &str) -> io::Result<()> {
-        write!(self.output, "Content-Length: {}\r\n\r\n{body}", body.len())?;
-        self.output.flush()
+        self.is_broken |= (self.output)(&message).is_err();
     }
 }

@@ -365,7 +365,7 @@ impl Revision {
     }
 
     /// Address and text of another file of the workspace, by the name that findings and programs know it by.
-    pub(super) fn text_next_to(&self, file: &str) -> Option<(String, String)> {
+    pub(crate) fn text_next_to(&self, file: &str) -> Option<(String, String)> {
         let place = self.place.as_ref()?;
         let (path, text) = place.neighbours.text_of(&place.path, file)?;
         Some((super::address::uri_of(&path), text))

@@ -44,18 +44,18 @@ use tower_lsp::{Client, LanguageServer};
 use crate::busy::Busy;
 use crate::lsp::documents::{configuration, file_operations, folders, pull, sync, typed, watch};
 use crate::lsp::features::{
-    call_hierarchy, code_action, code_lens, comment, completion, cross_reference, diagram, diagram_text,
-    edit, fence, folding,
+    call_hierarchy, code_action, code_lens, comment, completion, cross_reference, debug, diagram,
+    diagram_text, edit, fence, folding,
     formatting::{self, DocumentRangesFormattingParams},
-    goto, hover, inlay_hint, links, notations, preview, references, rename, semantic_tokens, signature,
-    simulate, symbols,
+    goto, hover, inlay_hint, links, notations, preview, references, rename, rule_page, semantic_tokens,
+    signature, simulate, symbols,
 };
 use crate::lsp::session::parent;
 use crate::lsp::{
     capabilities,
     session::{agreed::Agreed, shared::Shared},
 };
-use crate::simulation::messages::OfSession;
+use crate::simulation::messages::{DebuggerMessage, OfSession};
 
 /// The server as the framework sees it.
 #[derive(Debug)]
@@ -92,6 +92,12 @@ impl Backend {
     #[expect(clippy::unused_async, reason = "the framework asks for it")]
     pub(crate) async fn simulation_shown(&self, params: OfSession) {
         simulate::has_shown(&self.shared, params);
+    }
+
+    /// `ladder/toDebugger`, a notification of the client.
+    #[expect(clippy::unused_async, reason = "the framework asks for it")]
+    pub(crate) async fn to_debugger(&self, params: DebuggerMessage) {
+        debug::receive(&self.shared, params);
     }
 }
 
@@ -363,6 +369,7 @@ impl LanguageServer for Backend {
             typed::CURSOR => typed::execute(&self.shared, params).await,
             edit::EDIT => edit::execute(&self.shared, params).await,
             comment::COMMENT => comment::execute(&self.shared, params).await,
+            rule_page::RULE_PAGE => rule_page::execute(params),
             command if notations::COMMANDS.contains(&command) => {
                 notations::execute(&self.shared, params).await
             }

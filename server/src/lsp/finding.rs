@@ -6,12 +6,15 @@ use std::fmt::Write;
 use ladder_analysis::Diagnostic as Finding;
 use ladder_syntax::TextRange;
 use serde_json::json;
-use tower_lsp::ls_types::{Diagnostic, DiagnosticRelatedInformation, DiagnosticTag, Location, Range};
+use tower_lsp::ls_types::{
+    CodeDescription, Diagnostic, DiagnosticRelatedInformation, DiagnosticTag, Location, Range,
+};
 
 use crate::document::positions::Positions;
 use crate::document::{OtherPlaces, Revision};
 use crate::lsp::convert;
 use crate::lsp::session::agreed::Agreed;
+use crate::rule_page;
 
 /// This many places are looked up one by one; for more a table of all lines costs less.
 const FEW: usize = 100;
@@ -79,6 +82,10 @@ impl<'r> Findings<'r> {
             related_information: (!related.is_empty()).then_some(related),
             tags: (self.agreed.unnecessary_tag && found.rule.is_about_no_effect())
                 .then(|| vec![DiagnosticTag::UNNECESSARY]),
+            code_description: (self.agreed.rule_pages)
+                .then(|| convert::uri(&rule_page::address(found.rule)))
+                .flatten()
+                .map(|href| CodeDescription { href }),
             data: (self.agreed.diagnostic_data && !fixes.is_empty()).then(|| json!({ "fixes": fixes })),
             ..convert::diagnostic(self.range(found.range), found.severity, name, message)
         }
@@ -113,6 +120,7 @@ mod tests {
             related_information: can,
             unnecessary_tag: can,
             diagnostic_data: can,
+            rule_pages: can,
             ..Agreed::default()
         };
         let revision = Documents::default().open("file:///a.clad", 1, Encoding::Utf16, TEXT);
@@ -132,11 +140,11 @@ mod tests {
         check(
             true,
             &expect![[r#"
-            {"range":{"start":{"line":2,"character":8},"end":{"line":2,"character":9}},"severity":2,"code":"undeclared-tag","source":"ladder","message":"`ö` is not declared\ndeclare it, so that a typing error cannot make a new tag","data":{"fixes":["Declare `ö : BOOL` in VAR_INPUT"]}}
-            {"range":{"start":{"line":4,"character":18},"end":{"line":4,"character":19}},"severity":2,"code":"double-coil","source":"ladder","message":"`y` is written by 2 coils: the last one alone decides\ncombine all conditions into one coil, joined with \\ and /; or use (S) and (R)","relatedInformation":[{"location":{"uri":"file:///a.clad","range":{"start":{"line":2,"character":18},"end":{"line":2,"character":19}}},"message":"`y` is written here as well"}]}
-            {"range":{"start":{"line":8,"character":3},"end":{"line":8,"character":10}},"severity":2,"code":"unconditional-end","source":"ladder","message":"<END> stops the program for good, and no condition is before it: only one scan runs\na program needs no end; <RET> ends the scan, as END does in other controllers","data":{"fixes":["End the scan only: <RET>"]}}
-            {"range":{"start":{"line":10,"character":0},"end":{"line":10,"character":24}},"severity":2,"code":"unreachable","source":"ladder","message":"no scan ever comes to this rung\nput a condition before what leaves above it, mark it with a <LBL> that is jumped to, or remove it","relatedInformation":[{"location":{"uri":"file:///a.clad","range":{"start":{"line":8,"character":3},"end":{"line":8,"character":10}}},"message":"this always ends the program"}],"tags":[1]}
-        "#]],
+                {"range":{"start":{"line":2,"character":8},"end":{"line":2,"character":9}},"severity":2,"code":"undeclared-tag","codeDescription":{"href":"ladder-rule:/undeclared-tag.md"},"source":"ladder","message":"`ö` is not declared\ndeclare it, so that a typing error cannot make a new tag","data":{"fixes":["Declare `ö : BOOL` in VAR_INPUT"]}}
+                {"range":{"start":{"line":4,"character":18},"end":{"line":4,"character":19}},"severity":2,"code":"double-coil","codeDescription":{"href":"ladder-rule:/double-coil.md"},"source":"ladder","message":"`y` is written by 2 coils: the last one alone decides\ncombine all conditions into one coil, joined with \\ and /; or use (S) and (R)","relatedInformation":[{"location":{"uri":"file:///a.clad","range":{"start":{"line":2,"character":18},"end":{"line":2,"character":19}}},"message":"`y` is written here as well"}]}
+                {"range":{"start":{"line":8,"character":3},"end":{"line":8,"character":10}},"severity":2,"code":"unconditional-end","codeDescription":{"href":"ladder-rule:/unconditional-end.md"},"source":"ladder","message":"<END> stops the program for good, and no condition is before it: only one scan runs\na program needs no end; <RET> ends the scan, as END does in other controllers","data":{"fixes":["End the scan only: <RET>"]}}
+                {"range":{"start":{"line":10,"character":0},"end":{"line":10,"character":24}},"severity":2,"code":"unreachable","codeDescription":{"href":"ladder-rule:/unreachable.md"},"source":"ladder","message":"no scan ever comes to this rung\nput a condition before what leaves above it, mark it with a <LBL> that is jumped to, or remove it","relatedInformation":[{"location":{"uri":"file:///a.clad","range":{"start":{"line":8,"character":3},"end":{"line":8,"character":10}}},"message":"this always ends the program"}],"tags":[1]}
+            "#]],
         );
     }
 

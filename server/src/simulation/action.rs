@@ -6,6 +6,8 @@ use ladder_syntax::TextSize;
 use serde::Serialize;
 use serde_json::Value;
 
+use super::debugger::Beginning;
+use super::debugging::Effect;
 use super::messages::{Found, History, Recorded, Search, Shown, State, Trace, Traced, Why};
 use crate::diagram_text::{DiagramText, DrawnText};
 use crate::document::Revision;
@@ -96,6 +98,10 @@ pub(crate) enum Action {
     Follow(Arc<Revision>),
     /// Other files are other ones: what the program uses of them may be, too. The text is the editor's as it is now.
     FollowOthers(Arc<Revision>),
+    /// Lend the session to a debugger.
+    Debug(Beginning),
+    /// Give the debugger a message; with whether a long scan is given up for it.
+    Message(Value, bool),
     /// End.
     Stop,
 }
@@ -111,7 +117,19 @@ impl Action {
                 | Action::Back(_)
                 | Action::GoTo(_)
                 | Action::Stop
+                | Action::Message(_, true)
         )
+    }
+
+    /// What the debugger of the simulation sees of it.
+    pub(super) fn effect(&self) -> Effect {
+        match self {
+            Action::Step(_) => Effect::Steps,
+            Action::Back(_) | Action::GoTo(_) | Action::Reset | Action::WarmRestart => Effect::Leads,
+            Action::Set(..) | Action::Pulse(_) | Action::Force(..) | Action::Unforce(_) => Effect::Gives,
+            Action::Stop => Effect::End,
+            _ => Effect::Nothing,
+        }
     }
 
     /// Whether the simulation is differently after it.
@@ -136,6 +154,8 @@ impl Action {
 pub(crate) enum Answer {
     /// How it is.
     State(Box<State>),
+    /// A debugger is there.
+    Debugged,
     /// Reasons.
     Why(Box<Why>),
     /// A scenario.

@@ -69,7 +69,8 @@ impl Engine {
                 continue;
             };
             let shown = Shown {
-                text: chart::reading(&simulation.value(point), point.ty),
+                text: operand.index().unwrap_or_default()
+                    + &chart::reading(&simulation.value(point), point.ty),
                 forced: operand.points.iter().any(|point| simulation.is_forced(point)),
             };
             // Of the tags that an operand names the first stands for it.

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use ladder_analysis::program::{
-    Argument, Block, BlockKind, Bound, ElementKind, ExprKind, Network, Step, TagId,
+    Argument, Block, BlockKind, Bound, ElementKind, ExprKind, Network, Place, Step, TagId,
 };
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::values::value::Value;
@@ -76,10 +76,20 @@ enum Operand {
 pub(super) struct Named {
     pub(super) range: TextRange,
     pub(super) block: TextRange,
-    /// The most telling one first.
+    /// The most telling one first; none if a computed index leads to no element now.
     pub(super) points: Vec<Point>,
     /// The power of the block shows the value.
     pub(super) drawn: bool,
+    /// The place, if it may be another element with each scan, or each block that runs.
+    pub(super) indexed: Option<Place>,
+}
+
+impl Named {
+    /// Which element a computed index leads to, as it is put before the value: `[2]=`.
+    pub(super) fn index(&self) -> Option<String> {
+        let point = self.indexed.as_ref().and(self.points.first())?;
+        point.index().map(|index| format!("{index}="))
+    }
 }
 
 impl Drawing {
@@ -184,11 +194,11 @@ impl Contact {
     pub(super) fn state(&self, on: bool, simulation: &Simulation) -> super::messages::Contact {
         use super::messages::Contact;
         let comes = self.comes.is_some_and(|comes| simulation.is_live(comes));
-        match (comes, on) {
-            (true, true) => Contact::Closed,
+        // As it is now: a tag that is given a value moves its contacts at once, and the power with the next scan.
+        match (comes, self.condition.holds(simulation).unwrap_or(on)) {
+            (_, true) => Contact::Closed,
             (true, false) => Contact::Blocks,
-            (false, _) if self.condition.holds(simulation).unwrap_or(on) => Contact::Closed,
-            (false, _) => Contact::Open,
+            (false, false) => Contact::Open,
         }
     }
 }
@@ -317,22 +327,28 @@ fn operands_of(block: &Block, revision: &Revision, simulation: &Simulation, oper
     let drawn = matches!(block.kind, BlockKind::Instruction(row)
         if matches!(row.op, Op::Contact | Op::NegatedContact | Op::Coil | Op::NegatedCoil));
     for bound in &block.arguments {
-        let named = |range, points| Named {
+        let named = |range, points, indexed| Named {
             range,
             block: block.location.range,
             points,
             drawn,
+            indexed,
         };
         if let Argument::State(tag) = bound.argument {
-            operands.push(named(bound.range, members(tag, simulation)));
+            operands.push(named(bound.range, members(tag, simulation), None));
             continue;
         }
         for (place, range) in bound.places() {
+            if Simulation::has_index(place) {
+                let point = simulation.indexed_point(place).into_iter();
+                operands.push(named(range, point.collect(), Some(place.clone())));
+                continue;
+            }
             let point = simulation.point_at(place, &revision.stretch(bytes(range)));
-            operands.extend(point.map(|point| named(range, vec![point])));
+            operands.extend(point.map(|point| named(range, vec![point], None)));
         }
     }
-    operands.retain(|operand| !operand.points.is_empty());
+    operands.retain(|operand| !operand.points.is_empty() || operand.indexed.is_some());
 }
 
 /// The members that show how far a timer, counter or bistable has come, the most telling one first.

@@ -17,7 +17,7 @@ use super::line_map::LineMap;
 use super::messages;
 use super::pulse::Pulse;
 use super::request::Failure;
-use super::retention::Retention;
+use super::retention::{Keeping, Retention};
 use super::value::from_given;
 use super::view::View;
 use crate::document::position::Range;
@@ -62,6 +62,7 @@ impl Engine {
     pub(super) fn start(
         revision: Arc<Revision>,
         options: &messages::Options,
+        keeping: &Keeping,
     ) -> Result<(Self, Vec<String>), Failure> {
         let Some(analysis) = revision.analysis() else {
             return Err(Failure::Failed("the file is too large to be simulated".into()));
@@ -92,7 +93,12 @@ impl Engine {
         let inputs = inputs
             .map(|(tag, value)| assignment(session.simulation(), tag, &Given::Json(value.clone())))
             .collect::<Result<_, _>>()?;
-        let (retention, notes) = Retention::begin(settings.retain.as_ref(), revision.name(), &mut session);
+        let file = match keeping {
+            Keeping::AsSettingsSay => settings.retain.as_ref(),
+            Keeping::In(file) => Some(file),
+            Keeping::Nothing => None,
+        };
+        let (retention, notes) = Retention::begin(file, revision.name(), &mut session);
         let mut engine = Engine {
             line_map: LineMap::new(revision.clone(), revision.clone()),
             session,
@@ -142,17 +148,22 @@ impl Engine {
     /// Runs one scan, unless the program has come to its end; gives the breakpoint that stops it.
     pub(super) fn scan(&mut self) -> Option<messages::Hit> {
         let stop = self.session.run_scan();
-        self.end_pulses();
-        self.look_at_what_runs();
-        if let Some(retention) = &mut self.retention {
-            retention.keep(&self.session);
-        }
+        self.has_gone_on();
         match stop {
             Some(Stop::Breakpoint(hit)) => {
                 self.hits += 1;
                 Some(self.hit(self.hits, &hit))
             }
             _ => None,
+        }
+    }
+
+    /// The program has gone on: what follows from that.
+    pub(super) fn has_gone_on(&mut self) {
+        self.end_pulses();
+        self.look_at_what_runs();
+        if let Some(retention) = &mut self.retention {
+            retention.keep(&self.session);
         }
     }
 

@@ -63,6 +63,13 @@ impl Engine {
         })
     }
 
+    /// Where the program begins.
+    pub(super) fn first_rung(&self) -> Option<Range> {
+        let program = self.session.simulation().program();
+        let first = program.networks.get(program.main.clone())?.first()?.location;
+        (first.file == 0).then(|| self.line_map.range(first.range))?
+    }
+
     /// What runs next in the scan that is open.
     pub(super) fn next(&self) -> Option<Range> {
         let location = self.session.simulation().next_block()?;

@@ -1,5 +1,6 @@
-//! Where values are shown: above their operands where the text is blank, else below them, else between the lines. Never
-//! between the characters of a line, which would push the drawing apart.
+//! Where values are shown: above their operands where the text is blank, else below them, else in a line
+//! of their own between the two, or after the end of the line, as the editor can. Never between the characters of a line, which would push
+//! the drawing apart, and never over any.
 
 use std::collections::HashMap;
 
@@ -17,6 +18,8 @@ pub(super) struct Wanted {
     pub(super) column: u32,
     /// How many columns are kept for it.
     pub(super) width: u32,
+    /// How many the name of its tag takes, with `: `.
+    pub(super) name: u32,
 }
 
 /// How many columns a value of a type mostly takes, so that it can grow without moving.
@@ -28,37 +31,70 @@ pub(super) fn room(ty: Scalar) -> u32 {
     }
 }
 
-/// On which side of its line each value is, and in which column.
+/// How many columns are between the end of a line and a value after it.
+const GAP: usize = 2;
+
+/// Where a value is shown; the fields are those of a [label](super::messages::Label).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Place {
+    pub(super) side: Side,
+    pub(super) column: u32,
+    pub(super) after: Option<u32>,
+}
+
+/// Where each value is shown.
 ///
 /// `wanted` is in the order of the text; `line_at` has no text for what is past its ends.
-pub(super) fn place(wanted: &[Wanted], line_at: impl Fn(u32) -> Option<String>) -> Vec<(Side, u32)> {
+pub(super) fn place(wanted: &[Wanted], line_at: impl Fn(u32) -> Option<String>) -> Vec<Place> {
     let mut lines: HashMap<u32, Option<Vec<bool>>> = HashMap::new();
     let mut free_between: HashMap<u32, u32> = HashMap::new();
-    let places = wanted.iter().map(|&Wanted { row, column, width }| {
-        for (side, other) in [
-            (Side::Above, row.checked_sub(1)),
-            (Side::Below, row.checked_add(1)),
-        ] {
-            let Some(other) = other else { continue };
-            let taken = lines
-                .entry(other)
-                .or_insert_with(|| line_at(other).map(|line| taken(&line)));
-            // A column on each side, so that two things do not look like one.
-            let (start, end) = (column as usize, (column + width) as usize);
-            let Some(taken) = taken else { continue };
-            let mut around = taken.iter().take(end + 1).skip(start.saturating_sub(1));
-            if around.any(|taken| *taken) {
-                continue;
+    let places = wanted.iter().map(
+        |&Wanted {
+             row,
+             column,
+             width,
+             name,
+         }| {
+            for (side, other) in [
+                (Side::Above, row.checked_sub(1)),
+                (Side::Below, row.checked_add(1)),
+            ] {
+                let Some(other) = other else { continue };
+                let taken = lines
+                    .entry(other)
+                    .or_insert_with(|| line_at(other).map(|line| taken(&line)));
+                // A column on each side, so that two things do not look like one.
+                let (start, end) = (column as usize, (column + width) as usize);
+                let Some(taken) = taken else { continue };
+                let mut around = taken.iter().take(end + 1).skip(start.saturating_sub(1));
+                if around.any(|taken| *taken) {
+                    continue;
+                }
+                taken.resize(taken.len().max(end), false);
+                taken[start..end].fill(true);
+                return Place {
+                    side,
+                    column,
+                    after: None,
+                };
             }
-            taken.resize(taken.len().max(end), false);
-            taken[start..end].fill(true);
-            return (side, column);
-        }
-        let free = free_between.entry(row).or_default();
-        let column = column.max(*free);
-        *free = column + width + 1;
-        (Side::Between, column)
-    });
+            let line = lines
+                .entry(row)
+                .or_insert_with(|| line_at(row).map(|line| taken(&line)));
+            let line = line.get_or_insert_default();
+            let start = line.len() + GAP;
+            line.resize(start, false);
+            line.resize(start + (name + width) as usize, true);
+            let free = free_between.entry(row).or_default();
+            let column = column.max(*free);
+            *free = column + width + 1;
+            Place {
+                side: Side::Between,
+                column,
+                after: u32::try_from(start).ok(),
+            }
+        },
+    );
     places.collect()
 }
 
@@ -80,9 +116,21 @@ mod tests {
 
     /// Values at (row, column, width) over these lines.
     fn placed(lines: &[&str], values: &[(u32, u32, u32)]) -> Vec<(Side, u32)> {
+        let found = all_placed(lines, values).into_iter();
+        found
+            .map(|place| (place.side, place.after.unwrap_or(place.column)))
+            .collect()
+    }
+
+    fn all_placed(lines: &[&str], values: &[(u32, u32, u32)]) -> Vec<Place> {
         let values: Vec<Wanted> = values
             .iter()
-            .map(|&(row, column, width)| Wanted { row, column, width })
+            .map(|&(row, column, width)| Wanted {
+                row,
+                column,
+                width,
+                name: 3,
+            })
             .collect();
         place(&values, |row| {
             lines.get(row as usize).map(|&line| line.to_owned())
@@ -98,11 +146,14 @@ mod tests {
         let lines = ["+--[ ]( a )-------------( )( b )--+", rail, timer];
         assert_eq!(placed(&lines, &[(2, 10, 7)]), [(Above, 10)]);
         // A column on each side is left.
-        for (other, side) in [(" ".repeat(17) + "x", Between), (" ".repeat(18) + "x", Above)] {
-            assert_eq!(placed(&[&other, timer], &[(1, 10, 7)]), [(side, 10)]);
+        for (other, side) in [
+            (" ".repeat(17) + "x", (Between, 32)),
+            (" ".repeat(18) + "x", (Above, 10)),
+        ] {
+            assert_eq!(placed(&[&other, timer], &[(1, 10, 7)]), [side]);
         }
         // Two columns of the screen are one letter there.
-        assert_eq!(placed(&["# 電電電 #", timer], &[(1, 10, 7)]), [(Between, 10)]);
+        assert_eq!(placed(&["# 電電電 #", timer], &[(1, 10, 7)]), [(Between, 32)]);
         assert_eq!(placed(&["# 電電 #", timer], &[(1, 10, 7)]), [(Above, 10)]);
     }
 
@@ -113,18 +164,20 @@ mod tests {
     }
 
     #[test]
-    fn between_the_lines_where_neither_leaves_room() {
+    fn apart_where_neither_leaves_room() {
         let (above, timer) = ("# a comment above #", "+--[TON]( t, 5s )--+");
         // Never on a wire, which would seem to have that value.
         let wire = "+-------------------( )( y )--+";
         for below in [wire, "# a comment below #"] {
-            assert_eq!(placed(&[above, timer, below], &[(1, 10, 7)]), [(Between, 10)]);
+            assert_eq!(placed(&[above, timer, below], &[(1, 10, 7)]), [(Between, 22)]);
         }
         // The first line has none above, the last none below.
-        assert_eq!(placed(&[timer], &[(0, 10, 7)]), [(Between, 10)]);
+        assert_eq!(placed(&[timer], &[(0, 10, 7)]), [(Between, 22)]);
         let sum = ["# a comment #", "+--[ADD]( n, m, 1 )--+", "# a comment #"];
         let both = placed(&sum, &[(1, 10, 5), (1, 13, 2)]);
-        assert_eq!(both, [(Between, 10), (Between, 16)]);
+        assert_eq!(both, [(Between, 24), (Between, 34)]);
+        let columns = all_placed(&sum, &[(1, 10, 5), (1, 13, 2)]);
+        assert_eq!([columns[0].column, columns[1].column], [10, 16]);
     }
 
     #[test]
@@ -138,6 +191,6 @@ mod tests {
         // One of the line below is in the way, too.
         let lines = ["# a comment #", sum, "", sum, "# a comment #"];
         let below = placed(&lines, &[(1, 10, 5), (3, 10, 5)]);
-        assert_eq!(below, [(Below, 10), (Between, 10)]);
+        assert_eq!(below, [(Below, 10), (Between, 24)]);
     }
 }

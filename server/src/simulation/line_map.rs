@@ -119,7 +119,7 @@ impl LineMap {
 }
 
 /// Of each line of one text the line of another that is the same.
-fn corresponding(old: &Revision, new: &Revision) -> Vec<Option<u32>> {
+pub(super) fn corresponding(old: &Revision, new: &Revision) -> Vec<Option<u32>> {
     let (old_text, new_text) = (old.text(), new.text());
     let old_lines = lines(old, &old_text);
     let new_lines = lines(new, &new_text);

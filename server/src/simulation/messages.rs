@@ -1,5 +1,6 @@
 //! What travels between editor and simulator. `docs/protocol.md` shows each message.
 
+mod debug;
 mod shown;
 mod state;
 mod trace;
@@ -10,6 +11,9 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize, Serializer};
 use serde_json::Value;
 
+use crate::document::position::Range;
+
+pub use debug::{Debug, Debugged, DebuggerMessage};
 pub use shown::{Contact, Found, Label, Lines, Operand, Search, Show, Shown, Side};
 pub use state::{Breakpoint, Fault, Hit, Lost, Power, ProgramChange, Role, State, Status, Tag};
 pub use trace::{Cursors, GoTo, Reach, Tick, Trace, TraceColumn, TraceTag, Traced, TracedKind};
@@ -184,6 +188,9 @@ pub struct Started {
     pub session: String,
     /// How things are before the first scan.
     pub state: State,
+    /// Where the first rung is.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub first: Option<Range>,
     /// What a person should know, as that the retentive file was damaged.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,

@@ -6,6 +6,8 @@
 //! only the newest.
 
 mod action;
+mod debugger;
+mod debugging;
 mod diagram_text;
 mod drawing;
 mod engine;
@@ -29,8 +31,10 @@ pub(crate) mod value;
 mod view;
 
 pub(crate) use action::{Action, Answer, Given, Pace};
+pub(crate) use debugger::{Beginning, Debugger, Ground, Halt, ProgramFile};
 pub(crate) use request::{COMMANDS, Failure, Request, argument_of};
+pub(crate) use retention::Keeping;
 pub(crate) use runner::REPORT;
-pub(crate) use session::Session;
+pub(crate) use session::{Begun, Session};
 pub(crate) use sessions::Sessions;
 pub(crate) use status_text::status_text;

@@ -1,8 +1,10 @@
 //! What a simulation shows: tags and power, and of those what a client looks at.
 
+use std::collections::HashSet;
+
 use ladder_analysis::program::Role;
 use ladder_analysis::values::types::Scalar;
-use ladder_simulator::{Point, Simulation, chart, value_text};
+use ladder_simulator::{Entry, Point, Simulation, chart, value_text};
 use ladder_syntax::{TextRange, TextSize};
 
 use super::drawing::{self, Drawing};
@@ -38,7 +40,9 @@ impl Engine {
                 },
             );
         };
-        let update = view.update(&self.line_map, self.session.simulation());
+        let simulation = self.session.simulation();
+        let drawing = self.drawing.get_or_init(|| Drawing::of(simulation));
+        let update = view.update(drawing, &self.line_map, simulation);
         (
             update.points.iter().map(|point| self.tag(point)).collect(),
             update,
@@ -50,16 +54,75 @@ impl Engine {
         self.session.simulation().forced().count()
     }
 
-    /// The tags whose names hold a text.
+    /// The tags whose names hold a text, or those that a tag opens into.
     pub(super) fn search(&self, search: &messages::Search) -> messages::Found {
-        let wanted = search.containing.as_deref().unwrap_or_default().to_lowercase();
-        let fits = |point: &&Point| wanted.is_empty() || point.name.to_lowercase().contains(&wanted);
-        let found: Vec<&Point> = self.all_points().filter(fits).collect();
+        let wanted = search.containing.as_deref().unwrap_or_default();
+        let found = match search.of.as_deref() {
+            None => self.values_with(wanted).into_iter().map(Entry::Value).collect(),
+            Some("") => self.entries_with(wanted),
+            Some(tag) => {
+                let parts = self.session.simulation().resolve_all(tag).unwrap_or_default();
+                parts.into_iter().map(Entry::Value).collect()
+            }
+        };
         let listed = found.iter().skip(search.first.unwrap_or_default());
         let listed = listed.take(search.count.unwrap_or(usize::MAX));
         messages::Found {
             count: found.len(),
-            tags: listed.map(|point| self.tag(point)).collect(),
+            tags: listed.map(|entry| self.listed(entry)).collect(),
+        }
+    }
+
+    fn values_with(&self, wanted: &str) -> Vec<Point> {
+        let mut found = self.session.simulation().search(wanted);
+        let small = wanted.to_lowercase();
+        let forced = self.session.simulation().forced();
+        let more: Vec<&Point> = forced
+            .filter(|forced| forced.name.to_lowercase().contains(&small) && !found.contains(forced))
+            .collect();
+        found.extend(more.into_iter().cloned());
+        found
+    }
+
+    /// The tags of the program; those that open are one each, and fit if anything in them does.
+    fn entries_with(&self, wanted: &str) -> Vec<Entry> {
+        let values = self.values_with(wanted);
+        let names: HashSet<&str> = values.iter().map(|point| point.name.as_str()).collect();
+        let groups: HashSet<&str> = values.iter().filter_map(Point::group).collect();
+        let small = wanted.to_lowercase();
+        let mut entries = self.session.simulation().entries();
+        entries.retain(|entry| match entry {
+            Entry::Value(point) => names.contains(point.name.as_str()),
+            Entry::Group(group) => {
+                groups.contains(group.name.as_str()) || group.name.to_lowercase().contains(&small)
+            }
+        });
+        // A bit of a word that is forced is in no list.
+        let points = self.session.simulation().points();
+        let more = values
+            .iter()
+            .filter(|point| point.group().is_none() && !points.contains(point));
+        entries.extend(more.cloned().map(Entry::Value));
+        entries
+    }
+
+    fn listed(&self, entry: &Entry) -> messages::Tag {
+        match entry {
+            Entry::Value(point) => self.tag(point),
+            Entry::Group(group) => messages::Tag {
+                name: group.name.clone(),
+                kind: group.ty.clone(),
+                value: "".into(),
+                text: String::new(),
+                role: role(group.role),
+                forced: self
+                    .session
+                    .simulation()
+                    .forced()
+                    .any(|forced| forced.group() == Some(group.name.as_str())),
+                read_only: group.read_only,
+                parts: Some(group.parts),
+            },
         }
     }
 
@@ -107,7 +170,7 @@ impl Engine {
             .collect()
     }
 
-    /// Every scalar tag, then what else is forced (an element of an array, a bit of a word).
+    /// Every tag that is listed, then what else is forced (an element of a long array, a bit of a word).
     pub(super) fn tags(&self) -> Vec<messages::Tag> {
         self.all_points().map(|point| self.tag(point)).collect()
     }
@@ -127,13 +190,10 @@ impl Engine {
             kind: point.ty.to_string(),
             value: to_json(&value, point.ty),
             text: chart::reading(&value, point.ty),
-            role: match point.role {
-                Role::Input => messages::Role::Input,
-                Role::Output => messages::Role::Output,
-                Role::Internal => messages::Role::Internal,
-            },
+            role: role(point.role),
             forced: self.session.simulation().is_forced(point),
             read_only: point.read_only,
+            parts: None,
         }
     }
 
@@ -153,6 +213,14 @@ impl Engine {
             })
         });
         power.collect()
+    }
+}
+
+fn role(role: Role) -> messages::Role {
+    match role {
+        Role::Input => messages::Role::Input,
+        Role::Output => messages::Role::Output,
+        Role::Internal => messages::Role::Internal,
     }
 }
 

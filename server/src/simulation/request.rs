@@ -4,13 +4,14 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 
 use super::messages::{
-    Assign, Breakpoints, GoTo, OfSession, OfTag, Past, Record, Run, Search, Show, Speed, Start, StepBy,
-    Trace, Unforce,
+    Assign, Breakpoints, Debug, GoTo, OfSession, OfTag, Past, Record, Run, Search, Show, Speed, Start,
+    StepBy, Trace, Unforce,
 };
 
 /// What a client can ask for with `workspace/executeCommand`.
-pub(crate) const COMMANDS: [&str; 24] = [
+pub(crate) const COMMANDS: [&str; 25] = [
     "ladder.simulate.start",
+    "ladder.simulate.debug",
     "ladder.simulate.step",
     "ladder.simulate.stepBlock",
     "ladder.simulate.stepRung",
@@ -49,6 +50,7 @@ pub(crate) enum Failure {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Request {
     Start(Start),
+    Debug(Debug),
     Step(StepBy),
     StepBlock(OfSession),
     StepRung(OfSession),
@@ -80,6 +82,7 @@ impl Request {
         let argument = |arguments| argument(command, arguments);
         match command.strip_prefix("ladder.simulate.") {
             Some("start") => Ok(Request::Start(read(command, argument(arguments)?)?)),
+            Some("debug") => Ok(Request::Debug(read(command, argument(arguments)?)?)),
             Some("step") => Ok(Request::Step(read(command, argument(arguments)?)?)),
             Some("stepBlock") => Ok(Request::StepBlock(read(command, argument(arguments)?)?)),
             Some("stepRung") => Ok(Request::StepRung(read(command, argument(arguments)?)?)),
@@ -138,11 +141,10 @@ mod tests {
     #[test]
     fn every_command_is_read() {
         for command in COMMANDS {
-            let argument = json!({"uri": "file:///a.clad"});
-            let argument = if command == "ladder.simulate.start" {
-                argument
-            } else {
-                json!({"session": "s1"})
+            let argument = match command {
+                "ladder.simulate.start" => json!({"uri": "file:///a.clad"}),
+                "ladder.simulate.debug" => json!({"options": {}}),
+                _ => json!({"session": "s1"}),
             };
             match Request::read(command, vec![argument]) {
                 Ok(_) => {}

@@ -5,6 +5,18 @@ use std::time::{Duration, Instant};
 use ladder_simulator::Session;
 use ladder_workspace::{FileError, Found, Named, Problem, RetentiveFile};
 
+/// Where retentive tags are kept.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(crate) enum Keeping {
+    /// As the workspace says, if it does.
+    #[default]
+    AsSettingsSay,
+    /// In this file.
+    In(Named),
+    /// Nowhere: the program starts cold.
+    Nothing,
+}
+
 /// A simulation that was asked to stop lets go of its file in this time.
 const PATIENCE: Duration = Duration::from_secs(1);
 

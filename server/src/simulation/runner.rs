@@ -9,6 +9,7 @@ use ladder_simulator::Brake;
 use tokio::sync::watch;
 
 use super::action::{Action, Answer, Pace};
+use super::debugging::Effect;
 use super::messages::{State, Status};
 use super::request::Failure;
 use super::running_program::{Detail, Simulation};
@@ -82,6 +83,7 @@ impl Runner {
                 }
                 Err(RecvTimeoutError::Timeout) => self.go_on(),
                 Err(RecvTimeoutError::Disconnected) => {
+                    self.tell_debugger(Effect::End);
                     self.simulation.engine.let_go_of_file();
                     return;
                 }
@@ -150,6 +152,12 @@ impl Runner {
             }
             Action::Tags(search) => Ok(Answer::Found(self.simulation.engine.search(&search))),
             Action::ValuesAt(offset) => Ok(Answer::Values(self.simulation.engine.values_at(offset))),
+            // What it gives is shown like what any command has done, but is the answer to none.
+            Action::Debug(beginning) => self.begin_debugging(beginning).map(|()| Answer::Debugged),
+            Action::Message(message, _) => {
+                self.debug(&message);
+                return Next::Stay;
+            }
             Action::HasShown => {
                 // A run publishes by itself.
                 if self.owes && self.run.is_none() {
@@ -166,8 +174,9 @@ impl Runner {
     }
 
     fn change(&mut self, action: Action, cancel: &Cancel) -> Result<Answer, Failure> {
-        let changes = action.changes();
+        let (changes, effect) = (action.changes(), action.effect());
         self.act(action, cancel)?;
+        self.tell_debugger(effect);
         self.simulation.answers += 1;
         let state = self.simulation.state(Detail::Answer);
         if self.simulation.engine.is_shown_in_part() {
@@ -192,7 +201,9 @@ impl Runner {
                 self.simulation.hit = None;
                 if self.simulation.status == Status::Paused {
                     let by_block = matches!(action, Action::StepBlock);
-                    self.simulation.engine.step_within_scan(by_block);
+                    if !self.simulation.step_debugged(by_block) {
+                        self.simulation.engine.step_within_scan(by_block);
+                    }
                     self.simulation.take_status();
                 }
             }
@@ -208,6 +219,11 @@ impl Runner {
                 self.simulation.hit = None;
                 self.simulation.take_status();
             }
+            Action::Breakpoints(..) if self.simulation.debugger().is_some() => {
+                return Err(Failure::Failed(
+                    "the simulation is debugged: its breakpoints are those of the debugger".into(),
+                ));
+            }
             Action::Breakpoints(lines, tags) => {
                 self.simulation.engine.set_breakpoints(&lines, &tags)?;
             }
@@ -219,7 +235,10 @@ impl Runner {
             | Action::DiagramText(_)
             | Action::Tags(_)
             | Action::ValuesAt(_)
+            | Action::Debug(_)
+            | Action::Message(..)
             | Action::HasShown => {}
+
             Action::WarmRestart => {
                 self.run = None;
                 self.simulation.hit = None;
@@ -282,7 +301,7 @@ impl Runner {
         }
     }
 
-    fn pause(&mut self) {
+    pub(super) fn pause(&mut self) {
         self.run = None;
         if self.simulation.status == Status::Running {
             self.simulation.status = Status::Paused;
@@ -297,6 +316,9 @@ impl Runner {
         }
         self.simulation.status = Status::Running;
         self.simulation.engine.obey(brake(&self.urgent, cancel));
+        if let Some(debugger) = self.simulation.debugger() {
+            debugger.resumed();
+        }
         let mut reported = Instant::now();
         for _ in 0..scans {
             let interrupted = cancel.is_cancelled() || self.urgent.load(Ordering::SeqCst) > 0;
@@ -314,7 +336,7 @@ impl Runner {
         self.pause();
     }
 
-    fn start_run(&mut self, scans: Option<u64>, pace: Option<Pace>) {
+    pub(super) fn start_run(&mut self, scans: Option<u64>, pace: Option<Pace>) {
         self.simulation.pace = pace.unwrap_or(self.simulation.pace);
         let can_run = matches!(self.simulation.status, Status::Paused | Status::Running);
         if can_run && scans != Some(0) {
@@ -326,6 +348,13 @@ impl Runner {
             });
         } else {
             self.pause();
+        }
+    }
+
+    /// The run that has begun goes as fast as it can.
+    pub(super) fn run_without_clock(&mut self) {
+        if let Some(run) = &mut self.run {
+            run.due = None;
         }
     }
 
@@ -351,6 +380,7 @@ impl Runner {
         self.owes = true;
         if self.simulation.status != Status::Running || run.left == Some(0) {
             self.pause();
+            self.tell_debugger(Effect::Steps);
             self.publish();
             return;
         }
@@ -372,7 +402,7 @@ impl Runner {
 
     /// Sends the client the state; to one that says what it shows only when it has shown what it was sent before.
     /// Whether that was done.
-    fn publish(&mut self) -> bool {
+    pub(super) fn publish(&mut self) -> bool {
         if self.simulation.engine.is_shown_in_part() && !self.has_shown.swap(false, Ordering::SeqCst) {
             return false;
         }

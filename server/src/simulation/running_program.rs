@@ -1,6 +1,7 @@
 //! The program of a session and its state.
 
 use super::action::Pace;
+use super::debugging::Debugging;
 use super::engine::Engine;
 use super::messages::{Hit, State, Status};
 use super::status_text::status_text;
@@ -22,6 +23,8 @@ pub(super) struct Simulation {
     pub(super) status: Status,
     /// The breakpoint that stopped the last run.
     pub(super) hit: Option<Hit>,
+    /// The debugger that it is lent to.
+    pub(super) debugging: Option<Debugging>,
     /// How fast runs go.
     pub(super) pace: Pace,
     /// How many answers were given.
@@ -31,6 +34,9 @@ pub(super) struct Simulation {
 impl Simulation {
     /// One scan, up to a breakpoint.
     pub(super) fn scan(&mut self) {
+        if self.scan_debugged() {
+            return;
+        }
         self.hit = self.engine.scan();
         self.take_status();
         if self.hit.is_some() && self.status == Status::Running {

@@ -11,17 +11,30 @@ use super::action::{Action, Answer, Pace};
 use super::engine::Engine;
 use super::messages::{Options, State, Status};
 use super::request::Failure;
+use super::retention::Keeping;
 use super::runner::{Runner, brake};
 use super::running_program::{Detail, Simulation};
 use crate::busy::Busy;
 use crate::cancel::Cancel;
 use crate::document::Revision;
+use crate::document::position::Range;
 
 /// A command on its way to the thread, and where its answer goes.
 pub(super) struct Command {
     pub(super) action: Action,
     pub(super) cancel: Cancel,
     pub(super) reply: oneshot::Sender<Result<Answer, Failure>>,
+}
+
+/// What there is to tell of a session that has begun.
+#[derive(Debug)]
+pub(crate) struct Begun {
+    /// The newest state, from before the first scan on.
+    pub states: watch::Receiver<State>,
+    /// Sentences for the person.
+    pub notes: Vec<String>,
+    /// Where the first rung is.
+    pub first: Option<Range>,
 }
 
 /// The handle of a session's thread. The thread ends when it is asked to stop, or when the handle is dropped.
@@ -41,24 +54,26 @@ pub(crate) struct Session {
 }
 
 impl Session {
-    /// Starts the thread of a program. Compiles it first: for a blocking thread. The receiver shows the newest
-    /// state, from before the first scan on. `running` counts the thread until it has let go of everything.
+    /// Starts the thread of a program. Compiles it first: for a blocking thread. `running` counts the thread until it has let go of everything.
     pub(crate) fn start(
         id: String,
         revision: Arc<Revision>,
         options: &Options,
+        keeping: &Keeping,
         running: &Busy,
-    ) -> Result<(Self, watch::Receiver<State>, Vec<String>), Failure> {
+    ) -> Result<(Self, Begun), Failure> {
         let (commands, inbox) = channel();
         let urgent = Arc::<AtomicUsize>::default();
         let uri = revision.uri.clone();
-        let (mut engine, notes) = Engine::start(revision, options)?;
+        let (mut engine, notes) = Engine::start(revision, options, keeping)?;
         engine.obey(brake(&urgent, &Cancel::default()));
+        let first = engine.first_rung();
         let mut simulation = Simulation {
             id: id.clone(),
             engine,
             status: Status::Paused,
             hit: None,
+            debugging: None,
             pace: Pace::default(),
             answers: 0,
         };
@@ -89,7 +104,12 @@ impl Session {
             texts,
             has_shown,
         };
-        Ok((session, receiver, notes))
+        let begun = Begun {
+            states: receiver,
+            notes,
+            first,
+        };
+        Ok((session, begun))
     }
 
     /// Hands over an action and returns where its answer will arrive. An answer that nobody waits for is no

@@ -2,6 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
+use ladder_analysis::program::Place;
 use ladder_analysis::values::value::Value;
 use ladder_format::display_width;
 use ladder_simulator::{Point, Simulation, chart};
@@ -18,6 +19,7 @@ const MOST_LINES: u32 = 2000;
 /// The part of a program that a client shows.
 #[derive(Debug, Default)]
 pub(super) struct View {
+    shown: Shown,
     elements: Vec<Element>,
     points: Vec<Point>,
     /// The power of elements as the client knows it, by the engine's numbers.
@@ -30,6 +32,7 @@ pub(super) struct View {
     operands: Vec<messages::Operand>,
     /// The operands that may have labels, and which tag each shows.
     valued: Vec<Valued>,
+    indexed: Vec<Indexed>,
     /// Where values are shown.
     labels: Vec<Label>,
     /// How many columns are kept for the value of each label.
@@ -44,6 +47,17 @@ struct Valued {
     range: TextRange,
     point: Point,
     drawn: bool,
+    /// What is before its value.
+    index: Option<String>,
+}
+
+/// An operand with a computed index.
+#[derive(Debug)]
+struct Indexed {
+    block: TextRange,
+    place: Place,
+    /// What it led to when this was listed.
+    element: Option<String>,
 }
 
 /// What has changed of what is shown.
@@ -66,11 +80,13 @@ impl View {
         simulation: &Simulation,
     ) {
         let revision = line_map.running();
+        self.shown.clone_from(shown);
         let mut known = HashSet::new();
         let mut lines_reported = HashSet::new();
         self.elements.clear();
         self.points.clear();
         self.valued.clear();
+        self.indexed.clear();
         self.unplaced = true;
         let is_shown = |line: u32| shown.lines.iter().any(|it| (it.first..=it.last).contains(&line));
         self.operands.retain(|operand| is_shown(operand.block.start.line));
@@ -87,7 +103,15 @@ impl View {
                 self.elements.extend(elements);
                 for operand in drawing.operands_in(stretch, revision, simulation) {
                     let places = (line_map.range(operand.range), line_map.range(operand.block));
+                    if let Some(place) = &operand.indexed {
+                        self.indexed.push(Indexed {
+                            block: operand.block,
+                            place: place.clone(),
+                            element: operand.points.first().map(|point| point.name.clone()),
+                        });
+                    }
                     if let (Some(range), Some(block)) = places
+                        && !operand.points.is_empty()
                         && !self.reported_lines.contains(&block.start.line)
                         && !lines_reported.contains(&block.start.line)
                     {
@@ -103,6 +127,7 @@ impl View {
                             range: operand.range,
                             point: point.clone(),
                             drawn: operand.drawn,
+                            index: operand.index(),
                         });
                     }
                     for point in operand.points {
@@ -124,8 +149,32 @@ impl View {
         self.reported_lines = lines_reported;
     }
 
+    /// Follows computed indices to the elements that they lead to now.
+    fn follow_indices(&mut self, drawing: &Drawing, line_map: &LineMap, simulation: &Simulation) {
+        let moved = self.indexed.iter().filter(|indexed| {
+            let now = simulation.indexed_point(&indexed.place).map(|now| now.name);
+            now != indexed.element
+        });
+        let lines = moved.filter_map(|indexed| line_map.range(indexed.block));
+        let lines: HashSet<u32> = lines.map(|range| range.start.line).collect();
+        if !lines.is_empty() {
+            // The operands of a line come together.
+            self.reported_lines.retain(|line| !lines.contains(line));
+            self.operands
+                .retain(|operand| !lines.contains(&operand.block.start.line));
+            let shown = std::mem::take(&mut self.shown);
+            self.show(&shown, drawing, line_map, simulation);
+        }
+    }
+
     /// What has changed since this was asked last.
-    pub(super) fn update(&mut self, line_map: &LineMap, simulation: &Simulation) -> Update {
+    pub(super) fn update(
+        &mut self,
+        drawing: &Drawing,
+        line_map: &LineMap,
+        simulation: &Simulation,
+    ) -> Update {
+        self.follow_indices(drawing, line_map, simulation);
         let mut update = Update {
             operands: std::mem::take(&mut self.operands),
             ..Update::default()
@@ -175,35 +224,48 @@ impl View {
         };
         let mut labels = Vec::new();
         let mut wanted = Vec::new();
-        for Valued { range, point, drawn } in &self.valued {
-            // The drawing itself tells the value of a contact that is not forced, and the text that of a constant.
+        for valued in &self.valued {
+            let Valued {
+                range, point, index, ..
+            } = valued;
+            // The drawing itself tells the value of a contact that is not forced, and the text that of a constant; neither
+            // tells which element a computed index leads to.
             let is_constant = point.read_only && !point.name.starts_with("SYS.");
-            if is_constant || (*drawn && !simulation.is_forced(point)) {
+            let is_told = is_constant || (valued.drawn && !simulation.is_forced(point));
+            if is_told && index.is_none() {
                 continue;
             }
+            let before = index.as_deref().map_or(0, display_width);
             let Some(at) = line_map.range(*range).map(|range| range.start) else {
                 continue;
             };
             let start = shown.line_start(at.line).into();
-            let before = shown.stretch(start..shown.offset(at).into());
+            let text = shown.stretch(start..shown.offset(at).into());
             wanted.push(Wanted {
                 row: at.line,
-                column: display_width(&before),
-                width: room(point.ty).max(width(point, simulation)),
+                column: display_width(&text),
+                width: before + room(point.ty).max(width(point, simulation)),
+                name: display_width(&point.name) + 2,
             });
-            labels.push((point.name.clone(), at));
+            labels.push((valued, at));
         }
-        self.rooms = wanted.iter().map(|it| it.width).collect();
+        let befores = labels
+            .iter()
+            .map(|(valued, _)| valued.index.as_deref().map_or(0, display_width));
+        let rooms = wanted.iter().zip(befores).map(|(it, before)| it.width - before);
+        self.rooms = rooms.collect();
         let places = place(&wanted, |line| {
             line_at(line).map(|line| line.trim_end_matches(['\r', '\n']).to_owned())
         });
         let placed = labels.into_iter().zip(places);
         placed
-            .map(|((tag, at), (side, column))| Label {
-                tag,
+            .map(|((valued, at), place)| Label {
+                tag: valued.point.name.clone(),
+                index: valued.index.clone(),
                 at,
-                side,
-                column,
+                side: place.side,
+                column: place.column,
+                after: place.after,
             })
             .collect()
     }

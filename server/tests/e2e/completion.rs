@@ -132,3 +132,31 @@ async fn signatures_point_at_the_operand_that_is_written() {
     assert_eq!(help["signatures"][0]["parameters"][1]["label"], "PT");
     plain.finish().await;
 }
+
+#[tokio::test]
+async fn a_contact_has_no_signature_unless_it_is_asked_for() {
+    let mut client = Client::with(json!({})).await;
+    client.open("+--[ ]( a )--[TON]( t, \n").await;
+    for (character, kind, labels) in [(8, 2, 0), (8, 3, 0), (8, 1, 1), (20, 2, 1)] {
+        let ask = json!({"textDocument": {"uri": URI}, "position": {"line": 0, "character": character},
+            "context": {"triggerKind": kind, "isRetrigger": false}});
+        let help = client.request("textDocument/signatureHelp", ask).await.unwrap();
+        let found = help["signatures"].as_array().map_or(0, Vec::len);
+        assert_eq!(found, labels, "{character} {kind}: {help}");
+    }
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn each_row_says_what_it_is_where_the_client_shows_that() {
+    let capabilities =
+        json!({"textDocument": {"completion": {"completionItem": {"labelDetailsSupport": true}}}});
+    let mut plain = Client::with(capabilities).await;
+    plain.open("+--[TO\n").await;
+    let items = complete(&mut plain, 0, 6).await;
+    assert_eq!(
+        labelled(&items, "[TON]")["labelDetails"],
+        json!({"description": "On-delay timer"})
+    );
+    plain.finish().await;
+}

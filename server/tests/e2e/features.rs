@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::client::{Client, URI, span};
+use crate::plant::Plant;
 
 async fn format(client: &mut Client) -> Value {
     let options = json!({"tabSize": 4, "insertSpaces": true});
@@ -373,4 +374,87 @@ async fn each_selection_is_toggled_by_itself() {
         why,
         "line 4 holds a \"#\", which would end the comment; write it without"
     );
+}
+
+#[tokio::test]
+async fn a_finding_links_the_page_of_its_rule() {
+    let can = json!({"experimental": {"rulePages": true}});
+    for (client, links) in [(can, true), (json!({}), false)] {
+        let mut client = Client::with(client).await;
+        client
+            .open("+--[ ]( a )--( )( y )--+\n+--[ ]( b )--( )( y )--+\n")
+            .await;
+        let published = client
+            .notification("textDocument/publishDiagnostics", |it| it["uri"] == URI)
+            .await;
+        let found = &published["diagnostics"][0];
+        assert_eq!(found["code"], "double-coil");
+        let link = found["codeDescription"]["href"].as_str();
+        assert_eq!(link, links.then_some("ladder-rule:/double-coil.md"));
+        client.finish().await;
+    }
+}
+
+#[tokio::test]
+async fn the_page_of_a_rule_is_the_books() {
+    let mut client = Client::new().await;
+    let ask = |rule: &str| json!({"command": "ladder.rulePage", "arguments": [{"rule": rule}]});
+    let page = client
+        .request("workspace/executeCommand", ask("double-coil"))
+        .await
+        .unwrap();
+    let book = include_str!("../../../docs/src/rules/double-coil.md");
+    assert_eq!(page, json!({"markdown": book}));
+    let unknown = client.request("workspace/executeCommand", ask("no-such")).await;
+    assert_eq!(unknown.unwrap_err().1, "no rule is called `no-such`");
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn a_finding_that_is_meant_so_is_switched_off() {
+    const TWICE: &str = "+--[ ]( a )--( )( y )--+\n+--[ ]( b )--( )( y )--+\n";
+    let plant = Plant::with(&[
+        ("ladder.toml", "[lint]\nnever-read = \"off\"\n"),
+        ("a.clad", TWICE),
+    ]);
+    let mut client = Client::with(json!({"general": {"positionEncodings": ["utf-8"]}})).await;
+    let uri = plant.uri("a.clad");
+    let settings = plant.uri("ladder.toml");
+    client.open_as(&uri, 1, TWICE).await;
+    let params = json!({
+        "textDocument": {"uri": uri}, "range": span([1, 18, 1, 18]),
+        "context": {"diagnostics": [], "only": ["quickfix"]},
+    });
+    let ask = "textDocument/codeAction";
+    let offered = client.request(ask, params.clone()).await.unwrap();
+    let titles: Vec<&str> = offered
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|action| action["title"].as_str().unwrap())
+        .collect();
+    assert_eq!(
+        titles,
+        [
+            "Combine the 2 coils of `y` into one (changes what the program does)",
+            "Allow `double-coil` here, with a reason",
+            "Allow `double-coil` in this file, with a reason",
+            "Switch `double-coil` off in ladder.toml",
+        ]
+    );
+    let off = &offered[3]["edit"]["changes"][&settings];
+    assert_eq!(
+        edited("[lint]\nnever-read = \"off\"\n", off),
+        "[lint]\ndouble-coil = \"off\"\nnever-read = \"off\"\n"
+    );
+    // What the editor shows of the settings counts, saved or not.
+    let typed = "# ours #\n[lint]\n";
+    let document = json!({"uri": settings, "languageId": "toml", "version": 1, "text": typed});
+    client
+        .notify("textDocument/didOpen", json!({"textDocument": document}))
+        .await;
+    let offered = client.request(ask, params).await.unwrap();
+    let off = &offered[3]["edit"]["changes"][&settings];
+    assert_eq!(edited(typed, off), "# ours #\n[lint]\ndouble-coil = \"off\"\n");
+    client.finish().await;
 }

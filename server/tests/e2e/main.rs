@@ -5,6 +5,7 @@ mod client;
 mod companions;
 mod completion;
 mod configuration;
+mod debugged;
 mod diagnostics;
 mod diagram;
 mod diagram_text;

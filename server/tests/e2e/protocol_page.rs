@@ -8,8 +8,8 @@ use std::fmt::Write;
 
 use ladder_server::typing_messages::{Cursor, EditDrawing, EditedDrawing, ToggleComment};
 use ladder_server::{
-    CrossReference, CrossReferenced, Diagram, DiagramText, Drawn, DrawnFence, DrawnText, Fence, messages,
-    notation_messages,
+    AskedPage, CrossReference, CrossReferenced, Diagram, DiagramText, Drawn, DrawnFence, DrawnText, Fence,
+    messages, notation_messages,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -20,7 +20,8 @@ use crate::client::Client;
 const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/protocol.md");
 
 /// Notifications that a client sends; all others are the server's.
-const OF_CLIENT: [&str; 5] = [
+const OF_CLIENT: [&str; 6] = [
+    "ladder/toDebugger",
     "ladder/simulationShown",
     "initialized",
     "textDocument/didOpen",
@@ -146,6 +147,11 @@ async fn the_page_shows_every_command_whole() {
                 is_whole::<messages::Started>(answer);
                 continue;
             }
+            "debug" => {
+                is_whole::<messages::Debug>(argument);
+                is_whole::<messages::Debugged>(answer);
+                continue;
+            }
             "stop" => {
                 is_whole::<messages::OfSession>(argument);
                 is_whole::<messages::Stopped>(answer);
@@ -174,6 +180,11 @@ async fn the_page_shows_every_command_whole() {
             "fence" => {
                 is_whole::<Fence>(argument);
                 is_whole::<DrawnFence>(answer);
+                continue;
+            }
+            "rulePage" => {
+                // A page has fences of its own: the answer is not shown.
+                is_whole::<AskedPage>(argument);
                 continue;
             }
             "cursor" => {

@@ -167,6 +167,27 @@ VAR  n : DINT := 3;  END_VAR
     client.finish().await;
 }
 
+/// A person who toggles a tag of a paused program sees its contacts move, and not only with the next scan.
+#[tokio::test]
+async fn a_toggle_while_paused_moves_the_contact_at_once() {
+    let (mut client, s, _) = shown(MOTOR, [0, 0], json!([])).await;
+    client.simulate("step", json!({"session": s})).await.unwrap();
+    let contact_of_start = |state: &Value| {
+        let mut power = state["power"].as_array().unwrap().iter();
+        let start = power.find(|it| it["range"] == span([0, 6, 0, 18]))?;
+        Some((start["contact"].as_str()?.to_owned(), start["on"].as_bool()?))
+    };
+    let set = |value: bool| json!({"session": s, "tag": "start", "value": value});
+    for (given, contact) in [(None, "blocks"), (Some(true), "closed"), (Some(false), "blocks")] {
+        if let Some(given) = given {
+            client.notify(SEEN, json!({"session": s})).await;
+            client.simulate("set", set(given)).await.unwrap();
+        }
+        let state = client.notification(STATE, |_| true).await;
+        assert_eq!(contact_of_start(&state), Some((contact.into(), false)), "{state}");
+    }
+}
+
 #[tokio::test]
 async fn ten_thousand_rungs_cost_what_is_shown() {
     let mut program = String::new();
@@ -266,11 +287,16 @@ async fn values_come_with_their_places() {
         let at = json!({"line": at[0], "character": at[1]});
         json!({"tag": tag, "at": at, "side": side, "column": column})
     };
+    let apart = |tag: &str, at: [u32; 2], column: u32, after: u32| {
+        let mut label = label(tag, at, "between", column);
+        label["after"] = after.into();
+        label
+    };
     // The first line has none above; the drawing tells what contacts and coils hold.
     let at_first = [
         label("t.ET", [0, 10], "below", 10),
         label("n", [0, 26], "below", 26),
-        label("n", [0, 29], "between", 29),
+        apart("n", [0, 29], 29, 50),
         label("m", [2, 20], "above", 20),
     ];
     assert_eq!(first["labels"], json!(at_first), "{:#}", first["labels"]);
@@ -293,7 +319,7 @@ async fn values_come_with_their_places() {
     let outgrown = [
         label("t.ET", [0, 10], "below", 10),
         label("n", [0, 26], "below", 26),
-        label("n", [0, 29], "between", 29),
+        apart("n", [0, 29], 29, 50),
         label("m", [2, 20], "below", 20),
     ];
     assert_eq!(state["labels"], json!(outgrown), "{:#}", state["labels"]);
@@ -305,7 +331,7 @@ async fn values_come_with_their_places() {
     let state = client.notification(STATE, |_| true).await;
     let labels = state["labels"].as_array().unwrap();
     let of_y: Vec<_> = labels.iter().filter(|label| label["tag"] == "y").collect();
-    let forced = [label("y", [0, 42], "below", 42), label("y", [2, 8], "between", 8)];
+    let forced = [label("y", [0, 42], "below", 42), apart("y", [2, 8], 8, 31)];
     assert_eq!(json!(of_y), json!(forced), "{:#}", state["labels"]);
 
     // What is not shown any more has no labels.
@@ -316,5 +342,95 @@ async fn values_come_with_their_places() {
     let labels = state["labels"].as_array().unwrap().iter();
     let tags: Vec<_> = labels.map(|label| label["tag"].clone()).collect();
     assert_eq!(tags, ["y", "m"]);
+    client.finish().await;
+}
+
+/// Two pumps in a loop.
+const PUMPS: &str = "\
+VAR_INPUT trip : ARRAY[1..2] OF BOOL; run : BOOL; END_VAR
+VAR_OUTPUT pump : ARRAY[1..2] OF BOOL; END_VAR
+VAR i : INT; starts : ARRAY[1..2] OF INT; END_VAR
++--[MOV]( i, 0 )--<FOR>( 2 )--+
+
++--[ADD]( i, i, 1 )--+
++--[ ]( run )--[/]( trip[i] )--( )( pump[i] )--[ADD]( starts[i], starts[i], 1 )--+
++--<NEXT>--+
+";
+
+/// The labels on a line of the text, as a person reads them.
+fn labels(state: &Value, line: u64) -> String {
+    let labels = state["labels"].as_array().unwrap().iter();
+    let of_line = labels.filter(|label| label["at"]["line"] == line);
+    let shown = of_line.map(|label| {
+        let index = label.get("index").and_then(Value::as_str).unwrap_or_default();
+        format!("{} {index}", label["tag"].as_str().unwrap())
+    });
+    shown.collect::<Vec<_>>().join(", ")
+}
+
+#[tokio::test]
+async fn an_operand_says_which_element_it_is() {
+    let (mut client, s, first) = shown(PUMPS, [0, 8], json!([])).await;
+    // Before the loop there is none.
+    assert_eq!(labels(&first, 6), "");
+    let mut seen = Vec::new();
+    for _ in 0..9 {
+        client.simulate("stepRung", json!({"session": s})).await.unwrap();
+        let state = client.notification(STATE, |_| true).await;
+        client.notify(SEEN, json!({"session": s})).await;
+        if state.get("labels").is_some() {
+            seen.push(labels(&state, 6));
+        }
+        if let Some(operands) = state.get("operands") {
+            let of_line: Vec<&Value> = operands
+                .as_array()
+                .unwrap()
+                .iter()
+                .map(|it| &it["tags"][0])
+                .collect();
+            seen.push(format!("{of_line:?}"));
+        }
+    }
+    expect_test::expect![[r#"
+        [
+            "trip[1] [1]=, pump[1] [1]=, starts[1] [1]=, starts[1] [1]=",
+            "[String(\"run\"), String(\"trip[1]\"), String(\"pump[1]\"), String(\"starts[1]\"), String(\"starts[1]\")]",
+            "trip[2] [2]=, pump[2] [2]=, starts[2] [2]=, starts[2] [2]=",
+            "[String(\"run\"), String(\"trip[2]\"), String(\"pump[2]\"), String(\"starts[2]\"), String(\"starts[2]\")]",
+        ]
+    "#]].assert_debug_eq(&seen);
+    // What is on the line can be found, and forced, by what it is now.
+    let hover = client.hover(6, 23).await.unwrap().to_string();
+    assert!(hover.contains("trip[2]"), "{hover}");
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn an_array_is_listed_as_one_that_opens_or_by_its_elements() {
+    let (mut client, s, _) = shown(PUMPS, [0, 0], json!([])).await;
+    let listed = async |client: &mut Client, mut search: Value| {
+        search["session"] = json!(s);
+        client.simulate("tags", search).await.unwrap()
+    };
+    let top = listed(&mut client, json!({"of": ""})).await;
+    assert_eq!(names(&top), ["trip", "run", "pump", "i", "starts"]);
+    assert_eq!(
+        top["tags"][0],
+        json!({
+            "name": "trip", "type": "ARRAY[1..2] OF BOOL", "value": "", "text": "", "role": "input", "forced": false,
+            "parts": 2
+        })
+    );
+    let parts = listed(&mut client, json!({"of": "Trip"})).await;
+    assert_eq!(names(&parts), ["trip[1]", "trip[2]"]);
+    assert_eq!(parts["tags"][0]["value"], json!(false));
+    let found = listed(&mut client, json!({"containing": "P[2"})).await;
+    assert_eq!(names(&found), ["trip[2]", "pump[2]"]);
+    let found = listed(&mut client, json!({"of": "", "containing": "pump[2]"})).await;
+    assert_eq!(names(&found), ["pump"]);
+    let force = json!({"session": s, "tag": "pump[2]", "value": true});
+    client.simulate("force", force).await.unwrap();
+    let top = listed(&mut client, json!({"of": "", "containing": "pump"})).await;
+    assert_eq!(top["tags"][0]["forced"], json!(true));
     client.finish().await;
 }

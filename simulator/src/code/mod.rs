@@ -52,7 +52,7 @@ pub(crate) mod stop {
     pub(crate) const BLOCK: u8 = 1;
     /// The first instruction of a network.
     pub(crate) const NETWORK: u8 = 2;
-    /// What is observed while a scan is run again; set for that time only.
+    /// What is observed: while a scan is run again, or of each turn where code runs several times in a scan.
     pub(crate) const MARK: u8 = 4;
 }
 

@@ -2,7 +2,8 @@
 //!
 //! A network is exercised when a scan has reached it; a contact or comparison when power has come to it and it has
 //! both let it through (closed) and held it back (open); a coil when it has been with power and without. What is
-//! recorded is the power after each scan, of a block that runs several times in a scan the last.
+//! recorded is the power after each scan. Where code may run several times in one, in a loop or a function, the scan
+//! halts after each turn, and each counts.
 //!
 //! Recording is cheap because it looks only at what has changed and is still to be seen: a contact that was seen both
 //! ways is not asked again.
@@ -62,6 +63,15 @@ pub struct NetworkScans {
     index: usize,
 }
 
+/// How the scans are run that are observed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Runs {
+    /// Straight through: no network runs twice in a scan.
+    Through,
+    /// With a halt where code may run a second time.
+    ByTurns,
+}
+
 /// What has been seen of a program.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Coverage {
@@ -71,6 +81,7 @@ pub struct Coverage {
     pub networks: Vec<NetworkScans>,
     /// All contacts, comparisons and coils, in the order of the program.
     pub parts: Vec<CoverageItem>,
+    runs: Runs,
     watch: Watch,
     /// Networks that some scans may not reach.
     skippable: Vec<u32>,
@@ -80,7 +91,13 @@ pub struct Coverage {
 
 impl Coverage {
     /// Nothing has been seen yet.
-    pub fn of(simulation: &Simulation) -> Coverage {
+    pub fn of(simulation: &mut Simulation) -> Coverage {
+        let runs = if simulation.mark_turns() {
+            Runs::ByTurns
+        } else {
+            Runs::Through
+        };
+        let simulation = &*simulation;
         let program = simulation.program();
         let elements = simulation.elements();
         let mut carriers: HashMap<(u32, u32), u32> = HashMap::new();
@@ -130,8 +147,10 @@ impl Coverage {
             .collect();
         Coverage {
             files: program.files.clone(),
+            runs,
             watch: Watch::of(
                 simulation,
+                runs,
                 parts.iter().enumerate().map(|(index, part)| {
                     let place = |element: u32| &elements[element as usize];
                     let places = [part.input.map(place), Some(place(part.output))];
@@ -148,36 +167,25 @@ impl Coverage {
         }
     }
 
-    /// Observes the scan that has just run. The simulation must be of the program that this was made for.
-    pub fn observe(&mut self, simulation: &Simulation) {
+    /// Runs a scan, as [`Simulation::scan`] does, and observes it. The simulation must be the one that this was made for.
+    pub fn scan(&mut self, simulation: &mut Simulation) -> bool {
+        let (parts, watch) = (&mut self.parts, &mut self.watch);
+        let has_run = match self.runs {
+            Runs::Through => simulation.scan(),
+            Runs::ByTurns => simulation.scan_by_turns(|simulation| {
+                watch.within_scan(|index| see(&mut parts[index as usize], simulation));
+            }),
+        };
+        if !has_run {
+            return false;
+        }
         self.scans += 1;
         for &index in &self.skippable {
             let network = &mut self.networks[index as usize];
             network.scans += u64::from(simulation.has_reached(network.index));
         }
-        let elements = simulation.elements();
-        let power = |index: u32| simulation.element_power(&elements[index as usize]);
-        let parts = &mut self.parts;
-        self.watch.changed(simulation, |index| {
-            let part = &mut parts[index as usize];
-            // Two places may lead to it.
-            if part.is_exercised() {
-                return true;
-            }
-            // What no power can come to never shows what it does.
-            let Some(input) = part.input.and_then(power) else {
-                return false;
-            };
-            let on = match part.kind {
-                CoverageItemKind::Coil => Some(input),
-                CoverageItemKind::Contact | CoverageItemKind::Comparison => {
-                    power(part.output).filter(|_| input)
-                }
-            };
-            part.on |= on == Some(true);
-            part.off |= on == Some(false);
-            part.is_exercised()
-        });
+        watch.changed(simulation, |index| see(&mut parts[index as usize], simulation));
+        true
     }
 
     /// Counts the scans of the networks that every scan reaches. To be called when all have been observed.
@@ -189,6 +197,27 @@ impl Coverage {
             }
         }
     }
+}
+
+/// Sees what a part does now; whether nothing of it remains to be seen.
+fn see(part: &mut CoverageItem, simulation: &Simulation) -> bool {
+    // Two places may lead to it.
+    if part.is_exercised() {
+        return true;
+    }
+    let elements = simulation.elements();
+    let power = |index: u32| simulation.element_power(&elements[index as usize]);
+    // What no power can come to never shows what it does.
+    let Some(input) = part.input.and_then(power) else {
+        return false;
+    };
+    let on = match part.kind {
+        CoverageItemKind::Coil => Some(input),
+        CoverageItemKind::Contact | CoverageItemKind::Comparison => power(part.output).filter(|_| input),
+    };
+    part.on |= on == Some(true);
+    part.off |= on == Some(false);
+    part.is_exercised()
 }
 
 fn kind(block: BlockKind) -> Option<CoverageItemKind> {

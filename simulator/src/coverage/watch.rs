@@ -3,6 +3,7 @@
 //! All powers are read from two banks of bytes. Most scans change little of them, so the banks are compared with
 //! what they were, stretch by stretch, and only the parts that read a stretch that has changed are checked.
 
+use super::Runs;
 use crate::code::ElementPlace;
 use crate::memory::Bit;
 use crate::simulation::{PowerSource, Simulation};
@@ -32,6 +33,7 @@ impl Watch {
     /// A watch over parts: each by its number, with the places whose power it reads.
     pub(super) fn of<'e>(
         simulation: &Simulation,
+        runs: Runs,
         parts: impl Iterator<Item = (u32, [Option<&'e ElementPlace>; 2])>,
     ) -> Watch {
         let (bits, rows) = simulation.power_banks();
@@ -47,7 +49,11 @@ impl Watch {
                     watch.always.push(part);
                     break;
                 }
-                match simulation.power_source(place) {
+                let source = match runs {
+                    Runs::Through => simulation.power_source(place),
+                    Runs::ByTurns => Simulation::plain_power_source(place),
+                };
+                match source {
                     // The rail's, which never changes.
                     PowerSource::Bit(at) if at == Bit::HIGH.0 as usize || at == Bit::LOW.0 as usize => {}
                     PowerSource::Bit(at) => watch.bits.read_by(at, part),
@@ -56,6 +62,11 @@ impl Watch {
             }
         }
         watch
+    }
+
+    /// Calls `look` for the parts that may run several times in a scan, within one.
+    pub(super) fn within_scan(&mut self, mut look: impl FnMut(u32) -> bool) {
+        self.always.retain(|&part| !look(part));
     }
 
     /// Calls `look` for each part that is worth it; one that needs no further look says so.

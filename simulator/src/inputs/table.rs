@@ -59,7 +59,14 @@ impl Table {
                 for blank in next_line..line {
                     table.push(blank, StringRecord::from(vec![""; table.names.len()]))?;
                 }
-                table.push(line, std::mem::take(&mut record))?;
+                // A line of blanks is blank, too.
+                let is_blank = record.len() == 1 && record.iter().all(str::is_empty);
+                let row = if is_blank {
+                    StringRecord::from(vec![""; table.names.len()])
+                } else {
+                    std::mem::take(&mut record)
+                };
+                table.push(line, row)?;
             }
             let last = reader.position().byte() as usize;
             next_line = lines.line(TextSize::new(last as u32 - 1)) as u64 + 2;
@@ -192,6 +199,20 @@ mod tests {
                 "#]],
             );
         }
+    }
+
+    #[test]
+    fn a_line_of_blanks_is_a_blank_one() {
+        check(
+            "start,stop\n1,0\n  \n\t\n0,1\n",
+            expect![[r#"
+            start stop
+            2: ["1", "0"]
+            3: ["", ""]
+            4: ["", ""]
+            5: ["0", "1"]
+        "#]],
+        );
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The rows of a scenario that came out differently: what was expected and what came, the differing steps marked.
 
-use super::bind::{Case, Given, Target};
+use super::bind::{Case, Target};
 use super::parse::TIME;
 use super::run::{Difference, Ran};
 use super::steps::Steps;
@@ -36,26 +36,26 @@ pub struct Line {
 /// Draws the rows that differ, below what was given, in lines of at most about `width` letters: of a long scenario
 /// the part around the first difference. `interval` is that of the simulation that ran it.
 ///
-/// Waveforms are drawn as they are written, a letter a step. Rows of values are below them with columns as wide as
-/// their values need, and what was given once more in these columns.
+/// Waveforms are drawn as they are written, a letter a step. Rows of values have columns as wide as their values need.
+/// Where values were given they may be why a waveform differs, so all rows are in such columns; else the waveforms come
+/// first, and below them the rows of values with what was given once more in their columns.
 pub fn draw(case: &Case, ran: &Ran, interval: i64, width: usize) -> Vec<Line> {
     let is_wave = |difference: &&Difference| case.expected[difference.row].target.ty() == Scalar::Bool;
     let (waves, values): (Vec<&Difference>, Vec<&Difference>) = ran.differences.iter().partition(is_wave);
+    let are_values_given = case.given.iter().any(|row| row.target.ty() != Scalar::Bool);
+    let groups = if are_values_given {
+        vec![ran.differences.iter().collect()]
+    } else {
+        vec![waves, values]
+    };
     let mut lines = Vec::new();
-    for (differences, only_waves) in [(waves, true), (values, false)] {
-        if !differences.is_empty() {
-            let given = case
-                .given
-                .iter()
-                .filter(|row| !only_waves || row.target.ty() == Scalar::Bool);
-            let group = Group {
-                case,
-                ran,
-                given: given.collect(),
-                differences,
-            };
-            group.draw(interval, width, &mut lines);
-        }
+    for differences in groups.into_iter().filter(|group| !group.is_empty()) {
+        let group = Group {
+            case,
+            ran,
+            differences,
+        };
+        group.draw(interval, width, &mut lines);
     }
     lines
 }
@@ -64,7 +64,6 @@ pub fn draw(case: &Case, ran: &Ran, interval: i64, width: usize) -> Vec<Line> {
 struct Group<'a> {
     case: &'a Case,
     ran: &'a Ran,
-    given: Vec<&'a Given>,
     differences: Vec<&'a Difference>,
 }
 
@@ -72,7 +71,7 @@ impl Group<'_> {
     fn draw(&self, interval: i64, width: usize, lines: &mut Vec<Line>) {
         let times = self.times(interval);
         let time = times.is_some().then_some(TIME);
-        let names = self.given.iter().map(|row| row.name.as_str()).chain(time);
+        let names = self.case.given.iter().map(|row| row.name.as_str()).chain(time);
         let differing = self.differences.iter().map(|difference| difference.tag.as_str());
         let longest = names
             .chain(differing)
@@ -92,7 +91,7 @@ impl Group<'_> {
                 text: label(TIME, "") + &table.row(&cells),
             });
         }
-        for row in &self.given {
+        for row in &self.case.given {
             let cells: Vec<Drawn> = row
                 .values
                 .iter()
@@ -229,7 +228,7 @@ impl Table {
                 widths[step] = widths[step].max(text.width());
             }
         };
-        for row in &group.given {
+        for row in &group.case.given {
             for (step, value) in row.values.iter().enumerate() {
                 take(step, value.as_ref(), &row.target);
             }

@@ -198,7 +198,7 @@ pub fn passes(session: &Session, recorded: &Recorded) -> bool {
         && errors.is_empty()
         && cases
             .iter()
-            .all(|case| run(case, &mut simulation, |_| {}).passed())
+            .all(|case| run(case, &mut simulation, Simulation::scan).passed())
 }
 
 /// The tags that a person chose.

@@ -48,9 +48,9 @@ pub struct Difference {
     pub places: Vec<TextRange>,
 }
 
-/// Runs a scenario from a cold start. `observe` sees the simulation after each scan.
-pub fn run(case: &Case, simulation: &mut Simulation, observe: impl FnMut(&Simulation)) -> Ran {
-    run_within(MOST_BLOCKS, case, simulation, observe)
+/// Runs a scenario from a cold start. `scan` runs each scan, as [`Simulation::scan`] does.
+pub fn run(case: &Case, simulation: &mut Simulation, scan: impl FnMut(&mut Simulation) -> bool) -> Ran {
+    run_within(MOST_BLOCKS, case, simulation, scan)
 }
 
 /// Runs a scenario that may do the work of this many blocks.
@@ -58,7 +58,7 @@ pub(super) fn run_within(
     most: u64,
     case: &Case,
     simulation: &mut Simulation,
-    mut observe: impl FnMut(&Simulation),
+    mut scan: impl FnMut(&mut Simulation) -> bool,
 ) -> Ran {
     simulation.unforce_all();
     simulation.reset();
@@ -75,10 +75,9 @@ pub(super) fn run_within(
     for step in 0..case.steps() {
         give(case, step, simulation);
         for _ in case.steps.begin(step)..case.steps.begin(step + 1) {
-            if !simulation.scan() {
+            if !scan(simulation) {
                 break;
             }
-            observe(simulation);
             if simulation.work() - begun > most {
                 simulation.exhaust(most);
                 break;

@@ -2,7 +2,9 @@
 
 mod activations;
 mod forces;
+mod indexed;
 mod instances;
+mod listing;
 mod power;
 mod restart;
 mod scan;
@@ -11,6 +13,7 @@ mod state;
 use crate::compile::{Compiled, compile};
 use crate::compile_error::CompileError;
 use crate::fault::{Fault, Trouble};
+use crate::groups;
 use crate::machine::{FaultRecord, Machine};
 use crate::memory::SERIAL_ROOM;
 use crate::tags::{self, Names, Point, UnknownTag};
@@ -23,6 +26,7 @@ use std::sync::{Arc, OnceLock};
 pub(crate) use activations::Bodies;
 pub use activations::{Activation, Routine};
 pub use forces::ValueRefused;
+pub(crate) use indexed::{name, number};
 pub use instances::Instance;
 pub(crate) use power::PowerSource;
 pub use scan::Stepped;
@@ -121,7 +125,7 @@ impl Simulation {
         );
         Ok(Simulation {
             names: Names::of(&program),
-            points: Names::points(&program, &compiled.homes),
+            points: groups::points(&program, &compiled.homes),
             program,
             compiled,
             machine,
@@ -205,8 +209,9 @@ impl Simulation {
         }
     }
 
-    /// Every scalar tag in the order of its first appearance. Of timers, counters and bistables it has the members
-    /// that show what they do (`t1.Q`, `t1.ET`); arrays are found element by element with [`Self::resolve`].
+    /// Every value that a list of all tags has, in the order of the tags' first appearance: of timers, counters and bistables
+    /// the members that show what they do (`t1.Q`, `t1.ET`), of arrays the elements, unless there are very many
+    /// ([`Self::entries`] has those arrays too).
     pub fn points(&self) -> &[Point] {
         &self.points
     }

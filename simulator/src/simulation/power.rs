@@ -46,7 +46,12 @@ impl Simulation {
         self.is_reached(element).then(|| self.has_power(element.power))
     }
 
-    /// Where that power is read from, while nothing is forced.
+    /// Where that power is read from after a scan that halted on its way, or one with forces.
+    pub(crate) fn plain_power_source(element: &ElementPlace) -> PowerSource {
+        PowerSource::Bit(element.power.0 as usize)
+    }
+
+    /// Where it is read from after a scan that ran straight through, while nothing is forced.
     pub(crate) fn power_source(&self, element: &ElementPlace) -> PowerSource {
         match self.compiled.fused.power(element.power) {
             Power::Slot(slot) => PowerSource::Bit(slot.0 as usize),

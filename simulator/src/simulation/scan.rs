@@ -1,6 +1,7 @@
 //! Scans: whole, or in steps.
 
 use super::{Simulation, Status};
+use crate::code::{Instr, stop};
 use crate::machine::{Halt, Until};
 use crate::system::{self, Moment};
 use ladder_analysis::program::Location;
@@ -90,6 +91,38 @@ impl Simulation {
     /// Runs the rest of the scan that is open. False if a fault stops it, or if none is open.
     pub fn finish_scan(&mut self) -> bool {
         self.open && self.step(Until::End) == Stepped::Done
+    }
+
+    /// Marks the places from which a scan may come to the same code a second time: the ends of loops and functions, and
+    /// jumps back. False if there are none, so that each network runs once in a scan.
+    pub(crate) fn mark_turns(&mut self) -> bool {
+        let code = &mut self.compiled.code;
+        let ends_main = code.instrs.iter().position(|instr| *instr == Instr::Finish);
+        let mut is_marked = false;
+        for (at, (instr, stops)) in code.instrs.iter().zip(&mut code.stops).enumerate() {
+            let leads_back = match *instr {
+                Instr::Again | Instr::Return { .. } => true,
+                Instr::Jump { to, .. } => to as usize <= at,
+                Instr::Finish => ends_main != Some(at),
+                _ => false,
+            };
+            if leads_back {
+                *stops |= stop::MARK;
+                is_marked = true;
+            }
+        }
+        is_marked
+    }
+
+    /// Runs one scan as [`Self::scan`] does; `look` sees it at each mark.
+    pub(crate) fn scan_by_turns(&mut self, mut look: impl FnMut(&Simulation)) -> bool {
+        loop {
+            match self.step(Until::Marked) {
+                Stepped::At(_) => look(self),
+                Stepped::Done => return true,
+                Stepped::Stopped => return false,
+            }
+        }
     }
 
     pub(crate) fn step(&mut self, until: Until) -> Stepped {

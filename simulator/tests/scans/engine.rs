@@ -233,6 +233,10 @@ fn points_in_the_order_of_the_tags() {
         k INT Internal
         x LREAL Internal
         s STRING Internal
+        arr[1] INT Internal
+        arr[2] INT Internal
+        arr[3] INT Internal
+        arr[4] INT Internal
         t.Q BOOL Internal
         t.ET TIME Internal
         u.Q BOOL Internal

@@ -15,6 +15,7 @@ mod faults;
 mod flow;
 mod forces;
 mod golden_trace;
+mod groups;
 mod literals_and_types;
 mod order;
 mod profiles;

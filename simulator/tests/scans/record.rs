@@ -6,7 +6,7 @@ use expect_test::{Expect, expect};
 use ladder_analysis::values::value::Value;
 use ladder_simulator::scenario::{self, Recorded, Wanted, bind, parse, run};
 use ladder_simulator::value_text;
-use ladder_simulator::{HistoryLimits, Options, Session};
+use ladder_simulator::{HistoryLimits, Options, Session, Simulation};
 
 const MOTOR: &str = "\
 +--\\--[ ]( start )--\\--[/]( stop )-------------( )( run )--+
@@ -66,7 +66,7 @@ fn passes(recorded: &Recorded, program: &str) {
     let (cases, errors) = bind(&suite, &simulation);
     assert_eq!(errors, [], "{}", recorded.text);
     for case in &cases {
-        let ran = run(case, &mut simulation, |_| ());
+        let ran = run(case, &mut simulation, Simulation::scan);
         assert!(
             ran.passed(),
             "{:?}\n{}\n{program}",

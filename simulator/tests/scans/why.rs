@@ -221,8 +221,8 @@ fn inverters_comparisons_and_timers_in_the_way() {
               x is 1 since scan 1 (10 ms): it was given from outside
             z is 0 since the start: line 4, ( )( z ) wrote it; blocked by [GT]( n, 5 ) (line 4, column 4): n is 4
               n is 4 since scan 3 (30 ms): it was given from outside
-            late is 0 since the start: line 5, ( )( late ) wrote it; blocked by [TON]( t, T#50ms ) (line 5, column 14): t.ET is T#10ms
-              t.ET is T#10ms since scan 2 (20 ms): line 5, [TON]( t, T#50ms ) wrote it; power came through [ ]( x ) (line 5, column 4): x is 1
+            late is 0 since the start: line 5, ( )( late ) wrote it; blocked by [TON]( t, T#50ms ) (line 5, column 14): t.ET is T#20ms
+              t.ET is T#20ms since scan 3 (30 ms): line 5, [TON]( t, T#50ms ) wrote it; power came through [ ]( x ) (line 5, column 4): x is 1
                 x is 1 since scan 1 (10 ms): it was given from outside
             t.Q is 0 since the start: line 5, [TON]( t, T#50ms ) wrote it; power came through [ ]( x ) (line 5, column 4): x is 1
               x is 1 since scan 1 (10 ms): it was given from outside
@@ -237,9 +237,9 @@ fn inverters_comparisons_and_timers_in_the_way() {
         expect![[r#"
             z is 1 since scan 2 (20 ms): line 4, ( )( z ) wrote it; power came through [GT]( n, 5 ) (line 4, column 4): n is 9
               n is 9 since scan 2 (20 ms): it was given from outside
-            late is 1 since scan 6 (60 ms): line 5, ( )( late ) wrote it; power came through [ ]( x ) (line 5, column 4): x is 1, [TON]( t, T#50ms ) (line 5, column 14): t.ET is T#40ms
+            late is 1 since scan 6 (60 ms): line 5, ( )( late ) wrote it; power came through [ ]( x ) (line 5, column 4): x is 1, [TON]( t, T#50ms ) (line 5, column 14): t.ET is T#50ms
               x is 1 since scan 1 (10 ms): it was given from outside
-              t.ET is T#40ms since scan 5 (50 ms): line 5, [TON]( t, T#50ms ) wrote it; power came through [ ]( x ) (line 5, column 4): x is 1
+              t.ET is T#50ms since scan 6 (60 ms): line 5, [TON]( t, T#50ms ) wrote it; power came through [ ]( x ) (line 5, column 4): x is 1
             t.Q is 1 since scan 6 (60 ms): line 5, [TON]( t, T#50ms ) wrote it; power came through [ ]( x ) (line 5, column 4): x is 1
               x is 1 since scan 1 (10 ms): it was given from outside
         "#]],
@@ -249,11 +249,10 @@ fn inverters_comparisons_and_timers_in_the_way() {
         "x -_",
         "late",
         expect![[r#"
-        late is 0 since the start: line 5, ( )( late ) wrote it; blocked by [ ]( x ) (line 5, column 4): x is 0 and by [TON]( t, T#50ms ) (line 5, column 14): t.ET is T#0s
-          x is 0 since scan 1 (10 ms): it was given from outside
-          t.ET is T#0s since the start: line 5, [TON]( t, T#50ms ) wrote it; power came through [ ]( x ) (line 5, column 4): x is 1
-            x is 1 since scan 0 (0 ms): it was given from outside
-    "#]],
+            late is 0 since the start: line 5, ( )( late ) wrote it; blocked by [ ]( x ) (line 5, column 4): x is 0 and by [TON]( t, T#50ms ) (line 5, column 14): t.ET is T#0s
+              x is 0 since scan 1 (10 ms): it was given from outside
+              t.ET is T#0s since the start: line 5, [TON]( t, T#50ms ) wrote it; blocked by [ ]( x ) (line 5, column 4): x is 0
+        "#]],
     );
 }
 
@@ -392,4 +391,69 @@ fn in_the_midst_of_a_scan_and_in_the_past() {
             a is 0 since the start: nothing else was given
     "#]].assert_eq(&ask(&mut session, text, "x y"));
     assert_eq!(session.scans_ahead(), 3);
+}
+
+/// Every block is told as it is after it has run: what it then holds is what it passes power on for.
+#[test]
+fn blocks_tell_what_they_have_come_to() {
+    let text = "VAR_INPUT a : BOOL; END_VAR\n\
+                VAR c : CTU; d : CTD; t : TOF; n, i : INT; f : ARRAY[1..3] OF INT; END_VAR\n\
+                VAR up, down, late, count, high : BOOL; END_VAR\n\
+                +--[ ]( a )--[CTU]( c, 1 )--( )( up )--+\n\
+                +--[ ]( a )--[CTD]( d, 1 )--( )( down )--+\n\
+                +--[ ]( a )--[TOF]( t, T#20ms )--( )( late )--+\n\
+                +--[ ]( a )--[ADD]( n, n, 1 )--[MOV]( i, 0 )--[GE]( n, 1 )--( )( count )--+\n\
+                +--[ ]( a )--<FOR>( 3 )--+\n\
+                +--[ADD]( i, i, 1 )--[ADD]( f[i], f[i], i )--[GT]( f[i], 2 )--( )( high )--+\n\
+                +--<NEXT>--+\n";
+    check(
+        text,
+        "a _-",
+        "up down late count high",
+        expect![[r#"
+        up is 1 since scan 1 (10 ms): line 4, ( )( up ) wrote it; power came through [ ]( a ) (line 4, column 4): a is 1, [CTU]( c, 1 ) (line 4, column 14): c.CV is 1
+          a is 1 since scan 1 (10 ms): it was given from outside
+          c.CV is 1 since scan 1 (10 ms): line 4, [CTU]( c, 1 ) wrote it; power came through [ ]( a ) (line 4, column 4): a is 1
+        down is 1 since scan 0 (0 ms): line 5, ( )( down ) wrote it; power came through [CTD]( d, 1 ) (line 5, column 14): d.CV is 0
+          d.CV is 0 since the start: line 5, [CTD]( d, 1 ) wrote it; blocked by [ ]( a ) (line 5, column 4): a is 0
+            a is 0 since the start: nothing else was given
+        late is 1 since scan 1 (10 ms): line 6, ( )( late ) wrote it; power came through [ ]( a ) (line 6, column 4): a is 1, [TOF]( t, T#20ms ) (line 6, column 14): t.ET is T#0s
+          a is 1 since scan 1 (10 ms): it was given from outside
+          t.ET is T#0s since the start: line 6, [TOF]( t, T#20ms ) wrote it; power came through [ ]( a ) (line 6, column 4): a is 1
+        count is 1 since scan 1 (10 ms): line 7, ( )( count ) wrote it; power came through [ ]( a ) (line 7, column 4): a is 1, [ADD]( n, n, 1 ) (line 7, column 14): n is 1, [MOV]( i, 0 ) (line 7, column 32), [GE]( n, 1 ) (line 7, column 47): n is 1
+          a is 1 since scan 1 (10 ms): it was given from outside
+          n is 1 since scan 1 (10 ms): line 7, [ADD]( n, n, 1 ) wrote it; power came through [ ]( a ) (line 7, column 4): a is 1
+        high is 1 since scan 1 (10 ms): line 9, ( )( high ) wrote it; power came through [ADD]( i, i, 1 ) (line 9, column 4): i is 3, [ADD]( f[i], f[i], i ) (line 9, column 22): f[3] is 3, i is 3, [GT]( f[i], 2 ) (line 9, column 46): f[3] is 3
+          i is 3 since scan 1 (10 ms): line 9, [ADD]( i, i, 1 ) wrote it; power came straight from the rail
+          f[3] is 3 since scan 1 (10 ms): line 9, [ADD]( f[i], f[i], i ) wrote it (i is 3); power came through [ADD]( i, i, 1 ) (line 9, column 4): i is 3
+    "#]],
+    );
+    check(
+        text,
+        "a _-__",
+        "late",
+        expect![[r#"
+        late is 1 since scan 1 (10 ms): line 6, ( )( late ) wrote it; power came through [ ]( a ) (line 6, column 4): a is 1, [TOF]( t, T#20ms ) (line 6, column 14): t.ET is T#0s
+          a is 1 since scan 1 (10 ms): it was given from outside
+          t.ET is T#0s since the start: line 6, [TOF]( t, T#20ms ) wrote it; power came through [ ]( a ) (line 6, column 4): a is 1
+    "#]],
+    );
+}
+
+#[test]
+fn constants_are_no_news() {
+    let text = "VAR CONSTANT FILL_B : INT := 20; END_VAR\nVAR_INPUT level : INT; END_VAR\nVAR m : INT; END_VAR\n\
+                +--[ ]( SYS.ON )--[GE]( level, FILL_B )--[MOV]( m, FILL_B )--( )( full )--+\n";
+    check(
+        text,
+        "level 0 25",
+        "full m FILL_B",
+        expect![[r#"
+        full is 1 since scan 1 (10 ms): line 4, ( )( full ) wrote it; power came through [ ]( SYS.ON ) (line 4, column 4): SYS.ON is 1, [GE]( level, FILL_B ) (line 4, column 19): level is 25, FILL_B is 20, [MOV]( m, FILL_B ) (line 4, column 42): FILL_B is 20
+          level is 25 since scan 1 (10 ms): it was given from outside
+        m is 20 since scan 1 (10 ms): line 4, [MOV]( m, FILL_B ) wrote it (FILL_B is 20); power came through [ ]( SYS.ON ) (line 4, column 4): SYS.ON is 1, [GE]( level, FILL_B ) (line 4, column 19): level is 25, FILL_B is 20
+          level is 25 since scan 1 (10 ms): it was given from outside
+        FILL_B is 20 since the start: nothing has written it
+    "#]],
+    );
 }

@@ -14,15 +14,15 @@ local function expanded(configuration)
   return sent
 end
 
---- Starts the adapter of a configuration.
+--- Connects to the adapter of a configuration.
 function stand_in.start(configuration)
   local session = { seq = 0, received = {}, buffer = '' }
   stand_in.adapters[configuration.type](function(adapter)
-    assert(adapter.type == 'executable')
-    session.process = vim.system(vim.list_extend({ adapter.command }, adapter.args), {
-      cwd = adapter.options.cwd,
-      stdin = true,
-      stdout = function(_, data)
+    assert(adapter.type == 'pipe')
+    local socket = assert(vim.uv.new_pipe(false))
+    socket:connect(adapter.pipe, function(err)
+      assert(not err, err)
+      socket:read_start(function(_, data)
         session.buffer = session.buffer .. (data or '')
         while true do
           local header, body = session.buffer:match('^Content%-Length: (%d+)\r\n\r\n()')
@@ -33,14 +33,18 @@ function stand_in.start(configuration)
           table.insert(session.received, vim.json.decode(session.buffer:sub(body, stop)))
           session.buffer = session.buffer:sub(stop + 1)
         end
-      end,
-    })
-  end)
+      end)
+      session.socket = socket
+    end)
+  end, expanded(configuration))
+  vim.wait(5000, function()
+    return session.socket
+  end, 5)
   function session.request(command, arguments)
     session.seq = session.seq + 1
     local message = { seq = session.seq, type = 'request', command = command, arguments = arguments }
     local body = vim.json.encode(message)
-    session.process:write(('Content-Length: %d\r\n\r\n%s'):format(#body, body))
+    session.socket:write(('Content-Length: %d\r\n\r\n%s'):format(#body, body))
     return session.seq
   end
   function session.find(wanted)
@@ -70,6 +74,17 @@ return function(t)
         return message.event == name
       end)
     end).body
+  end
+
+  --- As nvim-dap ends a session.
+  local function finish(session)
+    answer(session, 'disconnect')
+    session.socket:close()
+    t.eventually('the simulation to end', function()
+      return vim.iter(require('ladder.session').all()):all(function(it)
+        return not it.debugged
+      end)
+    end)
   end
 
   --- Its signs in the buffer: each a line, with what `set_breakpoint(condition, hit_condition, log_message)` was given.
@@ -177,10 +192,59 @@ return function(t)
     t.equal('the line', 6, frame.line)
     t.equal('its file', vim.api.nvim_buf_get_name(0), frame.source.path)
     t.equal('run', 'TRUE', answer(session, 'evaluate', { expression = 'run AND start' }).result)
-    answer(session, 'disconnect')
-    t.eventually('the adapter to end', function()
-      return session.process:is_closing()
+    finish(session)
+  end)
+
+  t.step('stopped at a breakpoint the buffer shows power and values, why answers, and a force holds', function()
+    local bufnr = t.open('motor.clad')
+    local session = begin(stand_in.configurations.clad[1], { { line = 6 } })
+    event(session, 'stopped')
+    answer(session, 'evaluate', { expression = 'force start := TRUE', context = 'repl' })
+    answer(session, 'continue', { threadId = 1 })
+    t.equal('why it is', 'breakpoint', event(session, 'stopped').reason)
+    local sessions = require('ladder.session')
+    t.eventually('the values of what has run', function()
+      local run = sessions.tag(sessions.of(bufnr), 'run')
+      return run and run.value == true and sessions.tag(sessions.of(bufnr), 'start').forced
     end)
+    t.eventually('power in the drawing', function()
+      local power = vim.api.nvim_get_namespaces().ladder_power
+      local marks = vim.api.nvim_buf_get_extmarks(bufnr, power, 0, -1, { details = true })
+      return vim.iter(marks):any(function(mark)
+        return mark[4].hl_group == 'LadderPowerOn'
+      end)
+    end)
+    local why
+    require('ladder.simulation').ask(bufnr, 'why', { tag = 'run' }, function(found)
+      why = found
+    end)
+    t.eventually('why', function()
+      return why and why.text:find('start', 1, true)
+    end)
+    -- A command of the buffer is an event for the debugger.
+    vim.cmd.Ladder('step')
+    t.equal('why it is', 'step', event(session, 'stopped').reason)
+    finish(session)
+    t.equal('a simulation', nil, sessions.of(bufnr))
+  end)
+
+  t.step('a simulation that runs is given a breakpoint, and goes on without the debugger', function()
+    local bufnr = t.open('motor.clad')
+    local simulation, sessions = require('ladder.simulation'), require('ladder.session')
+    simulation.start(bufnr)
+    simulation.run(bufnr)
+    assert(simulation.wait(bufnr))
+    local id = sessions.of(bufnr).id
+    local session = begin(stand_in.configurations.clad[1], { { line = 6 } })
+    t.equal('why it is', 'breakpoint', event(session, 'stopped').reason)
+    t.equal('the session', id, sessions.of(bufnr).id)
+    finish(session)
+    simulation.run(bufnr)
+    assert(simulation.wait(bufnr))
+    t.eventually('the simulation to run', function()
+      return sessions.of(bufnr).state.status == 'running' and #(sessions.of(bufnr).state.breakpoints or {}) == 0
+    end)
+    simulation.stop(bufnr)
   end)
 
   t.step('the scenario at the cursor is debugged', function()
@@ -190,7 +254,7 @@ return function(t)
     local stopped = event(session, 'stopped')
     t.equal('why it is', 'exception', stopped.reason)
     assert(stopped.description:find('run is FALSE, expected TRUE in step 3', 1, true), stopped.description)
-    answer(session, 'disconnect')
+    finish(session)
   end)
 
   t.step('a breakpoint counts its hits, and has a condition', function()
@@ -203,7 +267,7 @@ return function(t)
     place(session, { { line = line('[GE]'), condition = 'SYS.SCAN >= 20 AND button' } })
     stops_after(session, 'continue')
     t.equal('the scan', '20', value(session, 'SYS.SCAN'))
-    answer(session, 'disconnect')
+    finish(session)
   end)
 
   t.step('a log point writes and does not stop', function()
@@ -218,7 +282,7 @@ return function(t)
       local output = event(session, 'output')
       t.equal('what is written', { 'console', 'presses are 1, twice that 2\n' }, { output.category, output.output })
     end
-    answer(session, 'disconnect')
+    finish(session)
   end)
 
   t.step('the stack goes through a user-defined block to its place', function()
@@ -230,7 +294,7 @@ return function(t)
     end, frames)
     t.equal('the stack', { '$Tally#1 ' .. line('[ADD]( sum'), 'main ' .. line('[$Tally]( 1') }, seen)
     t.equal('its file', vim.api.nvim_buf_get_name(0), frames[2].source.path)
-    answer(session, 'disconnect')
+    finish(session)
   end)
 
   t.step('a fault is an exception, with words', function()
@@ -243,7 +307,7 @@ return function(t)
     assert(stopped.text:find('division by zero', 1, true), stopped.text)
     local information = answer(session, 'exceptionInfo', { threadId = 1 })
     assert(information.description:find('division by zero', 1, true), vim.inspect(information))
-    answer(session, 'disconnect')
+    finish(session)
   end)
 
   t.step('the program runs to the cursor, and steps back', function()
@@ -263,6 +327,6 @@ return function(t)
     local stopped
     stopped, frames = stops_after(session, 'reverseContinue')
     t.equal('why it is', 'entry', stopped.reason)
-    answer(session, 'disconnect')
+    finish(session)
   end)
 end

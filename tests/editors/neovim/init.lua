@@ -2,3 +2,5 @@
 vim.opt.runtimepath:prepend(vim.env.LADDER_ROOT .. '/editors/neovim')
 vim.lsp.config('ladder', { cmd = { vim.env.LADDER_BIN, 'lsp' } })
 vim.opt.swapfile = false
+-- What is counted in scans begins with the first.
+vim.g.ladder_start_paused = true

@@ -42,6 +42,64 @@ return function(t)
     t.equal('its severity', vim.diagnostic.severity.ERROR, found.severity)
   end)
 
+  --- What Neovim shows at the end of a line for its diagnostics.
+  local function virtual_text(bufnr, row)
+    local text = ''
+    for _, namespace in pairs(vim.diagnostic.get_namespaces()) do
+      local marks = namespace.user_data.virt_text_ns
+        and vim.api.nvim_buf_get_extmarks(
+          bufnr,
+          namespace.user_data.virt_text_ns,
+          { row, 0 },
+          { row, -1 },
+          { details = true }
+        )
+      for _, mark in ipairs(marks or {}) do
+        for _, chunk in ipairs(mark[4].virt_text or {}) do
+          text = text .. chunk[1]
+        end
+      end
+    end
+    return text
+  end
+
+  t.step('of a warning and an error in one line the error is told, without any setting', function()
+    local bufnr = t.open('motor.clad')
+    local count = vim.api.nvim_buf_line_count(bufnr)
+    vim.api.nvim_buf_set_lines(bufnr, count, -1, false, { '', '+--[TOM]( a )--[ ]( b )( )( y )--+' })
+    t.eventually('both diagnostics', function()
+      local found = vim.diagnostic.get(bufnr, { lnum = count + 1 })
+      return #found > 1 and found
+    end)
+    local text = t.eventually('their text', function()
+      local text = virtual_text(bufnr, count + 1)
+      return text ~= '' and text
+    end)
+    assert(text:find('TOM', 1, true), 'the line tells: ' .. text)
+  end)
+
+  t.step(':Ladder explain shows the page of the rule, that of the error first', function()
+    local bufnr = t.open('motor.clad')
+    local count = vim.api.nvim_buf_line_count(bufnr)
+    vim.api.nvim_buf_set_lines(bufnr, count, -1, false, { '', '+--[TOM]( a )--[ ]( b )( )( y )--+' })
+    t.eventually('both diagnostics', function()
+      return #vim.diagnostic.get(bufnr, { lnum = count + 1 }) > 1
+    end)
+    local function page(column, ...)
+      vim.api.nvim_win_set_cursor(0, { count + 2, column })
+      vim.cmd.Ladder({ args = { 'explain', ... } })
+      local float = t.eventually('the window', function()
+        return vim.b[bufnr].lsp_floating_preview
+      end)
+      local text = table.concat(vim.api.nvim_buf_get_lines(vim.api.nvim_win_get_buf(float), 0, -1, false), '\n')
+      vim.api.nvim_win_close(float, true)
+      return text:match('([%l]+%-[%l-]+)')
+    end
+    t.equal('the rule', 'unknown-instruction', page(0))
+    t.equal('the rule at the cursor', 'missing-wire', page(23))
+    t.equal('the rule that is named', 'double-coil', page(0, 'double-coil'))
+  end)
+
   t.step('a correction takes the diagnostic away', function()
     local bufnr = t.open('unpaired.clad')
     t.eventually('the diagnostic', function()

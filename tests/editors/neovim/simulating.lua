@@ -12,6 +12,32 @@ return function(t, messages)
     vim.cmd('Ladder stop')
   end)
 
+  t.step('a start runs and shows the first rung, unless it is to begin paused', function()
+    local bufnr = t.open('motor.clad')
+    -- Tags that fill the window.
+    local declared = { 'VAR' }
+    for number = 1, 2 * vim.o.lines do
+      table.insert(declared, ('  unused%d : BOOL;'):format(number))
+    end
+    table.insert(declared, 'END_VAR')
+    vim.api.nvim_buf_set_lines(bufnr, 0, 0, false, declared)
+    vim.api.nvim_win_set_cursor(0, { 1, 0 })
+    vim.cmd.redraw()
+    vim.g.ladder_start_paused = nil
+    vim.cmd('Ladder start')
+    t.eventually('the program to run', function()
+      local state = ladder.state()
+      return state and state.status == 'running' and state.scan > 0
+    end)
+    vim.cmd.redraw()
+    assert(vim.fn.line('w$') > #declared, 'the first rung is not in sight')
+    vim.g.ladder_start_paused = true
+    vim.cmd('Ladder start')
+    assert(ladder.wait(), 'no answer to the start')
+    t.equal('the status', 'paused', ladder.state().status)
+    vim.cmd('Ladder stop')
+  end)
+
   t.step('before the first scan nothing but the rail has power', function()
     local bufnr = t.open('motor.clad')
     vim.cmd('Ladder start')

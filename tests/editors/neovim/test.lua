@@ -24,6 +24,7 @@ require('changing')(t, messages)
 require('keys')(t, messages)
 require('power')(t, messages)
 require('views')(t)
+require('arrays')(t)
 require('click')(t, messages)
 
 t.run()

@@ -93,6 +93,72 @@ return function(t)
     keys:close()
   end)
 
+  --- A text without what the drawing adds: all wires have one length.
+  local function undrawn(lines)
+    return vim.tbl_map(function(line)
+      return (line:gsub('%-%-+', '--'):gsub('%s*|?%s*$', ''))
+    end, lines)
+  end
+
+  local places = {
+    { 'first', { '+--%s--( )( y )--+' }, 1 },
+    { 'in the middle', { '+--[ ]( a )--%s--( )( y )--+' }, 1 },
+    { 'last', { '+--[ ]( a )--%s' }, 1 },
+    { 'in a branch', { '+--\\--[ ]( a )--\\--( )( y )--+', '|  /--%s--/' }, 2 },
+  }
+  local blocks = { '[ ', '( ', '[TON', '[SEARCH', '<JMP' }
+
+  --- The text after a block was completed at a place and its first operand typed.
+  local function completed(keys, place, block)
+    local _, lines, row = unpack(place)
+    local before = vim.tbl_map(function(line)
+      return (line:gsub('%%s', function()
+        return block
+      end))
+    end, lines)
+    local column = lines[row]:find('%s', 1, true) - 1 + #block
+    keys:write(before, row, column - 1)
+    keys:press('a', '<C-x><C-o>')
+    keys:list()
+    keys:press('<C-n>', '<C-y>')
+    t.eventually('a place to be selected', function()
+      return keys:lua("return vim.snippet.active() and vim.fn.mode() == 's'")
+    end)
+    -- Longer than the server needs for a drawing.
+    vim.wait(60)
+    keys:press('zz9')
+    local typed_out = keys:lines()
+    keys:press('<Esc>')
+    return before, typed_out
+  end
+
+  t.step('what is completed is drawn when its operands are typed, wherever it is on a rung', function()
+    local keys = typing.open(t, { '' })
+    for _, place in ipairs(places) do
+      for _, block in ipairs(blocks) do
+        local what = block .. ' ' .. place[1]
+        keys:lua('vim.g.ladder_draw = false')
+        local _, plain = completed(keys, place, block)
+        assert(table.concat(plain):find('zz9', 1, true), vim.inspect(plain))
+        keys:lua('vim.g.ladder_draw = nil')
+        local before, typed_out = completed(keys, place, block)
+        t.equal(what, plain, typed_out)
+        -- A block with an error or an open rung may stay as it is written.
+        vim.wait(60)
+        local drawn = keys:lines()
+        t.equal(what .. ', drawn', undrawn(plain), undrawn(drawn))
+        keys:press('u')
+        t.eventually(what .. ' to be undone', function()
+          return not table.concat(keys:lines()):find('zz9', 1, true)
+        end)
+        keys:press('u', 'u', 'u', '10<C-r>')
+        keys:expect(what .. ', redone', drawn)
+        t.equal(what .. ' began as', #before, #drawn)
+      end
+    end
+    keys:close()
+  end)
+
   t.step('an answer that comes late does not take back what was chosen', function()
     local keys = typing.open(t, { '' }, ways.autotrigger)
     keys:press('i+--[')
@@ -157,6 +223,19 @@ return function(t)
     t.equal('the cursor', { 5, 0 }, keys:cursor())
     keys:write({ rung }, 1, 0)
     typed(keys, { { 'o', { rung, '+--' } }, { '<Esc>', { rung, '' } } })
+    keys:close()
+  end)
+
+  t.step('Enter within a block does nothing, and o below an open one begins a line', function()
+    local keys = typing.open(t, { '' })
+    typed(keys, {
+      { 'i+--[ ]( run )--[TON<CR>', { '+--[ ]( run )--[TON' } },
+      { ']( t, 5s )<Left><CR>', { '+--[ ]( run )--[TON]( t, 5s )' } },
+      { '9', { '+--[ ]( run )--[TON]( t, 5s 9)' } },
+      
+    })
+    keys:write({ '+--[ ]( run )--[TON' }, 1, 0)
+    typed(keys, { { 'o', { '+--[ ]( run )--[TON', '' } } })
     keys:close()
   end)
 

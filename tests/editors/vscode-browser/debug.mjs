@@ -51,7 +51,7 @@ async function force(page) {
     await row(page, 'button').getByText('TRUE (forced)').waitFor({ timeout: 5000 });
 }
 
-export async function debug(page, { step, screenshot }) {
+export async function debug(page, { step, until, weights, screenshot }) {
     const stack = page.locator('.debug-call-stack');
     await step('F5 starts the program of the editor, without a launch.json', async () => {
         await open(page, PROGRAM);
@@ -76,6 +76,23 @@ export async function debug(page, { step, screenshot }) {
         await row(page, 'presses').getByText('1').waitFor({ timeout: 5000 });
         await screenshot(page, 'debug');
     });
+    await step('stopped there, the text shows power and values as in a simulation, and why answers', async () => {
+        await page.getByText('Ladder: paused, scan 0, 0ms, 1 forced').waitFor({ timeout: 5000 });
+        // On a line without a tag, so that one is asked for.
+        await page.locator('.monaco-editor .view-line', { hasText: '# Enough #' }).click();
+        const rung = () => weights(page, '+--[P]( button )');
+        await until('power on the rung that has run', 5, async () => (await rung()).some(({ bold }) => bold));
+        await command(page, 'Ladder: Why Has the Tag This Value?');
+        await page.locator('.quick-input-title', { hasText: 'Why' }).waitFor({ timeout: 5000 });
+        await page.keyboard.type('presses');
+        await page.keyboard.press('Enter');
+        await page.locator('.monaco-list-row', { hasText: '[ADD]( presses' }).first().waitFor({ timeout: 5000 });
+        await page.keyboard.press('Control+Shift+D');
+    });
+    await step('the marks of a breakpoint and of a stop move nothing within their line', async () => {
+        const marks = '.debug-breakpoint-placeholder, .debug-top-stack-frame-column:not(.start-of-line)';
+        assert.equal(await page.locator(marks).count(), 0);
+    });
     await step('an expression of several tags is watched, and follows the program', async () => {
         const pane = page.locator('.debug-pane, .pane', { has: page.locator('.pane-header', { hasText: 'Watch' }) }).last();
         await pane.locator('.pane-header').hover();
@@ -95,7 +112,11 @@ export async function debug(page, { step, screenshot }) {
     });
     await step('F11 goes to the next block, Shift+F11 to the end of the scan', async () => {
         await page.keyboard.press('F11');
-        await page.getByText('Ln 14, Col 50 (11 selected)').waitFor({ timeout: 5000 });
+        // The live view shows what has run; a selection would be replaced by the next letter.
+        const rung = () => weights(page, '+--[GE]( presses');
+        await until('power after the block', 5, async () => (await rung()).some(({ text, bold }) => bold && text.includes('----')));
+        await page.getByText('Paused on step').waitFor({ timeout: 5000 });
+        await page.getByText('Ln 14, Col 1', { exact: true }).waitFor({ timeout: 5000 });
         await page.keyboard.press('Shift+F11');
         await stack.getByText('main, before scan 1').waitFor({ timeout: 5000 });
     });
@@ -155,9 +176,36 @@ export async function debug(page, { step, screenshot }) {
         await page.locator('.repl .monaco-list-row', { hasText: 'TRUE' }).first().waitFor({ timeout: 5000 });
         await screenshot(page, 'debug-console');
     });
-    await step('Shift+F5 ends it', async () => {
+    await step('Shift+F5 ends it, and the simulation with it', async () => {
         await page.keyboard.press('Shift+F5');
         await page.locator('.debug-toolbar').waitFor({ state: 'hidden', timeout: 5000 });
+        await page.locator('.codelens-decoration a', { hasText: 'Start simulation' }).waitFor({ timeout: 5000 });
         assert.equal(await page.locator('.notification-list-item', { hasText: 'rror' }).count(), 0);
+    });
+    await step('a simulation that runs is given a breakpoint by the debugger, and is there without it', async () => {
+        await page.locator('.monaco-editor .view-line', { hasText: '# Enough #' }).click();
+        await command(page, 'Ladder: Start Simulation');
+        await command(page, 'Ladder: Run');
+        await page.getByText('Ladder: running').waitFor({ timeout: 5000 });
+        await command(page, 'Ladder: Debug This Program');
+        await page.locator('.debug-toolbar').waitFor({ timeout: 15000 });
+        await page.getByText('Ladder: running').waitFor({ timeout: 5000 });
+        await page.locator('.monaco-editor .view-line', { hasText: '[GE]' }).click();
+        await page.keyboard.press('F9');
+        await stack.getByText('main, rung in line 14: Enough').waitFor({ timeout: 5000 });
+        await page.keyboard.press('F9');
+        await page.keyboard.press('Shift+F5');
+        await page.locator('.debug-toolbar').waitFor({ state: 'hidden', timeout: 5000 });
+        await page.getByText('Ladder: paused').waitFor({ timeout: 5000 });
+        await command(page, 'Ladder: Stop Simulation');
+    });
+    await step('F5 in a file of scenarios runs the one at the cursor', async () => {
+        await open(page, 'motor.ladder-test');
+        await page.locator('.monaco-editor .view-line', { hasText: 'stop does nothing' }).click();
+        await page.keyboard.press('F5');
+        await stack.getByText('scenario "stop does nothing", step 3').waitFor({ timeout: 15000 });
+        await screenshot(page, 'debug-scenario-at-cursor');
+        await page.keyboard.press('Shift+F5');
+        await page.locator('.debug-toolbar').waitFor({ state: 'hidden', timeout: 5000 });
     });
 }

@@ -108,7 +108,7 @@ export async function scenarios(page, { step, until, screenshot, holdTest }) {
     const result = (name) => tree.locator('.monaco-list-row', { hasText: FILE }).locator(`.codicon-testing-${name}-icon`);
     /** A motor that nothing stops is what the second scenario wants: its coil becomes one that sets. */
     const fix = async () => {
-        await cursorTo(page, 2, 49);
+        await cursorTo(page, 2, 69);
         await page.keyboard.press('Shift+ArrowRight');
         await page.keyboard.type('S');
         await page.keyboard.press('Control+S');

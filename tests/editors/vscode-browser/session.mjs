@@ -350,7 +350,7 @@ const parts = (page) => ({
     typing: () => typing(page, { step, until, screenshot, project: join(scratch, 'project') }),
     drawing: () => drawing(page, { step, until }),
     book: () => book(page, { step, until, project: join(scratch, 'project') }),
-    debug: () => debug(page, { step, screenshot }),
+    debug: () => debug(page, { step, until, weights, screenshot }),
     scenarios: () => scenarios(page, { step, until, screenshot, holdTest }),
     // Its last step loads the page again.
     diagram: () => diagram(page, { step, until, screenshot }),

@@ -49,7 +49,7 @@ pub(crate) fn check(data: &[u8]) {
             return;
         }
         left -= scans;
-        let ran = scenario::run(case, &mut simulation, |_| {});
+        let ran = scenario::run(case, &mut simulation, Simulation::scan);
         assert!(ran.scans <= scans, "{file}");
         for width in [20, 100] {
             let drawn = scenario::draw(case, &ran, options.interval, width);

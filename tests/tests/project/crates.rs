@@ -23,7 +23,7 @@ const RULES: [(&str, &[&str]); 11] = [
     ),
     (
         "cli",
-        &["simulator", "picture", "notations", "workspace", "server"],
+        &["simulator", "ide", "picture", "notations", "workspace", "server"],
     ),
 ];
 

@@ -23,6 +23,5 @@ mod rule_index;
 mod safe_fixes;
 mod scenarios;
 mod settings_reference;
-mod snippets;
 mod texts;
 mod timing_diagrams;

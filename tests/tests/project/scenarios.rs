@@ -54,7 +54,7 @@ impl Tested {
         }
         let mut passed = Vec::new();
         for case in &cases {
-            let ran = scenario::run(case, &mut self.simulation, |_| {});
+            let ran = scenario::run(case, &mut self.simulation, Simulation::scan);
             if ran.passed() {
                 passed.push(case.name.clone());
                 continue;

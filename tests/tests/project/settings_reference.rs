@@ -69,7 +69,9 @@ fn the_defaults_are_those_of_the_code() {
                 ("simulate", "watchdog") => Some(engine.watchdog.to_string()),
                 ("inlayHints", "enable") => Some(editor.inlay_hints.to_string()),
                 ("codeLens", "enable") => Some(editor.code_lens.to_string()),
-                ("simulate", "history" | "retain") | ("lint", "overrides") | ("workspace", _) => None,
+                ("simulate", "history" | "retain") | ("lint", "overrides") | ("workspace" | "project", _) => {
+                    None
+                }
                 other => panic!("compare the default of {other:?} with the code"),
             };
             assert_eq!(setting.default.map(str::to_owned), found, "{}", setting.key);

@@ -8,8 +8,10 @@ mod files;
 mod format;
 mod given;
 mod lint;
+mod project;
 mod reader;
 mod simulate;
+mod switch_off;
 pub mod table;
 
 pub use editor::EditorSettings;
@@ -17,6 +19,7 @@ pub use error::{SettingError, SettingsError};
 pub use files::Files;
 pub use given::Tree;
 pub use lint::{Levels, Lint};
+pub use project::Project;
 pub use simulate::Simulate;
 
 use crate::error::FileError;
@@ -27,7 +30,7 @@ use ladder_syntax::{LineIndex, TextRange, TextSize};
 use reader::{Reader, Source, Table};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use table::{FORMAT, LINT, SIMULATE, WORKSPACE};
+use table::{FORMAT, LINT, PROJECT, SIMULATE, WORKSPACE};
 use toml::de::DeTable;
 
 /// What a workspace asks for.
@@ -41,6 +44,8 @@ pub struct Settings {
     pub simulate: Simulate,
     /// `[workspace]`: which files belong to it.
     pub files: Files,
+    /// `[project]`: what the project is.
+    pub project: Project,
 }
 
 impl Root {
@@ -158,6 +163,9 @@ impl Settings {
         }
         if let Some(table) = reader.section(top, &WORKSPACE) {
             settings.files = files::read(table, folder, reader);
+        }
+        if let Some(table) = reader.section(top, &PROJECT) {
+            settings.project = project::read(table, reader);
         }
         settings
     }

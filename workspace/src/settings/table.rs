@@ -209,6 +209,31 @@ pub(super) const SIMULATE: Section = Section {
     settings: &[INTERVAL, WATCHDOG, HISTORY, RETAIN],
 };
 
+pub(super) const NAME: Setting = Setting {
+    key: "name",
+    kind: Kind::Text,
+    place: SetBy::File,
+    default: None,
+    example: "\"Pumping station\"",
+    about: "What the project is called, in the title block of printed pages.",
+};
+
+pub(super) const VERSION: Setting = Setting {
+    key: "version",
+    kind: Kind::Text,
+    place: SetBy::File,
+    default: None,
+    example: "\"1.2\"",
+    about: "The version of its programs, likewise.",
+};
+
+/// What the project is.
+pub(super) const PROJECT: Section = Section {
+    name: "project",
+    about: "What the project is, for the title block of `ladder render -o x.pdf`.",
+    settings: &[NAME, VERSION],
+};
+
 /// Which programs belong to the workspace.
 pub(super) const WORKSPACE: Section = Section {
     name: "workspace",
@@ -222,6 +247,7 @@ pub const SECTIONS: &[Section] = &[
     LINT,
     SIMULATE,
     WORKSPACE,
+    PROJECT,
     Section {
         name: "inlayHints",
         about: "Hints in the text.",
@@ -231,6 +257,18 @@ pub const SECTIONS: &[Section] = &[
         name: "codeLens",
         about: "Commands in the text.",
         settings: &[CODE_LENS],
+    },
+    Section {
+        name: "start",
+        about: "How the extension starts simulations.",
+        settings: &[Setting {
+            key: "paused",
+            kind: Kind::Switch,
+            place: SetBy::Extension,
+            default: Some("false"),
+            example: "true",
+            about: "*Start Simulation* begins before the first scan and waits, instead of running.",
+        }],
     },
     Section {
         name: "server",

@@ -13,6 +13,10 @@ use ladder_syntax::{Parse, TextRange, TextSize};
 /// This many columns next to a connector its partner is looked for.
 pub(super) const NEAR: usize = 2;
 
+/// This many columns from a connector a wire is looked for, where a block is in the connector's column: it is where the
+/// branch was meant to leave or to come back.
+const NEAR_A_BLOCK: usize = 16;
+
 /// A rung with the columns of its parts.
 pub(super) struct Row {
     line: usize,
@@ -40,9 +44,11 @@ pub(super) fn fixes(parse: &Parse, own: &Side, other: Option<&Side>, suspect: us
     let mut fixes: Vec<Fix> = exchanged(parse, spot, own.kind, column).into_iter().collect();
     if let Some(other) = &other {
         fixes.extend(in_its_place(parse, other, &row, own.kind, column));
+        let is_misdrawn = !fixes.is_empty();
         let closed = close(parse, other, own.kind, column);
         let joined = || join(parse, other, own.kind, column);
-        fixes.extend(closed.or_else(joined));
+        let drawn = || draw(parse, other, own.kind, column, suspect).filter(|_| !is_misdrawn);
+        fixes.extend(closed.or_else(joined).or_else(drawn));
     }
     fixes.extend(take_away(parse, spot, own.kind));
     fixes
@@ -236,6 +242,47 @@ fn join(parse: &Parse, other: &Row, kind: PartKind, column: usize) -> Option<Fix
     let meant = symbol(partner(kind));
     let title = format!("Join with `{meant}` {} it", next_to(kind));
     Some(guess(title, vec![edit(at, meant)]))
+}
+
+/// No wire of the other line passes the connector: the nearest one from which the two are still a pair, if one is near.
+fn draw(parse: &Parse, other: &Row, kind: PartKind, column: usize, suspect: usize) -> Option<Fix> {
+    // Below, a rung that comes from the left rail is one of its own.
+    if kind == PartKind::Down
+        && other
+            .rung
+            .parts
+            .iter()
+            .any(|part| part.kind == PartKind::LeftRail)
+    {
+        return None;
+    }
+    let distance = |part: usize| {
+        let (start, end) = other.spans[part];
+        start.saturating_sub(column) + (column + 1).saturating_sub(end)
+    };
+    let pairs = |part: usize| {
+        let left = other.rung.connectors(partner(kind));
+        left.take_while(|connector| *connector < part).count() <= suspect
+    };
+    let wires = (0..other.spans.len()).filter(|&part| other.is(part, PartKind::Wire) && pairs(part));
+    let wire = wires.min_by_key(|&part| distance(part))?;
+    if distance(wire) > NEAR_A_BLOCK {
+        return None;
+    }
+    let range = other.range(parse, wire);
+    let at = if other.spans[wire].0 > column {
+        range.start()
+    } else {
+        range.end()
+    };
+    let meant = symbol(partner(kind));
+    let drawn = if at == range.start() {
+        format!("--{meant}")
+    } else {
+        format!("{meant}--")
+    };
+    let title = format!("Draw `{meant}` {} it", next_to(kind));
+    Some(guess(title, vec![edit(TextRange::empty(at), &drawn)]))
 }
 
 /// The last way out.

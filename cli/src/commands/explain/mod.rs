@@ -1,5 +1,6 @@
-//! `ladder explain`: the reference page of a rule or an instruction.
+//! `ladder explain`: the reference page of a rule, an instruction, or a block of a program.
 
+mod block;
 mod instruction;
 mod list;
 mod look;
@@ -15,6 +16,7 @@ use ladder_instructions::{Instruction, Shape, closest};
 use look::Look;
 use names::Names;
 use std::io::Write;
+use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -22,6 +24,9 @@ Examples:
   ladder explain TON                an instruction
   ladder explain double-coil        a rule: a finding shows its name in brackets
   ladder explain '[/]'              the quotes keep the shell from the brackets
+  ladder explain '$Alarm'           a block of the programs in this folder
+  ladder explain '$Alarm' plant.clad
+                                    of this program or its workspace
   ladder explain '( S )'            the coil, where a name means several things
 
 Exit status: 0 fine, 2 nothing has this name.";
@@ -29,13 +34,18 @@ Exit status: 0 fine, 2 nothing has this name.";
 /// Show what a rule is about, or how an instruction works
 ///
 /// Of a rule: what is wrong, a rung that has it and one that does not, and what to do. Of an instruction: its
-/// operands, what it does, what power leaves it, and a rung that shows it. Without a name: what there is.
+/// operands, what it does, what power leaves it, and a rung that shows it. Of a block of a program: its operands with their
+/// types. Without a name: what there is.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
-    /// The name of a rule, or of an instruction, with its brackets or without
+    /// The name of a rule, of an instruction with its brackets or without, or of a block of a program
     #[arg(value_name = "RULE-OR-INSTRUCTION", value_parser = Names, hide_possible_values = true)]
     name: Option<String>,
+
+    /// The program whose block is explained; without it those in this folder are searched
+    #[arg(value_name = "PROGRAM")]
+    program: Option<PathBuf>,
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
@@ -46,6 +56,17 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         out.flush()?;
         return Ok(Outcome::Fine);
     };
+    if let Some(block) = block::named(name) {
+        let page = block::page(block, arguments.program.as_deref())?;
+        block::print(&page, &look, &mut out)?;
+        out.flush()?;
+        return Ok(Outcome::Fine);
+    }
+    if arguments.program.is_some() {
+        return Err(Failure::new(format!(
+            "a program is only asked for a block, whose name begins with `$`; `{name}` is the same in all"
+        )));
+    }
     if let Some(rule) = rule::find(name) {
         rule::print(rule, &look, &mut out)?;
         out.flush()?;

@@ -3,9 +3,8 @@
 use super::look::Look;
 use super::markdown;
 use ladder_analysis::Rule;
+use ladder_ide::rule_page;
 use std::io::{self, Write};
-
-include!(concat!(env!("OUT_DIR"), "/rule_pages.rs"));
 
 /// The rule of a name, as findings show it; capitals, and blanks or underscores for the hyphens, do not matter.
 pub(super) fn find(name: &str) -> Option<Rule> {
@@ -14,7 +13,7 @@ pub(super) fn find(name: &str) -> Option<Rule> {
 
 /// The first sentence of its page.
 pub(super) fn summary(rule: Rule) -> String {
-    let parts = page(rule).unwrap_or_default().split("\n\n");
+    let parts = rule_page(rule).split("\n\n");
     let first = parts
         .map(str::trim)
         .find(|part| !part.is_empty() && !part.starts_with('#'));
@@ -48,14 +47,9 @@ pub(super) fn closest(name: &str) -> Option<&'static str> {
         .map(|(_, rule)| rule)
 }
 
-fn page(rule: Rule) -> Option<&'static str> {
-    let found = RULE_PAGES.iter().find(|(name, _)| *name == rule.name());
-    found.map(|(_, page)| *page)
-}
-
 /// Writes the page.
 pub(super) fn print(rule: Rule, look: &Look, out: &mut impl Write) -> io::Result<()> {
-    markdown::print(page(rule).unwrap_or(rule.name()).trim_end(), look, out)?;
+    markdown::print(rule_page(rule).trim_end(), look, out)?;
     writeln!(
         out,
         "\n{heading}Severity{heading:#}\n\n{}{}",
@@ -67,17 +61,4 @@ pub(super) fn print(rule: Rule, look: &Look, out: &mut impl Write) -> io::Result
         },
         heading = look.heading
     )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_rule_has_its_page() {
-        for rule in ladder_analysis::rules::ALL {
-            let page = page(*rule).unwrap_or_else(|| panic!("docs/src/rules has no {rule}.md"));
-            assert!(page.starts_with(&format!("# `{rule}`")), "{rule}");
-        }
-    }
 }

@@ -5,6 +5,8 @@ mod pdf;
 #[cfg(feature = "png")]
 mod raster;
 mod text;
+#[cfg(feature = "pdf")]
+mod title_block;
 
 #[cfg(not(all(feature = "pdf", feature = "png")))]
 use crate::features::Feature;
@@ -41,7 +43,8 @@ Exit status: 0 fine, 1 the program has errors (it is drawn as far as it goes, bu
 /// Draw a program as a picture
 ///
 /// Networks are drawn with the symbols of IEC 61131-3. In SVG and PDF files text stays text: it can be searched and
-/// copied. A PDF has the declarations as a table and numbered networks, and its pages break between networks.
+/// copied. A PDF has the declarations as a table and numbered networks, its pages break between networks, and a title
+/// block names the project and its version from ladder.toml, the file, and the day of its last change.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -136,7 +139,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         return characters(arguments, &source);
     }
     let (scene, outcome) = match arguments.scans {
-        None => at_rest(&source),
+        None => at_rest(arguments, &source),
         Some(scans) => match running(arguments, &source, scans)? {
             Some(drawn) => drawn,
             None => return Ok(Outcome::Findings),
@@ -215,6 +218,36 @@ fn check(arguments: &Arguments, format: Format) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Where the right rail of networks is that take the whole width of a page; none where there are no pages.
+#[cfg(feature = "pdf")]
+fn rail(arguments: &Arguments) -> Option<u32> {
+    matches!(format(arguments), Ok(Format::Pdf)).then(|| paper(arguments).rail())
+}
+
+#[cfg(not(feature = "pdf"))]
+fn rail(_: &Arguments) -> Option<u32> {
+    None
+}
+
+/// The pages that are asked for, with nothing on them yet.
+#[cfg(feature = "pdf")]
+fn paper(arguments: &Arguments) -> sheet::Options<'static> {
+    sheet::Options {
+        size: match arguments.paper {
+            None | Some(Paper::A4) => sheet::Size::A4,
+            Some(Paper::Letter) => sheet::Size::Letter,
+        },
+        orientation: if arguments.landscape {
+            sheet::Orientation::Landscape
+        } else {
+            sheet::Orientation::Portrait
+        },
+        title: "",
+        note: "",
+        block: &[],
+    }
+}
+
 /// The picture as pages of a PDF.
 #[cfg(feature = "pdf")]
 fn pages(arguments: &Arguments, source: &Source, scene: &Scene, theme: Theme) -> Result<Vec<u8>, Failure> {
@@ -229,18 +262,12 @@ fn pages(arguments: &Arguments, source: &Source, scene: &Scene, theme: Theme) ->
         Some(1) => "after 1 scan".to_owned(),
         Some(scans) => format!("after {scans} scans"),
     };
+    let block = title_block::title_block(&arguments.file)?;
     let options = sheet::Options {
-        size: match arguments.paper {
-            None | Some(Paper::A4) => sheet::Size::A4,
-            Some(Paper::Letter) => sheet::Size::Letter,
-        },
-        orientation: if arguments.landscape {
-            sheet::Orientation::Landscape
-        } else {
-            sheet::Orientation::Portrait
-        },
         title,
         note: &note,
+        block: &block,
+        ..paper(arguments)
     };
     let sheets = sheet::sheets(&source.analyze().context, scene, &options);
     let document = pdf::document(&sheets, title, theme)
@@ -267,8 +294,12 @@ fn pages(_: &Arguments, _: &Source, _: &Scene, _: Theme) -> Result<Vec<u8>, Fail
 }
 
 /// The picture of the program as it is written. One with errors is drawn as well, and stderr shows them.
-fn at_rest(source: &Source) -> (Scene, Outcome) {
-    let scene = ladder_picture::scene(&source.analyze().context, &Options::default());
+fn at_rest(arguments: &Arguments, source: &Source) -> (Scene, Outcome) {
+    let options = Options {
+        rail: rail(arguments),
+        ..Options::default()
+    };
+    let scene = ladder_picture::scene(&source.analyze().context, &options);
     (scene, rest(source))
 }
 
@@ -320,7 +351,8 @@ fn running(arguments: &Arguments, source: &Source, scans: u64) -> Result<Option<
     let options = Options {
         power: Some(power),
         value: Some(&value),
-        live: false,
+        rail: rail(arguments),
+        ..Options::default()
     };
     let scene = ladder_picture::scene(&source.analyze().context, &options);
     Ok(Some((scene, run.outcome())))

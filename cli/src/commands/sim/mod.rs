@@ -74,7 +74,8 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "FILE")]
     retain: Option<PathBuf>,
 
-    /// The tags to write, in this order; without it every single-valued tag but constants, sorted by name
+    /// The tags to write, in this order; an array stands for its elements, `a[2..5]` for some of them.
+    /// Without it every tag but constants, timers and counters, sorted by name
     #[arg(long, value_name = "TAG,...", value_delimiter = ',')]
     watch: Vec<String>,
 
@@ -215,13 +216,15 @@ fn watched(
         ));
     }
     if !names.is_empty() {
-        return names
-            .iter()
-            .map(|name| match simulation.resolve(name) {
-                Ok(point) => Ok((name.trim().to_owned(), point)),
-                Err(unknown) => Err(Failure::new(format!("--watch {name}: {unknown}"))),
-            })
-            .collect();
+        let mut watched = Vec::new();
+        for name in names {
+            match simulation.resolve_all(name).as_deref() {
+                Ok([point]) if !opens(name, point) => watched.push((name.trim().to_owned(), point.clone())),
+                Ok(points) => watched.extend(points.iter().map(|point| (point.name.clone(), point.clone()))),
+                Err(unknown) => return Err(Failure::new(format!("--watch {name}: {unknown}"))),
+            }
+        }
+        return Ok(watched);
     }
     let program = simulation.program();
     let written = source
@@ -235,7 +238,7 @@ fn watched(
     let others = others.map(|other| (other.tag, other.name.as_str()));
     let shown = |id: TagId| {
         let tag = &program.tags[id.0 as usize];
-        !tag.constant && matches!(tag.ty, Type::Scalar(_))
+        !tag.constant && !matches!(tag.ty, Type::State(_)) && !simulation.is_long(id)
     };
     let mut names: Vec<&str> = own
         .chain(others)
@@ -246,8 +249,21 @@ fn watched(
     // A tag that the simulation does not know by its name is shadowed by another of that name.
     Ok(names
         .into_iter()
-        .filter_map(|name| Some((name.to_owned(), simulation.resolve(name).ok()?)))
+        .flat_map(|name| {
+            let points = simulation.resolve_all(name).unwrap_or_default();
+            points.into_iter().map(move |point| (called(name, &point), point))
+        })
         .collect())
+}
+
+/// Whether a name stands for what a tag opens into, of which there is only one.
+fn opens(name: &str, point: &Point) -> bool {
+    name.contains("..") || (point.name.contains(['[', '.']) && !name.contains(['[', '.']))
+}
+
+/// The name of a tag, or of an element of it, where the tag goes by this name.
+fn called(name: &str, point: &Point) -> String {
+    format!("{name}{}", point.index().unwrap_or_default())
 }
 
 /// The tags that a block writes as a whole.

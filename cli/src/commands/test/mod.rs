@@ -8,6 +8,7 @@ mod lcov;
 mod people;
 mod report;
 mod suite;
+mod watch;
 
 use crate::findings::{Problem, Source};
 use crate::outcome::{Failure, Outcome};
@@ -32,6 +33,7 @@ Examples:
   ladder test motor.ladder-test --filter stop  those with \"stop\" in their name
   ladder test . --format junit > report.xml    for a build server
   ladder test . --coverage                     and what was never exercised
+  ladder test . --watch                        again whenever a file changes
 
 A file of scenarios, motor.ladder-test, says what goes into a program and what must come out of it:
 
@@ -79,6 +81,10 @@ pub(crate) struct Arguments {
     /// Replace the file for --coverage-output even if this command did not make it
     #[arg(long, requires = "coverage_output")]
     force: bool,
+
+    /// Run again whenever scenarios, a program or ladder.toml change, until Ctrl-C
+    #[arg(long)]
+    watch: bool,
 }
 
 /// How the results are written.
@@ -108,7 +114,23 @@ struct All<'c> {
     covered: Option<&'c Covered>,
 }
 
+/// What came of running all files once.
+struct Round {
+    outcome: Outcome,
+    /// The output is closed.
+    nobody_reads: bool,
+}
+
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    if arguments.watch {
+        watch::run(arguments)
+    } else {
+        run_files(arguments).map(|round| round.outcome)
+    }
+}
+
+/// Runs all files once.
+fn run_files(arguments: &Arguments) -> Result<Round, Failure> {
     let began = Instant::now();
     if let Some(program) = arguments
         .paths
@@ -184,7 +206,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if let Some(file) = &arguments.coverage_output {
         ladder_workspace::write(file, lcov::text(&covered).as_bytes())?;
     }
-    Ok(outcome)
+    Ok(Round {
+        outcome,
+        nobody_reads: out.is_closed(),
+    })
 }
 
 /// Runs the files on all processors, and gives their reports in the order of the files, each as soon as it can be.

@@ -156,17 +156,16 @@ fn play(path: &Path, source: &Source, wishes: &Wishes, report: &mut FileReport) 
         problems
     })?;
     let files = simulation.program().files.clone();
-    let mut coverage = wishes.coverage.then(|| Coverage::of(&simulation));
+    let mut coverage = wishes.coverage.then(|| Coverage::of(&mut simulation));
     for case in &cases {
         let wanted = |filter: &String| case.name.to_lowercase().contains(filter);
         if !wishes.filter.as_ref().is_none_or(wanted) {
             continue;
         }
         let began = Instant::now();
-        let ran = scenario::run(case, &mut simulation, |simulation| {
-            if let Some(coverage) = &mut coverage {
-                coverage.observe(simulation);
-            }
+        let ran = scenario::run(case, &mut simulation, |simulation| match &mut coverage {
+            Some(coverage) => coverage.scan(simulation),
+            None => simulation.scan(),
         });
         let seconds = began.elapsed().as_secs_f64();
         let interval = simulation.options().interval;

@@ -7,6 +7,7 @@ use crate::screen::sheet::{Block, Mark, Shown};
 use crate::screen::theme::{heading as heading_style, quiet};
 use crate::screen::values;
 use ladder_analysis::program::ElementKind;
+use ladder_analysis::values::types::Scalar;
 use ladder_simulator::Breakpoint;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -231,7 +232,7 @@ fn look(offset: usize, rest: &str, mark: Option<&Mark>, blocks: &[(&Block, bool)
 fn look_of_block(offset: usize, rest: &str, block: &Block, power: Style, scene: Scene) -> Look {
     let Scene { plant, theme, .. } = scene;
     let blank = rest.starts_with(' ');
-    for operand in &block.operands {
+    for operand in plant.operands(block).iter() {
         let point = &operand.point;
         let inside = (operand.start..operand.end).contains(&offset);
         let before = blank && offset + 1 == operand.start;
@@ -278,7 +279,8 @@ fn values_width(line: usize, scene: Scene) -> u16 {
         .plant
         .sheet
         .shown(line)
-        .map(|shown| value_text(shown, scene));
+        .map(|shown| value_text(shown, scene))
+        .filter(|text| !text.is_empty());
     let widths = texts.map(|text| ladder_format::display_width(&text) as u16);
     widths
         .reduce(|all, next| all.saturating_add(2).saturating_add(next))
@@ -296,9 +298,16 @@ fn draw_values(buffer: &mut Buffer, pane: Rect, row: u16, column: u16, line: usi
         let forced = match shown {
             Shown::Progress { reached, .. } => plant.is_forced(reached),
             Shown::Value(point) => plant.is_forced(point),
+            Shown::Indexed(indexed) => {
+                let point = plant.simulation().indexed_point(&indexed.place);
+                point.is_some_and(|point| plant.is_forced(&point))
+            }
         };
         let style = if forced { theme.forced() } else { theme.value() };
         let mut text = value_text(shown, scene);
+        if text.is_empty() {
+            continue;
+        }
         if forced {
             text.push_str(" F");
         }
@@ -315,7 +324,7 @@ fn draw_values(buffer: &mut Buffer, pane: Rect, row: u16, column: u16, line: usi
     }
 }
 
-/// `warmup 1.2s/5s`, `level=42`
+/// `warmup 1.2s/5s`, `level=42`, `trip[2]=1`; nothing of an index that leads to no element.
 pub(super) fn value_text(shown: &Shown, scene: Scene) -> String {
     let plant = scene.plant;
     match shown {
@@ -327,5 +336,12 @@ pub(super) fn value_text(shown: &Shown, scene: Scene) -> String {
             values::goal(&plant.value(goal), goal.ty),
         ),
         Shown::Value(point) => format!("{}={}", point.name, values::short(&plant.value(point), point.ty)),
+        Shown::Indexed(indexed) => match plant.simulation().indexed_point(&indexed.place) {
+            Some(point) if point.ty == Scalar::Bool => {
+                format!("{}={}", point.name, u8::from(plant.is_high(&point)))
+            }
+            Some(point) => format!("{}={}", point.name, values::short(&plant.value(&point), point.ty)),
+            None => String::new(),
+        },
     }
 }

@@ -4,6 +4,7 @@ use super::{Scene, put};
 use crate::screen::picker;
 use crate::screen::plant::Plant;
 use crate::screen::prompt;
+use crate::screen::sheet::Shown;
 use crate::screen::theme::quiet;
 use crate::screen::values;
 use crate::screen::view::{Mode, NoteKind};
@@ -146,14 +147,15 @@ fn selection(scene: Scene) -> String {
         None => format!(" {}", plant.sheet.block_text(block)),
     };
     let mut named: Vec<&Point> = Vec::new();
-    for operand in &block.operands {
+    let operands = plant.operands(block);
+    for operand in operands.iter() {
         if named.iter().all(|other| other.name != operand.point.name) {
             named.push(&operand.point);
         }
     }
     if let [point] = named[..]
         && point.ty == Scalar::Bool
-        && block.shown.is_empty()
+        && block.shown.iter().all(|shown| matches!(shown, Shown::Indexed(_)))
     {
         let role = match point.role {
             Role::Input => "input ",

@@ -1,5 +1,6 @@
 //! Screens as people see them: a program, what is pressed, and what is on the terminal then.
 
+mod arrays;
 mod book;
 mod diagrams;
 mod navigation;

@@ -112,9 +112,9 @@ end
 function M.start(bufnr)
   local simulation = require('ladder.simulation')
   if vim.bo[bufnr].filetype ~= M.FILETYPE then
-    return simulation.start(bufnr)
+    return simulation.begin(bufnr)
   end
-  M.preview(bufnr, simulation.start)
+  M.preview(bufnr, simulation.begin)
 end
 
 vim.api.nvim_create_autocmd('BufUnload', {

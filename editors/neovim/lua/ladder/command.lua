@@ -269,6 +269,16 @@ local subcommands = {
       vim.diagnostic.setloclist({ title = 'Ladder check' })
     end,
   },
+  explain = {
+    run = function(arguments)
+      local explain = require('ladder.explain')
+      local rule = arguments[1] or explain.rule_here() or refuse('there is no finding in this line; ":Ladder explain RULE" shows the page of a rule.')
+      explain.show(buffer(), rule)
+    end,
+    complete = function(arguments)
+      return #arguments == 0 and require('ladder.explain').rules() or {}
+    end,
+  },
   test = {
     run = function(arguments)
       local nearest

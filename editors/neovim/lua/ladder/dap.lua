@@ -14,6 +14,11 @@ local function program()
   return require('ladder.program').command('ladder')
 end
 
+--- The language server, if one runs: of this buffer, or of any.
+local function server()
+  return require('ladder.server').of(0) or vim.lsp.get_clients({ name = NAME })[1]
+end
+
 --- The names of the scenarios of a file, in their order.
 --- @param lines string[]
 --- @return string[]
@@ -53,7 +58,9 @@ local scenarios = {
     request = 'launch',
     name = 'Run the scenario at the cursor',
     scenarioFile = '${file}',
-    scenario = M.scenario_here,
+    scenarioLine = function()
+      return vim.fn.line('.')
+    end,
   },
 }
 
@@ -81,7 +88,13 @@ function M.register()
     return false
   end
   if not dap.adapters[NAME] then
-    dap.adapters[NAME] = function(callback)
+    dap.adapters[NAME] = function(callback, configuration)
+      local client = server()
+      if client then
+        return require('ladder.debugging').begin(client, configuration, function(pipe)
+          callback({ type = 'pipe', pipe = pipe })
+        end)
+      end
       callback({
         type = 'executable',
         command = program(),

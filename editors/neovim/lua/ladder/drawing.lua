@@ -21,7 +21,9 @@ local function is_begun(line)
 end
 
 --- Has the server go on after a key that was just typed. The next key waits, so that it finds what was begun.
-local function go_on(client, bufnr, state, typed)
+--- @param typed string the key
+--- @param by_key boolean whether it was typed: `o` begins a line too, and splits none
+local function go_on(client, bufnr, state, typed, by_key)
   if vim.api.nvim_get_current_buf() ~= bufnr or not vim.startswith(vim.fn.mode(), 'i') then
     return
   end
@@ -33,8 +35,17 @@ local function go_on(client, bufnr, state, typed)
   if not edits or #edits == 0 then
     return
   end
+  -- A line end within a block is taken back.
+  local from, to = edits[1].range.start, edits[1].range['end']
+  local joins = typed == ENTER and #edits == 1 and to.line == from.line + 1
+  if joins and not by_key then
+    return
+  end
   vim.lsp.util.apply_text_edits(edits, bufnr, client.offset_encoding)
-  if typed == ENTER then
+  if joins then
+    local line = vim.api.nvim_buf_get_lines(bufnr, from.line, from.line + 1, false)[1]
+    vim.api.nvim_win_set_cursor(0, { from.line + 1, vim.str_byteindex(line, client.offset_encoding, from.character, false) })
+  elseif typed == ENTER then
     local row = vim.api.nvim_win_get_cursor(0)[1]
     local line = vim.api.nvim_get_current_line()
     vim.api.nvim_win_set_cursor(0, { row, #line })
@@ -58,8 +69,13 @@ end
 
 --- Draws the networks that were typed in, unless something else is done meanwhile.
 local function draw(client, bufnr, state)
-  if give_up(bufnr, state) or not state.changed then
+  -- On its way to the next place of a snippet Neovim leaves insert mode too; the places would not move along with the drawing.
+  if vim.api.nvim_get_current_buf() ~= bufnr or vim.fn.mode() ~= 'n' or give_up(bufnr, state) or not state.changed then
     return
+  end
+  state.changed = false
+  if vim.snippet and vim.snippet.active() then
+    vim.snippet.stop()
   end
   local first, last = vim.fn.line("'["), vim.fn.line("']")
   local tick = vim.api.nvim_buf_get_changedtick(bufnr)
@@ -69,6 +85,8 @@ local function draw(client, bufnr, state)
     options = { tabSize = vim.bo[bufnr].tabstop, insertSpaces = true },
   }, function(_, edits)
     local current = vim.api.nvim_buf_is_valid(bufnr) and vim.api.nvim_buf_get_changedtick(bufnr) == tick
+    -- An answer may come when something is typed again.
+    current = current and not (vim.snippet and vim.snippet.active())
     if not edits or #edits == 0 or not current then
       return
     end
@@ -102,16 +120,19 @@ function M.attach(client, bufnr)
       if new - old ~= 1 or not is_wanted() then
         return
       end
+      local by_key = vim.startswith(vim.fn.mode(), 'i')
       vim.schedule(function()
         -- The cursor is on the line that is new: after Enter, or `o` in normal mode.
         if vim.api.nvim_get_current_buf() == bufnr and vim.api.nvim_win_get_cursor(0)[1] == new then
-          go_on(client, bufnr, state, ENTER)
+          go_on(client, bufnr, state, ENTER, by_key)
         end
       end)
     end,
   })
   on('InsertEnter', function()
-    state.changed = false
+    if not (vim.snippet and vim.snippet.active()) then
+      state.changed = false
+    end
   end)
   on('InsertCharPre', function()
     local typed = vim.v.char
@@ -119,7 +140,7 @@ function M.attach(client, bufnr)
       vim.schedule(function()
         local column = vim.api.nvim_win_get_cursor(0)[2]
         if vim.api.nvim_get_current_line():sub(column, column) == typed then
-          go_on(client, bufnr, state, typed)
+          go_on(client, bufnr, state, typed, true)
         end
       end)
     end
@@ -129,9 +150,14 @@ function M.attach(client, bufnr)
       give_up(bufnr, state)
     end
   end)
-  on('InsertLeave', function()
-    if is_wanted() then
-      draw(client, bufnr, state)
+  -- From insert mode, or from a place of a snippet that is selected.
+  on('ModeChanged', function()
+    local event = vim.v.event
+    if event.new_mode == 'n' and (vim.startswith(event.old_mode, 'i') or event.old_mode == 's') and is_wanted() then
+      -- When the keys that Neovim has put in for itself are read.
+      vim.schedule(function()
+        draw(client, bufnr, state)
+      end)
     end
   end)
   on('LspDetach', function(event)

@@ -19,9 +19,10 @@ local max_height = 14
 --- @field bufnr integer
 --- @field session string|nil whose tags are listed
 --- @field program integer which of its programs they are of
---- @field all ladder.Tag[] as they were when they were listed
 --- @field wanted string what the names of those hold that are shown
---- @field tags ladder.Tag[] those that are shown
+--- @field tags ladder.Tag[] the rows, as they were when they were listed
+--- @field listed ladder.Tag[] those of the program, of which those that open are one each
+--- @field opened table<string, ladder.Tag[]> what the tags that are open open into
 --- @field drawn table<integer, string> what is in the lines that were drawn, by line from 1
 --- @field names integer the width of the names
 --- @field types integer the width of the types
@@ -36,14 +37,15 @@ local keys = '<CR> toggle  c change  f force  u release  w why  F filter  s step
 --- @param tag ladder.Tag
 --- @return string line, table[] marks { first column, end column, group }
 local function render(panel, tag)
-  local pad = (' '):rep(panel.names - vim.fn.strdisplaywidth(tag.name))
-  local name = tag.name .. pad .. '  '
+  local mark = tag.parts and (panel.opened[tag.name] and '▾ ' or '▸ ') or ''
+  local pad = (' '):rep(panel.names - vim.fn.strdisplaywidth(mark .. tag.name))
+  local name = mark .. tag.name .. pad .. '  '
   local role = tag.readOnly and 'constant' or tag.role
   local kind = ('%-' .. panel.types .. 's  %-8s  '):format(tag.type, role)
   local text = tag.text
   local line = name .. kind .. text .. (tag.forced and '  forced' or '')
   local at = #name + #kind
-  local marks = { { 0, #tag.name, 'LadderTagName' }, { #name, at, 'LadderTagType' } }
+  local marks = { { 0, #mark + #tag.name, 'LadderTagName' }, { #name, at, 'LadderTagType' } }
   if tag.value == true then
     table.insert(marks, { at, at + #text, 'LadderValueOn' })
   end
@@ -103,18 +105,20 @@ local function title(panel, source)
 end
 
 --- @param panel ladder.Panel
---- @param all ladder.Tag[]
-local function list(panel, all)
+--- @param listed ladder.Tag[]
+local function list(panel, listed)
   local sought = vim.fn.tolower(panel.wanted)
-  local tags = vim.tbl_filter(function(tag)
-    return vim.fn.tolower(tag.name .. ' : ' .. tag.type):find(sought, 1, true) ~= nil
-  end, all)
-  panel.all = all
-  panel.tags, panel.drawn, panel.names, panel.types = tags, {}, 4, 4
-  local names = {}
+  panel.listed, panel.tags, panel.drawn, panel.names, panel.types = listed, {}, {}, 4, 4
+  for _, tag in ipairs(listed) do
+    if vim.fn.tolower(tag.name .. ' : ' .. tag.type):find(sought, 1, true) then
+      table.insert(panel.tags, tag)
+      vim.list_extend(panel.tags, panel.opened[tag.name] or {})
+    end
+  end
+  local tags, names = panel.tags, {}
   for index, tag in ipairs(tags) do
     names[index] = tag.name
-    panel.names = math.max(panel.names, vim.fn.strdisplaywidth(tag.name))
+    panel.names = math.max(panel.names, vim.fn.strdisplaywidth(tag.name) + (tag.parts and 2 or 0))
     panel.types = math.max(panel.types, #tag.type)
   end
   vim.bo[panel.bufnr].modifiable = true
@@ -138,12 +142,13 @@ local function refresh(source)
   local id = session and session.id
   local program = session and session.state and session.state.program or 0
   if panel.session ~= id or panel.program ~= program then
+    panel.opened = {}
     if panel.session ~= id then
       list(panel, {})
     end
     panel.session, panel.program = id, program
     if id then
-      simulation.ask(source, 'tags', {}, function(found)
+      simulation.ask(source, 'tags', { of = '' }, function(found)
         local is_still = panels[source] == panel and panel.session == id and panel.program == program
         if is_still and vim.api.nvim_buf_is_valid(panel.bufnr) then
           list(panel, found.tags)
@@ -166,11 +171,37 @@ local function tag_here(source)
   return listed and (sessions.tag(sessions.of(source), listed.name) or listed)
 end
 
+--- Opens a tag, or closes it.
+--- @param source integer
+--- @param tag ladder.Tag
+local function open_or_close(source, tag)
+  local panel = panels[source]
+  local function with(parts)
+    if panels[source] == panel and vim.api.nvim_buf_is_valid(panel.bufnr) then
+      panel.opened[tag.name] = parts
+      list(panel, panel.listed)
+      simulation.look(source)
+      refresh(source)
+    end
+  end
+  if panel.opened[tag.name] then
+    return with(nil)
+  end
+  local session, program = panel.session, panel.program
+  simulation.ask(source, 'tags', { of = tag.name }, function(found)
+    if panel.session == session and panel.program == program then
+      with(found.tags)
+    end
+  end)
+end
+
 --- @param source integer
 --- @param command 'set'|'force'
 local function ask(source, command)
   local tag = tag_here(source)
-  if tag then
+  if tag and tag.parts then
+    open_or_close(source, tag)
+  elseif tag then
     assign(source, command, tag)
   end
 end
@@ -179,7 +210,9 @@ local function map_keys(panel, source)
   local actions = {
     ['<CR>'] = function()
       local tag = tag_here(source)
-      if tag and type(tag.value) == 'boolean' then
+      if tag and tag.parts then
+        open_or_close(source, tag)
+      elseif tag and type(tag.value) == 'boolean' then
         require('ladder').toggle(tag.name, source)
       else
         ask(source, 'set')
@@ -193,13 +226,13 @@ local function map_keys(panel, source)
     end,
     u = function()
       local tag = tag_here(source)
-      if tag then
+      if tag and not tag.parts then
         simulation.command(source, 'unforce', { tag = tag.name })
       end
     end,
     w = function()
       local tag = tag_here(source)
-      if tag then
+      if tag and not tag.parts then
         require('ladder.why').ask(source, tag.name)
       end
     end,
@@ -208,7 +241,7 @@ local function map_keys(panel, source)
       vim.ui.input({ prompt = 'Part of a name or type: ', default = panel.wanted }, function(wanted)
         if wanted and panels[source] == panel then
           panel.wanted = vim.trim(wanted)
-          list(panel, panel.all)
+          list(panel, panel.listed)
           simulation.look(source)
           refresh(source)
         end
@@ -236,7 +269,7 @@ end
 
 --- @param source integer
 function M.open(source)
-  local panel = { bufnr = create(source), program = 0, wanted = '', all = {}, tags = {}, drawn = {}, names = 4, types = 4 }
+  local panel = { bufnr = create(source), program = 0, wanted = '', tags = {}, listed = {}, opened = {}, drawn = {}, names = 4, types = 4 }
   panels[source] = panel
   shown.tags(source, function()
     local first, last = lines_shown(panel)

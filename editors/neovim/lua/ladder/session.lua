@@ -20,6 +20,7 @@ local M = {}
 --- @field asked integer how many commands had taken effect at the last answer
 --- @field seen integer how many of them are in the picture that is shown
 --- @field hits integer the number of the last hit that was reported
+--- @field debugged boolean|nil its breakpoints are the debugger's
 
 --- @class ladder.State
 --- @field session string

@@ -184,6 +184,19 @@ local function watch(session)
   })
 end
 
+--- Shows the first rung where the windows of a buffer are above it.
+local function reveal(bufnr, first)
+  for _, window in ipairs(first and vim.fn.win_findbuf(bufnr) or {}) do
+    local line = math.min(first.start.line + 1, vim.api.nvim_buf_line_count(bufnr))
+    if vim.fn.getwininfo(window)[1].botline < line then
+      vim.api.nvim_win_set_cursor(window, { line, 0 })
+      vim.api.nvim_win_call(window, function()
+        vim.cmd.normal({ 'zz', bang = true })
+      end)
+    end
+  end
+end
+
 --- Starts a session for the buffer's text as it is now; one that was there is ended.
 --- @param bufnr integer
 --- @param options table|nil `intervalMs`, `inputs`, `watchdog`
@@ -206,6 +219,7 @@ function M.start(bufnr, options)
     session.id = result.session
     view.show(session, result.state)
     keys.map(bufnr)
+    reveal(bufnr, result.first)
     look(session)
     for _, note in ipairs(result.notes or {}) do
       notify(note, vim.log.levels.WARN)
@@ -216,10 +230,42 @@ function M.start(bufnr, options)
   end
 end
 
+--- Starts a session as a person does: it runs, unless `g:ladder_start_paused` is set, and its first rung is in sight.
+--- @param bufnr integer
+function M.begin(bufnr)
+  M.start(bufnr)
+  local paused = vim.g.ladder_start_paused
+  if sessions.of(bufnr) and not (paused and paused ~= 0) then
+    M.run(bufnr)
+  end
+end
+
+--- Shows a session that the server has started for a debugger; one that was there is ended.
+--- @param bufnr integer
+--- @param client vim.lsp.Client
+--- @param started { session: string, state: ladder.State, notes: string[]|nil }
+--- @param what table what was shown of the buffer when it was asked for
+--- @return ladder.Session
+function M.adopt(bufnr, client, started, what)
+  M.stop(bufnr)
+  local session = sessions.open(bufnr, client)
+  watch(session)
+  session.id = started.session
+  session.shown = what
+  session.debugged = true
+  view.show(session, started.state)
+  look(session)
+  for _, note in ipairs(started.notes or {}) do
+    notify(note, vim.log.levels.WARN)
+  end
+  return session
+end
+
 --- Tells the simulation of the buffer, if there is one, which breakpoints there are now.
 --- @param bufnr integer
 function M.send_breakpoints(bufnr)
-  if sessions.of(bufnr) then
+  local session = sessions.of(bufnr)
+  if session and not session.debugged then
     M.command(bufnr, 'breakpoints', breakpoints.argument(bufnr))
   end
 end

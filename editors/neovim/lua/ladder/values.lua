@@ -24,7 +24,7 @@ local function rows_of(session)
   for _, label in ipairs(session.labels) do
     local tag = sessions.tag(session, label.tag)
     if tag then
-      local text = tag.text .. (tag.forced and '!' or '')
+      local text = (label.index or '') .. tag.text .. (tag.forced and '!' or '')
       local piece = { column = label.column, text = text, group = group_of(tag) }
       local row = label.at.line
       if label.side == 'between' then

@@ -40,7 +40,8 @@ spoken.setAttribute('role', 'status');
 spoken.setAttribute('aria-live', 'polite');
 strip.setAttribute('aria-label', 'Tags of the element');
 view.append(canvas, empty);
-document.body.append(bar, view, strip, spoken);
+// The strip of buttons is above, and the tabulator comes to the drawing first.
+document.body.append(view, bar, strip, spoken);
 
 const live = new Live();
 const page = new Page(view, canvas, live, send);
@@ -48,11 +49,25 @@ const inspector = new Inspector(strip, send);
 const toolbar = new Toolbar(bar, send, zoom);
 new Hands(view, page, live, send, inspect);
 
+/** The size that a person has chosen; without one the diagram fits to the width of the page. */
+let { scale: chosen } = editor.getState() ?? {};
+
+function limited(scale: number): number {
+    return Math.min(Math.max(scale, SCALES[0]), SCALES[1]);
+}
+
 function zoom(factor: number | undefined): void {
-    const scale = factor === undefined ? 1 : Math.min(Math.max(page.scale * factor, SCALES[0]), SCALES[1]);
-    page.zoom(scale);
-    toolbar.scale(scale);
-    editor.setState({ scale });
+    chosen = factor === undefined ? undefined : limited(page.scale * factor);
+    editor.setState(chosen === undefined ? {} : { scale: chosen });
+    resize();
+}
+
+function resize(): void {
+    const scale = limited(chosen ?? page.fitting);
+    if (Math.abs(scale - page.scale) > 0.005) {
+        page.zoom(scale);
+    }
+    toolbar.scale(page.scale);
 }
 
 /** The strip below is about the element that has the focus. */
@@ -108,6 +123,7 @@ function receive(message: ToPage): void {
             break;
         case 'drawn':
             page.take(message.drawn);
+            resize();
             page.makeReachable();
             empty.textContent = page.isEmpty && message.drawn.lineCount < 50 ? 'There is no network in this program yet.' : '';
             inspect();
@@ -144,6 +160,6 @@ view.addEventListener(
     },
     { passive: false },
 );
-const { scale = 1 } = editor.getState() ?? {};
-zoom(scale / page.scale);
+new ResizeObserver(resize).observe(view);
+resize();
 send({ type: 'ready' });

@@ -38,6 +38,8 @@ export class Page {
     #rail = 0;
     /** When elements were last put into words. */
     #spoken = 0;
+    /** The widest piece that was in sight since the text was opened, in pixels at its own size. */
+    #widest = 0;
     /** A question is on its way. */
     #isAsking = false;
     /** The version of a text of which there is no drawing. */
@@ -70,8 +72,15 @@ export class Page {
         this.update();
     }
 
+    /** The scale, 1 at most, at which nothing that was in sight is cut off at the right. */
+    get fitting(): number {
+        const { clientWidth } = this.#view;
+        return clientWidth > 0 && this.#widest > clientWidth ? clientWidth / this.#widest : 1;
+    }
+
     open(version: number, lineCount: number, line: number): void {
         this.#clear();
+        this.#widest = 0;
         this.layout.open(version, lineCount);
         this.#isAsking = false;
         this.#failed = undefined;
@@ -136,6 +145,7 @@ export class Page {
             }
             seen.add(piece.id);
             width = Math.max(width, piece.width * layout.scale);
+            this.#widest = Math.max(this.#widest, piece.width);
             let drawing = this.#drawings.get(piece.id);
             if (!drawing) {
                 drawing = new Drawing(piece, svg, first);
@@ -312,8 +322,9 @@ export class Page {
         }
     }
 
-    /** So that the tabulator comes to some element. */
+    /** So that the tabulator comes to some element, and to the page itself only while there is none. */
     makeReachable(): void {
+        this.#view.tabIndex = this.isEmpty ? 0 : -1;
         if (!this.#canvas.querySelector('g.element[tabindex="0"]')) {
             const { part } = this.selection ?? this.spots()[0]?.found ?? {};
             part?.node.setAttribute('tabindex', '0');

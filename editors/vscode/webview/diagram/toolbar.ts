@@ -75,7 +75,7 @@ export class Toolbar {
             return button;
         };
         this.#zoom.type = 'button';
-        this.#zoom.title = 'Back to the size as drawn';
+        this.#zoom.title = 'Fit to the width';
         this.#zoom.addEventListener('click', () => zoom(undefined));
         sizes.append(size('−', 'Smaller', 1 / 1.1), this.#zoom, size('+', 'Larger', 1.1));
         node.append(this.#standing, sizes);

@@ -4,26 +4,70 @@ use super::{HOLD, accept, check, found};
 use expect_test::expect;
 
 #[test]
+fn what_is_used_more_comes_first() {
+    check(
+        "+--[T$0",
+        expect![[r#"
+        [TON]          On-delay timer
+        [TOF]          Off-delay timer
+        [TP]           Pulse timer
+        [TYP]          Convert type
+        [TRUNC]        Truncate
+        [TAN]          Tangent
+        [NOT]          Inverter
+        [RTO]          Retentive on-delay timer
+        [RTOF]         Retentive off-delay timer
+        [CTU]          Up counter
+        [CTD]          Down counter
+        [CTUD]         Up-down counter
+        [CTC]          Circular counter
+        [GT]           Greater than
+        ... 29 in all
+    "#]],
+    );
+    check(
+        "+--[C$0",
+        expect![[r#"
+        [CTU]          Up counter
+        [CTD]          Down counter
+        [CTUD]         Up-down counter
+        [CTC]          Circular counter
+        [COS]          Cosine
+        [CALC]         Calculate
+        [CONCAT]       Join strings
+        [TRUNC]        Truncate
+        [ACOS]         Arc cosine
+        [REPLACE]      Replace in a string
+        [PACK]         Pack a range
+        [UNPACK]       Unpack into a range
+        [SEARCH]       Search a range
+        [ADC]          Read analog input
+        ... 16 in all
+    "#]],
+    );
+}
+
+#[test]
 fn mnemonics_by_the_brackets() {
     check(
         "+--[$0",
         expect![[r#"
-        [ ]            Open contact
-        [/]            Closed contact
-        [P]            Rising-edge contact
-        [N]            Falling-edge contact
-        [NOT]          Inverter
-        [OSR]          One shot rising
-        [OSF]          One shot falling
-        [EQ]           Equal
-        [NE]           Not equal
-        [GT]           Greater than
-        [GE]           Greater or equal
-        [LT]           Less than
-        [LE]           Less or equal
-        [MOV]          Move
-        ... 85 in all
-    "#]],
+            [ ]            Open contact
+            [/]            Closed contact
+            [P]            Rising-edge contact
+            [N]            Falling-edge contact
+            [NOT]          Inverter
+            [OSR]          One shot rising
+            [OSF]          One shot falling
+            [TON]          On-delay timer
+            [TOF]          Off-delay timer
+            [TP]           Pulse timer
+            [RTO]          Retentive on-delay timer
+            [RTOF]         Retentive off-delay timer
+            [CTU]          Up counter
+            [CTD]          Down counter
+            ... 85 in all
+        "#]],
     );
     check(
         "+--($0",
@@ -99,14 +143,14 @@ fn mnemonics_by_the_brackets() {
     check(
         "+--[ count$0",
         expect![[r#"
-        [CTU]          Up counter
-        [CTD]          Down counter
-        [CTUD]         Up-down counter
-        [CTC]          Circular counter
-        [MUX]          Select one of many
-        [LUT]          Look-up table
-        [RTOF]         Retentive off-delay timer
-    "#]],
+            [CTU]          Up counter
+            [CTD]          Down counter
+            [CTUD]         Up-down counter
+            [CTC]          Circular counter
+            [RTOF]         Retentive off-delay timer
+            [MUX]          Select one of many
+            [LUT]          Look-up table
+        "#]],
     );
     check(
         "+--greater$0",
@@ -266,22 +310,22 @@ fn an_empty_rung() {
     check(
         "+--$0",
         expect![[r#"
-        [ ]            Open contact
-        [/]            Closed contact
-        [P]            Rising-edge contact
-        [N]            Falling-edge contact
-        [NOT]          Inverter
-        [OSR]          One shot rising
-        [OSF]          One shot falling
-        [EQ]           Equal
-        [NE]           Not equal
-        [GT]           Greater than
-        [GE]           Greater or equal
-        [LT]           Less than
-        [LE]           Less or equal
-        [MOV]          Move
-        ... 104 in all
-    "#]],
+            [ ]            Open contact
+            [/]            Closed contact
+            [P]            Rising-edge contact
+            [N]            Falling-edge contact
+            [NOT]          Inverter
+            [OSR]          One shot rising
+            [OSF]          One shot falling
+            ( )            Coil
+            (/)            Negated coil
+            (S)            Set coil
+            (R)            Reset coil
+            (P)            Rising-edge coil
+            (N)            Falling-edge coil
+            (M)            Retentive coil
+            ... 104 in all
+        "#]],
     );
     accept(
         "+--$0\n",

@@ -18,17 +18,22 @@ fn declarations() {
     check(
         "$0",
         expect![[r#"
-        VAR_INPUT      inputs
-        VAR_OUTPUT     outputs
-        VAR            internal tags
-        VAR_GLOBAL     tags of the whole workspace
-        VAR_EXTERNAL   tags of a VAR_GLOBAL section
-        FUNCTION_BLOCK [$Name] block definition
-        FUNCTION_BLOCK ($Name) block definition
-        FUNCTION_BLOCK <$Name> block definition
-        rung           a contact and a coil
-        seal-in        start, held until stop
-    "#]],
+            VAR_INPUT      inputs
+            VAR_OUTPUT     outputs
+            VAR            internal tags
+            VAR_GLOBAL     tags of the whole workspace
+            VAR_EXTERNAL   tags of a VAR_GLOBAL section
+            FUNCTION_BLOCK [$Name] block definition
+            FUNCTION_BLOCK ($Name) block definition
+            FUNCTION_BLOCK <$Name> block definition
+            rung           a contact and a coil
+            branch         either of two contacts
+            seal-in        start, held until stop
+            timer          a coil that follows its contact after a time
+            counter        counts up at every press, until it is reset
+            function       networks that are run where they are called
+            ... 15 in all
+        "#]],
     );
     accept(
         "VAR_IN$0\n",
@@ -143,16 +148,20 @@ fn declarations() {
     check(
         "FUNCTION_BLOCK [$B]\n$0\n",
         expect![[r#"
-        VAR_INPUT      inputs
-        VAR_OUTPUT     outputs
-        VAR            internal tags
-        VAR_IN_OUT     the caller's own tags
-        VAR_GLOBAL     tags of the whole workspace
-        VAR_EXTERNAL   tags of a VAR_GLOBAL section
-        END_FUNCTION_BLOCK end of a block definition
-        rung           a contact and a coil
-        seal-in        start, held until stop
-    "#]],
+            VAR_INPUT      inputs
+            VAR_OUTPUT     outputs
+            VAR            internal tags
+            VAR_IN_OUT     the caller's own tags
+            VAR_GLOBAL     tags of the whole workspace
+            VAR_EXTERNAL   tags of a VAR_GLOBAL section
+            END_FUNCTION_BLOCK end of a block definition
+            rung           a contact and a coil
+            branch         either of two contacts
+            seal-in        start, held until stop
+            timer          a coil that follows its contact after a time
+            counter        counts up at every press, until it is reset
+            function       networks that are run where they are called
+        "#]],
     );
 }
 

@@ -49,6 +49,37 @@ fn enter_goes_on_with_the_rail() {
 }
 
 #[test]
+fn enter_within_a_block_does_nothing() {
+    check(
+        "+--[ ]( run )--[TON\n$0]\n",
+        expect![[r#"
+        +--[ ]( run )--[TON]
+
+    "#]],
+    );
+    check(
+        "+--[ ]( run )--[TON]( t,\n    $0T#5s )--( )( y )--+\n",
+        expect![[r#"
+        +--[ ]( run )--[TON]( t,T#5s )--( )( y )--+
+
+    "#]],
+    );
+    check(
+        "+--[ ]( a\n$0",
+        expect![[r#"
+        +--[ ]( a
+    "#]],
+    );
+    check(
+        "+--<JMP\n$0>( l )\n",
+        expect![[r#"
+        +--<JMP>( l )
+
+    "#]],
+    );
+}
+
+#[test]
 fn enter_outside_of_networks() {
     check(
         "+--[ ]( a )-( )( y )--+\n$0",
@@ -72,8 +103,9 @@ fn enter_outside_of_networks() {
     check(
         "+--[ ]( a\n$0\n",
         expect![[r#"
-        nothing
-    "#]],
+            +--[ ]( a
+
+        "#]],
     );
     check(
         "VAR\n$0\nEND_VAR\n",

@@ -1,10 +1,12 @@
 //! Refactorings, with `$0` where the cursor is, or from `$0` to `$1` what is selected.
 
+mod allows;
 mod blocks;
 mod branches;
 mod latches;
 mod networks;
 mod redraw;
+mod suggestions;
 mod toggles;
 
 use super::{Action, refactorings};

@@ -6,6 +6,7 @@ use super::super::model::{
 };
 use super::super::operand::{fits, kind};
 use super::{Found, copies, mathematics};
+use ladder_analysis::with_article;
 use ladder_notation::LineColumn;
 
 pub(super) fn condition(condition: &Condition, out: &mut Found) {
@@ -231,8 +232,9 @@ fn setpoint(place: LineColumn, what: &str, value: &Operand, most: Kind, banks: &
         let banks: Vec<&str> = banks.iter().map(|bank| out.words.bank(*bank)).collect();
         let largest = if most == Kind::Int { "32767" } else { "2147483647" };
         let message = format!(
-            "{} is no {what}: write a whole number from 0 to {largest}, or an address of {}",
+            "{} is not {}: write a whole number from 0 to {largest}, or an address of {}",
             out.words.operand(value),
+            with_article(what),
             banks.join(" or ")
         );
         out.error(place, "click-setpoint", message);

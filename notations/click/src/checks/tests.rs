@@ -188,12 +188,12 @@ R,C1,..,\"search(\"\"<\"\",\"\"A\"\",TXT1..TXT9,DF1,Y003)\"
 R,C1,..,\"calc(DH1 AND 3,DS1,mode=decimal)\"
 R,C1,..,\"calc(DS1 + 1,DH1,mode=hex)\"",
         expect![[r#"
-            2:66 Error click-setpoint: DD1 is no number of loops: write a whole number from 0 to 32767, or an address of DS
+            2:66 Error click-setpoint: DD1 is not a number of loops: write a whole number from 0 to 32767, or an address of DS
             3:66 Error click-c0103: loops do not nest: end the loop above with next() first
             4:66 Error click-c0009: next() is alone on its rung, without contacts
             5:66 Error click-end: return() is for subroutines: the main program ends with end()
             6:66 Error click-c010c: there is no subroutine `nowhere`: its file lies next to this one
-            7:66 Error click-setpoint: DD1 is no set point: write a whole number from 0 to 32767, or an address of DS
+            7:66 Error click-setpoint: DD1 is not a set point: write a whole number from 0 to 32767, or an address of DS
             8:66 Error click-c010a: the timer T1 is at 7:66 already: it has one place in a program
             9:66 Warning click-c0208: a counter needs its reset: a row below it with .reset()
             9:66 Info click-counter-level: whether Click counts the rise of a rung or every scan depends on who is asked: write rise(..) in its condition

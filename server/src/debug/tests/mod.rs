@@ -13,6 +13,7 @@ use tempfile::TempDir;
 use super::adapter::Adapter;
 use super::messages::Request;
 use super::serve::{go_on, handle};
+use super::wire::framed;
 
 /// What the adapter writes.
 #[derive(Debug, Clone, Default)]
@@ -47,7 +48,7 @@ impl Written {
 
 /// A client with a program of its own.
 struct Client {
-    adapter: Adapter<Written>,
+    adapter: Adapter,
     written: Written,
     folder: TempDir,
     seq: i64,
@@ -60,7 +61,7 @@ impl Client {
         std::fs::write(folder.path().join("own.clad"), text).unwrap();
         let written = Written::default();
         Client {
-            adapter: Adapter::new(written.clone(), Arc::<AtomicUsize>::default()),
+            adapter: Adapter::new(framed(written.clone()), Arc::<AtomicUsize>::default()),
             written,
             folder,
             seq: 0,

@@ -1,5 +1,5 @@
-//! `textDocument/codeAction`: the fixes of the problems in the range, refactorings of what is selected, and all sure
-//! fixes of the file at once. What an action does to the text is worked out when it is offered only for clients that
+//! `textDocument/codeAction`: the fixes of the problems in the range, ways to switch their rules off, refactorings of what is
+//! selected, and all sure fixes of the file at once. What an action does to the text is worked out when it is offered only for clients that
 //! cannot ask for it later (`codeAction/resolve`): to put the drawing straight takes the whole text.
 
 use std::sync::Arc;
@@ -11,7 +11,7 @@ use tower_lsp::ls_types::{
     CodeActionResponse,
 };
 
-use super::conversion;
+use super::{conversion, switch_off};
 use crate::document::Revision;
 use crate::language::Analysis;
 use crate::lsp::transport::blocking::blocking;
@@ -52,6 +52,7 @@ pub(crate) async fn code_action(
         return Ok(None);
     };
     let agreed = shared.agreed();
+    let shared = Arc::clone(shared);
     blocking(move |_| {
         let analysis = revision.analysis()?;
         let place = |range| {
@@ -78,11 +79,13 @@ pub(crate) async fn code_action(
             })
             .and_then(|_| conversion::action(agreed, &revision, analysis))
             .filter(|action| action.disabled.is_none() || agreed.disabled_actions);
-        Some(
-            shown
-                .chain(conversion.map(CodeActionOrCommand::CodeAction))
-                .collect(),
-        )
+        let off = if wanted(&params.context, &name(ActionKind::QuickFix)) {
+            switch_off::actions(&shared, agreed, &revision, analysis, problems)
+        } else {
+            Vec::new()
+        };
+        let others = conversion.into_iter().chain(off);
+        Some(shown.chain(others.map(CodeActionOrCommand::CodeAction)).collect())
     })
     .await
 }

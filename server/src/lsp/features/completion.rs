@@ -9,9 +9,9 @@ use ladder_workspace::is_program;
 use serde_json::{Value, json};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{
-    Command, CompletionItem, CompletionItemKind, CompletionList, CompletionOptions, CompletionParams,
-    CompletionResponse, CompletionTextEdit, Documentation, InsertTextFormat, InsertTextMode, Position, Range,
-    TextEdit,
+    Command, CompletionItem, CompletionItemKind, CompletionItemLabelDetails, CompletionList,
+    CompletionOptions, CompletionParams, CompletionResponse, CompletionTextEdit, Documentation,
+    InsertTextFormat, InsertTextMode, Position, Range, TextEdit,
 };
 
 use super::of_scenarios::{about_scenarios, scenarios_at};
@@ -190,6 +190,11 @@ impl Proposed<'_> {
                 arguments: Some(vec![what_to_cut(revision, after)]),
             }),
             kind: Some(kind(item.kind)),
+            // Where it is known, each row of the list shows it, not only the one that is selected.
+            label_details: agreed.label_details.then(|| CompletionItemLabelDetails {
+                description: Some(item.detail.clone()),
+                ..CompletionItemLabelDetails::default()
+            }),
             detail: Some(item.detail).filter(|detail| !detail.is_empty()),
             sort_text: Some(format!("{index:03}")),
             filter_text: Some(item.filter),

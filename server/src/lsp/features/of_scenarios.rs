@@ -95,12 +95,12 @@ fn program(shared: &Shared, revision: &Revision, suite: &Suite, cancel: &Cancel)
     })
 }
 
-fn shown(shared: &Shared, path: &Path) -> Option<Arc<Revision>> {
+pub(super) fn shown(shared: &Shared, path: &Path) -> Option<Arc<Revision>> {
     let is_it = |revision: &Arc<Revision>| revision.place().is_some_and(|place| place.path == path);
     shared.documents.all().into_iter().find(is_it)
 }
 
-fn on_disk(shared: &Shared, path: &Path) -> Option<Arc<Revision>> {
+pub(super) fn on_disk(shared: &Shared, path: &Path) -> Option<Arc<Revision>> {
     let text = ladder_workspace::read_own(path).ok()?;
     let place = Membership::new(path.to_owned(), &shared.neighbours);
     let uri = address::uri_of(path);

@@ -6,7 +6,7 @@ use ladder_ide::Signature;
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{
     ParameterInformation, ParameterLabel, SignatureHelp, SignatureHelpOptions, SignatureHelpParams,
-    SignatureInformation,
+    SignatureHelpTriggerKind, SignatureInformation,
 };
 
 use crate::lsp::transport::blocking::blocking;
@@ -30,10 +30,17 @@ pub(crate) async fn signature_help(
         return Ok(None);
     };
     let agreed = shared.agreed();
+    let asked = params
+        .context
+        .is_none_or(|context| context.trigger_kind == SignatureHelpTriggerKind::INVOKED);
     blocking(move |_| {
         let offset = revision.offset(convert::our_position(place.position));
         let help = revision.names()?.signature_help(offset)?;
         let active = &help.signatures[help.active];
+        // Of a contact or a coil there is nothing to say that is worth the lines that it covers.
+        if !asked && active.parameters.len() < 2 {
+            return None;
+        }
         // One after the last means that none of them is meant.
         let parameter = active.active.unwrap_or(active.parameters.len()) as u32;
         Some(SignatureHelp {

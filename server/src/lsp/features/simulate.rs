@@ -10,12 +10,16 @@ use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
 use tower_lsp::ls_types::notification::Notification;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny, Position};
 
+use super::debug;
 use crate::cancel::Cancel;
+use crate::document::Revision;
 use crate::lsp::convert;
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::{answered::answered, blocking::blocking};
-use crate::simulation::messages::{OfSession, Show, Shown, Start, Started, State, Status, Stopped};
-use crate::simulation::{Action, Answer, Failure, Given, Pace, REPORT, Request, Session, status_text};
+use crate::simulation::messages::{OfSession, Options, Show, Shown, Start, Started, State, Status, Stopped};
+use crate::simulation::{
+    Action, Answer, Beginning, Begun, Failure, Given, Keeping, Pace, REPORT, Request, Session, status_text,
+};
 
 /// The protocol's code for a request that makes sense but cannot be done.
 const REQUEST_FAILED: i64 = -32803;
@@ -42,6 +46,7 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
     let request = Request::read(&params.command, params.arguments).map_err(error)?;
     let answer = match request {
         Request::Start(it) => return start(shared, it).await,
+        Request::Debug(it) => debug::debug(shared, it).await,
         Request::Step(it) => act(shared, &it.session, Action::Step(it.scans.unwrap_or(1))).await,
         Request::StepBlock(it) => act(shared, &it.session, Action::StepBlock).await,
         Request::StepRung(it) => act(shared, &it.session, Action::StepRung).await,
@@ -146,14 +151,44 @@ async fn start(shared: &Arc<Shared>, Start { uri, options }: Start) -> Result<Op
         .documents
         .get(&uri)
         .ok_or_else(|| error(not_open(shared, &uri)))?;
-    let (name, job) = (shared.sessions.new_name(), revision.clone());
+    json(&begin(shared, revision, options, None).await?).map(Some)
+}
+
+/// What a simulation is started with to be debugged.
+pub(super) struct Debugging {
+    pub(super) keeping: Keeping,
+    pub(super) pace: Pace,
+    pub(super) beginning: Beginning,
+}
+
+/// Starts a simulation of a text.
+pub(super) async fn begin(
+    shared: &Arc<Shared>,
+    revision: Arc<Revision>,
+    options: Options,
+    debugging: Option<Debugging>,
+) -> Result<Started> {
+    let (name, job, uri) = (shared.sessions.new_name(), revision.clone(), revision.uri.clone());
     let deltas = options.deltas;
     let running = shared.sessions.running();
-    let started = blocking(move |_| Session::start(name, job, &options, &running)).await?;
-    let (session, states, notes) = started.map_err(error)?;
+    let (keeping, debugging) = match debugging {
+        Some(it) => (it.keeping, Some((it.pace, it.beginning))),
+        None => (Keeping::default(), None),
+    };
+    let started = blocking(move |_| Session::start(name, job, &options, &keeping, &running)).await?;
+    let (session, begun) = started.map_err(error)?;
+    let Begun {
+        mut states,
+        notes,
+        first,
+    } = begun;
+    let mut state = states.borrow_and_update().clone();
+    if let Some((pace, beginning)) = debugging {
+        answer(&session, Action::Debug(beginning)).await?;
+        drop(session.ask(Action::Pace(pace), Cancel::default()));
+    }
     // No `await` from here on: a request that is cancelled must not leave a session that nobody knows of.
     let session = shared.sessions.add(session).map_err(error)?;
-    let mut state = states.borrow().clone();
     // All of what is shown.
     state.delta = false;
     let reports = report(shared.client.clone(), state.clone(), states, deltas);
@@ -169,12 +204,12 @@ async fn start(shared: &Arc<Shared>, Start { uri, options }: Start) -> Result<Op
     {
         drop(session.ask(Action::Follow(newest), Cancel::default()));
     }
-    let started = Started {
+    Ok(Started {
         session: session.id.clone(),
         state,
+        first,
         notes,
-    };
-    json(&started).map(Some)
+    })
 }
 
 /// Why there is nothing to simulate.
@@ -207,7 +242,7 @@ pub(super) async fn act(shared: &Arc<Shared>, session: &str, action: Action) -> 
 
 /// Waits for the session's answer. When the client cancels the request, the guard is dropped with this future and
 /// a long step ends.
-async fn answer(session: &Session, action: Action) -> Result<Answer> {
+pub(super) async fn answer(session: &Session, action: Action) -> Result<Answer> {
     let cancel = Cancel::default();
     let _guard = cancel.on_drop();
     match session.ask(action, cancel).await {

@@ -19,6 +19,8 @@ pub(crate) struct Agreed {
     pub(crate) unnecessary_tag: bool,
     /// Diagnostics may carry data.
     pub(crate) diagnostic_data: bool,
+    /// The pages of rules that diagnostics link can be opened: the client asks for their text.
+    pub(crate) rule_pages: bool,
     /// Edits may name the version of the document that they are for.
     pub(crate) versioned_edits: bool,
     /// The edits of a code action may be asked for later.
@@ -33,6 +35,8 @@ pub(crate) struct Agreed {
     pub(crate) prepares_rename: bool,
     /// Completions may have tab stops.
     pub(crate) snippets: bool,
+    /// Completions may have a few words in each row of the list.
+    pub(crate) label_details: bool,
     /// The documentation of completions may be Markdown.
     pub(crate) completion_markdown: bool,
     /// The documentation of completions cannot be asked for later.
@@ -145,6 +149,10 @@ impl Agreed {
                 .and_then(|it| it.data_support)
                 .or(pull.and_then(|it| it.data_support))
                 .unwrap_or(false),
+            rule_pages: client
+                .experimental
+                .as_ref()
+                .is_some_and(|it| it["rulePages"] == true),
             versioned_edits: edit.and_then(|it| it.document_changes).unwrap_or(false),
             file_operations: Reported::by(workspace.and_then(|workspace| workspace.file_operations.as_ref())),
             pulls_diagnostics: pull.is_some(),
@@ -201,6 +209,9 @@ impl Agreed {
                 .unwrap_or(false),
             signature_markdown: markdown(signature.and_then(|it| it.documentation_format.as_ref())),
             snippets: completion.and_then(|it| it.snippet_support).unwrap_or(false),
+            label_details: completion
+                .and_then(|it| it.label_details_support)
+                .unwrap_or(false),
             completion_markdown: markdown(completion.and_then(|it| it.documentation_format.as_ref())),
             documented_at_once: completion.is_some_and(|it| {
                 // A client from before this capability existed resolves it.
@@ -292,7 +303,7 @@ mod tests {
                 "definition": {"linkSupport": true},
                 "rename": {"prepareSupport": true},
                 "completion": {"completionItem": {
-                    "snippetSupport": true, "documentationFormat": ["markdown"],
+                    "snippetSupport": true, "labelDetailsSupport": true, "documentationFormat": ["markdown"],
                     "resolveSupport": {"properties": ["command"]}
                 }},
                 "documentSymbol": {"hierarchicalDocumentSymbolSupport": true},
@@ -322,7 +333,7 @@ mod tests {
                 "codeLens": {"refreshSupport": true}
             },
             "general": {"positionEncodings": ["utf-8"]},
-            "experimental": {"commands": ["ladder.completion.cut"]}
+            "experimental": {"commands": ["ladder.completion.cut"], "rulePages": true}
         });
         assert_eq!(
             agreed(client),
@@ -331,10 +342,12 @@ mod tests {
                 related_information: true,
                 unnecessary_tag: true,
                 diagnostic_data: true,
+                rule_pages: true,
                 versioned_edits: true,
                 resolves_edits: true,
                 disabled_actions: true,
                 markdown: true,
+                label_details: true,
                 watches_files: true,
                 file_operations: Reported {
                     created: true,

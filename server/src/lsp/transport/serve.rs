@@ -54,6 +54,7 @@ where
     let (service, socket) = LspService::build(|client| Backend::counting(client, busy))
         .custom_method("textDocument/rangesFormatting", Backend::ranges_formatting)
         .custom_method("ladder/simulationShown", Backend::simulation_shown)
+        .custom_method("ladder/toDebugger", Backend::to_debugger)
         .finish();
     let shared = service.inner().shared();
     let mut guard = Guard::new(service, shared.outbox.clone());

@@ -50,6 +50,10 @@ pub struct Search {
     /// Only tags whose names hold this, in any case.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub containing: Option<String>,
+    /// Only what this tag opens into, such as the elements of an array. With an empty name the tags of the program, of which
+    /// those that open are listed as one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub of: Option<String>,
     /// This many of them are left out at the beginning of the list.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub first: Option<usize>,
@@ -102,12 +106,19 @@ pub struct Operand {
 pub struct Label {
     /// The tag whose text it is.
     pub tag: String,
+    /// What is before that text: of an element with a computed index which one it is, `[2]=`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub index: Option<String>,
     /// Where its operand begins.
     pub at: Position,
     /// On which side of the operand's line.
     pub side: Side,
     /// In which column of the screen it begins, from 0.
     pub column: u32,
+    /// Where neither side leaves room: the column after the end of the line, for editors that cannot show a line between two. There
+    /// the tag's name and `: ` are before it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub after: Option<u32>,
 }
 
 /// On which side of a line something is shown.
@@ -118,6 +129,6 @@ pub enum Side {
     Above,
     /// Over the line below, which is blank there.
     Below,
-    /// Between the line and the one above, where neither leaves room.
+    /// In a line of its own between the line and the one above, where neither leaves room.
     Between,
 }

@@ -162,7 +162,7 @@ pub struct Tag {
     /// Its type, as in `DINT`.
     #[serde(rename = "type")]
     pub kind: String,
-    /// Its value.
+    /// Its value; of one that opens an empty text.
     pub value: Value,
     /// Its value as people read it: `1`, `1.5s`, `'text'`.
     pub text: String,
@@ -173,6 +173,9 @@ pub struct Tag {
     /// It can be neither set nor forced: a constant or a system tag.
     #[serde(default, skip_serializing_if = "is_false")]
     pub read_only: bool,
+    /// It has no value of its own, but opens into this many tags.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub parts: Option<u64>,
 }
 
 /// Who writes a tag.

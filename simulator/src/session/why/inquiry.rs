@@ -419,7 +419,7 @@ impl Inquiry<'_> {
         }
     }
 
-    /// Why points had their values when a block was about to run.
+    /// Why points had their values when a block had run. That a constant has its value is no news.
     fn because(
         &mut self,
         values: &[(Point, Value)],
@@ -433,7 +433,10 @@ impl Inquiry<'_> {
             return Vec::new();
         };
         let mut because = Vec::new();
-        for (point, value) in values.iter().filter(|_| depth > 0) {
+        let news = values
+            .iter()
+            .filter(|(point, _)| depth > 0 && !point.is_constant());
+        for (point, value) in news {
             // A seal-in asks for itself.
             if !self.is_asked(asker, point, value) {
                 let when = Some(When { entry, limit });

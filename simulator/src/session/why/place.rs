@@ -1,11 +1,9 @@
 //! From what blocks name to points, and back.
 
 use crate::memory::Bit;
-use crate::simulation::Simulation;
+use crate::simulation::{Simulation, name, number};
 use crate::tags::Point;
-use ladder_analysis::program::{
-    Argument, Block, BlockKind, Expr, ExprKind, Member, Place, RangeRef, Step, TagId,
-};
+use ladder_analysis::program::{Argument, Block, BlockKind, Expr, ExprKind, Place, RangeRef, Step, TagId};
 use ladder_analysis::values::value::Value;
 use ladder_instructions::Group;
 use std::ops::Range;
@@ -37,56 +35,6 @@ pub(super) fn written_name(simulation: &Simulation, argument: &Argument) -> Opti
         }
         Argument::State(tag) => Some(simulation.program().tags[tag.0 as usize].name.clone()),
         _ => None,
-    }
-}
-
-/// The name of a place as a person writes it.
-fn name(simulation: &Simulation, place: &Place) -> Option<String> {
-    let tag = |tag: &TagId| simulation.program().tags[tag.0 as usize].name.clone();
-    Some(match place {
-        Place::Tag(it) => tag(it),
-        Place::Member(it, member) => format!("{}.{}", tag(it), member_name(*member)),
-        Place::Element(it, index) => format!("{}[{}]", tag(it), number(simulation, index)?),
-        Place::Bit(word, _, bit) => format!("{}.{bit}", name(simulation, word)?),
-        Place::As(inner, ..) => name(simulation, inner)?,
-        Place::System(system) => format!("SYS.{}", system.name()),
-    })
-}
-
-/// An index whose value is known without computing.
-fn number(simulation: &Simulation, index: &Expr) -> Option<i64> {
-    let value = match &index.kind {
-        ExprKind::Constant(value) => value.clone(),
-        ExprKind::Read(place) => {
-            let point = simulation.resolve(&name(simulation, place)?).ok()?;
-            simulation.value(&point)
-        }
-        ExprKind::Pass(inner) => return number(simulation, inner),
-        _ => return None,
-    };
-    match value {
-        Value::Int(number) => Some(number),
-        _ => None,
-    }
-}
-
-const fn member_name(member: Member) -> &'static str {
-    match member {
-        Member::In => "IN",
-        Member::Pt => "PT",
-        Member::Q => "Q",
-        Member::Et => "ET",
-        Member::Cu => "CU",
-        Member::Cd => "CD",
-        Member::R => "R",
-        Member::Ld => "LD",
-        Member::Pv => "PV",
-        Member::Cv => "CV",
-        Member::Qu => "QU",
-        Member::Qd => "QD",
-        Member::Q1 => "Q1",
-        Member::Changed => "CC",
-        Member::Timing => "TT",
     }
 }
 

@@ -46,16 +46,17 @@ pub(super) struct Traced {
     pub(super) powers: Vec<bool>,
     /// Of each contact whether it would pass power on.
     pub(super) conducts: HashMap<usize, bool>,
-    /// What blocks of the network read.
+    /// What blocks of the network read, with the values that they left behind.
     pub(super) values: HashMap<usize, Vec<(Point, Value)>>,
-    /// Where the scan was in front of them.
+    /// Where the scan was after them.
     pub(super) positions: HashMap<usize, Limit>,
 }
 
 /// A block that is about to run.
 struct Next {
     at: BlockAt,
-    before: Value,
+    /// What the point in question held, if the block may write it.
+    before: Option<Value>,
 }
 
 /// Runs the scan at whose start a simulation is, up to a limit; the last write of the point in it.
@@ -88,9 +89,16 @@ fn run(
     while Limit::of(simulation) != limit {
         let stepped = simulation.step(Until::Marked);
         if let Some(ran) = next.take() {
-            let traced = seen.traced(simulation, writers, &ran);
-            if has_written(simulation, point, &ran, traced.power) {
-                found = Some(traced);
+            let position = match stepped {
+                Stepped::At(_) => Limit::of(simulation),
+                _ => Limit::End,
+            };
+            seen.look_after(simulation, ran.at, position);
+            if let Some(before) = ran.before {
+                let traced = seen.traced(simulation, writers, ran.at);
+                if has_written(simulation, point, (ran.at, before), traced.power) {
+                    found = Some(traced);
+                }
             }
         }
         let Stepped::At(_) = stepped else { break };
@@ -98,13 +106,12 @@ fn run(
         let Some(&at) = halts.blocks.get(&pc) else {
             continue;
         };
-        seen.look(simulation, at);
-        if blocks.contains(&at) {
-            next = Some(Next {
-                at,
-                before: simulation.value(point),
-            });
-        }
+        seen.look_before(simulation, at);
+        let is_writer = blocks.contains(&at);
+        next = Some(Next {
+            at,
+            before: is_writer.then(|| simulation.value(point)),
+        });
     }
     found
 }
@@ -166,9 +173,9 @@ impl Halts {
     }
 }
 
-fn has_written(simulation: &Simulation, point: &Point, ran: &Next, power: bool) -> bool {
-    let block = &simulation.program().networks[ran.at.network].blocks[ran.at.block];
-    if simulation.value(point) != ran.before {
+fn has_written(simulation: &Simulation, point: &Point, (at, before): (BlockAt, Value), power: bool) -> bool {
+    let block = &simulation.program().networks[at.network].blocks[at.block];
+    if simulation.value(point) != before {
         return true;
     }
     let acts = match block.kind {
@@ -209,7 +216,7 @@ struct SeenNetwork {
 
 impl Seen {
     /// A block that is about to run reads its operands.
-    fn look(&mut self, simulation: &Simulation, at: BlockAt) {
+    fn look_before(&mut self, simulation: &Simulation, at: BlockAt) {
         let seen = self.networks.entry(at.network).or_default();
         let key = at.block;
         let this = &simulation.program().networks[at.network].blocks[at.block];
@@ -226,24 +233,33 @@ impl Seen {
             };
         }
         seen.values.insert(key, values);
-        seen.positions.insert(key, Limit::of(simulation));
+    }
+
+    /// A block has run: what it read is told as it is now, since a timer passes power on for what it has come to, not
+    /// for what it was. Which element of an array it was has been settled before: the block may write the index too.
+    fn look_after(&mut self, simulation: &Simulation, at: BlockAt, position: Limit) {
+        let seen = self.networks.entry(at.network).or_default();
+        for (point, value) in seen.values.entry(at.block).or_default() {
+            *value = simulation.value(point);
+        }
+        seen.positions.insert(at.block, position);
     }
 
     /// The powers of the network of a block that has run.
-    fn traced(&mut self, simulation: &Simulation, writers: &Writers, ran: &Next) -> Traced {
-        let network = &simulation.program().networks[ran.at.network];
-        let seen = self.networks.entry(ran.at.network).or_default();
+    fn traced(&mut self, simulation: &Simulation, writers: &Writers, at: BlockAt) -> Traced {
+        let network = &simulation.program().networks[at.network];
+        let seen = self.networks.entry(at.network).or_default();
         if seen.slots.is_empty() {
-            seen.slots = place::slots(simulation, ran.at.network, writers.elements(ran.at.network));
+            seen.slots = place::slots(simulation, at.network, writers.elements(at.network));
         }
         let powers: Vec<bool> = seen
             .slots
             .iter()
             .map(|&slot| simulation.machine.memory.bit(slot))
             .collect();
-        let en = en_of(network, ran.at.block).unwrap_or_default();
+        let en = en_of(network, at.block).unwrap_or_default();
         Traced {
-            at: ran.at,
+            at,
             en,
             power: powers.get(en).copied().unwrap_or_default(),
             powers,

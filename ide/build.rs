@@ -1,4 +1,4 @@
-//! Makes a table of the rules' pages in the book, so that `ladder explain` shows what the book says.
+//! Makes a table of the rules' pages in the book, so that `ladder explain` and editors show what the book says.
 
 use std::fmt::Write;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! `ladder check --watch`, as a process whose output is read while it runs.
+//! `ladder check --watch` and `ladder test --watch`, as a process whose output is read while it runs.
 
 use crate::harness::{Folder, MOTOR};
 use std::io::{BufRead, BufReader};
@@ -15,7 +15,7 @@ struct Watch {
 
 impl Watch {
     fn start(folder: &Folder, arguments: &[&str]) -> Watch {
-        let arguments = [&["check", "--watch"], arguments].concat();
+        let arguments = [arguments, &["--watch"]].concat();
         let mut child = folder
             .command(env!("CARGO_BIN_EXE_ladder"), &arguments)
             .stdin(Stdio::null())
@@ -37,7 +37,7 @@ impl Watch {
         line.trim_end().to_owned()
     }
 
-    /// Reads until the check says that it waits.
+    /// Reads until the command says that it waits.
     fn waits(&mut self) -> String {
         let mut line = String::new();
         self.stderr.read_line(&mut line).unwrap();
@@ -55,7 +55,7 @@ impl Drop for Watch {
 #[test]
 fn every_change_is_checked() {
     let folder = Folder::with(&[("a.clad", MOTOR)]);
-    let mut watch = Watch::start(&folder, &["--format", "concise", "."]);
+    let mut watch = Watch::start(&folder, &["check", "--format", "concise", "."]);
     assert_eq!(watch.line(), "Checked 1 file: no errors found.");
     assert_eq!(watch.waits(), "note: watching 1 program; Ctrl-C ends this");
 
@@ -83,7 +83,7 @@ fn every_change_is_checked() {
 #[test]
 fn each_round_is_a_document_for_machines() {
     let folder = Folder::with(&[("a.clad", MOTOR)]);
-    let mut watch = Watch::start(&folder, &["--format", "json", "a.clad"]);
+    let mut watch = Watch::start(&folder, &["check", "--format", "json", "a.clad"]);
     assert_eq!(watch.line(), "[]");
     watch.waits();
     folder.write("a.clad", ERROR.as_bytes());
@@ -95,7 +95,7 @@ fn each_round_is_a_document_for_machines() {
 #[test]
 fn a_reader_that_goes_away_ends_it() {
     let folder = Folder::with(&[("a.clad", MOTOR)]);
-    let mut watch = Watch::start(&folder, &["a.clad"]);
+    let mut watch = Watch::start(&folder, &["check", "a.clad"]);
     watch.line();
     watch.waits();
     let Watch { child, stdout, .. } = &mut watch;
@@ -129,4 +129,49 @@ fn what_is_not_there_cannot_be_watched() {
         run.stderr.contains("'--watch' cannot be used with '--fix'"),
         "{run}"
     );
+}
+
+const PRESSED: &str = "program motor.clad\nscenario \"pressed\"\nstart _-_\nrun => _--\n";
+
+#[test]
+fn every_change_is_tested() {
+    let folder = Folder::with(&[("motor.clad", MOTOR), ("motor.ladder-test", PRESSED)]);
+    let mut watch = Watch::start(&folder, &["test", "motor.ladder-test"]);
+    let is_waiting = "note: watching 1 file of scenarios; Ctrl-C ends this";
+    assert_eq!(watch.line(), "motor.ladder-test");
+    assert_eq!(watch.line(), "  ok    pressed");
+    assert_eq!(watch.line(), "");
+    assert!(watch.line().starts_with("1 scenario in 1 file: 1 passed, in "));
+    assert_eq!(watch.waits(), is_waiting);
+
+    // The program.
+    folder.write("motor.clad", b"+--[ ]( start )--( )( run )--+\n");
+    assert_eq!(watch.line(), "motor.ladder-test");
+    assert_eq!(watch.line(), "  FAIL  pressed");
+    while !watch
+        .line()
+        .starts_with("1 scenario in 1 file: 0 passed, 1 failed")
+    {}
+    assert_eq!(watch.waits(), is_waiting);
+
+    // The scenario; now it names a program that is not there, which then comes.
+    folder.write(
+        "motor.ladder-test",
+        PRESSED.replace("motor.clad", "other.clad").as_bytes(),
+    );
+    while !watch.line().contains("1 file not run for errors") {}
+    assert_eq!(watch.waits(), is_waiting);
+    folder.write("other.clad", MOTOR.as_bytes());
+    assert_eq!(watch.line(), "motor.ladder-test");
+    assert_eq!(watch.line(), "  ok    pressed");
+    while !watch.line().starts_with("1 scenario in 1 file: 1 passed") {}
+    assert_eq!(watch.waits(), is_waiting);
+}
+
+#[test]
+fn scenarios_that_are_not_there_cannot_be_watched() {
+    let folder = Folder::with(&[]);
+    folder
+        .ladder(&["test", "--watch", "motor.ladder-test"])
+        .refused_with("motor.ladder-test: no such file or folder");
 }

@@ -1,0 +1,133 @@
+//! Two operands that are given in each other's place: one finding for both.
+
+use super::Resolver;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::excerpt;
+use crate::findings::rule::Rule;
+use crate::networks::BlockAt;
+use crate::networks::facts::{Node, NodeKind};
+use crate::networks::network::Formal;
+use crate::networks::user_block::Parameter;
+use crate::program::ParameterKind;
+use crate::rules::{bad_operand, type_mismatch};
+use crate::values::constant::signed_literal;
+use crate::values::literal::Literal;
+use crate::values::types::{Scalar, Type, passes};
+use ladder_instructions::{Accepts, Instruction};
+
+impl Resolver<'_, '_> {
+    /// The two operands of a user-defined block that do not pass where they are, and would in each other's place.
+    pub(super) fn swapped_arguments(&self, block: usize, bound: BlockAt<'_>) -> Option<Diagnostic> {
+        let facts = &self.context.user_blocks[block];
+        let operands = bound.facts.operands.iter().zip(bound.formals.iter());
+        let given = operands
+            .take(bound.positional_count())
+            .filter_map(|(written, formal)| {
+                let Formal::Parameter(index) = *formal else {
+                    return None;
+                };
+                let parameter = &facts.parameters[index];
+                Some((&written.value, parameter, self.fits(&written.value, parameter)?))
+            });
+        let mut wrong = given.filter(|(_, _, fits)| !fits);
+        let (first, of_first, _) = wrong.next()?;
+        let (second, of_second, _) = wrong.next()?;
+        let is_two = wrong.next().is_none();
+        let would_fit =
+            self.fits(first, of_second) == Some(true) && self.fits(second, of_first) == Some(true);
+        (is_two && would_fit).then(|| {
+            let order = format!(
+                "`{}` of [{}] comes before `{}`",
+                of_first.name, facts.name, of_second.name
+            );
+            self.swap(type_mismatch::RULE, first, second, order)
+        })
+    }
+
+    /// A value in the place of a result or of the tag that keeps a block's state, and that after it.
+    pub(super) fn swapped_operands(
+        &self,
+        row: &'static Instruction,
+        bound: BlockAt<'_>,
+    ) -> Option<Diagnostic> {
+        let [first, second] = &bound.facts.operands[..] else {
+            return None;
+        };
+        let (Some(operand), 2) = (row.operands.first(), bound.positional_count()) else {
+            return None;
+        };
+        let is_tag = matches!(
+            second.value.kind,
+            NodeKind::Name(_) | NodeKind::Address(_) | NodeKind::Member(..) | NodeKind::Index(..)
+        );
+        if signed_literal(&first.value).is_none() || signed_literal(&second.value).is_some() || !is_tag {
+            return None;
+        }
+        let order = match operand.accepts {
+            Accepts::Result(_) => "the result comes first".to_owned(),
+            Accepts::State(state) => {
+                format!("the tag that keeps the state of the {} comes first", state.name())
+            }
+            _ => return None,
+        };
+        Some(self.swap(bad_operand::RULE, &first.value, &second.value, order))
+    }
+
+    fn swap(&self, rule: Rule, first: &Node, second: &Node, order: String) -> Diagnostic {
+        let text = |node: &Node| excerpt::text(&self.context.parse, self.at(node.range));
+        type_mismatch::swapped(
+            rule,
+            (self.at(first.range), &text(first)),
+            (self.at(second.range), &text(second)),
+            order,
+        )
+    }
+
+    /// Whether an operand passes to a parameter; none if that cannot be said.
+    fn fits(&self, node: &Node, parameter: &Parameter) -> Option<bool> {
+        let Some(Type::Scalar(wanted)) = parameter.ty else {
+            return None;
+        };
+        if let Some((literal, _)) = signed_literal(node) {
+            if parameter.kind != ParameterKind::Input {
+                return Some(false);
+            }
+            return Some(match literal.as_ref().ok()? {
+                Literal::Int(_) => wanted.is_number() || wanted.is_bits(),
+                Literal::Real(_) => wanted.is_real(),
+                _ => passes(self.own_type(node)?, wanted),
+            });
+        }
+        let found = self.own_type(node)?;
+        let is_text = found.is_string() && wanted.is_string();
+        Some(match parameter.kind {
+            ParameterKind::Input => passes(found, wanted) || is_text,
+            ParameterKind::Output => passes(wanted, found) || is_text,
+            ParameterKind::InOut => found == wanted,
+        })
+    }
+
+    /// As a message calls what is given.
+    pub(super) fn given(&self, node: &Node) -> String {
+        format!("`{}`", excerpt::text(&self.context.parse, self.at(node.range)))
+    }
+
+    /// What a value that does not pass is told, with the name of the operand that it is given for. `since` is how many findings
+    /// there were before it was resolved.
+    pub(super) fn name_operand(
+        &mut self,
+        since: usize,
+        node: &Node,
+        operand: &str,
+        block: &str,
+        wanted: Scalar,
+    ) {
+        let (range, given) = (self.at(node.range), self.given(node));
+        let Some(found) = self.own_type(node) else { return };
+        if let [.., last] = &mut self.out[since..]
+            && type_mismatch::is_of_value(last, found, wanted, range)
+        {
+            type_mismatch::name_operand(last, &given, found, (operand, block, wanted));
+        }
+    }
+}

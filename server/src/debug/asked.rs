@@ -1,0 +1,251 @@
+//! What a configuration asks for: the program, where it is named by a scenario, and what is given to it.
+
+use std::path::{Component, Path, PathBuf};
+
+use ladder_analysis::values::value::Value;
+use ladder_simulator::scenario;
+use ladder_simulator::{Inputs, Session, Simulation};
+use ladder_workspace::{Named, Root, shown};
+use serde_json::{Map, Value as Json};
+
+use super::configuration::{Configuration, GivenInputs, is_scenario_file};
+use super::play::Play;
+use super::sources::Source;
+use super::watch::Scope;
+use crate::simulation::Keeping;
+use crate::simulation::value::from_json;
+
+/// What a configuration asks for.
+pub(super) struct Asked {
+    configuration: Configuration,
+    scenario: Option<Scenario>,
+    program: PathBuf,
+}
+
+/// What is given to a program while it runs.
+#[derive(Debug, Default)]
+pub(super) struct GivenByFiles {
+    pub play: Option<Play>,
+    /// What a table gives, scan by scan.
+    pub inputs: Inputs,
+}
+
+impl Asked {
+    /// Reads the scenario, if one is asked for: it names the program.
+    pub(super) fn of(configuration: &Configuration) -> Result<Asked, String> {
+        let scenario = scenario_of(configuration)?;
+        let program = match (&scenario, &configuration.program) {
+            (Some(scenario), _) => scenario.program.clone(),
+            (None, Some(program)) => absolute(program)?,
+            (None, None) => return Err("`program` is missing: name the .clad file to run".into()),
+        };
+        Ok(Asked {
+            configuration: configuration.clone(),
+            scenario,
+            program,
+        })
+    }
+
+    pub(super) fn configuration(&self) -> &Configuration {
+        &self.configuration
+    }
+
+    /// The program's file.
+    pub(super) fn program(&self) -> &Path {
+        &self.program
+    }
+
+    /// Whether a scenario is to be run.
+    pub(super) fn is_scenario(&self) -> bool {
+        self.scenario.is_some()
+    }
+
+    /// The time from one scan to the next, in nanoseconds, if it is given.
+    pub(super) fn interval(&self) -> Result<Option<i64>, String> {
+        let of_scenario = self
+            .scenario
+            .as_ref()
+            .and_then(|scenario| scenario.suite.interval);
+        let of_scenario = of_scenario.map(|(interval, _)| interval);
+        Ok(self.configuration.interval()?.or(of_scenario))
+    }
+
+    /// Where retentive tags are kept. A scenario starts cold, as its test does.
+    pub(super) fn keeping(&self) -> Result<Keeping, String> {
+        match &self.configuration.retain {
+            Some(name) => Ok(Keeping::In(inside(&self.program, name, "retain")?)),
+            None if self.is_scenario() => Ok(Keeping::Nothing),
+            None => Ok(Keeping::AsSettingsSay),
+        }
+    }
+
+    /// Gives a session what it begins with; what is left is given while it runs.
+    pub(super) fn give(&self, session: &mut Session) -> Result<GivenByFiles, String> {
+        let scenario = self.scenario.as_ref();
+        let play = scenario
+            .map(|scenario| scenario.bind(session.simulation()))
+            .transpose()?;
+        let inputs = match &self.configuration.inputs {
+            GivenInputs::Held(values) => {
+                assign(session, "inputs", values, Session::set)?;
+                Inputs::default()
+            }
+            GivenInputs::Table(name) => read_table(&self.program, name, session.simulation())?,
+        };
+        assign(session, "forces", &self.configuration.forces, Session::force)?;
+        Ok(GivenByFiles { play, inputs })
+    }
+}
+
+fn assign(
+    session: &mut Session,
+    what: &str,
+    values: &Map<String, Json>,
+    give: impl Fn(&mut Session, &ladder_simulator::Point, Value) -> Result<(), ladder_simulator::ValueRefused>,
+) -> Result<(), String> {
+    for (tag, value) in values {
+        let wrong = |problem: String| format!("{what}: {problem}");
+        let scope = Scope {
+            simulation: session.simulation(),
+            instance: None,
+        };
+        let point = scope.resolve(tag).map_err(wrong)?;
+        let value = from_json(value, point.ty).map_err(|problem| wrong(format!("{tag}: {problem}")))?;
+        give(session, &point, value).map_err(|refused| wrong(refused.message))?;
+    }
+    Ok(())
+}
+
+/// The table of inputs that the configuration names.
+fn read_table(program: &Path, name: &str, simulation: &Simulation) -> Result<Inputs, String> {
+    let file = inside(program, name, "inputs")?;
+    let located = file.locate().map_err(|error| format!("inputs: {error}"))?;
+    let text = ladder_workspace::read(&located).map_err(|error| format!("inputs: {error}"))?;
+    Inputs::parse(&shown::path(&located), &text, simulation).map_err(|error| format!("inputs: {error}"))
+}
+
+/// A path that the client gave: it must be whole, for nobody chose the folder that the adapter runs in.
+fn absolute(path: &str) -> Result<PathBuf, String> {
+    let path = Path::new(path);
+    if path.is_absolute() {
+        return Ok(path.to_owned());
+    }
+    Err(format!(
+        "{}: name the whole path of the file, for example with ${{workspaceFolder}} before it",
+        shown::path(path)
+    ))
+}
+
+/// A file that the configuration names next to the program: it lies in the folder of the program's workspace.
+fn inside(program: &Path, name: &str, what: &str) -> Result<Named, String> {
+    let path = Path::new(name);
+    if !path.is_absolute() {
+        return Ok(Named::in_file(program, name));
+    }
+    let root = Root::of(program).map_err(|error| format!("{what}: {error}"))?;
+    let relative = path.strip_prefix(root.folder()).ok().and_then(Path::to_str);
+    let relative = relative.ok_or_else(|| {
+        format!(
+            "{what}: {} lies outside of {}, where the program is",
+            shown::path(path),
+            shown::path(root.folder())
+        )
+    })?;
+    Ok(Named::in_settings(root.folder(), &relative.replace('\\', "/")))
+}
+
+/// A scenario that was asked for, before its program is known.
+struct Scenario {
+    file: Source,
+    suite: scenario::Suite,
+    name: Option<String>,
+    line: Option<u32>,
+    program: PathBuf,
+}
+
+/// The scenario that the configuration asks for, if it does.
+fn scenario_of(configuration: &Configuration) -> Result<Option<Scenario>, String> {
+    if !configuration.scenario_asked_for() {
+        return Ok(None);
+    }
+    let program = configuration.program.as_deref();
+    let file = match (&configuration.scenario_file, program) {
+        (Some(file), _) => absolute(file)?,
+        (None, Some(program)) if is_scenario_file(program) => absolute(program)?,
+        (None, Some(program)) => absolute(program)?.with_extension(ladder_workspace::SCENARIO_EXTENSION),
+        (None, None) => {
+            return Err("`scenarioFile` is missing: name the .ladder-test file of the scenario".into());
+        }
+    };
+    let text = ladder_workspace::read(&file).map_err(|error| error.to_string())?;
+    let suite = scenario::parse(&text);
+    let file = Source::new(file, text);
+    let Some((named, _)) = &suite.program else {
+        return Err(error(&file, &suite.errors));
+    };
+    let named = Named::in_file(&file.path, named);
+    // Links are followed only to see that they stay inside; the client knows the file by the name that it has.
+    let located = named.locate().map_err(|error| error.to_string())?;
+    let plain = named.path();
+    let program = if plain.canonicalize().is_ok_and(|path| path == located) && !has_parents(&plain) {
+        plain
+    } else {
+        located
+    };
+    Ok(Some(Scenario {
+        name: configuration.scenario.clone(),
+        line: configuration.scenario_line,
+        program,
+        suite,
+        file,
+    }))
+}
+
+fn has_parents(path: &Path) -> bool {
+    path.components().any(|part| part == Component::ParentDir)
+}
+
+impl Scenario {
+    fn bind(&self, simulation: &Simulation) -> Result<Play, String> {
+        let (cases, found) = scenario::bind(&self.suite, simulation);
+        let errors: Vec<_> = self.suite.errors.iter().cloned().chain(found).collect();
+        if !errors.is_empty() {
+            return Err(error(&self.file, &errors));
+        }
+        let names: Vec<String> = cases.iter().map(|case| format!("\"{}\"", case.name)).collect();
+        let line = self.line.map(|line| line.saturating_sub(1) as usize);
+        let mut cases = cases.into_iter();
+        let case = match (&self.name, line) {
+            (Some(name), _) => cases.find(|case| case.name == *name),
+            // Above the first one it is the first one that is meant.
+            (None, Some(line)) => cases
+                .clone()
+                .rfind(|case| self.file.line(case.range.start()) <= line)
+                .or_else(|| cases.next()),
+            (None, None) => cases.next(),
+        };
+        let case = case.ok_or_else(|| {
+            format!(
+                "{}: there is no scenario \"{}\"; the file has {}",
+                shown::path(&self.file.path),
+                self.name.as_deref().unwrap_or_default(),
+                names.join(", ")
+            )
+        })?;
+        let file = Source::new(self.file.path.clone(), self.file.text.clone());
+        Ok(Play::new(file, case))
+    }
+}
+
+fn error(file: &Source, errors: &[scenario::ScenarioError]) -> String {
+    let first = errors.iter().min_by_key(|error| error.range.start());
+    let path = shown::path(&file.path);
+    first.map_or(format!("{path}: it names no program"), |first| {
+        let line = file.line(first.range.start()) + 1;
+        let help = first
+            .help
+            .as_ref()
+            .map_or(String::new(), |help| format!("; {help}"));
+        format!("{path}:{line}: {}{help}", first.message)
+    })
+}

@@ -1,0 +1,140 @@
+//! Tags that open: an array is a group of its elements, a timer one of its members.
+//!
+//! Whatever lists tags asks here what a tag opens into: the tables of a run, the screen, the views of the editors.
+
+use crate::layout::{self, Home, MemberSlot};
+use crate::members::shown;
+use crate::memory::TextSlot;
+use crate::tags::{Point, PointSlot};
+use ladder_analysis::program::{Program, Role, Tag};
+use ladder_analysis::values::types::Type;
+
+/// Of an array with more elements than this a list of all tags has none: it would be a list of that array.
+const MOST_LISTED: u64 = 256;
+
+/// A tag as a list shows it.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Entry {
+    /// One value.
+    Value(Point),
+    /// What opens.
+    Group(Group),
+}
+
+/// A tag that opens into others.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Group {
+    /// As declared, or as first written.
+    pub name: String,
+    /// As declared: `ARRAY[1..2] OF BOOL`.
+    pub ty: String,
+    /// Input, output or neither.
+    pub role: Role,
+    /// It is a constant.
+    pub read_only: bool,
+    /// How many it opens into.
+    pub parts: u64,
+}
+
+impl Point {
+    /// The array that it is an element of, or the bit of one: `a` of `a[3]`.
+    pub fn group(&self) -> Option<&str> {
+        let (group, _) = self.name.split_once('[')?;
+        Some(group)
+    }
+
+    /// Which element of it, or bit of one: `[3]` of `a[3]`.
+    pub fn index(&self) -> Option<&str> {
+        self.name.find('[').map(|at| &self.name[at..])
+    }
+}
+
+/// Every value that a list of all tags has, in the order of the program's tags.
+pub(crate) fn points(program: &Program, homes: &[Home]) -> Vec<Point> {
+    let listed = own(program, homes).filter(|(tag, _)| !is_long(tag));
+    listed.flat_map(|(tag, home)| parts(program, tag, home)).collect()
+}
+
+/// The tags outside of the bodies of user-defined blocks, which exist once for each place.
+pub(crate) fn own<'p>(program: &'p Program, homes: &'p [Home]) -> impl Iterator<Item = (&'p Tag, Home)> {
+    let all = program.tags.iter().zip(homes.iter().copied());
+    all.filter(|(tag, _)| tag.block.is_none())
+}
+
+/// Whether an array has too many elements for a list of all tags.
+pub(crate) fn is_long(tag: &Tag) -> bool {
+    matches!(tag.ty, Type::Array { first, last, .. } if last.abs_diff(first) >= MOST_LISTED)
+}
+
+/// What a tag opens into; one that does not open is its only part.
+pub(crate) fn parts<'p>(
+    program: &'p Program,
+    tag: &'p Tag,
+    home: Home,
+) -> impl Iterator<Item = Point> + use<'p> {
+    let (first, last) = match tag.ty {
+        Type::Array { first, last, .. } => (first, last),
+        // Read as an array of one.
+        Type::Scalar(_) => (0, 0),
+        Type::State(_) => (0, -1),
+    };
+    let members = match (home, tag.ty) {
+        (Home::State { state, .. }, _) => shown(state),
+        _ => &[],
+    };
+    let members = members.iter().filter_map(move |&(name, member)| {
+        let Home::State { state, bits, words } = home else {
+            return None;
+        };
+        let slot = match layout::member(state, bits, words, member)? {
+            MemberSlot::Bit(slot) => PointSlot::Bit(slot),
+            MemberSlot::Word(slot) => PointSlot::Word(slot),
+            MemberSlot::Timing { .. } => return None,
+        };
+        Some(Point {
+            name: format!("{}.{name}", tag.name),
+            ty: program.member_type(tag, member),
+            role: tag.role,
+            read_only: tag.constant,
+            slot,
+        })
+    });
+    (first..=last)
+        .filter_map(move |at| element(tag, home, at))
+        .chain(members)
+}
+
+/// An element of an array, by its index; an elementary tag is itself.
+pub(crate) fn element(tag: &Tag, home: Home, index: i64) -> Option<Point> {
+    let (name, ty, offset) = match tag.ty {
+        Type::Scalar(ty) => (tag.name.clone(), ty, 0),
+        Type::Array { first, last, element } if (first..=last).contains(&index) => {
+            (format!("{}[{index}]", tag.name), element, (index - first) as u32)
+        }
+        _ => return None,
+    };
+    let slot = match home {
+        Home::Bits { at, .. } => PointSlot::Bit(at.offset(offset)),
+        Home::Words { at, .. } => PointSlot::Word(at.offset(offset)),
+        Home::Texts { at, .. } => PointSlot::Text(TextSlot(at.0 + offset)),
+        _ => return None,
+    };
+    Some(Point {
+        name,
+        ty,
+        role: tag.role,
+        read_only: tag.constant,
+        slot,
+    })
+}
+
+/// `a[2..5]`
+pub(crate) fn range_of(text: &str) -> Option<(&str, i64, i64)> {
+    let (name, range) = text.trim().strip_suffix(']')?.split_once('[')?;
+    let (first, last) = range.split_once("..")?;
+    Some((
+        name.trim_end(),
+        first.trim().parse().ok()?,
+        last.trim().parse().ok()?,
+    ))
+}
