@@ -52,6 +52,11 @@ async fn the_page_shows_what_the_server_says() {
         let method = shown["method"].as_str();
         let said = match (shown["id"].as_i64(), method) {
             (Some(id), Some(_)) => {
+                if shown["params"]["command"] == "ladder.simulate.pause" {
+                    // What the run before it does would depend on the moment.
+                    let is_over = |state: &Value| state["status"] == "paused";
+                    client.notification("ladder/simulationState", is_over).await;
+                }
                 client.ask_as(id, &shown).await;
                 asked.insert(id);
                 continue;
