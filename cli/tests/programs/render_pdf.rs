@@ -162,6 +162,8 @@ fn pages_with_text_that_can_be_read_back() {
         run
         motor
         1 / 2
+        motor.clad
+        2026-11-26
         -- page --
         Cross-reference
         NETWORK/LINE; S sets, R resets, * reads and writes
@@ -184,7 +186,9 @@ fn pages_with_text_that_can_be_read_back() {
         input
         1/1
         motor
-        2 / 2"#]]
+        2 / 2
+        motor.clad
+        2026-11-26"#]]
     .assert_eq(&pages.join("\n-- page --\n"));
 }
 
@@ -277,9 +281,9 @@ fn the_title_block_is_the_projects() {
     assert_eq!(run.status, Some(0), "{run}");
     let bytes = std::fs::read(folder.path("motor.pdf")).unwrap();
     let page = pages(&bytes).remove(0);
-    let foot = page.iter().skip_while(|text| *text != "1 / 1");
+    let foot = page.iter().skip_while(|text| *text != "1 / 2");
     expect![[r#"
-        1 / 1
+        1 / 2
         Pumping station
         Version 1.2
         motor.clad
