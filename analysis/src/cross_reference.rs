@@ -3,7 +3,7 @@
 
 use crate::context::Context;
 use crate::names::scope::{Origin, TagFacts};
-use crate::networks::deed::Deed;
+use crate::networks::access_kind::AccessKind;
 use crate::program::Role;
 use ladder_syntax::ast::NodeView;
 use ladder_syntax::{LineKind, SyntaxKind, TextRange};
@@ -64,18 +64,18 @@ pub struct TagPlace {
     /// The network, from 1, as printed pages number them.
     pub network: usize,
     /// What is done with the tag.
-    pub deed: Deed,
+    pub access: AccessKind,
 }
 
 impl TagEntry {
     /// The places that write it.
     pub fn writers(&self) -> impl Iterator<Item = &TagPlace> {
-        self.places.iter().filter(|place| place.deed.writes())
+        self.places.iter().filter(|place| place.access.writes())
     }
 
     /// The places that read it.
     pub fn readers(&self) -> impl Iterator<Item = &TagPlace> {
-        self.places.iter().filter(|place| place.deed.reads())
+        self.places.iter().filter(|place| place.access.reads())
     }
 }
 
@@ -137,7 +137,7 @@ fn places<'c>(context: &'c Context, tag: &'c TagFacts) -> impl Iterator<Item = T
             line: context.line_number(found.range.start()),
             network: found.network + 1,
             // `(S)( word.3 )` sets a bit of the tag.
-            deed: place.deed(),
+            access: place.access_kind(),
         }
     })
 }
@@ -189,7 +189,7 @@ mod tests {
             for place in entry.places {
                 shown.push_str(&format!(
                     "    {} in line {}, network {}\n",
-                    place.deed.words(),
+                    place.access.words(),
                     place.line,
                     place.network
                 ));

@@ -56,7 +56,7 @@ pub use findings::diagnostic::{Applicability, Diagnostic, Fix, Related};
 pub use findings::rule::{Rule, RuleGroup, Severity};
 pub use findings::rule_settings::{Level, RuleSettings};
 pub use names::infer::member as state_member;
-pub use networks::deed::Deed;
+pub use networks::access_kind::AccessKind;
 pub use other_files::exporting::exports;
 pub use other_files::exports::{ExportedBlock, ExportedFunction, Exports, Global};
 pub use other_files::import::Import;

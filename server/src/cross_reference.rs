@@ -81,7 +81,7 @@ pub(crate) fn list(revision: &Revision, asked: &CrossReference) -> Option<CrossR
 
 fn tag(entry: TagEntry, positions: &Positions) -> ReferencedTag {
     let place = |place: &TagPlace| ReferencedPlace {
-        does: place.deed.words().to_owned(),
+        does: place.access.words().to_owned(),
         network: place.network,
         range: positions.range(place.range),
     };

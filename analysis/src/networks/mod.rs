@@ -4,8 +4,8 @@
 //! is, and what surrounds it, is next to it here.
 
 pub mod access;
+pub mod access_kind;
 pub(crate) mod control_flow;
-pub mod deed;
 pub mod facts;
 pub(crate) mod kept;
 pub(crate) mod known_blocks;

@@ -1,7 +1,7 @@
 //! The places where tags are in operands.
 
 use super::access::Access;
-use super::deed::Deed;
+use super::access_kind::AccessKind;
 use super::use_kind::{Effect, UseKind};
 use ladder_syntax::TextRange;
 use smallvec::SmallVec;
@@ -55,8 +55,8 @@ impl UseRef {
     }
 
     /// What people are told that it does with the tag.
-    pub(crate) const fn deed(self) -> Deed {
-        Deed::of(self.access(), self.effect())
+    pub(crate) const fn access_kind(self) -> AccessKind {
+        AccessKind::of(self.access(), self.effect())
     }
 
     /// What its block does with the operand.
@@ -86,8 +86,8 @@ impl Uses {
     }
 
     /// What each place does with it.
-    pub fn deeds(&self) -> impl Iterator<Item = Deed> {
-        self.0.iter().map(|place| place.deed())
+    pub fn access_kinds(&self) -> impl Iterator<Item = AccessKind> {
+        self.0.iter().map(|place| place.access_kind())
     }
 
     /// How each place uses it.

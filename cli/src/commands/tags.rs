@@ -6,7 +6,7 @@ use crate::json::to_writer_pretty;
 use crate::outcome::{Failure, Outcome};
 use crate::terminal::Stdout;
 use clap::{Args, ValueEnum};
-use ladder_analysis::{Deed, TagEntry, cross_reference};
+use ladder_analysis::{AccessKind, TagEntry, cross_reference};
 use ladder_workspace::shown;
 use serde::Serialize;
 use std::io::{self, Write};
@@ -62,7 +62,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Fine)
 }
 
-const DEEDS: [Deed; 5] = [Deed::Write, Deed::Set, Deed::Reset, Deed::ReadWrite, Deed::Read];
+const KINDS: [AccessKind; 5] = [
+    AccessKind::Write,
+    AccessKind::Set,
+    AccessKind::Reset,
+    AccessKind::ReadWrite,
+    AccessKind::Read,
+];
 
 fn name_of(entry: &TagEntry) -> String {
     match &entry.block {
@@ -84,13 +90,13 @@ fn text(entries: &[TagEntry], out: &mut Stdout) -> io::Result<()> {
             head.push_str(&format!("  # {} #", entry.comment));
         }
         writeln!(out, "{}", shown::line(&head))?;
-        for deed in DEEDS {
-            let places = entry.places.iter().filter(|place| place.deed == deed);
+        for kind in KINDS {
+            let places = entry.places.iter().filter(|place| place.access == kind);
             let places: Vec<String> = places
                 .map(|place| format!("line {} (network {})", place.line, place.network))
                 .collect();
             if !places.is_empty() {
-                writeln!(out, "    {:<14}  {}", deed.words(), places.join(", "))?;
+                writeln!(out, "    {:<14}  {}", kind.words(), places.join(", "))?;
             }
         }
         if entry.places.is_empty() {
@@ -115,8 +121,8 @@ fn csv(entries: &[TagEntry], out: &mut Stdout) -> io::Result<()> {
             entry.address.clone().unwrap_or_default(),
             declared.unwrap_or_default(),
         ];
-        cells.extend(DEEDS.map(|deed| {
-            let places = entry.places.iter().filter(|place| place.deed == deed);
+        cells.extend(KINDS.map(|kind| {
+            let places = entry.places.iter().filter(|place| place.access == kind);
             let places: Vec<String> = places
                 .map(|place| format!("{}:{}", place.line, place.network))
                 .collect();
@@ -176,7 +182,7 @@ fn json(entries: &[TagEntry], out: &mut Stdout) -> io::Result<()> {
             .places
             .iter()
             .map(|place| Place {
-                does: place.deed.words(),
+                does: place.access.words(),
                 line: place.line,
                 network: place.network,
             })

@@ -1,7 +1,7 @@
 //! Who writes and who reads a tag: the lines, and a few of the rungs.
 
 use crate::body::line_text;
-use ladder_analysis::Deed;
+use ladder_analysis::AccessKind;
 use ladder_analysis::context::Context;
 use ladder_analysis::names::scope::{Origin, SectionKind, TagFacts};
 use ladder_analysis::networks::access::Access;
@@ -54,11 +54,11 @@ pub(super) fn card(context: &Context, tag: &TagFacts, here: Option<TextSize>) ->
 
 /// The lines of the uses that `wanted` takes, each once; those that set or reset the tag say so.
 fn lines(context: &Context, tag: &TagFacts, wanted: impl Fn(Access) -> bool) -> Vec<String> {
-    let uses = context.uses(tag).zip(tag.uses.deeds());
+    let uses = context.uses(tag).zip(tag.uses.access_kinds());
     let uses = uses.filter(|(place, _)| wanted(place.access));
-    let mut lines: Vec<(usize, Option<Deed>)> = uses
-        .map(|(place, deed)| {
-            let latch = matches!(deed, Deed::Set | Deed::Reset).then_some(deed);
+    let mut lines: Vec<(usize, Option<AccessKind>)> = uses
+        .map(|(place, kind)| {
+            let latch = matches!(kind, AccessKind::Set | AccessKind::Reset).then_some(kind);
             (context.line_number(place.range.start()), latch)
         })
         .collect();
@@ -69,7 +69,7 @@ fn lines(context: &Context, tag: &TagFacts, wanted: impl Fn(Access) -> bool) -> 
         .iter()
         .take(MOST_LINES)
         .map(|&(line, latch)| match latch {
-            Some(deed) => format!("{} ({})", line_link(line), deed.words()),
+            Some(kind) => format!("{} ({})", line_link(line), kind.words()),
             None => line_link(line),
         })
         .collect();

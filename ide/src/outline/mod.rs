@@ -3,7 +3,7 @@
 use crate::body::{line_body, line_text, without_line_end};
 use crate::comments;
 use crate::symbol::declared::names_of;
-use ladder_analysis::Deed;
+use ladder_analysis::AccessKind;
 use ladder_analysis::context::{Body, Context, LabelFacts};
 use ladder_analysis::names::scope::{SectionKind, TagFacts};
 use ladder_analysis::networks::facts::NodeKind;
@@ -237,11 +237,17 @@ fn block_item(context: &Context, block: usize) -> Outlined {
 fn of_tag(tag: &TagFacts) -> Option<SmolStr> {
     let ty = tag.ty?;
     let mut detail = ty.to_string();
-    for deed in [Deed::Read, Deed::Write, Deed::Set, Deed::Reset, Deed::ReadWrite] {
-        match tag.uses.deeds().filter(|it| *it == deed).count() {
+    for kind in [
+        AccessKind::Read,
+        AccessKind::Write,
+        AccessKind::Set,
+        AccessKind::Reset,
+        AccessKind::ReadWrite,
+    ] {
+        match tag.uses.access_kinds().filter(|it| *it == kind).count() {
             0 => {}
-            1 => detail.push_str(&format!(", {}", deed.words())),
-            times => detail.push_str(&format!(", {} {times}", deed.words())),
+            1 => detail.push_str(&format!(", {}", kind.words())),
+            times => detail.push_str(&format!(", {} {times}", kind.words())),
         }
     }
     Some(detail.into())

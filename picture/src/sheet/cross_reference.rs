@@ -6,7 +6,7 @@ use super::flow::{APART, CLOSE, place, text};
 use super::pages::{Pages, Strip};
 use super::table::Table;
 use ladder_analysis::context::Context;
-use ladder_analysis::{Deed, TagEntry, TagPlace, cross_reference};
+use ladder_analysis::{AccessKind, TagEntry, TagPlace, cross_reference};
 
 /// The columns of the table.
 const COLUMNS: [&str; 5] = ["Tag", "Type", "Kind", "Written", "Read"];
@@ -56,11 +56,11 @@ fn row(entry: &TagEntry) -> [String; 5] {
 fn places<'p>(places: impl Iterator<Item = &'p TagPlace>) -> String {
     let places: Vec<String> = places
         .map(|place| {
-            let mark = match place.deed {
-                Deed::Read | Deed::Write => "",
-                Deed::Set => " S",
-                Deed::Reset => " R",
-                Deed::ReadWrite => "*",
+            let mark = match place.access {
+                AccessKind::Read | AccessKind::Write => "",
+                AccessKind::Set => " S",
+                AccessKind::Reset => " R",
+                AccessKind::ReadWrite => "*",
             };
             format!("{}/{}{mark}", place.network, place.line)
         })

@@ -6,7 +6,7 @@ use super::use_kind::Effect;
 /// What a place does with a tag.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[allow(missing_docs)]
-pub enum Deed {
+pub enum AccessKind {
     Read,
     Write,
     /// `(S)`.
@@ -17,35 +17,35 @@ pub enum Deed {
     ReadWrite,
 }
 
-impl Deed {
-    pub(crate) const fn of(access: Access, effect: Effect) -> Deed {
+impl AccessKind {
+    pub(crate) const fn of(access: Access, effect: Effect) -> AccessKind {
         match (effect, access) {
-            (Effect::Sets, _) => Deed::Set,
-            (Effect::Resets, _) => Deed::Reset,
-            (_, Access::Read) => Deed::Read,
-            (_, Access::Write) => Deed::Write,
-            (_, Access::ReadWrite) => Deed::ReadWrite,
+            (Effect::Sets, _) => AccessKind::Set,
+            (Effect::Resets, _) => AccessKind::Reset,
+            (_, Access::Read) => AccessKind::Read,
+            (_, Access::Write) => AccessKind::Write,
+            (_, Access::ReadWrite) => AccessKind::ReadWrite,
         }
     }
 
     /// In words.
     pub const fn words(self) -> &'static str {
         match self {
-            Deed::Read => "read",
-            Deed::Write => "write",
-            Deed::Set => "set",
-            Deed::Reset => "reset",
-            Deed::ReadWrite => "read and write",
+            AccessKind::Read => "read",
+            AccessKind::Write => "write",
+            AccessKind::Set => "set",
+            AccessKind::Reset => "reset",
+            AccessKind::ReadWrite => "read and write",
         }
     }
 
     /// Whether the tag gets a value.
     pub const fn writes(self) -> bool {
-        !matches!(self, Deed::Read)
+        !matches!(self, AccessKind::Read)
     }
 
     /// Whether its value is asked for.
     pub const fn reads(self) -> bool {
-        matches!(self, Deed::Read | Deed::ReadWrite)
+        matches!(self, AccessKind::Read | AccessKind::ReadWrite)
     }
 }
