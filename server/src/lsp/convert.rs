@@ -67,27 +67,35 @@ pub(crate) fn workspace_edit(
     revision: &Revision,
     our_edits: &[Edit],
 ) -> Option<WorkspaceEdit> {
-    let uri = uri(&revision.uri)?;
-    let edits = edits(revision, our_edits);
-    Some(if agreed.versioned_edits {
-        let text_document = OptionalVersionedTextDocumentIdentifier {
-            uri,
-            version: Some(revision.version),
+    let file = (
+        uri(&revision.uri)?,
+        Some(revision.version),
+        edits(revision, our_edits),
+    );
+    Some(edit_of_files(agreed, [file]))
+}
+
+/// Edits of files as a change of the workspace: each file with the version that its edits are for, if it is open, for clients
+/// that can check that.
+pub(crate) fn edit_of_files(
+    agreed: Agreed,
+    files: impl IntoIterator<Item = (Uri, Option<i32>, Vec<TextEdit>)>,
+) -> WorkspaceEdit {
+    let files = files.into_iter();
+    if !agreed.versioned_edits {
+        return WorkspaceEdit {
+            changes: Some(files.map(|(uri, _, edits)| (uri, edits)).collect()),
+            ..WorkspaceEdit::default()
         };
-        let edits = edits.into_iter().map(OneOf::Left).collect();
-        WorkspaceEdit {
-            document_changes: Some(DocumentChanges::Edits(vec![TextDocumentEdit {
-                text_document,
-                edits,
-            }])),
-            ..WorkspaceEdit::default()
-        }
-    } else {
-        WorkspaceEdit {
-            changes: Some([(uri, edits)].into()),
-            ..WorkspaceEdit::default()
-        }
-    })
+    }
+    let changes = files.map(|(uri, version, edits)| TextDocumentEdit {
+        text_document: OptionalVersionedTextDocumentIdentifier { uri, version },
+        edits: edits.into_iter().map(OneOf::Left).collect(),
+    });
+    WorkspaceEdit {
+        document_changes: Some(DocumentChanges::Edits(changes.collect())),
+        ..WorkspaceEdit::default()
+    }
 }
 
 /// How much a finding counts, as the protocol says it.

@@ -126,8 +126,7 @@ pub(super) enum Effect {
 impl Simulation {
     /// The debugger that decides what stops a run.
     pub(super) fn debugger(&mut self) -> Option<&mut dyn Debugger> {
-        let debugging = self.debugging.as_mut()?;
-        debugging.debugger.is_live().then_some(&mut *debugging.debugger)
+        live(&mut self.debugging)
     }
 
     /// A piece of a run as the debugger does it. False if there is none.
@@ -135,7 +134,7 @@ impl Simulation {
         let Simulation {
             engine, debugging, ..
         } = self;
-        let Some(Debugging { debugger, .. }) = debugging.as_mut().filter(|it| it.debugger.is_live()) else {
+        let Some(debugger) = live(debugging) else {
             return false;
         };
         debugger.go_on(&mut engine.session);
@@ -155,7 +154,7 @@ impl Simulation {
         let Simulation {
             engine, debugging, ..
         } = self;
-        let Some(Debugging { debugger, .. }) = debugging.as_mut().filter(|it| it.debugger.is_live()) else {
+        let Some(debugger) = live(debugging) else {
             return false;
         };
         debugger.step(&mut engine.session, by_block);
@@ -180,6 +179,12 @@ impl Simulation {
         let files = engine.files();
         debugger.moved(&mut engine.session, files, &lines);
     }
+}
+
+/// The debugger that decides what stops a run.
+fn live(debugging: &mut Option<Debugging>) -> Option<&mut dyn Debugger> {
+    let Debugging { debugger, .. } = debugging.as_mut()?;
+    debugger.is_live().then_some(&mut **debugger)
 }
 
 impl Engine {

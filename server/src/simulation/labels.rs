@@ -48,53 +48,49 @@ pub(super) struct Place {
 pub(super) fn place(wanted: &[Wanted], line_at: impl Fn(u32) -> Option<String>) -> Vec<Place> {
     let mut lines: HashMap<u32, Option<Vec<bool>>> = HashMap::new();
     let mut free_between: HashMap<u32, u32> = HashMap::new();
-    let places = wanted.iter().map(
-        |&Wanted {
-             row,
-             column,
-             width,
-             name,
-         }| {
-            for (side, other) in [
-                (Side::Above, row.checked_sub(1)),
-                (Side::Below, row.checked_add(1)),
-            ] {
-                let Some(other) = other else { continue };
-                let taken = lines
-                    .entry(other)
-                    .or_insert_with(|| line_at(other).map(|line| taken(&line)));
-                // A column on each side, so that two things do not look like one.
-                let (start, end) = (column as usize, (column + width) as usize);
-                let Some(taken) = taken else { continue };
-                let mut around = taken.iter().take(end + 1).skip(start.saturating_sub(1));
-                if around.any(|taken| *taken) {
-                    continue;
-                }
-                taken.resize(taken.len().max(end), false);
-                taken[start..end].fill(true);
-                return Place {
-                    side,
-                    column,
-                    after: None,
-                };
+    let places = wanted.iter().map(|wanted| {
+        let &Wanted {
+            row, column, width, ..
+        } = wanted;
+        for (side, other) in [
+            (Side::Above, row.checked_sub(1)),
+            (Side::Below, row.checked_add(1)),
+        ] {
+            let Some(other) = other else { continue };
+            let taken = lines
+                .entry(other)
+                .or_insert_with(|| line_at(other).map(|line| taken(&line)));
+            // A column on each side, so that two things do not look like one.
+            let (start, end) = (column as usize, (column + width) as usize);
+            let Some(taken) = taken else { continue };
+            let mut around = taken.iter().take(end + 1).skip(start.saturating_sub(1));
+            if around.any(|taken| *taken) {
+                continue;
             }
-            let line = lines
-                .entry(row)
-                .or_insert_with(|| line_at(row).map(|line| taken(&line)));
-            let line = line.get_or_insert_default();
-            let start = line.len() + GAP;
-            line.resize(start, false);
-            line.resize(start + (name + width) as usize, true);
-            let free = free_between.entry(row).or_default();
-            let column = column.max(*free);
-            *free = column + width + 1;
-            Place {
-                side: Side::Between,
+            taken.resize(taken.len().max(end), false);
+            taken[start..end].fill(true);
+            return Place {
+                side,
                 column,
-                after: u32::try_from(start).ok(),
-            }
-        },
-    );
+                after: None,
+            };
+        }
+        let line = lines
+            .entry(row)
+            .or_insert_with(|| line_at(row).map(|line| taken(&line)));
+        let line = line.get_or_insert_default();
+        let start = line.len() + GAP;
+        line.resize(start, false);
+        line.resize(start + (wanted.name + width) as usize, true);
+        let free = free_between.entry(row).or_default();
+        let column = column.max(*free);
+        *free = column + width + 1;
+        Place {
+            side: Side::Between,
+            column,
+            after: u32::try_from(start).ok(),
+        }
+    });
     places.collect()
 }
 

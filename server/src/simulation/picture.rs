@@ -76,11 +76,11 @@ impl Engine {
     fn values_with(&self, wanted: &str) -> Vec<Point> {
         let mut found = self.session.simulation().search(wanted);
         let small = wanted.to_lowercase();
-        let forced = self.session.simulation().forced();
-        let more: Vec<&Point> = forced
-            .filter(|forced| forced.name.to_lowercase().contains(&small) && !found.contains(forced))
-            .collect();
-        found.extend(more.into_iter().cloned());
+        let more = self
+            .unlisted()
+            .filter(|forced| forced.name.to_lowercase().contains(&small));
+        let more: Vec<Point> = more.filter(|forced| !found.contains(forced)).cloned().collect();
+        found.extend(more);
         found
     }
 
@@ -97,11 +97,8 @@ impl Engine {
                 groups.contains(group.name.as_str()) || group.name.to_lowercase().contains(&small)
             }
         });
-        // A bit of a word that is forced is in no list.
-        let points = self.session.simulation().points();
-        let more = values
-            .iter()
-            .filter(|point| point.group().is_none() && !points.contains(point));
+        let more = self.unlisted().filter(|forced| forced.group().is_none());
+        let more = more.filter(|forced| names.contains(forced.name.as_str()));
         entries.extend(more.cloned().map(Entry::Value));
         entries
     }
@@ -170,17 +167,20 @@ impl Engine {
             .collect()
     }
 
-    /// Every tag that is listed, then what else is forced (an element of a long array, a bit of a word).
+    /// Every tag that is listed, then what else is forced.
     pub(super) fn tags(&self) -> Vec<messages::Tag> {
         self.all_points().map(|point| self.tag(point)).collect()
     }
 
     fn all_points(&self) -> impl Iterator<Item = &Point> {
+        self.session.simulation().points().iter().chain(self.unlisted())
+    }
+
+    /// What is forced and in no list of all tags: an element of a long array, a bit of a word.
+    fn unlisted(&self) -> impl Iterator<Item = &Point> {
         let points = self.session.simulation().points();
         let forced = self.session.simulation().forced();
-        points
-            .iter()
-            .chain(forced.filter(|forced| !points.contains(forced)))
+        forced.filter(|forced| !points.contains(forced))
     }
 
     fn tag(&self, point: &Point) -> messages::Tag {

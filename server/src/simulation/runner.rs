@@ -238,7 +238,6 @@ impl Runner {
             | Action::Debug(_)
             | Action::Message(..)
             | Action::HasShown => {}
-
             Action::WarmRestart => {
                 self.run = None;
                 self.simulation.hit = None;

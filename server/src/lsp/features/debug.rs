@@ -30,9 +30,8 @@ impl Notification for FromDebugger {
 }
 
 /// Starts what a configuration names with a debugger, or lets one join the simulation of that program which is there.
-pub(super) async fn debug(shared: &Arc<Shared>, Debug { launch, options }: Debug) -> Result<LSPAny> {
-    let configuration = launch.clone();
-    let launch = blocking(move |_| Launch::read(&configuration)).await?;
+pub(super) async fn debug(shared: &Arc<Shared>, Debug { launch, mut options }: Debug) -> Result<LSPAny> {
+    let launch = blocking(move |_| Launch::read(&launch)).await?;
     let launch = launch.map_err(failed)?;
     let revision = program(shared, &launch).await?;
     let there = shared.sessions.of(&revision.uri).pop();
@@ -53,7 +52,6 @@ pub(super) async fn debug(shared: &Arc<Shared>, Debug { launch, options }: Debug
             notes: Vec::new(),
         });
     }
-    let mut options = options;
     let interval = launch.interval().map_err(failed)?;
     options.interval_ms = interval
         .map(|interval| interval as f64 / 1e6)

@@ -1,19 +1,17 @@
 //! `textDocument/prepareRename` and `textDocument/rename`.
 
-use std::collections::HashMap;
 use std::sync::Arc;
 
 use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
 use tower_lsp::ls_types::{
-    DocumentChanges, OneOf, OptionalVersionedTextDocumentIdentifier, PrepareRenameResponse, RenameParams,
-    TextDocumentEdit, TextDocumentPositionParams, TextEdit, Uri, WorkspaceEdit,
+    PrepareRenameResponse, RenameParams, TextDocumentPositionParams, TextEdit, Uri, WorkspaceEdit,
 };
 
 use super::asked::{Asked, Places, about_place};
 use super::of_scenarios::{about_scenarios, scenarios_at};
 use crate::document::Revision;
 use crate::lsp::transport::answered::as_text;
-use crate::lsp::{convert, session::shared::Shared};
+use crate::lsp::{convert, session::agreed::Agreed, session::shared::Shared};
 use ladder_ide::{Renamable, RenameRefused, Renamed};
 
 /// `RequestFailed`: the request made sense, and cannot be done.
@@ -58,7 +56,7 @@ fn placeholder(revision: &Revision, found: Renamable) -> PrepareRenameResponse {
 }
 
 pub(crate) async fn rename(shared: &Arc<Shared>, params: RenameParams) -> Result<Option<WorkspaceEdit>> {
-    let versioned = shared.agreed().versioned_edits;
+    let agreed = shared.agreed();
     let (place, new) = (params.text_document_position, params.new_name);
     let renamed = match scenarios_at(shared, &place.text_document.uri) {
         Some(revision) => {
@@ -67,7 +65,7 @@ pub(crate) async fn rename(shared: &Arc<Shared>, params: RenameParams) -> Result
                 let options = asked.revision.format_options();
                 let offset = scenarios.offset(place.position);
                 let files = ladder_ide::rename_in_scenario(&scenarios.read(), offset, &new, &options);
-                Some(files.map(|files| edit(asked, files, versioned)))
+                Some(files.map(|files| edit(asked, files, agreed)))
             })
             .await?
         }
@@ -75,7 +73,7 @@ pub(crate) async fn rename(shared: &Arc<Shared>, params: RenameParams) -> Result
             about_place(shared, place, move |asked, offset| {
                 let options = asked.revision.format_options();
                 let files = ladder_ide::rename(&asked.context, offset, &new, &asked.elsewhere, &options);
-                Some(files.map(|files| edit(asked, files, versioned)))
+                Some(files.map(|files| edit(asked, files, agreed)))
             })
             .await?
         }
@@ -94,10 +92,13 @@ pub(crate) async fn rename(shared: &Arc<Shared>, params: RenameParams) -> Result
 }
 
 /// The edit, and the open documents that it changes.
-fn edit(asked: &Asked, files: Vec<Renamed>, versioned: bool) -> (WorkspaceEdit, Vec<Arc<Revision>>) {
+fn edit(asked: &Asked, files: Vec<Renamed>, agreed: Agreed) -> (WorkspaceEdit, Vec<Arc<Revision>>) {
     let changes = changes(asked, files);
     let open = changes.iter().filter_map(|(_, open, _)| open.clone()).collect();
-    (workspace_edit(versioned, changes), open)
+    let files = changes
+        .into_iter()
+        .map(|(uri, open, edits)| (uri, open.map(|it| it.version), edits));
+    (convert::edit_of_files(agreed, files), open)
 }
 
 fn refused(why: RenameRefused) -> Error {
@@ -119,28 +120,4 @@ fn changes(asked: &Asked, files: Vec<Renamed>) -> Changes {
         Some((uri.clone(), file.revision.clone(), edits.collect()))
     };
     files.into_iter().filter_map(change).collect()
-}
-
-/// Bound to the versions of open documents, where the client can check them.
-fn workspace_edit(versioned: bool, changes: Changes) -> WorkspaceEdit {
-    if !versioned {
-        let changes = changes.into_iter().map(|(uri, _, edits)| (uri, edits));
-        return WorkspaceEdit {
-            changes: Some(changes.collect::<HashMap<_, _>>()),
-            ..WorkspaceEdit::default()
-        };
-    }
-    let changes = changes
-        .into_iter()
-        .map(|(uri, revision, edits)| TextDocumentEdit {
-            text_document: OptionalVersionedTextDocumentIdentifier {
-                uri,
-                version: revision.map(|revision| revision.version),
-            },
-            edits: edits.into_iter().map(OneOf::Left).collect(),
-        });
-    WorkspaceEdit {
-        document_changes: Some(DocumentChanges::Edits(changes.collect())),
-        ..WorkspaceEdit::default()
-    }
 }

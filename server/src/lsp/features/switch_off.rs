@@ -7,10 +7,7 @@ use ladder_ide::may_be_switched_off;
 use ladder_syntax::TextRange;
 use ladder_workspace::Settings;
 use ropey::Rope;
-use tower_lsp::ls_types::{
-    CodeAction, CodeActionKind, DocumentChanges, OneOf, OptionalVersionedTextDocumentIdentifier,
-    TextDocumentEdit, TextEdit, Uri, WorkspaceEdit,
-};
+use tower_lsp::ls_types::{CodeAction, CodeActionKind, TextEdit, Uri, WorkspaceEdit};
 
 use crate::document::Revision;
 use crate::document::address::uri_of;
@@ -51,24 +48,10 @@ impl SettingsText {
             range: convert::range(position::range(&rope, agreed.encoding, edit.range.into())),
             new_text: edit.text,
         };
-        if !agreed.versioned_edits {
-            return Some(WorkspaceEdit {
-                changes: Some([(self.uri.clone(), vec![edit])].into()),
-                ..WorkspaceEdit::default()
-            });
-        }
-        let text_document = OptionalVersionedTextDocumentIdentifier {
-            uri: self.uri.clone(),
-            version: self.version,
-        };
-        let edits = vec![OneOf::Left(edit)];
-        Some(WorkspaceEdit {
-            document_changes: Some(DocumentChanges::Edits(vec![TextDocumentEdit {
-                text_document,
-                edits,
-            }])),
-            ..WorkspaceEdit::default()
-        })
+        Some(convert::edit_of_files(
+            agreed,
+            [(self.uri.clone(), self.version, vec![edit])],
+        ))
     }
 }
 

@@ -92,8 +92,8 @@ where
             async move {
                 if let Some(answer) = answer {
                     let frame = match &text {
-                        Some(result) => framed(&AsText::of(&answer, result)),
-                        None => framed(&answer),
+                        Some(result) if answer.is_ok() => framed(&AsText::of(&answer, result)),
+                        _ => framed(&answer),
                     };
                     // The writer is gone only when the client is.
                     let _ = out.send(frame).await;
