@@ -23,6 +23,12 @@ pub fn display(value: &Value, ty: Scalar) -> String {
     text
 }
 
+/// Nanoseconds as a duration is written where nothing else can be meant: `1m30s`.
+pub fn duration(nanoseconds: i64) -> String {
+    let text = display(&Value::Int(nanoseconds), Scalar::Time);
+    text.trim_start_matches("T#").to_owned()
+}
+
 /// Nanoseconds as milliseconds: whole, or with the decimals they need.
 pub fn milliseconds(nanoseconds: i64) -> String {
     let mut text = String::new();

@@ -7,8 +7,6 @@ use crate::comments;
 use crate::hover::{Hover, tag_card};
 use ladder_analysis::context::Context;
 use ladder_analysis::names::scope::TagFacts;
-use ladder_analysis::values::types::Scalar;
-use ladder_analysis::values::value::Value;
 use ladder_simulator::scenario::{Cell, Direction, Row, Scenario};
 use ladder_simulator::value_text;
 use ladder_syntax::numeral::counted;
@@ -105,11 +103,11 @@ fn length(scenarios: &Scenarios<'_>, scenario: &Scenario) -> String {
         (Some((step, _)), Some(all)) if alike => {
             format!(
                 "{steps} of {}, {} together. It starts cold.",
-                time(step),
-                time(all)
+                value_text::duration(step),
+                value_text::duration(all)
             )
         }
-        (_, Some(all)) => format!("{steps}, {} together. It starts cold.", time(all)),
+        (_, Some(all)) => format!("{steps}, {} together. It starts cold.", value_text::duration(all)),
         (_, None) if alike => format!("{steps} of one scan each. It starts cold."),
         (_, None) => format!("{steps}. It starts cold."),
     }
@@ -132,7 +130,11 @@ fn when(scenarios: &Scenarios<'_>, scenario: &Scenario, step: usize) -> String {
     let number = format!("step {} of {}", step + 1, scenario.steps);
     let times = begin(scenarios, scenario, step).zip(begin(scenarios, scenario, step + 1));
     match times {
-        Some((from, to)) => format!("{number}: {} to {}", time(from), time(to)),
+        Some((from, to)) => format!(
+            "{number}: {} to {}",
+            value_text::duration(from),
+            value_text::duration(to)
+        ),
         None if scenario.times.is_empty() => format!("{number}: scan {}", step + 1),
         None => number,
     }
@@ -207,9 +209,4 @@ fn of_step(scenarios: &Scenarios<'_>, scenario: &Scenario, row: &Row, number: us
         (cell, Direction::Expected) => format!("{name} is expected to be {}", shown(cell)),
     };
     format!("{said}  \n{}", when(scenarios, scenario, row.first + number))
-}
-
-fn time(nanoseconds: i64) -> String {
-    let text = value_text::display(&Value::Int(nanoseconds), Scalar::Time);
-    text.trim_start_matches("T#").to_owned()
 }

@@ -2,8 +2,6 @@
 
 use super::Tick;
 use crate::value_text;
-use ladder_analysis::values::types::Scalar;
-use ladder_analysis::values::value::Value;
 
 /// Ticks at round times from `first` to `last` (nanoseconds), at most `most` of them and one more.
 pub(crate) fn ticks(first: f64, last: f64, most: f64) -> Vec<Tick> {
@@ -57,8 +55,7 @@ fn label(time: f64, step: f64, last: f64) -> String {
     if (SECOND / 1000.0..60.0 * SECOND).contains(&step) && last >= 120.0 * SECOND {
         // Far from the start seconds alone would be counted in thousands.
         let rounded = (libm::round(time / 1e6) as i64).saturating_mul(1_000_000);
-        let text = value_text::display(&Value::Int(rounded), Scalar::Time);
-        return text.trim_start_matches("T#").to_owned();
+        return value_text::duration(rounded);
     }
     if step >= 60.0 * SECOND {
         let minutes = (time / SECOND / 60.0) as u64;

@@ -116,22 +116,18 @@ fn whole_scans(step: i64, interval: i64, range: TextRange) -> Result<u64, Scenar
     if step % interval == 0 {
         return Ok((step / interval) as u64);
     }
-    let time = |nanoseconds: i64| {
-        let text = value_text::display(&Value::Int(nanoseconds), Scalar::Time);
-        text.trim_start_matches("T#").to_owned()
-    };
     let below = step / interval * interval;
     let near = if below == 0 { interval } else { below };
     Err(ScenarioError::new(
         range,
         format!(
             "a step is a whole number of scans, and {} is not a multiple of the scan interval {}",
-            time(step),
-            time(interval)
+            value_text::duration(step),
+            value_text::duration(interval)
         ),
         format!(
             "write `step {}`, or give another scan interval, as in: interval 1ms",
-            time(near)
+            value_text::duration(near)
         ),
     ))
 }

@@ -140,16 +140,13 @@ impl Group<'_> {
             return None;
         }
         let written = |step: usize| match steps.unusual(step) {
-            Some(scans) => duration(i64::try_from(scans).unwrap_or(i64::MAX).saturating_mul(interval)),
+            Some(scans) => {
+                value_text::duration(i64::try_from(scans).unwrap_or(i64::MAX).saturating_mul(interval))
+            }
             None => ".".to_owned(),
         };
         Some((0..steps.count()).map(written).collect())
     }
-}
-
-fn duration(nanoseconds: i64) -> String {
-    let text = value_text::display(&Value::Int(nanoseconds), Scalar::Time);
-    text.trim_start_matches("T#").to_owned()
 }
 
 /// A difference in words: `run is FALSE in step 3 (at 300ms), TRUE was expected; 4 of 9 steps differ`.
@@ -162,7 +159,10 @@ pub fn sentence(case: &Case, ran: &Ran, difference: &Difference, interval: i64) 
     let wanted = shown(row.values[step].0.as_ref());
     // The last scan of the step.
     let scans = i64::try_from(case.steps.begin(step + 1)).unwrap_or(i64::MAX) - 1;
-    let when = format!("in step {step} (at {})", duration(scans.saturating_mul(interval)));
+    let when = format!(
+        "in step {step} (at {})",
+        value_text::duration(scans.saturating_mul(interval))
+    );
     let mut text = match &ran.got[difference.row][step] {
         Some(got) => format!(
             "{} is {} {when}, {wanted} was expected",

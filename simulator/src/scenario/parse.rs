@@ -346,12 +346,10 @@ impl Reader {
             return;
         };
         let Some(time) = scenario.times.last() else { return };
+        // An error below it, and errors come in the order of the text, may be of a row that is missing for that.
+        let last_error = self.suite.errors.last().map(|error| error.range.start());
         if scenario.rows.last().is_none_or(|row| row.first < time.first)
-            && !self
-                .suite
-                .errors
-                .iter()
-                .any(|error| error.range.start() > time.range.start())
+            && last_error.is_none_or(|at| at <= time.range.start())
         {
             self.error(
                 time.range,

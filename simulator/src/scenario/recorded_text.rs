@@ -74,12 +74,12 @@ pub(super) fn text(rows: &[WrittenRow], lengths: Lengths<'_>, name: &str) -> Str
     let step = lengths.step();
     let mut text = format!(
         "step {}\ninterval {}\n\nscenario \"{}\"\n",
-        duration(
+        short_duration(
             i64::try_from(step)
                 .unwrap_or(i64::MAX)
                 .saturating_mul(lengths.interval)
         ),
-        duration(lengths.interval),
+        short_duration(lengths.interval),
         name.replace('"', "'")
     );
     let by_change = by_change(rows, lengths, step);
@@ -127,7 +127,7 @@ fn by_change(rows: &[WrittenRow], lengths: Lengths<'_>, step: u64) -> String {
                 return ".".to_owned();
             }
             let scans = i64::try_from(length).unwrap_or(i64::MAX);
-            duration(scans.saturating_mul(lengths.interval))
+            short_duration(scans.saturating_mul(lengths.interval))
         })
         .collect();
     let names = rows.iter().map(|row| row.name.width()).max().unwrap_or(0);
@@ -175,10 +175,9 @@ fn fitting(rows: &[WrittenRow], times: &[String], from: usize, room: usize) -> u
 }
 
 /// A duration as a person would write it: `3s`, `1.43s`, `1m20s`.
-pub(super) fn duration(nanoseconds: i64) -> String {
+fn short_duration(nanoseconds: i64) -> String {
     const SECOND: i64 = 1_000_000_000;
-    let text = value_text::display(&Value::Int(nanoseconds), Scalar::Time);
-    let text = text.trim_start_matches("T#").to_owned();
+    let text = value_text::duration(nanoseconds);
     let (seconds, rest) = (nanoseconds / SECOND, nanoseconds % SECOND);
     if !(1..60).contains(&seconds) || rest == 0 {
         return text;
