@@ -1,7 +1,7 @@
 //! Arguments: what is given for each operand of a block.
 
-use super::Resolver;
 use super::compared::{Compared, compared_in_bool};
+use super::{OperandAt, Resolver};
 use crate::context::Callee;
 use crate::networks::BlockAt;
 use crate::networks::access::Access;
@@ -33,12 +33,12 @@ pub fn in_class(ty: Scalar, class: TypeClass) -> bool {
 
 const MILLISECOND: i64 = 1_000_000;
 
-impl Resolver<'_, '_> {
+impl<'c> Resolver<'c, '_> {
     /// The arguments of an instruction, and the type that it works in.
     pub(super) fn arguments(
         &mut self,
         row: &'static Instruction,
-        bound: BlockAt<'_>,
+        bound: BlockAt<'c>,
     ) -> (Vec<Bound>, Option<Scalar>) {
         let mut works_in = None;
         let mut arguments = Vec::with_capacity(bound.formals.len());
@@ -47,7 +47,16 @@ impl Resolver<'_, '_> {
             let Formal::Operand(operand) = *formal else {
                 continue;
             };
-            let since = self.out.len();
+            let is_named = row.operands.len() > 1
+                && matches!(
+                    operand.accepts,
+                    Accepts::Bool | Accepts::BoolOrRange | Accepts::Value
+                );
+            self.operand = is_named.then(|| OperandAt {
+                range: bound.absolute(written.value.range),
+                name: operand.name,
+                block: bound,
+            });
             let argument = match operand.accepts {
                 Accepts::Result(class) => {
                     let place = self.result(&written.value, operand, class);
@@ -108,16 +117,7 @@ impl Resolver<'_, '_> {
                 },
                 _ => self.argument(&written.value, operand),
             };
-            if argument.is_none() && row.operands.len() > 1 {
-                let wanted = match operand.accepts {
-                    Accepts::Bool | Accepts::BoolOrRange => Some(Scalar::Bool),
-                    Accepts::Value => works_in,
-                    _ => None,
-                };
-                if let Some(wanted) = wanted {
-                    self.name_operand(since, &written.value, operand.name, &bound.head_text(), wanted);
-                }
-            }
+            self.operand = None;
             if let Some(argument) = argument {
                 // What is written into a range takes the type of its elements ([FILL], [SHIFT]).
                 if let Argument::Range(range) = &argument {

@@ -1,6 +1,7 @@
 //! Values and expressions, brought to the type that their place asks for (LANGUAGE §5.2).
 
 use super::Resolver;
+use crate::findings::excerpt;
 use crate::networks::facts::{Node, NodeKind, Operator, Word};
 use crate::program::{BinaryOperator, Expr, ExprKind, UnaryOperator};
 use crate::rules::{bad_operand, type_mismatch};
@@ -67,7 +68,15 @@ impl Resolver<'_, '_> {
         }
         let is_digit = self.semantics().truth == Truth::NotZero && expr.ty == Scalar::Bool && ty.is_integer();
         if !is_digit && !passes(expr.ty, ty) {
-            self.report(type_mismatch::does_not_pass(expr.ty, ty, expr.range));
+            let named = self.operand.filter(|operand| operand.range == expr.range);
+            self.report(match named {
+                Some(operand) => {
+                    let given = excerpt::text(&self.context.parse, operand.range);
+                    let place = (operand.name, &*operand.block.head_text());
+                    type_mismatch::does_not_pass_for(&given, place, expr.ty, ty, expr.range)
+                }
+                None => type_mismatch::does_not_pass(expr.ty, ty, expr.range),
+            });
             return None;
         }
         let range = expr.range;

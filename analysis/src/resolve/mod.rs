@@ -48,7 +48,18 @@ pub(crate) struct Resolver<'c, 'o> {
     /// Where the block's line starts.
     base: TextSize,
     network: usize,
+    /// The operand whose value is being resolved, if messages name it.
+    operand: Option<OperandAt<'c>>,
     out: &'o mut Vec<Diagnostic>,
+}
+
+/// An operand of a block.
+#[derive(Clone, Copy)]
+struct OperandAt<'c> {
+    /// Where its value is.
+    range: TextRange,
+    name: &'c str,
+    block: BlockAt<'c>,
 }
 
 /// The numbers by which a program knows what its files name.
@@ -84,6 +95,7 @@ pub(crate) fn check(context: &Context, network: usize, out: &mut Vec<Diagnostic>
             lowering: None,
             base: bound.base,
             network,
+            operand: None,
             out: &mut *out,
         };
         if !is_whole(resolver.block(bound).as_ref(), bound) {
@@ -146,6 +158,7 @@ fn networks(
                 }),
                 base: bound.base,
                 network,
+                operand: None,
                 out: &mut reported,
             };
             let block = resolver.block(bound);
@@ -265,7 +278,7 @@ fn bodies(units: &[Unit<'_>], numbers: &Numbers, ids: &[Vec<Ids>], program: &mut
     program.labels.sort_by_key(|(_, network)| *network);
 }
 
-impl Resolver<'_, '_> {
+impl<'c> Resolver<'c, '_> {
     /// What the file's profile does otherwise.
     fn semantics(&self) -> &'static Semantics {
         self.context.profile.semantics()
@@ -313,7 +326,7 @@ impl Resolver<'_, '_> {
     }
 
     /// A block with its arguments. None if it is not a known block, or cannot be read; the rules say so.
-    fn block(&mut self, bound: BlockAt<'_>) -> Option<Block> {
+    fn block(&mut self, bound: BlockAt<'c>) -> Option<Block> {
         if bound.faulty {
             return None;
         }

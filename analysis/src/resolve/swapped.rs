@@ -12,7 +12,7 @@ use crate::program::ParameterKind;
 use crate::rules::{bad_operand, type_mismatch};
 use crate::values::constant::signed_literal;
 use crate::values::literal::Literal;
-use crate::values::types::{Scalar, Type, passes};
+use crate::values::types::{Type, passes};
 use ladder_instructions::{Accepts, Instruction};
 
 impl Resolver<'_, '_> {
@@ -110,24 +110,5 @@ impl Resolver<'_, '_> {
     /// As a message calls what is given.
     pub(super) fn given(&self, node: &Node) -> String {
         format!("`{}`", excerpt::text(&self.context.parse, self.at(node.range)))
-    }
-
-    /// What a value that does not pass is told, with the name of the operand that it is given for. `since` is how many findings
-    /// there were before it was resolved.
-    pub(super) fn name_operand(
-        &mut self,
-        since: usize,
-        node: &Node,
-        operand: &str,
-        block: &str,
-        wanted: Scalar,
-    ) {
-        let (range, given) = (self.at(node.range), self.given(node));
-        let Some(found) = self.own_type(node) else { return };
-        if let [.., last] = &mut self.out[since..]
-            && type_mismatch::is_of_value(last, found, wanted, range)
-        {
-            type_mismatch::name_operand(last, &given, found, (operand, block, wanted));
-        }
     }
 }

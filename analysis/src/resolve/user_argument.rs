@@ -1,6 +1,6 @@
 //! Arguments of user-defined blocks.
 
-use super::Resolver;
+use super::{OperandAt, Resolver};
 use crate::networks::BlockAt;
 use crate::networks::access::Access;
 use crate::networks::facts::Node;
@@ -11,9 +11,9 @@ use crate::rules::type_mismatch;
 use crate::values::types::{Scalar, Type, passes};
 use crate::values::value::Value;
 
-impl Resolver<'_, '_> {
+impl<'c> Resolver<'c, '_> {
     /// The arguments of a user-defined block, in the order of its parameters.
-    pub(super) fn user_arguments(&mut self, block: usize, bound: BlockAt<'_>) -> Vec<Bound> {
+    pub(super) fn user_arguments(&mut self, block: usize, bound: BlockAt<'c>) -> Vec<Bound> {
         let context = self.context;
         let facts = &context.user_blocks[block];
         let mut arguments: Vec<Bound> = Vec::with_capacity(facts.parameters.len());
@@ -29,11 +29,13 @@ impl Resolver<'_, '_> {
             let parameter = &facts.parameters[index];
             // One whose type cannot be read is an error of its own.
             let Some(ty) = parameter.ty else { continue };
-            let since = self.out.len();
+            self.operand = Some(OperandAt {
+                range: bound.absolute(written.value.range),
+                name: &parameter.name,
+                block: bound,
+            });
             let argument = self.user_argument(&written.value, ty, parameter);
-            if let (None, Type::Scalar(wanted)) = (&argument, ty) {
-                self.name_operand(since, &written.value, &parameter.name, &bound.head_text(), wanted);
-            }
+            self.operand = None;
             if let Some(argument) = argument {
                 let range = bound.absolute(written.range);
                 arguments.push(Bound {

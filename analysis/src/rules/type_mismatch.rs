@@ -85,27 +85,25 @@ pub(crate) fn does_not_take(
     ))
 }
 
-fn of_value(from: Scalar, to: Scalar) -> String {
-    format!("this is {from}, {to} is expected here")
-}
-
-/// Whether a finding says that a value does not pass.
-pub(crate) fn is_of_value(found: &Diagnostic, from: Scalar, to: Scalar, range: TextRange) -> bool {
-    found.rule == RULE && found.range == range && found.message == of_value(from, to)
-}
-
-/// Has such a finding name what is given, and the operand and the block that it is given for.
-pub(crate) fn name_operand(
-    found: &mut Diagnostic,
-    given: &str,
-    from: Scalar,
-    (operand, block, to): (&str, &str, Scalar),
-) {
-    found.message = format!("{given} is {from}, and `{operand}` of {block} takes {to}");
-}
-
+/// A value that does not pass to the type that its place asks for.
 pub(crate) fn does_not_pass(from: Scalar, to: Scalar, range: TextRange) -> Diagnostic {
-    let found = wrong(range, of_value(from, to));
+    unfit(format!("this is {from}, {to} is expected here"), from, to, range)
+}
+
+/// The same of what is given for an operand of a block.
+pub(crate) fn does_not_pass_for(
+    given: &str,
+    (operand, block): (&str, &str),
+    from: Scalar,
+    to: Scalar,
+    range: TextRange,
+) -> Diagnostic {
+    let message = format!("`{given}` is {from}, and `{operand}` of {block} takes {to}");
+    unfit(message, from, to, range)
+}
+
+fn unfit(message: String, from: Scalar, to: Scalar, range: TextRange) -> Diagnostic {
+    let found = wrong(range, message);
     let bits = |ty: Scalar| ty.is_bits() || ty.is_integer();
     if from == Scalar::Bool && bits(to) {
         return found
