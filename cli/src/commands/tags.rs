@@ -107,10 +107,21 @@ fn text(entries: &[TagEntry], out: &mut Stdout) -> io::Result<()> {
 }
 
 fn csv(entries: &[TagEntry], out: &mut Stdout) -> io::Result<()> {
-    writeln!(
-        out,
-        "tag,block,type,kind,address,declared,write,set,reset,read and write,read,comment"
-    )?;
+    let mut table = csv::Writer::from_writer(out);
+    table.write_record([
+        "tag",
+        "block",
+        "type",
+        "kind",
+        "address",
+        "declared",
+        "write",
+        "set",
+        "reset",
+        "read and write",
+        "read",
+        "comment",
+    ])?;
     for entry in entries {
         let declared = entry.declared.map(|line| line.to_string());
         let mut cells = vec![
@@ -129,18 +140,9 @@ fn csv(entries: &[TagEntry], out: &mut Stdout) -> io::Result<()> {
             places.join(" ")
         }));
         cells.push(entry.comment.clone());
-        let cells: Vec<String> = cells.iter().map(|cell| quoted(cell)).collect();
-        writeln!(out, "{}", shown::line(&cells.join(",")))?;
+        table.write_record(cells.iter().map(|cell| shown::line(cell).into_owned()))?;
     }
-    Ok(())
-}
-
-/// A cell, in quotes where it holds what would end it.
-fn quoted(cell: &str) -> String {
-    if cell.contains([',', '"', '\n', '\r']) {
-        return format!("\"{}\"", cell.replace('"', "\"\""));
-    }
-    cell.to_owned()
+    table.flush()
 }
 
 #[derive(Serialize)]
