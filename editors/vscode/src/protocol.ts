@@ -165,7 +165,6 @@ export interface Recorded {
     readonly notes?: readonly string[];
 }
 
-/** What each command takes besides the session, and what it answers. */
 /** The answer of `start`. */
 export interface Started {
     readonly session: string;
@@ -181,6 +180,7 @@ export interface DebuggerMessage {
     readonly message: object;
 }
 
+/** What each command takes besides the session, and what it answers. */
 export interface Commands {
     start: { argument: { uri: string; options: { show: Shown } }; answer: Started };
     debug: { argument: { launch: object; options: { show: Shown } }; answer: Started & { joined?: boolean } };

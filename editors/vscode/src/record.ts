@@ -41,7 +41,7 @@ export async function record(simulation: Simulation, tests: TestExplorer): Promi
         return;
     }
     const folder = vscode.Uri.joinPath(program.uri, '..');
-    const names = new Set((await vscode.workspace.fs.readDirectory(folder)).map(([name]) => name));
+    const names = (await vscode.workspace.fs.readDirectory(folder)).map(([name]) => name);
     const file = vscode.Uri.joinPath(folder, freshName(recorded.file, names));
     await vscode.workspace.fs.writeFile(file, new TextEncoder().encode(recorded.text));
     await vscode.window.showTextDocument(file, { viewColumn: vscode.ViewColumn.Beside });

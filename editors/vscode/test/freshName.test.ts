@@ -9,3 +9,7 @@ test('a file that is there is left alone', () => {
     assert.equal(freshName('tank-recorded.ladder-test', there), 'tank-recorded.ladder-test');
     assert.equal(freshName('plain', there), 'plain-2');
 });
+
+test('a name that differs only in case is the same file', () => {
+    assert.equal(freshName('motor-recorded.ladder-test', ['Motor-Recorded.ladder-test']), 'motor-recorded-2.ladder-test');
+});
