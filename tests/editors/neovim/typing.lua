@@ -54,6 +54,8 @@ end
 --- Puts a text into the buffer and the cursor into it.
 function keyboard:write(lines, row, column)
   self:press('<Esc>')
+  -- A snippet ends before its text does: Neovim may abort where its places are taken away after that (neovim#27196).
+  self:lua('vim.snippet.stop()')
   self:lua('vim.api.nvim_buf_set_lines(0, 0, -1, false, ...)', lines)
   self:lua('vim.api.nvim_win_set_cursor(0, { ... })', row, column)
 end
