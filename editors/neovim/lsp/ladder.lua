@@ -16,9 +16,9 @@ return {
   -- Neovim 0.11 asks for diagnostics, but not again when another file changes them, unless it is asked to.
   capabilities = {
     workspace = { diagnostics = { refreshSupport = true } },
-    -- What the lenses above networks may do here: see `commands`.
+    -- What lenses and code actions may do here: see `commands`.
     experimental = {
-      commands = { 'ladder.simulation.start', 'ladder.test', 'ladder.showReferences', 'ladder.completion.cut' },
+      commands = { 'ladder.simulation.start', 'ladder.test', 'ladder.showReferences', 'ladder.completion.cut', 'ladder.rename' },
       -- Findings link the pages of their rules, which `:Ladder explain` shows.
       rulePages = true,
     },
@@ -32,6 +32,9 @@ return {
     end,
     ['ladder.showReferences'] = function(command, context)
       require('ladder.lenses').show(command, context)
+    end,
+    ['ladder.rename'] = function(command)
+      require('ladder.rename')(command.arguments[1], command.arguments[2])
     end,
     ['ladder.completion.cut'] = function(command, context)
       require('ladder.completion').cut(command.arguments[1], context.bufnr)

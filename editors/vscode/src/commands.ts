@@ -7,7 +7,7 @@ import type { CrossReferenceView } from './crossReferenceView.ts';
 import type { DiagramEditors } from './diagram/editor.ts';
 import { editDrawing, toggleComment } from './edit.ts';
 import { openExample } from './example.ts';
-import { showReferences } from './lenses.ts';
+import { renameMadeUp, showReferences } from './lenses.ts';
 import { askValue, pickTag } from './prompts.ts';
 import { forceVariable, releaseVariable, startDebugging, stepBackScan } from './debugger.ts';
 import type { Speed, Tag } from './protocol.ts';
@@ -168,6 +168,7 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
         'ladder.simulation.forceOff': (tag) => forceTo(simulation, tag, false),
         'ladder.openDiagram': (uri) => views.diagrams.open(uri),
         'ladder.diagram.reveal': (context) => views.diagrams.reveal(context),
+        'ladder.diagram.breakpoint': (context) => views.diagrams.toggleBreakpoint(context),
         'ladder.test': (uri?: unknown) => tests.runFile(typeof uri === 'string' ? uri : undefined),
         'ladder.simulation.breakOnChange': (tag) => breakOnChange(simulation, tag),
         'ladder.simulation.why': (tag) => why(simulation, views.why, tag),
@@ -202,6 +203,7 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
     };
     return vscode.Disposable.from(
         vscode.commands.registerCommand('ladder.showReferences', showReferences),
+        vscode.commands.registerCommand('ladder.rename', renameMadeUp),
         vscode.commands.registerCommand('ladder.simulation.why.open', (row: WhyRow) => views.why.open(row)),
         ...Object.entries(commands).map(([name, run]) => vscode.commands.registerCommand(name, run)),
     );

@@ -107,7 +107,7 @@ function draw(
  * that: the editor makes the line again with each value, and takes one under the pointer for one that the pointer has left.
  */
 function hangsOn(document: vscode.TextDocument, { at: { line, character }, side, column, after }: Label) {
-    if (side === 'between') {
+    if (side === 'between' || side === 'after') {
         const end = document.lineAt(line).range.end;
         return { range: new vscode.Range(end, end), isApart: false, shift: (after ?? column) - end.character };
     }
@@ -124,7 +124,7 @@ function hangsOn(document: vscode.TextDocument, { at: { line, character }, side,
 function labelOptions(session: Session, label: Label, tag: Tag): vscode.DecorationOptions {
     const { side } = label;
     const index = label.index ?? '';
-    const before = { above: index, below: `↑${index}`, between: `${label.tag}: ` }[side];
+    const before = { above: index, below: `↑${index}`, between: `${label.tag}: `, after: index }[side];
     const text = `${before}${tag.text}${tag.forced ? '!' : ''}`;
     const { range, isApart, shift } = hangsOn(session.document, label);
     // A cell of the label is as much smaller than one of the text.
@@ -133,6 +133,7 @@ function labelOptions(session: Session, label: Label, tag: Tag): vscode.Decorati
         above: `top: ${isApart ? 0 : '-100%'}`,
         below: `top: ${isApart ? 0 : '100%'}`,
         between: 'top: 0',
+        after: 'top: 0',
     }[side];
     const color = tag.forced ? 'ladder.forced' : tag.value === true ? 'ladder.powerOn' : 'ladder.value';
     return {

@@ -21,6 +21,7 @@ import { registerTasks } from './tasks.ts';
 import { TestExplorer } from './testExplorer.ts';
 import { TraceView } from './trace/traceView.ts';
 import { sayTypedLine } from './typedLine.ts';
+import { WatchList } from './watchList.ts';
 import { WhyView } from './whyView.ts';
 
 let server: Server | undefined;
@@ -67,7 +68,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
         showPower(simulation),
         showFaults(simulation),
         showStatus(simulation),
-        showTags(simulation),
+        showTags(simulation, new WatchList(context.workspaceState)),
         sayTypedLine(server),
         showRulePages(server),
         vscode.workspace.onDidGrantWorkspaceTrust(() => server?.start()),

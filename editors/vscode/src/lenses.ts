@@ -7,10 +7,10 @@ import type { Simulation } from './simulation.ts';
 
 const START = 'ladder.simulation.start';
 
-/** Tells the server which commands its lenses may have here. */
+/** Tells the server which commands its lenses and code actions may have here. */
 export const lensCommands: StaticFeature = {
     fillClientCapabilities(capabilities: ClientCapabilities): void {
-        const commands = [START, 'ladder.test', 'ladder.showReferences'];
+        const commands = [START, 'ladder.test', 'ladder.showReferences', 'ladder.rename'];
         capabilities.experimental = { ...(capabilities.experimental as object | undefined), commands };
     },
     initialize(): void {},
@@ -56,6 +56,18 @@ const toPosition = ({ line, character }: Position) => new vscode.Position(line, 
 
 const toLocation = ({ uri, range }: Location) =>
     new vscode.Location(vscode.Uri.parse(uri), new vscode.Range(toPosition(range.start), toPosition(range.end)));
+
+/** Asks for another name in the place of one that a code action has made up. */
+export async function renameMadeUp(uri: string, name: string): Promise<void> {
+    const editor = vscode.window.visibleTextEditors.find(({ document }) => document.uri.toString() === vscode.Uri.parse(uri).toString());
+    const at = editor?.document.getText().indexOf(name) ?? -1;
+    if (editor && at >= 0) {
+        const place = editor.document.positionAt(at);
+        editor.selection = new vscode.Selection(place, place);
+        editor.revealRange(editor.selection);
+        await vscode.commands.executeCommand('editor.action.rename');
+    }
+}
 
 /** Shows places next to a position, as the editor shows references. */
 export async function showReferences(uri: string, position: Position, places: Location[]): Promise<void> {

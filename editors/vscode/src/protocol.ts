@@ -41,15 +41,15 @@ export interface Operand {
     readonly drawn?: boolean;
 }
 
-/** Where the value of an operand is shown: over the line above or below, which is blank there, or after the line. */
+/** Where the value of an operand is shown: over the line above or below, which is blank there, or after the line; of what is declared always after it. */
 export interface Label {
     /** Whose text it is. */
     readonly tag: string;
-    /** What is before that text: which element it is of. */
+    /** What is before that text: which element it is of; after a declaration, which of its tags or members. */
     readonly index?: string;
     /** Where the operand begins. */
     readonly at: Range['start'];
-    readonly side: 'above' | 'below' | 'between';
+    readonly side: 'above' | 'below' | 'between' | 'after';
     readonly column: number;
     /** Where neither line leaves room: the column after the end of the line; the tag's name is before the value there. */
     readonly after?: number;
@@ -197,7 +197,7 @@ export interface Commands {
     run: { argument: object; answer: State };
     speed: { argument: Speed; answer: State };
     show: { argument: Shown; answer: State };
-    tags: { argument: { containing?: string; of?: string }; answer: { count: number; tags: Tag[] } };
+    tags: { argument: { containing?: string; of?: string; names?: readonly string[] }; answer: { count: number; tags: Tag[] } };
     pause: { argument: object; answer: State };
     set: { argument: { tag: string } & Given; answer: State };
     force: { argument: { tag: string } & Given; answer: State };

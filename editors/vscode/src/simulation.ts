@@ -212,6 +212,13 @@ export class Simulation implements vscode.Disposable {
         return found?.tags ?? [];
     }
 
+    /** The tags of these names, without those that the program does not have. */
+    async named(names: readonly string[]): Promise<readonly Tag[]> {
+        const session = names.length > 0 ? this.current : undefined;
+        const found = session && (await this.#tell(session.urgent('tags', { names })));
+        return found?.tags ?? [];
+    }
+
     async run(): Promise<void> {
         await this.command('run', {});
     }

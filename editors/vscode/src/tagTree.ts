@@ -1,11 +1,21 @@
 // The tag view's content: tags in groups by their role, and what each row shows.
 import type { Tag } from './protocol.ts';
 
+/** A tag in the list: once among those of its role, and once more if it is watched. */
+export interface Row extends Tag {
+    readonly watched?: boolean;
+}
+
+/** What tells a row from all others. */
+export function rowId({ name, watched }: Row): string {
+    return watched ? `watched ${name}` : name;
+}
+
 /** Tags of one role; of a long list a part of them. */
 export interface TagGroup {
     readonly id: string;
     readonly title: string;
-    readonly tags: readonly Tag[];
+    readonly tags: readonly Row[];
     /** It begins unfolded. */
     readonly open: boolean;
 }
@@ -19,6 +29,16 @@ const titles: readonly (readonly [Tag['role'], string])[] = [
     ['output', 'Outputs'],
     ['internal', 'Internal'],
 ];
+
+/** The tags that a person watches, as rows of their own, in the order of the list. */
+export function watchedRows(tags: readonly Tag[]): Row[] {
+    return tags.map((tag) => ({ ...tag, watched: true }));
+}
+
+/** Those rows, above all other groups; none if nothing is watched. */
+export function watchedGroup(rows: readonly Row[]): TagGroup[] {
+    return rows.length > 0 ? [{ id: 'watched', title: 'Watched', tags: rows, open: true }] : [];
+}
 
 /** Groups without a tag are left out. */
 export function tagGroups(tags: readonly Tag[]): TagGroup[] {
@@ -45,26 +65,26 @@ export function partsOf({ id, tags }: TagGroup): TagGroup[] {
 }
 
 /** What is unfolded of tags: those that do not open, and of those that do what they open into. */
-export function unfolded(tags: readonly Tag[], isOpen: (id: string) => boolean, parts: ReadonlyMap<string, readonly Tag[]>): Tag[] {
+export function unfolded(tags: readonly Row[], isOpen: (id: string) => boolean, parts: ReadonlyMap<string, readonly Row[]>): Row[] {
     return tags.flatMap((tag) => {
         if (tag.parts === undefined) {
             return [tag];
         }
-        const group = opened(tag, parts.get(tag.name) ?? []);
+        const group = opened(tag, parts.get(rowId(tag)) ?? []);
         return isOpen(group.id) ? unfoldedGroup(group, isOpen, parts) : [];
     });
 }
 
 /** The same of a group that is unfolded itself. */
-export function unfoldedGroup(group: TagGroup, isOpen: (id: string) => boolean, parts: ReadonlyMap<string, readonly Tag[]>): Tag[] {
+export function unfoldedGroup(group: TagGroup, isOpen: (id: string) => boolean, parts: ReadonlyMap<string, readonly Row[]>): Row[] {
     const inner = partsOf(group);
     const groups = inner.length === 0 ? [group] : inner.filter(({ id }) => isOpen(id));
     return groups.flatMap(({ tags }) => unfolded(tags, isOpen, parts));
 }
 
 /** A tag that opens, as a group of what it opens into. */
-export function opened(tag: Tag, tags: readonly Tag[]): TagGroup {
-    return { id: `tag ${tag.name}`, title: tag.name, tags, open: false };
+export function opened(tag: Row, tags: readonly Row[]): TagGroup {
+    return { id: `tag ${rowId(tag)}`, title: tag.name, tags, open: false };
 }
 
 export interface TagRow {
@@ -72,13 +92,14 @@ export interface TagRow {
     readonly description: string;
     readonly tooltip: string;
     readonly icon: string;
-    /** Words that package.json's menus match: `tag`, `settable`, and `free` or `forced`, or `constant`. */
+    /** Words that package.json's menus match: `tag`, `settable`, and `free` or `forced`, or `constant`; `watched` or `unwatched`. */
     readonly context: string;
     /** A click inverts it. */
     readonly toggles: boolean;
 }
 
-export function tagRow(tag: Tag): TagRow {
+export function tagRow(tag: Row): TagRow {
+    const watched = tag.watched ? 'watched' : 'unwatched';
     const isBool = typeof tag.value === 'boolean';
     const settable = tag.readOnly !== true;
     const role = tag.readOnly ? 'constant' : tag.role;
@@ -88,7 +109,7 @@ export function tagRow(tag: Tag): TagRow {
             description: tag.type + (tag.forced ? '  forced' : ''),
             tooltip: `${tag.name} : ${tag.type}, ${role}`,
             icon: 'symbol-array',
-            context: 'group',
+            context: `group ${watched}`,
             toggles: false,
         };
     }
@@ -98,7 +119,7 @@ export function tagRow(tag: Tag): TagRow {
         description: tag.text + (tag.forced ? '  forced' : ''),
         tooltip: `${tag.name} : ${tag.type}, ${role}${tag.forced ? ', forced' : ''}`,
         icon,
-        context: `tag ${settable ? `settable ${tag.forced ? 'forced' : 'free'}` : 'constant'}`,
+        context: `tag ${settable ? `settable ${tag.forced ? 'forced' : 'free'}` : 'constant'} ${watched}`,
         toggles: settable && isBool && (tag.role !== 'output' || tag.forced),
     };
 }

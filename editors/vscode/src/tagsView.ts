@@ -4,9 +4,10 @@ import * as vscode from 'vscode';
 import type { Tag } from './protocol.ts';
 import type { Session } from './session.ts';
 import type { Simulation } from './simulation.ts';
-import { filtered, opened, partsOf, type TagGroup, tagGroups, tagRow, unfoldedGroup } from './tagTree.ts';
+import { filtered, opened, partsOf, type Row, rowId, type TagGroup, tagGroups, tagRow, unfoldedGroup, watchedGroup, watchedRows } from './tagTree.ts';
+import type { WatchList } from './watchList.ts';
 
-type Node = TagGroup | Tag;
+type Node = TagGroup | Row;
 
 /**
  * In milliseconds. The editor waits until a view has been quiet for 200 before it draws it again: one that changes more
@@ -21,15 +22,17 @@ function isGroup(node: Node): node is TagGroup {
 class TagsProvider implements vscode.TreeDataProvider<Node>, vscode.Disposable {
     readonly #changed = new vscode.EventEmitter<Node[] | undefined>();
     readonly #simulation: Simulation;
+    readonly #watchList: WatchList;
     readonly #open = new Set<string>();
     /** What the tags that were unfolded open into. */
-    readonly #parts = new Map<string, readonly Tag[]>();
+    readonly #parts = new Map<string, readonly Row[]>();
     #session: Session | undefined;
     /** Which of its programs the tags are of. */
     #program = 0;
     /** Every tag of the session, as it was when it was listed. A row stays the same row from state to state. */
     #groups: readonly TagGroup[] = [];
     #all: readonly Tag[] = [];
+    #watched: readonly Row[] = [];
     #wanted = '';
     /** What each row showed when it was drawn. */
     readonly #drawn = new Map<string, string>();
@@ -39,8 +42,9 @@ class TagsProvider implements vscode.TreeDataProvider<Node>, vscode.Disposable {
 
     readonly onDidChangeTreeData = this.#changed.event;
 
-    constructor(simulation: Simulation) {
+    constructor(simulation: Simulation, watchList: WatchList) {
         this.#simulation = simulation;
+        this.#watchList = watchList;
     }
 
     /** Draws again what has changed: at once, but no more often than the editor can. */
@@ -65,6 +69,7 @@ class TagsProvider implements vscode.TreeDataProvider<Node>, vscode.Disposable {
                 this.#open.clear();
                 this.#groups = [];
                 this.#all = [];
+                this.#watched = [];
             }
             this.#session = session;
             this.#program = program;
@@ -74,12 +79,23 @@ class TagsProvider implements vscode.TreeDataProvider<Node>, vscode.Disposable {
                 return;
             }
             this.#all = tags;
-            this.#list();
+            await this.watchedAgain();
             return;
         }
-        const changed = this.#shown().filter((tag) => this.#drawn.has(tag.name) && this.#drawn.get(tag.name) !== this.#text(tag));
+        const changed = this.#shown().filter((row) => this.#drawn.has(rowId(row)) && this.#drawn.get(rowId(row)) !== this.#text(row));
         if (changed.length > 0) {
             this.#changed.fire(changed);
+        }
+    }
+
+    /** Lists the tags again, with those that are watched now. */
+    async watchedAgain(): Promise<void> {
+        const session = this.#session;
+        const names = session ? this.#watchList.of(session.document.uri) : [];
+        const tags = await this.#simulation.named(names);
+        if (this.#session === session) {
+            this.#watched = watchedRows(tags);
+            this.#list();
         }
     }
 
@@ -94,22 +110,23 @@ class TagsProvider implements vscode.TreeDataProvider<Node>, vscode.Disposable {
     }
 
     #list(): void {
-        this.#groups = tagGroups(filtered(this.#all, this.#wanted));
+        this.#groups = [...watchedGroup(this.#watched), ...tagGroups(filtered(this.#all, this.#wanted))];
         this.#changed.fire(undefined);
         this.#simulation.look();
     }
 
-    #now(tag: Tag): Tag {
-        return this.#session?.tag(tag.name) ?? tag;
+    #now(row: Row): Row {
+        const now = this.#session?.tag(row.name);
+        return now ? { ...row, ...now } : row;
     }
 
-    #text(tag: Tag): string {
-        const now = this.#now(tag);
+    #text(row: Row): string {
+        const now = this.#now(row);
         return `${now.text} ${now.forced}`;
     }
 
     /** The tags that are unfolded. */
-    #shown(): Tag[] {
+    #shown(): Row[] {
         const isOpen = (id: string) => this.#open.has(id);
         return this.#groups.filter(({ id }) => isOpen(id)).flatMap((group) => unfoldedGroup(group, isOpen, this.#parts));
     }
@@ -138,16 +155,16 @@ class TagsProvider implements vscode.TreeDataProvider<Node>, vscode.Disposable {
     }
 
     /** What a tag opens into, asked for when it is unfolded for the first time. */
-    async #opened(tag: Tag): Promise<TagGroup> {
-        if (tag.parts !== undefined && !this.#parts.has(tag.name)) {
+    async #opened(row: Row): Promise<TagGroup> {
+        if (row.parts !== undefined && !this.#parts.has(rowId(row))) {
             const session = this.#session;
-            const tags = await this.#simulation.partsOf(tag.name);
+            const tags = await this.#simulation.partsOf(row.name);
             if (this.#session === session) {
-                this.#parts.set(tag.name, tags);
+                this.#parts.set(rowId(row), row.watched ? watchedRows(tags) : tags);
                 this.#simulation.look();
             }
         }
-        return opened(tag, this.#parts.get(tag.name) ?? []);
+        return opened(row, this.#parts.get(rowId(row)) ?? []);
     }
 
     getTreeItem(node: Node): vscode.TreeItem {
@@ -164,10 +181,10 @@ class TagsProvider implements vscode.TreeDataProvider<Node>, vscode.Disposable {
             return item;
         }
         const row = tagRow(this.#now(node));
-        this.#drawn.set(node.name, this.#text(node));
+        this.#drawn.set(rowId(node), this.#text(node));
         const { Collapsed, None } = vscode.TreeItemCollapsibleState;
         const item = new vscode.TreeItem(row.label, node.parts === undefined ? None : Collapsed);
-        item.id = node.name;
+        item.id = rowId(node);
         item.description = row.description;
         item.tooltip = row.tooltip;
         item.iconPath = new vscode.ThemeIcon(row.icon);
@@ -184,8 +201,8 @@ class TagsProvider implements vscode.TreeDataProvider<Node>, vscode.Disposable {
     }
 }
 
-export function showTags(simulation: Simulation): vscode.Disposable {
-    const provider = new TagsProvider(simulation);
+export function showTags(simulation: Simulation, watchList: WatchList): vscode.Disposable {
+    const provider = new TagsProvider(simulation, watchList);
     const view = vscode.window.createTreeView('ladder.tags', { treeDataProvider: provider });
     simulation.listTags(() => provider.shownNames());
     const appear = () => {
@@ -202,10 +219,21 @@ export function showTags(simulation: Simulation): vscode.Disposable {
             view.description = wanted;
         }
     };
+    /** Of a row in the view, or of the operand at the cursor. */
+    const watch = async (isWanted: boolean, row?: Row) => {
+        const session = simulation.current;
+        const name = row?.name ?? simulation.operandHere()?.tags[0];
+        if (session && name !== undefined) {
+            await watchList.set(session.document.uri, name, isWanted);
+            await provider.watchedAgain();
+        }
+    };
     return vscode.Disposable.from(
         provider,
         view,
         vscode.commands.registerCommand('ladder.tags.filter', filter),
+        vscode.commands.registerCommand('ladder.tags.watch', (row?: Row) => watch(true, row)),
+        vscode.commands.registerCommand('ladder.tags.unwatch', (row?: Row) => watch(false, row)),
         view.onDidChangeVisibility(appear),
         view.onDidExpandElement(({ element }) => provider.fold(element, true)),
         view.onDidCollapseElement(({ element }) => provider.fold(element, false)),

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import type { Tag } from '../src/protocol.ts';
-import { filtered, opened, partsOf, tagGroups, tagRow, unfoldedGroup } from '../src/tagTree.ts';
+import { filtered, opened, partsOf, rowId, tagGroups, tagRow, unfoldedGroup, watchedGroup, watchedRows } from '../src/tagTree.ts';
 
 const start: Tag = { name: 'start', type: 'BOOL', value: true, text: '1', role: 'input', forced: false };
 const run: Tag = { name: 'run', type: 'BOOL', value: false, text: '0', role: 'output', forced: true };
@@ -29,7 +29,7 @@ test('a BOOL input toggles on a click', () => {
     const row = tagRow(start);
     assert.equal(row.toggles, true);
     assert.equal(row.icon, 'circle-filled');
-    assert.equal(row.context, 'tag settable free');
+    assert.equal(row.context, 'tag settable free unwatched');
 });
 
 test('a forced output shows that it is forced, and toggles; one that the program writes does not', () => {
@@ -38,7 +38,7 @@ test('a forced output shows that it is forced, and toggles; one that the program
     assert.equal(tagRow({ ...run, forced: false }).toggles, false);
     assert.equal(row.description, '0  forced');
     assert.equal(row.icon, 'lock');
-    assert.equal(row.context, 'tag settable forced');
+    assert.equal(row.context, 'tag settable forced unwatched');
 });
 
 test('a value that is not BOOL is shown as text', () => {
@@ -47,9 +47,9 @@ test('a value that is not BOOL is shown as text', () => {
 });
 
 test('an internal tag can be set, a constant can be neither set nor forced', () => {
-    assert.equal(tagRow(elapsed).context, 'tag settable free');
+    assert.equal(tagRow(elapsed).context, 'tag settable free unwatched');
     const row = tagRow({ ...elapsed, readOnly: true });
-    assert.equal(row.context, 'tag constant');
+    assert.equal(row.context, 'tag constant unwatched');
     assert.equal(row.tooltip, 't.ET : TIME, constant');
 });
 
@@ -72,7 +72,7 @@ test('an array is a row that opens into its elements', () => {
     const row = tagRow(trip);
     assert.equal(row.label, 'trip');
     assert.equal(row.description, 'ARRAY[1..2] OF BOOL');
-    assert.equal(row.context, 'group');
+    assert.equal(row.context, 'group unwatched');
     assert.equal(row.toggles, false);
     const [inputs] = tagGroups([start, trip]);
     assert.ok(inputs);
@@ -80,4 +80,15 @@ test('an array is a row that opens into its elements', () => {
         unfoldedGroup(inputs, (id) => open.includes(id), new Map([['trip', elements]])).map(({ name }) => name);
     assert.deepEqual(names([]), ['start']);
     assert.deepEqual(names([opened(trip, []).id]), ['start', 'trip[1]', 'trip[2]']);
+});
+
+test('what is watched is a group of its own, whose rows are others than those of the same tags below', () => {
+    assert.deepEqual(watchedGroup([]), []);
+    const rows = watchedRows([elapsed, start]);
+    const [group] = watchedGroup(rows);
+    assert.deepEqual([group?.title, group?.open, group?.tags.map(({ name }) => name)], ['Watched', true, ['t.ET', 'start']]);
+    assert.deepEqual(rows.map(rowId), ['watched t.ET', 'watched start']);
+    assert.equal(rowId(start), 'start');
+    const [row] = rows;
+    assert.equal(row && tagRow(row).context, 'tag settable free watched');
 });

@@ -30,7 +30,7 @@ pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
     let name = new_block(place.context);
     let title = format!("Extract the selected blocks into the block `[{name}]`");
     match extracted(place.context, on, &region, &name) {
-        Ok(edits) => out.push(Action::new(ActionKind::Extract, title, edits)),
+        Ok(edits) => out.push(Action::new(ActionKind::Extract, title, edits).making_up(name)),
         Err(why) => out.push(Action::disabled(ActionKind::Extract, title, why)),
     }
 }

@@ -23,7 +23,7 @@ pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
         count => format!("Extract {count} networks into the function `{name}`"),
     };
     match extracted(place.context, networks, &name) {
-        Ok(edits) => out.push(Action::new(ActionKind::Extract, title, edits)),
+        Ok(edits) => out.push(Action::new(ActionKind::Extract, title, edits).making_up(name)),
         Err(Some(why)) => out.push(Action::disabled(ActionKind::Extract, title, why)),
         Err(None) => {}
     }
@@ -35,13 +35,17 @@ fn extracted(context: &Context, networks: Range<usize>, name: &str) -> Result<Ve
     if context.bodies[networks.clone()]
         .iter()
         .any(|other| *other != body)
-        || matches!(body, Body::Block(_))
     {
-        return Err(None);
+        return Err(Some("the selected networks are not of one body".to_owned()));
+    }
+    if matches!(body, Body::Block(_)) {
+        return Err(Some(
+            "a user-defined block has no functions of its own".to_owned(),
+        ));
     }
     let facts = context.networks.range(networks.clone());
     if facts.clone().any(|network| network.broken || network.scope != 0) {
-        return Err(None);
+        return Err(Some("there is an error in the network".to_owned()));
     }
     let blocks = || facts.clone().flat_map(NetworkAt::blocks);
     if blocks().any(|block| block.op() == Some(Op::Fun)) || is_call_alone(context, &networks) {

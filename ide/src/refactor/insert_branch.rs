@@ -21,6 +21,9 @@ pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
         .blocks(&region.blocks(&on.drawing))
         .any(|block| block.facts.shape != Shape::Logical);
     if has_coil && !output {
+        let title = format!("Draw a parallel branch around `{name}`");
+        let why = "a coil is selected together with contacts";
+        out.push(Action::disabled(ActionKind::Rewrite, title, why));
         return;
     }
     let tag = new_tag(

@@ -81,6 +81,8 @@ pub struct Action {
     pub disabled: Option<String>,
     /// The finding that it fixes, as an index into the analysis' diagnostics.
     pub finding: Option<usize>,
+    /// A name that it makes up, for which a person will want another one.
+    pub made_up: Option<String>,
     /// It is the best of those that fix the finding, and safe.
     pub preferred: bool,
 }
@@ -102,7 +104,16 @@ impl Action {
             work,
             disabled: None,
             finding: None,
+            made_up: None,
             preferred: false,
+        }
+    }
+
+    /// The same action, which makes up a name.
+    fn making_up(self, name: String) -> Action {
+        Action {
+            made_up: Some(name),
+            ..self
         }
     }
 

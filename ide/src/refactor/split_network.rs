@@ -24,6 +24,12 @@ pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
     let Some(on) = &place.on else { return };
     let Some((row, items)) = on.trimmed() else { return };
     if on.facts.blocks().any(|block| block.op() == Some(Op::Mcr)) {
+        let why = "an <MCR> switches the rungs below it in its network";
+        out.push(Action::disabled(
+            ActionKind::Rewrite,
+            "Split the network here",
+            why,
+        ));
         return;
     }
     let tag = new_tag(place.context, &[], "split");

@@ -12,12 +12,6 @@ use ladder_instructions::Op;
 pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
     let Some(on) = &place.on else { return };
     let Some(region) = on.region() else { return };
-    if !on
-        .blocks(&region.blocks(&on.drawing))
-        .all(|block| only_reads(&block))
-    {
-        return;
-    }
     let Some(drawing) = doubled(on, &region) else {
         return;
     };
@@ -25,6 +19,15 @@ pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
         "Wrap `{}` in a branch, with a copy in parallel (changes nothing yet)",
         first_name(on, &region)
     );
+    let numbers = region.blocks(&on.drawing);
+    if let Some(block) = on.blocks(&numbers).find(|block| !only_reads(block)) {
+        let why = format!(
+            "{} has an effect or a memory, and a copy would have them once more",
+            block.head_text()
+        );
+        out.push(Action::disabled(ActionKind::Rewrite, title, why));
+        return;
+    }
     out.push(Action::new(ActionKind::Rewrite, title, vec![drawing.replace()]));
 }
 

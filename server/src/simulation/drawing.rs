@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use ladder_analysis::program::{
-    Argument, Block, BlockKind, Bound, ElementKind, ExprKind, Network, Place, Step, TagId,
+    Argument, Block, BlockKind, Bound, ElementKind, ExprKind, Location, Network, Place, Step, TagId,
 };
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::values::value::Value;
@@ -23,6 +23,8 @@ const VERTICALS: usize = 1 << 31;
 pub(super) struct Drawing {
     /// In the order of the text.
     networks: Vec<NetworkPlace>,
+    /// The program's tags where its own text declares them, in the order of the text.
+    declared: Vec<(TextRange, TagId)>,
 }
 
 /// A network of the program's own text.
@@ -78,8 +80,10 @@ pub(super) struct Named {
     pub(super) block: TextRange,
     /// The most telling one first; none if a computed index leads to no element now.
     pub(super) points: Vec<Point>,
-    /// The power of the block shows the value.
+    /// How its block is drawn tells the value.
     pub(super) drawn: bool,
+    /// It is the name in a declaration.
+    pub(super) declared: bool,
     /// The place, if it may be another element with each scan, or each block that runs.
     pub(super) indexed: Option<Place>,
 }
@@ -114,7 +118,45 @@ impl Drawing {
             })
             .collect();
         networks.sort_by_key(|place| place.range.start());
-        Drawing { networks }
+        let mut drawing = Drawing {
+            networks,
+            declared: Vec::new(),
+        };
+        let tags = program.tags.iter().enumerate();
+        // A tag that no text declares is where a network uses it first.
+        let declared = tags.filter(|(_, tag)| {
+            let Location { file, range } = tag.location;
+            file == 0 && tag.block.is_none() && drawing.networks_in(range).is_empty()
+        });
+        let mut declared: Vec<_> = declared
+            .map(|(number, tag)| (tag.location.range, TagId(number as u32)))
+            .collect();
+        declared.sort_by_key(|(range, _)| range.start());
+        drawing.declared = declared;
+        drawing
+    }
+
+    /// The tags that are declared in a stretch of the text.
+    pub(super) fn declared_in(&self, stretch: TextRange, simulation: &Simulation) -> Vec<Named> {
+        let from = self
+            .declared
+            .partition_point(|(range, _)| range.start() < stretch.start());
+        let declared = self.declared[from..].iter();
+        let declared = declared.take_while(|(range, _)| range.start() < stretch.end());
+        let named = declared.map(|&(range, tag)| {
+            let name = &simulation.program().tags[tag.0 as usize].name;
+            let mut points = members(tag, simulation);
+            points.extend(simulation.resolve(name));
+            Named {
+                range,
+                block: range,
+                points,
+                drawn: false,
+                declared: true,
+                indexed: None,
+            }
+        });
+        named.filter(|named| !named.points.is_empty()).collect()
     }
 
     /// The networks that have something in a stretch of the text.
@@ -332,6 +374,7 @@ fn operands_of(block: &Block, revision: &Revision, simulation: &Simulation, oper
             block: block.location.range,
             points,
             drawn,
+            declared: false,
             indexed,
         };
         if let Argument::State(tag) = bound.argument {

@@ -14,11 +14,13 @@ use super::messages::Side;
 pub(super) struct Wanted {
     /// The line of the operand.
     pub(super) row: u32,
+    /// It is the name in a declaration, which has its value after its line.
+    pub(super) declared: bool,
     /// The column of the screen where the operand begins.
     pub(super) column: u32,
     /// How many columns are kept for it.
     pub(super) width: u32,
-    /// How many the name of its tag takes, with `: `.
+    /// How many the name of its tag takes, with `: `; not next to a declaration.
     pub(super) name: u32,
 }
 
@@ -52,11 +54,14 @@ pub(super) fn place(wanted: &[Wanted], line_at: impl Fn(u32) -> Option<String>) 
         let &Wanted {
             row, column, width, ..
         } = wanted;
-        for (side, other) in [
+        let others = [
             (Side::Above, row.checked_sub(1)),
             (Side::Below, row.checked_add(1)),
-        ] {
-            let Some(other) = other else { continue };
+        ];
+        for (side, other) in others {
+            let Some(other) = other.filter(|_| !wanted.declared) else {
+                continue;
+            };
             let taken = lines
                 .entry(other)
                 .or_insert_with(|| line_at(other).map(|line| taken(&line)));
@@ -81,7 +86,15 @@ pub(super) fn place(wanted: &[Wanted], line_at: impl Fn(u32) -> Option<String>) 
         let line = line.get_or_insert_default();
         let start = line.len() + GAP;
         line.resize(start, false);
-        line.resize(start + (wanted.name + width) as usize, true);
+        let name = if wanted.declared { 0 } else { wanted.name };
+        line.resize(start + (name + width) as usize, true);
+        if wanted.declared {
+            return Place {
+                side: Side::After,
+                column: u32::try_from(start).unwrap_or(u32::MAX),
+                after: None,
+            };
+        }
         let free = free_between.entry(row).or_default();
         let column = column.max(*free);
         *free = column + width + 1;
@@ -107,7 +120,7 @@ fn taken(line: &str) -> Vec<bool> {
 
 #[cfg(test)]
 mod tests {
-    use super::Side::{Above, Below, Between};
+    use super::Side::{Above, After, Below, Between};
     use super::*;
 
     /// Values at (row, column, width) over these lines.
@@ -123,6 +136,7 @@ mod tests {
             .iter()
             .map(|&(row, column, width)| Wanted {
                 row,
+                declared: false,
                 column,
                 width,
                 name: 3,
@@ -174,6 +188,22 @@ mod tests {
         assert_eq!(both, [(Between, 24), (Between, 34)]);
         let columns = all_placed(&sum, &[(1, 10, 5), (1, 13, 2)]);
         assert_eq!([columns[0].column, columns[1].column], [10, 16]);
+    }
+
+    #[test]
+    fn after_its_line_where_a_tag_is_declared() {
+        let declared = |column, width| Wanted {
+            row: 0,
+            declared: true,
+            column,
+            width,
+            name: 0,
+        };
+        let places = place(&[declared(4, 3), declared(7, 3)], |row| {
+            (row == 0).then(|| "    a, b : INT; # both #".to_owned())
+        });
+        let columns: Vec<_> = places.iter().map(|place| (place.side, place.column)).collect();
+        assert_eq!(columns, [(After, 26), (After, 31)]);
     }
 
     #[test]

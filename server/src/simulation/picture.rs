@@ -57,10 +57,11 @@ impl Engine {
     /// The tags whose names hold a text, or those that a tag opens into.
     pub(super) fn search(&self, search: &messages::Search) -> messages::Found {
         let wanted = search.containing.as_deref().unwrap_or_default();
-        let found = match search.of.as_deref() {
-            None => self.values_with(wanted).into_iter().map(Entry::Value).collect(),
-            Some("") => self.entries_with(wanted),
-            Some(tag) => {
+        let found = match (search.of.as_deref(), &search.names) {
+            (None, Some(names)) => self.named(names),
+            (None, None) => self.values_with(wanted).into_iter().map(Entry::Value).collect(),
+            (Some(""), _) => self.entries_with(wanted),
+            (Some(tag), _) => {
                 let parts = self.session.simulation().resolve_all(tag).unwrap_or_default();
                 parts.into_iter().map(Entry::Value).collect()
             }
@@ -71,6 +72,18 @@ impl Engine {
             count: found.len(),
             tags: listed.map(|entry| self.listed(entry)).collect(),
         }
+    }
+
+    /// What each name means: one value, or what opens.
+    fn named(&self, names: &[String]) -> Vec<Entry> {
+        let simulation = self.session.simulation();
+        let groups = simulation.entries();
+        let entry = |name: &String| {
+            let of_name = |entry: &&Entry| matches!(entry, Entry::Group(group) if group.name.eq_ignore_ascii_case(name));
+            let value = simulation.resolve(name).ok().map(Entry::Value);
+            value.or_else(|| groups.iter().find(of_name).cloned())
+        };
+        names.iter().filter_map(entry).collect()
     }
 
     fn values_with(&self, wanted: &str) -> Vec<Point> {

@@ -47,6 +47,7 @@ struct Valued {
     range: TextRange,
     point: Point,
     drawn: bool,
+    declared: bool,
     /// What is before its value.
     index: Option<String>,
 }
@@ -101,7 +102,9 @@ impl View {
             for stretch in line_map.stretches(first, last) {
                 let elements = drawing.elements_in(stretch, revision, simulation);
                 self.elements.extend(elements);
-                for operand in drawing.operands_in(stretch, revision, simulation) {
+                let mut operands = drawing.declared_in(stretch, simulation);
+                operands.extend(drawing.operands_in(stretch, revision, simulation));
+                for operand in operands {
                     let places = (line_map.range(operand.range), line_map.range(operand.block));
                     if let Some(place) = &operand.indexed {
                         self.indexed.push(Indexed {
@@ -127,6 +130,7 @@ impl View {
                             range: operand.range,
                             point: point.clone(),
                             drawn: operand.drawn,
+                            declared: operand.declared,
                             index: operand.index(),
                         });
                     }
@@ -224,15 +228,22 @@ impl View {
         };
         let mut labels = Vec::new();
         let mut wanted = Vec::new();
+        let row_of = |valued: &Valued| line_map.range(valued.range).map(|range| range.start.line);
+        let mut declared_in: HashMap<u32, usize> = HashMap::new();
+        for row in self.valued.iter().filter(|it| it.declared).filter_map(row_of) {
+            *declared_in.entry(row).or_default() += 1;
+        }
         for valued in &self.valued {
-            let Valued {
-                range, point, index, ..
-            } = valued;
+            let Valued { range, point, .. } = valued;
+            let index = match row_of(valued).filter(|_| valued.declared) {
+                Some(row) => told_before(point, declared_in[&row] > 1),
+                None => valued.index.clone(),
+            };
             // The drawing itself tells the value of a contact that is not forced, and the text that of a constant; neither
             // tells which element a computed index leads to.
             let is_constant = point.read_only && !point.name.starts_with("SYS.");
             let is_told = is_constant || (valued.drawn && !simulation.is_forced(point));
-            if is_told && index.is_none() {
+            if is_told && (index.is_none() || valued.declared) {
                 continue;
             }
             let before = index.as_deref().map_or(0, display_width);
@@ -243,15 +254,16 @@ impl View {
             let text = shown.stretch(start..shown.offset(at).into());
             wanted.push(Wanted {
                 row: at.line,
+                declared: valued.declared,
                 column: display_width(&text),
                 width: before + room(point.ty).max(width(point, simulation)),
                 name: display_width(&point.name) + 2,
             });
-            labels.push((valued, at));
+            labels.push((valued, index, at));
         }
         let befores = labels
             .iter()
-            .map(|(valued, _)| valued.index.as_deref().map_or(0, display_width));
+            .map(|(_, index, _)| index.as_deref().map_or(0, display_width));
         let rooms = wanted.iter().zip(befores).map(|(it, before)| it.width - before);
         self.rooms = rooms.collect();
         let places = place(&wanted, |line| {
@@ -259,9 +271,9 @@ impl View {
         });
         let placed = labels.into_iter().zip(places);
         placed
-            .map(|((valued, at), place)| Label {
+            .map(|((valued, index, at), place)| Label {
                 tag: valued.point.name.clone(),
-                index: valued.index.clone(),
+                index,
                 at,
                 side: place.side,
                 column: place.column,
@@ -269,6 +281,18 @@ impl View {
             })
             .collect()
     }
+}
+
+/// What is before the value of a tag after its declaration: its name if it is one of several there, else which of its members
+/// it is.
+fn told_before(point: &Point, is_one_of_several: bool) -> Option<String> {
+    let member = point.name.rsplit_once('.').map(|(_, member)| member);
+    let told = if is_one_of_several {
+        Some(point.name.as_str())
+    } else {
+        member
+    };
+    told.map(|told| format!("{told}="))
 }
 
 /// How many columns a value takes. What is forced has a mark.

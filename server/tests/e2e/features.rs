@@ -52,6 +52,25 @@ pub(crate) fn edited(text: &str, edits: &Value) -> String {
     text
 }
 
+/// A client that can ask for another name is told which one was made up; the others rename by hand.
+#[tokio::test]
+async fn a_name_that_is_made_up_can_be_typed_at_once() {
+    for (can, told) in [
+        (
+            json!({"experimental": {"commands": ["ladder.rename"]}}),
+            json!([URI, "function_1"]),
+        ),
+        (json!({}), Value::Null),
+    ] {
+        let mut client = Client::with(can).await;
+        client.open("+--[ ]( a )--( )( y )--+\n").await;
+        let offered = actions(&mut client, [0, 4, 0, 4], Some("refactor.extract")).await;
+        assert_eq!(offered.len(), 1, "{offered:?}");
+        assert_eq!(offered[0]["command"]["arguments"], told);
+        client.finish().await;
+    }
+}
+
 #[tokio::test]
 async fn hover_explains_what_is_there() {
     let mut client = Client::new().await;

@@ -357,6 +357,49 @@ VAR i : INT; starts : ARRAY[1..2] OF INT; END_VAR
 +--<NEXT>--+
 ";
 
+/// Values are after what is declared, with a name where the line has several; a constant and an array have none.
+#[tokio::test]
+async fn values_are_next_to_declarations() {
+    let program = "\
+VAR
+    a, b : BOOL;
+    n : INT; # a count #
+    t : TON;
+    many : ARRAY[1..2] OF INT;
+END_VAR
+VAR CONSTANT
+    MOST : INT := 3;
+END_VAR
++--[ ]( a )--[TON]( t, T#5s )--[MOV]( n, MOST )--( )( b )--+
+";
+    let (mut client, s, first) = shown(program, [0, 9], json!([])).await;
+    let declared = |tag: &str, at: [u32; 2], column: u32| {
+        let at = json!({"line": at[0], "character": at[1]});
+        json!({"tag": tag, "at": at, "side": "after", "column": column})
+    };
+    let told = |mut label: Value, before: &str| {
+        label["index"] = before.into();
+        label
+    };
+    let labels = first["labels"].as_array().unwrap().iter();
+    let after: Vec<&Value> = labels.filter(|label| label["side"] == "after").collect();
+    assert_eq!(
+        json!(after),
+        json!([
+            told(declared("a", [1, 4], 18), "a="),
+            told(declared("b", [1, 7], 23), "b="),
+            declared("n", [2, 4], 26),
+            told(declared("t.ET", [3, 4], 14), "ET="),
+        ]),
+    );
+    // What is commanded at the cursor there is about that tag.
+    let operands = first["operands"].as_array().unwrap().iter();
+    let of_line = operands.filter(|operand| operand["block"]["start"]["line"] == 1);
+    let tags: Vec<&Value> = of_line.map(|operand| &operand["tags"]).collect();
+    assert_eq!(json!(tags), json!([["a"], ["b"]]));
+    client.simulate("stop", json!({"session": s})).await.unwrap();
+}
+
 /// The labels on a line of the text, as a person reads them.
 fn labels(state: &Value, line: u64) -> String {
     let labels = state["labels"].as_array().unwrap().iter();
@@ -428,6 +471,9 @@ async fn an_array_is_listed_as_one_that_opens_or_by_its_elements() {
     assert_eq!(names(&found), ["trip[2]", "pump[2]"]);
     let found = listed(&mut client, json!({"of": "", "containing": "pump[2]"})).await;
     assert_eq!(names(&found), ["pump"]);
+    let wanted = json!({"names": ["pump[2]", "gone", "TRIP", "run"]});
+    let found = listed(&mut client, wanted).await;
+    assert_eq!(names(&found), ["pump[2]", "trip", "run"]);
     let force = json!({"session": s, "tag": "pump[2]", "value": true});
     client.simulate("force", force).await.unwrap();
     let top = listed(&mut client, json!({"of": "", "containing": "pump"})).await;

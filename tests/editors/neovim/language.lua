@@ -226,6 +226,28 @@ return function(t)
     }, { lines[2] })
   end)
 
+  t.step('a name that an extraction makes up can be typed at once', function()
+    local bufnr = t.open('motor.clad')
+    vim.api.nvim_win_set_cursor(0, { 6, 4 })
+    local input, asked = vim.ui.input, nil
+    vim.ui.input = function(options, done)
+      asked = options.default
+      done('WarmUp')
+    end
+    vim.lsp.buf.code_action({ apply = true, context = { only = { 'refactor.extract' } }, filter = function(action)
+      return vim.startswith(action.title, 'Extract the network into the function')
+    end })
+    local function has(text)
+      return table.concat(vim.api.nvim_buf_get_lines(bufnr, 0, -1, false), '\n'):find(text, 1, true)
+    end
+    t.eventually('the new name', function()
+      return has('<CALL>( WarmUp )') and has('<FUN>( WarmUp )')
+    end)
+    vim.ui.input = input
+    t.equal('the name that was made up', 'function_1', asked)
+    vim.cmd('bwipeout!')
+  end)
+
   t.step('the outline names networks by the comments above them', function()
     t.open('motor.clad')
     vim.lsp.buf.document_symbol({

@@ -51,6 +51,47 @@ return function(t)
     t.equal('the buffer in the window', bufnr, vim.api.nvim_get_current_buf())
   end)
 
+  t.step('what is watched comes first in the tag panel, and is still watched after the next start', function()
+    local bufnr = t.open('motor.clad')
+    local function rows()
+      return vim.tbl_map(function(line)
+        return line:match('^%*? ?%S+')
+      end, vim.api.nvim_buf_get_lines(0, 0, -1, false))
+    end
+    for _, first in ipairs({ 'start', '* run' }) do
+      vim.cmd('Ladder start')
+      assert(ladder.wait(bufnr), 'no answer')
+      vim.cmd('Ladder tags')
+      t.eventually(first .. ' in the first line', function()
+        return rows()[1] == first
+      end)
+      vim.fn.search('^run')
+      vim.api.nvim_feedkeys('*', 'x', false)
+      t.eventually('run to be watched, or not any more', function()
+        return rows()[1] == (first == 'start' and '* run' or 'start')
+      end)
+      vim.api.nvim_feedkeys('q', 'x', false)
+      vim.cmd('Ladder stop')
+    end
+  end)
+
+  t.step('the values of tags are after their declarations', function()
+    local bufnr = t.open('pumps.clad')
+    vim.cmd('Ladder start')
+    assert(ladder.wait(bufnr), 'no answer')
+    vim.cmd('Ladder set run 1')
+    assert(ladder.wait(bufnr), 'no answer')
+    local declared = t.eventually('the value of run', function()
+      for _, line in ipairs(t.seen(bufnr)) do
+        if line:find('run', 1, true) and line:find(';', 1, true) then
+          return line
+        end
+      end
+    end)
+    t.equal('what is after the declaration', '1', declared:match('(%S+)$'))
+    vim.cmd('Ladder stop')
+  end)
+
   t.step('the tag panel takes the focus while the program runs, and its keys do not change the program', function()
     local bufnr = t.open('motor.clad')
     local text = vim.api.nvim_buf_get_lines(bufnr, 0, -1, false)
@@ -131,6 +172,10 @@ return function(t)
     vim.api.nvim_feedkeys('u', 'x', false)
     eventually('a tag that is not forced', 'stop ')
     cursor_to('start')
+    for _, lines in ipairs({ { 1 }, {} }) do
+      vim.api.nvim_feedkeys(vim.keycode('<F9>'), 'x', false)
+      t.equal('the lines with a breakpoint', lines, require('ladder.breakpoints').lines(bufnr))
+    end
     vim.api.nvim_feedkeys(vim.keycode('t<F10>p<F10>'), 'x', false)
     t.eventually('the end of the pulse', function()
       return ladder.state(bufnr).scan == 5 and ladder.tag('start', bufnr).value == false
@@ -316,7 +361,7 @@ return function(t)
     vim.api.nvim_feedkeys('q', 'x', false)
     vim.cmd('Ladder stop')
     local init = vim.fs.joinpath(vim.env.LADDER_ROOT, 'tests/editors/neovim/init.lua')
-    local look = "lua io.write(table.concat(require('ladder.trace.chosen').of(0) or {}, ' '))"
+    local look = "lua io.write(table.concat(require('ladder.remembered')('ladder-trace').of(0) or {}, ' '))"
     local file = vim.api.nvim_buf_get_name(bufnr)
     local again = vim.system({ vim.v.progpath, '--headless', '--clean', '-u', init, file, '-c', look, '-c', 'qa!' }):wait(10000)
     assert(again.stdout:find('warmup.ET', 1, true), again.stdout .. again.stderr)

@@ -151,6 +151,11 @@ export async function diagram(page, { step, until, screenshot }) {
         await until('the force', 10, async () => /stop is 1, forced$/.test(await words(frame, 'stop')));
         await choose('Release Force');
         await until('no force', 10, async () => /stop is 0$/.test(await words(frame, 'stop')));
+        const marks = page.locator('.codicon-debug-breakpoint');
+        await choose('Toggle Breakpoint');
+        await until('the mark of a breakpoint', 10, async () => (await marks.count()) > 0);
+        await choose('Toggle Breakpoint');
+        await until('no mark', 10, async () => (await marks.count()) === 0);
     });
     await step('a click on a name shows it in the text, and the cursor of the text its element', async () => {
         await frame.locator('text', { hasText: /^lamp$/ }).first().click();

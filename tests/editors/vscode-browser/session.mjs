@@ -170,6 +170,18 @@ async function operate(page) {
         await group.hover();
         assert.equal(await group.locator('.action-item').count(), 0);
     });
+    await step('what is watched is at the top of the view, and is kept', async () => {
+        const watched = page.locator('.monaco-list-row', { hasText: 'Watched' });
+        assert.equal(await watched.count(), 0);
+        await row(page, 'warmup.ET').hover();
+        await row(page, 'warmup.ET').locator('.codicon-eye').click();
+        await watched.waitFor({ timeout: 5000 });
+        await until('both rows of the tag', 5, async () => (await page.locator('.monaco-list-row', { hasText: 'warmup.ET' }).count()) === 2);
+        await screenshot(page, 'watched');
+        await row(page, 'warmup.ET').hover();
+        await row(page, 'warmup.ET').locator('.codicon-eye-closed').click();
+        await watched.waitFor({ state: 'detached', timeout: 5000 });
+    });
     await step('why is a tree with places', async () => {
         await command(page, 'Ladder: Step One Scan');
         await page.getByText('Ladder: paused, scan 4').waitFor({ timeout: 5000 });

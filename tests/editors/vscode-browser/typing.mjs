@@ -117,18 +117,32 @@ export async function typing(page, { step, until, screenshot, project }) {
         await place(page, 1, `(${second + 1}|${second + 1 + 'second'.length})`);
         assert.deepEqual(await lines(page), before);
     });
-    await step('Tab takes the first proposal where none is chosen', async () => {
+    await step('Tab takes the first proposal, and so does Enter within a block', async () => {
         const before = await lines(page);
         await page.locator('.editor-group-container.active .view-line span', { hasText: /^third$/ }).first().dblclick();
         await page.keyboard.type('seco', { delay: 50 });
         await page.locator('.suggest-widget.visible .monaco-list-row', { hasText: 'second' }).first().waitFor({ timeout: 5000 });
-        assert.equal(await page.locator('.suggest-widget.visible .monaco-list-row.focused').count(), 0);
         await page.keyboard.press('Tab');
         await until('the whole name', 5, async () => (await lines(page))[0].includes('( )( second )'));
+        const asBefore = () =>
+            until('the rung as it was', 10, async () => {
+                await page.keyboard.press('Control+Z');
+                return (await lines(page))[0] === before[0];
+            });
         await page.keyboard.press('Escape');
-        await until('the rung as it was', 10, async () => {
+        await asBefore();
+        await page.keyboard.press('Control+Home');
+        await page.keyboard.press('End');
+        await page.keyboard.press('Enter');
+        await page.keyboard.type('[ ]( run )--[TON', { delay: 50 });
+        await page.locator('.suggest-widget.visible .monaco-list-row', { hasText: 'TON' }).first().waitFor({ timeout: 5000 });
+        await page.keyboard.press('Enter');
+        await until('the block on one line', 5, async () => /^\+--\[ \]\( run \)-+\[TON\]\( /.test((await lines(page))[1]));
+        await page.keyboard.press('Escape');
+        await page.keyboard.press('Escape');
+        await until('the program as it was', 20, async () => {
             await page.keyboard.press('Control+Z');
-            return (await lines(page))[0] === before[0];
+            return (await lines(page)).join('\n') === before.join('\n');
         });
         await page.keyboard.press('Control+Home');
         await page.keyboard.press('Tab');

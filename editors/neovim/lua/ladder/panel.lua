@@ -9,6 +9,7 @@ local side_buffer = require('ladder.side_buffer')
 local simulation = require('ladder.simulation')
 local status = require('ladder.status')
 local view = require('ladder.view')
+local watched = require('ladder.remembered')('ladder-watched')
 
 local M = {}
 
@@ -22,6 +23,7 @@ local max_height = 14
 --- @field wanted string what the names of those hold that are shown
 --- @field tags ladder.Tag[] the rows, as they were when they were listed
 --- @field listed ladder.Tag[] those of the program, of which those that open are one each
+--- @field watched ladder.Tag[] those that are listed first, with a mark, and once more in their place
 --- @field opened table<string, ladder.Tag[]> what the tags that are open open into
 --- @field drawn table<integer, string> what is in the lines that were drawn, by line from 1
 --- @field names integer the width of the names
@@ -31,13 +33,14 @@ local max_height = 14
 --- @type table<integer, ladder.Panel>
 local panels = {}
 
-local keys = '<CR> toggle  c change  f force  u release  w why  F filter  s step  b back  r run  p pause  q close'
+local keys = '<CR> toggle  c change  f force  u release  w why  * watch  F filter  s step  b back  r run  p pause  q close'
 
 --- @param panel ladder.Panel
 --- @param tag ladder.Tag
+--- @param is_watched boolean it is a row of the watch list
 --- @return string line, table[] marks { first column, end column, group }
-local function render(panel, tag)
-  local mark = tag.parts and (panel.opened[tag.name] and '▾ ' or '▸ ') or ''
+local function render(panel, tag, is_watched)
+  local mark = is_watched and '* ' or tag.parts and (panel.opened[tag.name] and '▾ ' or '▸ ') or ''
   local pad = (' '):rep(panel.names - vim.fn.strdisplaywidth(mark .. tag.name))
   local name = mark .. tag.name .. pad .. '  '
   local role = tag.readOnly and 'constant' or tag.role
@@ -76,7 +79,7 @@ local function draw(source, panel)
   vim.bo[panel.bufnr].modifiable = true
   for index = first, last do
     local tag = sessions.tag(session, panel.tags[index].name) or panel.tags[index]
-    local line, marks = render(panel, tag)
+    local line, marks = render(panel, tag, index <= #panel.watched)
     local key = line .. (tag.forced and '!' or '')
     if panel.drawn[index] ~= key then
       panel.drawn[index] = key
@@ -108,7 +111,7 @@ end
 --- @param listed ladder.Tag[]
 local function list(panel, listed)
   local sought = vim.fn.tolower(panel.wanted)
-  panel.listed, panel.tags, panel.drawn, panel.names, panel.types = listed, {}, {}, 4, 4
+  panel.listed, panel.tags, panel.drawn, panel.names, panel.types = listed, vim.list_slice(panel.watched), {}, 4, 4
   for _, tag in ipairs(listed) do
     if vim.fn.tolower(tag.name .. ' : ' .. tag.type):find(sought, 1, true) then
       table.insert(panel.tags, tag)
@@ -118,7 +121,7 @@ local function list(panel, listed)
   local tags, names = panel.tags, {}
   for index, tag in ipairs(tags) do
     names[index] = tag.name
-    panel.names = math.max(panel.names, vim.fn.strdisplaywidth(tag.name) + (tag.parts and 2 or 0))
+    panel.names = math.max(panel.names, vim.fn.strdisplaywidth(tag.name) + ((tag.parts or index <= #panel.watched) and 2 or 0))
     panel.types = math.max(panel.types, #tag.type)
   end
   vim.bo[panel.bufnr].modifiable = true
@@ -130,8 +133,34 @@ local function list(panel, listed)
   end
 end
 
+local refresh
+
+--- Lists tags of a program, unless another one runs meanwhile, below those that are watched.
 --- @param source integer
-local function refresh(source)
+--- @param panel ladder.Panel
+--- @param listed ladder.Tag[]
+local function list_with_watched(source, panel, listed)
+  local id, program = panel.session, panel.program
+  local function with(tags)
+    local is_still = panels[source] == panel and panel.session == id and panel.program == program
+    if is_still and vim.api.nvim_buf_is_valid(panel.bufnr) then
+      panel.watched = tags
+      list(panel, listed)
+      simulation.look(source)
+      refresh(source)
+    end
+  end
+  local names = watched.of(source) or {}
+  if #names == 0 then
+    return with({})
+  end
+  simulation.ask(source, 'tags', { names = names }, function(found)
+    with(found.tags)
+  end)
+end
+
+--- @param source integer
+function refresh(source)
   local panel = panels[source]
   if not panel or not vim.api.nvim_buf_is_valid(panel.bufnr) then
     panels[source] = nil
@@ -144,16 +173,14 @@ local function refresh(source)
   if panel.session ~= id or panel.program ~= program then
     panel.opened = {}
     if panel.session ~= id then
+      panel.watched = {}
       list(panel, {})
     end
     panel.session, panel.program = id, program
     if id then
       simulation.ask(source, 'tags', { of = '' }, function(found)
-        local is_still = panels[source] == panel and panel.session == id and panel.program == program
-        if is_still and vim.api.nvim_buf_is_valid(panel.bufnr) then
-          list(panel, found.tags)
-          simulation.look(source)
-          refresh(source)
+        if panel.session == id and panel.program == program then
+          list_with_watched(source, panel, found.tags)
         end
       end)
     end
@@ -236,6 +263,17 @@ local function map_keys(panel, source)
         require('ladder.why').ask(source, tag.name)
       end
     end,
+    ['*'] = function()
+      local tag = tag_here(source)
+      if tag then
+        local names = watched.of(source) or {}
+        local others = vim.tbl_filter(function(name)
+          return name ~= tag.name
+        end, names)
+        watched.set(source, #others < #names and others or vim.list_extend(others, { tag.name }))
+        list_with_watched(source, panels[source], panels[source].listed)
+      end
+    end,
     F = function()
       local panel = panels[source]
       vim.ui.input({ prompt = 'Part of a name or type: ', default = panel.wanted }, function(wanted)
@@ -269,7 +307,7 @@ end
 
 --- @param source integer
 function M.open(source)
-  local panel = { bufnr = create(source), program = 0, wanted = '', tags = {}, listed = {}, opened = {}, drawn = {}, names = 4, types = 4 }
+  local panel = { bufnr = create(source), program = 0, wanted = '', tags = {}, listed = {}, watched = {}, opened = {}, drawn = {}, names = 4, types = 4 }
   panels[source] = panel
   shown.tags(source, function()
     local first, last = lines_shown(panel)

@@ -1,5 +1,5 @@
 --- The trace: a split below the program that draws chosen tags over time, with two cursors, and leads to any scan.
-local chosen = require('ladder.trace.chosen')
+local chosen = require('ladder.remembered')('ladder-trace')
 local drawing = require('ladder.trace.drawing')
 local keys = require('ladder.trace.keys')
 local server = require('ladder.server')

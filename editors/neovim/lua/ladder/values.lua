@@ -29,6 +29,8 @@ local function rows_of(session)
       local row = label.at.line
       if label.side == 'between' then
         table.insert(rows[row].between, piece)
+      elseif label.side == 'after' then
+        table.insert(rows[row].over, piece)
       elseif label.side == 'above' then
         table.insert(rows[row - 1].over, piece)
       else

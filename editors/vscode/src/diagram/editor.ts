@@ -1,6 +1,7 @@
 // Diagrams as editors of their own for ladder text: the editor keeps the text open for them, and restores them.
 import * as vscode from 'vscode';
 
+import { breakpointsAt } from '../breakpoints.ts';
 import type { Server } from '../server.ts';
 import type { Simulation } from '../simulation.ts';
 import { folderOf, pageOf } from './page.ts';
@@ -54,13 +55,32 @@ export class DiagramEditors implements vscode.CustomTextEditorProvider, vscode.D
         await vscode.commands.executeCommand('vscode.openWith', uri, DIAGRAM, options);
     }
 
-    /** Shows in the text what the menu of an element was opened on. */
-    async reveal(context?: { place?: string }): Promise<void> {
+    /** What the menu of an element was opened on: its diagram, and its place in the text. */
+    #chosen(context?: { place?: string }) {
         const [line, character] = (context?.place ?? '').split(':').map(Number);
         const panel = [...this.#panels].find(([webview]) => webview.active)?.[1];
-        if (panel && line !== undefined && character !== undefined) {
-            const place = { line, character };
-            await panel.reveal(place, place, true);
+        return panel && line !== undefined && character !== undefined ? { panel, place: { line, character } } : undefined;
+    }
+
+    /** Shows it in the text. */
+    async reveal(context?: { place?: string }): Promise<void> {
+        const chosen = this.#chosen(context);
+        await chosen?.panel.reveal(chosen.place, chosen.place, true);
+    }
+
+    /** A run stops in front of it, or no longer does. */
+    toggleBreakpoint(context?: { place?: string }): void {
+        const chosen = this.#chosen(context);
+        if (!chosen) {
+            return;
+        }
+        const { uri } = chosen.panel.document;
+        const place = new vscode.Position(chosen.place.line, chosen.place.character);
+        const there = breakpointsAt(vscode.debug.breakpoints, uri.toString(), place);
+        if (there.length > 0) {
+            vscode.debug.removeBreakpoints(there);
+        } else {
+            vscode.debug.addBreakpoints([new vscode.SourceBreakpoint(new vscode.Location(uri, place))]);
         }
     }
 

@@ -110,6 +110,7 @@ fn inline() {
         "FUNCTION_BLOCK [$B]\n+--[ ]( EN )--( )( ENO )--+\n+--( )( SYS.ON )--+\nEND_FUNCTION_BLOCK\n+--[$0$B]--( )( light )--+\n",
         expect![[r#"
             Draw a parallel contact `new_contact_1` around `[$B]` (no change while it is low)
+            Wrap `[$B]` in a branch, with a copy in parallel (changes nothing yet) -- [$B] has an effect or a memory, and a copy would have them once more
             Extract the network into the function `function_1`
             Inline the block `[$B]` here -- fix the errors of the file first
         "#]],

@@ -151,8 +151,8 @@ fn a_copy() {
         "Wrap",
         "+--$0[ ]( a )--[P]( b )$1---------------------( )( run )--+\n",
         expect![[r#"
-        not offered
-    "#]],
+            disabled: [P] has an effect or a memory, and a copy would have them once more
+        "#]],
     );
 }
 
@@ -228,6 +228,7 @@ fn gone() {
         "+--[ ]( a )--[TON]( $0t, 5s )---------( )( run )--+\n",
         expect![[r#"
             Draw a parallel contact `new_contact_1` around `t` (no change while it is low)
+            Wrap `t` in a branch, with a copy in parallel (changes nothing yet) -- [TON] has an effect or a memory, and a copy would have them once more
             Split the network before `t` (`split_1` carries the power)
             Declare the undeclared tags of the file
             Extract the network into the function `function_1`

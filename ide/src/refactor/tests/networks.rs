@@ -75,6 +75,7 @@ VAR a, b : BOOL; END_VAR
             Make `b` a rising-edge contact (changes what the rung does)
             Draw a parallel contact `new_contact_1` around `b` (no change while it is low)
             Wrap `b` in a branch, with a copy in parallel (changes nothing yet)
+            Split the network here -- an <MCR> switches the rungs below it in its network
             Declare the undeclared tags of the file
             Extract the network into the function `function_1` -- <MCR> works only where it is: a function has labels, returns and loops of its own
         "#]],

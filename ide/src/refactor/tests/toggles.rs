@@ -31,6 +31,7 @@ fn contacts() {
             Make `stop` a falling-edge contact (changes what the rung does)
             Make `stop` a plain contact (changes what the rung does)
             Draw a parallel contact `new_contact_1` around `stop` (no change while it is low)
+            Wrap `stop` in a branch, with a copy in parallel (changes nothing yet) -- [P] has an effect or a memory, and a copy would have them once more
             Declare the undeclared tags of the file
             Extract the network into the function `function_1`
         "#]],
@@ -40,6 +41,7 @@ fn contacts() {
         expect![[r#"
             Take the falling edge (changes what the rung does)
             Draw a parallel contact `new_contact_1` around `[OSR]` (no change while it is low)
+            Wrap `[OSR]` in a branch, with a copy in parallel (changes nothing yet) -- [OSR] has an effect or a memory, and a copy would have them once more
             Extract the network into the function `function_1`
         "#]],
     );
@@ -83,6 +85,7 @@ fn coils() {
         expect![[r#"
             Reset `run` instead of setting it (changes what the rung does)
             Draw a parallel coil `new_coil_1` next to `run`
+            Wrap `run` in a branch, with a copy in parallel (changes nothing yet) -- (S) has an effect or a memory, and a copy would have them once more
             Split the network before `run` (`split_1` carries the power)
             Declare the undeclared tags of the file
             Extract the network into the function `function_1`
@@ -92,6 +95,7 @@ fn coils() {
         "+--[ ]( a )-------------(R)( r$0un )--+\n+--[ ]( b )--[TON]( run, 5s )--( )( y )--+\n",
         expect![[r#"
             Draw a parallel coil `new_coil_1` next to `run`
+            Wrap `run` in a branch, with a copy in parallel (changes nothing yet) -- (R) has an effect or a memory, and a copy would have them once more
             Split the network before `run` (`split_1` carries the power)
             Declare the undeclared tags of the file
             Extract the network into the function `function_1`

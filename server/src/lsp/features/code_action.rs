@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use tower_lsp::jsonrpc::{Error, Result};
 use tower_lsp::ls_types::{
     CodeAction, CodeActionContext, CodeActionDisabled, CodeActionKind, CodeActionOrCommand, CodeActionParams,
-    CodeActionResponse,
+    CodeActionResponse, Command,
 };
 
 use super::{conversion, switch_off};
@@ -18,7 +18,7 @@ use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{
     convert,
     finding::Findings,
-    session::{agreed::Agreed, shared::Shared},
+    session::{agreed::Agreed, commands::RENAME, shared::Shared},
 };
 use ladder_ide::{Action, ActionKind};
 use ladder_syntax::{TextRange, TextSize};
@@ -162,11 +162,18 @@ fn offer(
         })
     });
     let now = text.filter(|_| action.disabled.is_none());
+    let made_up = action.made_up.as_ref().filter(|_| agreed.renames);
+    let command = made_up.map(|name| Command {
+        title: format!("Rename {name}"),
+        command: RENAME.to_owned(),
+        arguments: Some(vec![revision.uri.to_string().into(), name.clone().into()]),
+    });
     CodeActionOrCommand::CodeAction(CodeAction {
         title: action.title.clone(),
         kind: Some(name(action.kind)),
         diagnostics: finding
             .map(|finding| vec![Findings::of(agreed, revision).diagnostic(&finding.diagnostic())]),
+        command,
         edit: now.and_then(|text| edit(agreed, revision, analysis, action, text)),
         is_preferred: finding.map(|_| action.preferred),
         disabled: action

@@ -5,7 +5,7 @@ use tower_lsp::ls_types::{
     PositionEncodingKind, TextDocumentClientCapabilities, WorkspaceFileOperationsClientCapabilities,
 };
 
-use super::commands::{Commands, cuts_after};
+use super::commands::{Commands, cuts_after, renames};
 use crate::document::position::Encoding;
 
 /// What the client can take, as plain answers to the questions that the handlers ask.
@@ -27,6 +27,8 @@ pub(crate) struct Agreed {
     pub(crate) resolves_edits: bool,
     /// Code actions may be shown that cannot be done, with the reason.
     pub(crate) disabled_actions: bool,
+    /// After a code action that makes up a name the client can ask for another one.
+    pub(crate) renames: bool,
     /// Hovers may be Markdown.
     pub(crate) markdown: bool,
     /// A place that an editor is sent to may say how far it reaches.
@@ -218,6 +220,7 @@ impl Agreed {
                 let resolved = it.resolve_support.as_ref();
                 resolved.is_some_and(|it| it.properties.iter().all(|name| name != "documentation"))
             }),
+            renames: renames(client),
             cuts_after: cuts_after(client),
             resolves_edits: actions.is_some_and(|it| {
                 let resolved = it.resolve_support.as_ref();
@@ -333,7 +336,7 @@ mod tests {
                 "codeLens": {"refreshSupport": true}
             },
             "general": {"positionEncodings": ["utf-8"]},
-            "experimental": {"commands": ["ladder.completion.cut"], "rulePages": true}
+            "experimental": {"commands": ["ladder.completion.cut", "ladder.rename"], "rulePages": true}
         });
         assert_eq!(
             agreed(client),
@@ -375,6 +378,7 @@ mod tests {
                 snippets: true,
                 completion_markdown: true,
                 documented_at_once: true,
+                renames: true,
                 cuts_after: true,
                 nested_symbols: true,
                 fold_limit: Some(5000),

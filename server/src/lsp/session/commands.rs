@@ -48,6 +48,14 @@ impl Commands {
     }
 }
 
+/// Asks for another name: an address, and the name in that document.
+pub(crate) const RENAME: &str = "ladder.rename";
+
+/// Whether the client names the command that asks for another name.
+pub(crate) fn renames(client: &ClientCapabilities) -> bool {
+    names_command(client, RENAME)
+}
+
 /// Cuts what was after the cursor and belongs to what was accepted: the text, and what is after it on its line.
 pub(crate) const CUT: &str = "ladder.completion.cut";
 

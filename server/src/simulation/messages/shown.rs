@@ -54,6 +54,9 @@ pub struct Search {
     /// those that open are listed as one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub of: Option<String>,
+    /// Only the tags of these names, in this order; a name that the program does not have is left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub names: Option<Vec<String>>,
     /// This many of them are left out at the beginning of the list.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub first: Option<usize>,
@@ -106,7 +109,7 @@ pub struct Operand {
 pub struct Label {
     /// The tag whose text it is.
     pub tag: String,
-    /// What is before that text: of an element with a computed index which one it is, `[2]=`.
+    /// What is before that text: of an element with a computed index which one it is, `[2]=`; of a timer that is declared `ET=`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub index: Option<String>,
     /// Where its operand begins.
@@ -131,4 +134,6 @@ pub enum Side {
     Below,
     /// In a line of its own between the line and the one above, where neither leaves room.
     Between,
+    /// After the end of the line: the value of what it declares.
+    After,
 }

@@ -100,10 +100,16 @@ async function session() {
         assert.equal(help.signatures[0].activeParameter ?? help.activeParameter, 1);
     });
 
-    await step('a snippet draws a whole network, without an error', async () => {
+    await step('an empty line is offered a whole network, without an error', async () => {
         const document = await vscode.workspace.openTextDocument({ language: 'clad', content: '' });
-        await vscode.window.showTextDocument(document);
-        await vscode.commands.executeCommand('editor.action.insertSnippet', { langId: 'clad', name: 'Seal-in' });
+        const editor = await vscode.window.showTextDocument(document);
+        const start = new vscode.Position(0, 0);
+        const offered = async () => {
+            const { items } = await vscode.commands.executeCommand('vscode.executeCompletionItemProvider', document.uri, start);
+            return items.find(({ label }) => (label.label ?? label) === 'seal-in');
+        };
+        const { insertText } = await eventually('the proposal', offered);
+        await editor.insertSnippet(insertText, start);
         assert.match(document.getText(), /^\+--\\--\[ \]\( start \)--\\--\[\/\]\( stop \)-+\( \)\( run \)--\+\n\|  \/--\[ \]\( run \)-+\/ +\|$/);
         const symbols = () => vscode.commands.executeCommand('vscode.executeDocumentSymbolProvider', document.uri);
         await eventually('the network in the outline', async () => ((await symbols()) ?? []).length > 0);
@@ -211,11 +217,11 @@ async function session() {
         const state = await eventually('the picture of the third scan', () => api.state().commands >= 4 && api.state().scan === 3 && api.state());
         assert.deepEqual(live(document, state), [
             '',
-            '+--\\--[ ]( start )--\\--[/]( stop )-------------( )( run )--+',
+            '+--\\--[ ]( start )--\\--[/]( stop )---------------------------------( )( run )--+',
             '',
             '   /--[ ]( run )----/',
             '',
-            '+--[ ]( run )--------[TON]( warmup, T#20ms )--( )( lamp )--+',
+            '+--[ ]( run )----------------------------[TON]( warmup, T#20ms )--( )( lamp )--+',
             '',
         ]);
     });
@@ -235,7 +241,8 @@ async function session() {
         const position = document.positionAt(document.getText().indexOf('warmup') + 2);
         const [hover] = await vscode.commands.executeCommand('vscode.executeHoverProvider', document.uri, position);
         const text = hover.contents.map((content) => content.value ?? content).join('\n');
-        assert.match(text, /^`warmup\.ET` is \*\*T#20ms\*\*; `warmup\.Q` is \*\*1\*\*/);
+        assert.match(text, /^`warmup\.ET` = 20ms: \[Set\]\(command:ladder\.simulation\.set/m);
+        assert.match(text, /^`warmup\.Q` = 1: \[Toggle\]\(command:ladder\.simulation\.toggle/m);
     });
 
     // For the page, which is checked next.

@@ -8,13 +8,13 @@ const OFFERED = [
         what: 'three branches between two rails',
         drawn: '+--\\--[ ]( a )--\\--( )( y )--+\n|  |--[ ]( b )--|            |\n|  /--[ ]( c )--/            |\n',
         title: /^Draw it with `\/--\\`/,
-        becomes: '+--\\--[ ]( a )--------\\------( )( y )--+\n|  /--\\--[ ]( b )--\\--/                |\n|     /--[ ]( c )--/                   |\n',
+        becomes: `+--\\--[ ]( a )--------\\${'-'.repeat(46)}( )( y )--+\n|  /--\\--[ ]( b )--\\--/${' '.repeat(56)}|\n|     /--[ ]( c )--/${' '.repeat(59)}|\n`,
     },
     {
         what: 'characters that draw boxes',
         drawn: '├──[ ]( a )──( )( y )──┤\n',
         title: /^Draw it with - \+/,
-        becomes: '+--[ ]( a )------------------( )( y )--+\n',
+        becomes: `+--[ ]( a )${'-'.repeat(58)}( )( y )--+\n`,
     },
 ];
 

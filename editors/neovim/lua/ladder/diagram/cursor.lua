@@ -104,18 +104,25 @@ function M.block_here(diagram)
   return found
 end
 
+--- The line of the program that the cursor of the diagram is on.
+--- @param diagram ladder.Diagram
+--- @return integer|nil
+function M.line_here(diagram)
+  local block = M.block_here(diagram)
+  local drawn = diagram.drawn[vim.api.nvim_win_get_cursor(0)[1]]
+  return block and block.range.start.line or drawn and drawn.line
+end
+
 --- Goes to the place in the program of what the cursor is on.
 --- @param source integer
 --- @param diagram ladder.Diagram
 function M.open_text(source, diagram)
-  local block = M.block_here(diagram)
-  local drawn = diagram.drawn[vim.api.nvim_win_get_cursor(0)[1]]
+  local block, line = M.block_here(diagram), M.line_here(diagram)
   local window = vim.fn.bufwinid(source)
-  if window == -1 or not (block or drawn) then
+  if window == -1 or not line then
     return
   end
   local client = server.of(source)
-  local line = block and block.range.start.line or drawn.line
   local text = vim.api.nvim_buf_get_lines(source, line, line + 1, false)[1] or ''
   local at = 0
   if block and client then

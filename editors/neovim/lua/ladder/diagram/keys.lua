@@ -1,5 +1,6 @@
 --- The keys of the diagram: they work on what its cursor is on.
 local assign = require('ladder.assign')
+local breakpoints = require('ladder.breakpoints')
 local cursor = require('ladder.diagram.cursor')
 local sessions = require('ladder.session')
 local side_buffer = require('ladder.side_buffer')
@@ -83,6 +84,13 @@ function M.map(source, diagram, close)
     end,
     ['<F6>'] = function()
       simulation.pause(source)
+    end,
+    ['<F9>'] = function()
+      local line = cursor.line_here(diagram)
+      if line then
+        breakpoints.toggle_line(source, line)
+        simulation.send_breakpoints(source)
+      end
     end,
     ['<F10>'] = send('step'),
     ['<F8>'] = send('back'),
