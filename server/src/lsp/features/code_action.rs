@@ -181,7 +181,6 @@ fn offer(
             .clone()
             .map(|reason| CodeActionDisabled { reason }),
         data: data.and_then(std::result::Result::ok),
-        ..CodeAction::default()
     })
 }
 
