@@ -117,7 +117,7 @@ export async function typing(page, { step, until, screenshot, project }) {
         await place(page, 1, `(${second + 1}|${second + 1 + 'second'.length})`);
         assert.deepEqual(await lines(page), before);
     });
-    await step('Tab takes the first proposal, and so does Enter within a block', async () => {
+    await step('Tab takes the first proposal, Enter within a block takes it or does nothing', async () => {
         const before = await lines(page);
         await page.locator('.editor-group-container.active .view-line span', { hasText: /^third$/ }).first().dblclick();
         await page.keyboard.type('seco', { delay: 50 });
@@ -134,10 +134,16 @@ export async function typing(page, { step, until, screenshot, project }) {
         await page.keyboard.press('Control+Home');
         await page.keyboard.press('End');
         await page.keyboard.press('Enter');
+        await until('the beginning of a rung', 5, async () => (await lines(page))[1] === '+--');
         await page.keyboard.type('[ ]( run )--[TON', { delay: 50 });
         await page.locator('.suggest-widget.visible .monaco-list-row', { hasText: 'TON' }).first().waitFor({ timeout: 5000 });
+        const count = (await lines(page)).length;
         await page.keyboard.press('Enter');
-        await until('the block on one line', 5, async () => /^\+--\[ \]\( run \)-+\[TON\]\( /.test((await lines(page))[1]));
+        const whole = /^\+--\[ \]\( run \)-+\[TON\](\( |$)/;
+        await until('the block on one line', 5, async () => {
+            const text = await lines(page);
+            return text.length === count && whole.test(text[1]);
+        });
         await page.keyboard.press('Escape');
         await page.keyboard.press('Escape');
         await until('the program as it was', 20, async () => {
