@@ -1,12 +1,17 @@
--- Programs of the book, typed key by key: once by a user who looks at the screen and goes on after what
+-- Programs of the book and examples, typed key by key: once by a user who looks at the screen and goes on after what
 -- the editor has begun, and once by a user who looks at the book only, and types every character. Both get the
 -- program that is in the book.
 return function(t)
   local typing = require('typing')
   local guide = vim.env.LADDER_ROOT .. '/docs/src/guide/'
 
-  --- The programs of a page that are right.
+  --- The programs of a page that are right, or the program of a file.
   local function programs(page)
+    if vim.endswith(page, '.clad') then
+      local lines = vim.fn.readfile(guide .. page)
+      lines.line = 1
+      return { lines }
+    end
     local found, lines = {}, nil
     for number, line in ipairs(vim.fn.readfile(guide .. page)) do
       if lines and line == '```' then
@@ -134,6 +139,8 @@ return function(t)
     '../language/layout.md',
     '../language/source-text.md',
     '../language/types.md',
+    '../../../examples/garage_door.clad',
+    '../../../examples/traffic_light.clad',
   }) do
     for how, looks in vim.spairs({ ['who looks at the screen'] = true, ['who looks at the book only'] = false }) do
       t.step(('the programs of %s, typed by a user %s'):format(page, how), function()

@@ -1,4 +1,4 @@
-// The programs of eight pages of the book, typed key by key by a user who looks at the book only: every character, and
+// The programs of eight pages of the book and two examples, typed key by key by a user who looks at the book only: every character, and
 // Enter at the end of a line. What is saved is the program that is in the book.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -18,14 +18,19 @@ const PAGES = [
     '../language/blocks.md',
     '../language/drawing.md',
     '../language/layout.md',
+    '../../../examples/garage_door.clad',
+    '../../../examples/traffic_light.clad',
 ];
 
 /** Milliseconds after a key: a user who types faster than the answers come, whom the editor's own aids can still follow. */
 const KEY = 25;
 
-/** The programs of a page that are right, each with the number of its first line. */
+/** The programs of a page that are right, each with the number of its first line; or the program of a file. */
 function programs(name) {
-    const lines = readFileSync(join(LADDER_ROOT, 'docs/src/guide', name), 'utf8').split('\n');
+    const lines = readFileSync(join(LADDER_ROOT, 'docs/src/guide', name), 'utf8').trimEnd().split('\n');
+    if (name.endsWith('.clad')) {
+        return [{ line: 1, lines }];
+    }
     const fences = lines.flatMap((line, index) => (line.startsWith('```clad') && !line.includes('wrong') ? [index + 1] : []));
     return fences.map((from) => ({ line: from, lines: lines.slice(from, lines.indexOf('```', from)) }));
 }
@@ -44,7 +49,7 @@ export function emptyFiles(folder) {
     }
 }
 
-const fileOf = (page, line) => `book-${basename(page, '.md')}-${line}.clad`;
+const fileOf = (page, line) => `book-${basename(page).replace(/\.\w+$/, '')}-${line}.clad`;
 
 /** @param project the folder that is open */
 export async function book(page, { step, until, project }) {
