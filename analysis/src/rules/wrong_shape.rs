@@ -62,28 +62,18 @@ pub(crate) fn counted_loop(
         _ => "turns".to_owned(),
     };
     let counter = text(&counter.value);
-    let block = row.block();
-    let found = |written: String, help: String| {
-        let list = facts.list_range.unwrap_or(facts.head_range);
-        let range = bound.absolute(facts.head_range.cover(list));
+    let list = facts.list_range.unwrap_or(facts.head_range);
+    let range = bound.absolute(facts.head_range.cover(list));
+    let written = format!("{}( {turns}, I => {counter} )", row.block());
+    Some(
         Diagnostic::new(
             RULE,
             range,
             format!("a loop takes how many times it runs: write {written}"),
         )
-        .help(help)
-        .fix(Applicability::Unsafe, format!("Write {written}"), range, written)
-    };
-    Some(match row.named("I") {
-        Some(_) => found(
-            format!("{block}( {turns}, I => {counter} )"),
-            format!("`{counter}` is then the number of the turn, from 1"),
-        ),
-        None => found(
-            format!("{block}( {turns} )"),
-            format!("set `{counter}` before the loop, and count it in a rung before <NEXT>"),
-        ),
-    })
+        .help(format!("`{counter}` is then the number of the turn, from 1"))
+        .fix(Applicability::Unsafe, format!("Write {written}"), range, written),
+    )
 }
 
 pub(crate) fn brackets(parse: &Parse, bound: BlockAt<'_>, row: &'static Instruction) -> Diagnostic {

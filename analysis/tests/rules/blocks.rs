@@ -401,20 +401,20 @@ fn a_loop_with_a_counter() {
         "+--[FOR]( i, 1, 3 )--+\n+--<NEXT>--+\n\n+--<FOR>( i, 0, n )--+\n+--<NEXT>--+\n\n+--<FOR>( i, 1, n )--+\n+--<NEXT>--+\n",
         expect![[r#"
             > +--[FOR]( i, 1, 3 )--+
-                 ^^^^^^^^^^^^^^^^ error[wrong-shape]: a loop takes how many times it runs: write <FOR>( 3 )
-                help: set `i` before the loop, and count it in a rung before <NEXT>
-                fix: Write <FOR>( 3 )
-                  +------------------------------------------------------------------<FOR>( 3 )--+
+                 ^^^^^^^^^^^^^^^^ error[wrong-shape]: a loop takes how many times it runs: write <FOR>( 3, I => i )
+                help: `i` is then the number of the turn, from 1
+                fix: Write <FOR>( 3, I => i )
+                  +----------------------------------------------------------<FOR>( 3, I => i )--+
             > +--<FOR>( i, 0, n )--+
-                 ^^^^^^^^^^^^^^^^ error[wrong-shape]: a loop takes how many times it runs: write <FOR>( turns )
-                help: set `i` before the loop, and count it in a rung before <NEXT>
-                fix: Write <FOR>( turns )
-                  +--------------------------------------------------------------<FOR>( turns )--+
+                 ^^^^^^^^^^^^^^^^ error[wrong-shape]: a loop takes how many times it runs: write <FOR>( turns, I => i )
+                help: `i` is then the number of the turn, from 1
+                fix: Write <FOR>( turns, I => i )
+                  +------------------------------------------------------<FOR>( turns, I => i )--+
             > +--<FOR>( i, 1, n )--+
-                 ^^^^^^^^^^^^^^^^ error[wrong-shape]: a loop takes how many times it runs: write <FOR>( n )
-                help: set `i` before the loop, and count it in a rung before <NEXT>
-                fix: Write <FOR>( n )
-                  +------------------------------------------------------------------<FOR>( n )--+
+                 ^^^^^^^^^^^^^^^^ error[wrong-shape]: a loop takes how many times it runs: write <FOR>( n, I => i )
+                help: `i` is then the number of the turn, from 1
+                fix: Write <FOR>( n, I => i )
+                  +----------------------------------------------------------<FOR>( n, I => i )--+
         "#]],
     );
 }

@@ -2,7 +2,7 @@
 
 use crate::instruction::{Acts, Group, Instruction, Role, Shape};
 use crate::op::Op;
-use crate::operand::{Accepts, Operand};
+use crate::operand::{Accepts, Operand, TypeClass};
 use crate::power::Power;
 use crate::profile::{Profile, Profiles};
 
@@ -194,15 +194,20 @@ END_VAR
         mnemonic: "FOR",
         profiles: Profiles::OWN,
         title: "Loop",
-        operands: &[Operand::input(
-            "n",
-            Accepts::Integer,
-            "How many times; read once.",
-        )],
+        operands: &[
+            Operand::input("n", Accepts::Integer, "How many times; read once."),
+            Operand::output(
+                "I",
+                Accepts::Result(TypeClass::Integer),
+                "The number of the turn, from 1.",
+            )
+            .named(),
+        ],
         doc: "Runs the networks after it n times, up to the one that holds the next `<NEXT>`.
 
 - Its own network is finished first. Then come the networks after it, the one with `<NEXT>` included.
 - n is read once. With EN low, or n of 0 or less, the networks are skipped.
+- `I` receives the number of the turn, from 1, before each turn; a loop that is skipped leaves it alone.
 - A jump out of the loop, a jump right of `<FOR>` in its own network, or a `<RET>` ends it. Loops do not
   nest, but a function that is called from one may hold its own.
 - All turns happen within one scan and see the same clock. An edge is a difference from the turn before. The
@@ -213,8 +218,8 @@ END_VAR
     sum : DINT;
 END_VAR
 
-+---------------------------------[MOV]( i, 1 )--[MOV]( sum, 0 )--<FOR>( 10 )--+
-+-----------------------------------[ADD]( sum, sum, a[i] )--[ADD]( i, i, 1 )--+
++----------------------------------------[MOV]( sum, 0 )--<FOR>( 10, I => i )--+
++-----------------------------------------------------[ADD]( sum, sum, a[i] )--+
 +----------------------------------------------------------------------<NEXT>--+",
         ..BASE
     },

@@ -113,7 +113,7 @@ fn signatures() {
         <CALL>( name )                                     acts; ENO: EN
         <RET>                                              acts; ENO: EN, if it does not return
         <END>                                              acts; ENO: EN, if the program goes on
-        <FOR>( n )                                         acts; ENO: EN
+        <FOR>( n, I => )                                   acts; ENO: EN
         <NEXT>                                             acts; ENO: EN
         <MCR>                                              acts, always; ENO: EN
         [ADC]( y, channel )                                acts; ENO: EN

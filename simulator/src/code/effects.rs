@@ -108,6 +108,7 @@ impl Instr {
             | I::Left { .. }
             | I::Finish
             | I::Enter { .. }
+            | I::Turn { .. }
             | I::Again
             | I::EnterBody
             | I::LeaveBody => {}

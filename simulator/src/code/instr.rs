@@ -414,6 +414,11 @@ pub(crate) enum Instr {
         body: u32,
         after: u32,
     },
+    /// Each turn begins: its number, in the type of the tag that takes it.
+    Turn {
+        to: Word,
+        width: Width,
+    },
     /// The end of the network of a `<NEXT>`.
     Again,
     /// `<MCR>`

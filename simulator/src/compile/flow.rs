@@ -2,11 +2,13 @@
 
 use super::arguments::Arguments;
 use super::call_graph::Cycles;
+use super::place::Slot;
 use super::user_block::Output;
 use super::{Compiler, Result};
 use crate::code::{Instr, NOTHING_SAVED};
 use crate::memory::Bit;
-use ladder_analysis::program::{Argument, BlockKind, Network, Program};
+use crate::operation::Width;
+use ladder_analysis::program::{Argument, Block, BlockKind, Network, Program};
 use ladder_instructions::{Op, Relay, Shape};
 use ladder_syntax::Name;
 use std::ops::Range;
@@ -24,8 +26,8 @@ pub(super) struct Region {
     jumps: Vec<(u32, usize)>,
     /// Returns from a block's body, to be aimed at its end.
     returns: Vec<u32>,
-    /// Loops likewise: the instruction that enters, the first network of the body, the network after it.
-    loops: Vec<(u32, usize, usize)>,
+    /// Loops likewise: the instruction that enters, after which the body is, and the network after it.
+    loops: Vec<(u32, usize)>,
 }
 
 /// What a stretch of networks is.
@@ -166,7 +168,7 @@ impl Compiler<'_> {
             let start = self.here();
             self.region().starts.push(start);
             self.network(index)?;
-            self.loop_ends(index);
+            self.loop_ends(index)?;
         }
         let end = self.here();
         self.region().starts.push(end);
@@ -176,13 +178,13 @@ impl Compiler<'_> {
 
     /// What is after a network with `<NEXT>` or `<FOR>`. A network with both ends the one loop before it
     /// enters the other.
-    fn loop_ends(&mut self, index: usize) {
+    fn loop_ends(&mut self, index: usize) -> Result<()> {
         let program = self.program;
         let network = &program.networks[index];
         if holds(network, Op::Next) {
             self.emit(Instr::Again);
         }
-        if holds(network, Op::For) {
+        if let Some(block) = network.blocks.iter().find(|block| is(&block.kind, Op::For)) {
             let end = self.region().networks.end;
             let mut after = index + 1..end;
             // Without a <NEXT> the analysis has refused the program; the loop would reach to the end.
@@ -190,9 +192,33 @@ impl Compiler<'_> {
                 .find(|&at| holds(&program.networks[at], Op::Next))
                 .unwrap_or(end - 1);
             let at = self.here();
-            self.region().loops.push((at, index + 1, last + 1));
+            self.region().loops.push((at, last + 1));
             self.emit(Instr::Enter { body: 0, after: 0 });
+            self.turn(block)?;
         }
+        Ok(())
+    }
+
+    /// What begins each turn of a loop: its tag takes the number. The block is there once more, as the one that writes it.
+    fn turn(&mut self, block: &Block) -> Result<()> {
+        let arguments = Arguments::of(block);
+        let Some(argument) = arguments.named("I") else {
+            return Ok(());
+        };
+        let (place, ty) = arguments.as_place(argument)?;
+        self.placed(block, Bit::HIGH, |compiler| {
+            let (out, start) = compiler.begin_powered(Bit::HIGH);
+            let spot = compiler.spot(place)?;
+            let to = compiler.layout.word();
+            compiler.emit(Instr::Turn {
+                to,
+                width: Width::of(ty),
+            });
+            compiler.store(spot, Slot::Word(to));
+            compiler.end_powered(start);
+            Ok(out)
+        })?;
+        Ok(())
     }
 
     /// Aims the jumps and loops of the region that was compiled.
@@ -209,9 +235,9 @@ impl Compiler<'_> {
                 *to = region.starts[region.networks.len()];
             }
         }
-        for &(at, first, next) in &region.loops {
+        for &(at, next) in &region.loops {
             self.code.instrs[at as usize] = Instr::Enter {
-                body: start(first),
+                body: at + 1,
                 after: start(next),
             };
         }

@@ -98,6 +98,19 @@ impl Compiler<'_> {
 
     /// One block; gives its ENO.
     fn block(&mut self, block: &Block, en: Bit) -> Result<Bit> {
+        self.placed(block, en, |compiler| match block.kind {
+            BlockKind::Instruction(row) => compiler.instruction(row, block, en),
+            BlockKind::User(index) => compiler.user_block(index, block, en),
+        })
+    }
+
+    /// Code of a block, noted as such.
+    pub(super) fn placed(
+        &mut self,
+        block: &Block,
+        en: Bit,
+        code: impl FnOnce(&mut Self) -> Result<Bit>,
+    ) -> Result<Bit> {
         let number = self.code.blocks.len();
         self.code.blocks.push(BlockPlace {
             start: self.here(),
@@ -107,10 +120,7 @@ impl Compiler<'_> {
             location: block.location,
             controller: self.semantics.controller,
         });
-        let out = match block.kind {
-            BlockKind::Instruction(row) => self.instruction(row, block, en)?,
-            BlockKind::User(index) => self.user_block(index, block, en)?,
-        };
+        let out = code(self)?;
         let end = self.here();
         let place = &mut self.code.blocks[number];
         (place.end, place.out) = (end, out);

@@ -68,6 +68,7 @@ pub(super) fn execute<const FORCED: bool>(
         | Instr::Finish
         | Instr::For { .. }
         | Instr::Enter { .. }
+        | Instr::Turn { .. }
         | Instr::Again
         | Instr::EnterBody
         | Instr::LeaveBody => return Ok(Onward::Flow),

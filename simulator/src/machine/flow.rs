@@ -24,6 +24,8 @@ struct Loop {
     after: u32,
     /// Turns that follow this one; none runs if both ends are 0.
     left: i64,
+    /// The number of this turn, from 1.
+    turn: i64,
 }
 
 /// What a call, or the body of a user-defined block, has of its own.
@@ -114,11 +116,16 @@ impl Machine {
                     body,
                     after,
                     left: turns - 1,
+                    turn: 1,
                 };
+            }
+            Instr::Turn { to, width } => {
+                self.memory.words[to.0 as usize] = width.wrap(frame.turning.turn);
             }
             Instr::Again => {
                 if frame.turning.left > 0 {
                     frame.turning.left -= 1;
+                    frame.turning.turn += 1;
                     frame.noted = 0;
                     return Flow::Go(frame.turning.body);
                 }

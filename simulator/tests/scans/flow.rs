@@ -126,6 +126,33 @@ fn loops() {
     );
 }
 
+/// The number is there before the first network of the body; a loop without power or turns leaves it, and a loop in a
+/// function that is called from a turn has a number of its own.
+#[test]
+fn each_turn_has_its_number() {
+    check(
+        "VAR_INPUT a : BOOL; END_VAR\n\
+         VAR i, j : INT; small : SINT; x, y, n : DINT; END_VAR\n\
+         +--[MOV]( x, 0 )--[MOV]( y, 0 )--[CALC]( n, 3 - n )--+\n\
+         +--[ ]( a )--<FOR>( n, I => i )--+\n\
+         +--[CALC]( x, x * 10 + i )--<CALL>( Inner )--+\n\
+         +--<NEXT>--+\n\
+         +--<FOR>( 130, I => small )--+\n\
+         +--<NEXT>--+\n\
+         +--<FUN>( Inner )--<FOR>( 2, I => j )--+\n\
+         +--[CALC]( y, y * 10 + j )--<NEXT>--+\n",
+        "a -_-",
+        "x y i j small",
+        expect![[r#"
+            x      123 0 123
+            y      121212 0 121212
+            i      3 3 3
+            j      2 2 2
+            small  -126 -126 -126
+        "#]],
+    );
+}
+
 #[test]
 fn a_jump_into_a_loop_runs_on() {
     check(
