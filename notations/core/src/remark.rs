@@ -1,7 +1,6 @@
 //! What there is to say about a conversion, for a list of it.
 
 use super::{Finding, LineColumn, Outcome, Report};
-use std::collections::HashSet;
 
 /// An element that did not become the same, or something that the other system itself would complain about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,7 +15,7 @@ pub struct Remark<'r> {
     pub reason: &'r str,
 }
 
-/// All remarks in the order of the file. What was refused is reported once.
+/// All remarks in the order of the file, each reported once.
 pub fn remarks<'r>(report: &'r Report, findings: &'r [Finding]) -> Vec<Remark<'r>> {
     let elements = report.entries.iter().filter_map(|entry| {
         let (outcome, reason) = match &entry.outcome {
@@ -32,17 +31,13 @@ pub fn remarks<'r>(report: &'r Report, findings: &'r [Finding]) -> Vec<Remark<'r
         })
     });
     let elements: Vec<Remark<'r>> = elements.collect();
-    let refused = elements.iter().filter(|remark| remark.outcome == "refused");
-    let reported: HashSet<LineColumn> = refused.map(|remark| remark.place).collect();
-    let found = findings
-        .iter()
-        .filter(|found| !reported.contains(&found.place))
-        .map(|found| Remark {
-            place: found.place,
-            outcome: found.severity.name(),
-            element: found.check,
-            reason: &found.message,
-        });
+    let told = report.told();
+    let found = findings.iter().filter(|found| !told(found)).map(|found| Remark {
+        place: found.place,
+        outcome: found.severity.name(),
+        element: found.check,
+        reason: &found.message,
+    });
     let mut all: Vec<Remark<'r>> = elements.iter().copied().chain(found).collect();
     all.sort_by_key(|remark| remark.place);
     all

@@ -1,6 +1,7 @@
 //! What became of each element of a program on its way to another notation.
 
-use super::LineColumn;
+use super::{Finding, LineColumn};
+use std::collections::HashSet;
 
 /// An account of a conversion.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -56,6 +57,25 @@ impl Report {
     /// An element without a counterpart.
     pub fn refused(&mut self, place: LineColumn, element: impl Into<String>, why: impl Into<String>) {
         self.push(place, element.into(), Outcome::Refused(why.into()));
+    }
+
+    /// Which findings an entry already tells: what is about a refused element, or says the same as the entry.
+    pub fn told(&self) -> impl Fn(&Finding) -> bool {
+        let mut told = HashSet::new();
+        for entry in &self.entries {
+            match &entry.outcome {
+                Outcome::Translated => {}
+                Outcome::Approximated(why) => {
+                    told.insert((entry.place, Some(why.as_str())));
+                }
+                Outcome::Refused(_) => {
+                    told.insert((entry.place, None));
+                }
+            }
+        }
+        move |found| {
+            told.contains(&(found.place, None)) || told.contains(&(found.place, Some(found.message.as_str())))
+        }
     }
 
     fn push(&mut self, place: LineColumn, element: String, outcome: Outcome) {

@@ -195,15 +195,15 @@ pub(super) fn plain(text: &str, dialect: Dialect) -> Option<String> {
         Form::Adc => fork(format!("READ_ADC {}", fields[0]), " 0"),
         Form::Shift => format!("{} {} {}", row.word, fields[0], fields[1].parse::<u32>().ok()?),
         Form::Table => {
-            let values = numbers(values(fields.get(4..)?))?;
+            let values = numbers(values(&fields, row.form))?;
             table(fields[0], &operand(fields[1])?, &values)
         }
         Form::Curve => {
-            let values = numbers(values(fields.get(3..)?))?;
+            let values = numbers(values(&fields, row.form))?;
             curve(fields[0], &operand(fields[1])?, &values)
         }
         Form::Text => {
-            let text = super::text::read(&fields, dialect.version)?;
+            let text = super::text::read(&fields)?;
             super::text::line(fields[0], &text)
         }
         Form::Constant(_) | Form::Placeholder => row.word.to_owned(),
@@ -211,11 +211,18 @@ pub(super) fn plain(text: &str, dialect: Dialect) -> Option<String> {
     })
 }
 
-/// The values of a table, without the name that the fork gives it.
-pub(super) fn values<'f, 'l>(fields: &'f [&'l str]) -> &'f [&'l str] {
-    match fields.split_last() {
-        Some((name, values)) if !is_literal(name) => values,
-        _ => fields,
+/// The values of a table or curve, without the name that the fork gives it.
+pub(super) fn values<'f, 'l>(fields: &'f [&'l str], form: Form) -> &'f [&'l str] {
+    let (first, each) = if form == Form::Table { (4, 1) } else { (3, 2) };
+    let values = fields.get(first..).unwrap_or_default();
+    let count = fields.get(2).and_then(|count| count.parse::<usize>().ok());
+    match values.split_last() {
+        Some((name, others))
+            if !is_literal(name) || count.and_then(|count| count.checked_mul(each)) == Some(others.len()) =>
+        {
+            others
+        }
+        _ => values,
     }
 }
 

@@ -86,7 +86,9 @@ impl Head {
                     list = Some((said.to_owned(), Vec::new()));
                 }
                 said => {
-                    if let Some(entry) = said.strip_prefix("IO ") {
+                    if let Some(line) = said.strip_prefix("HEADER ") {
+                        head.file.passed.push(line.to_owned());
+                    } else if let Some(entry) = said.strip_prefix("IO ") {
                         head.file.io.push((0, entry.to_owned()));
                     } else if let Some((tag, name)) =
                         said.strip_prefix("NAME ").and_then(|s| s.split_once(" = "))

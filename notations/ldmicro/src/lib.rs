@@ -17,6 +17,7 @@ mod element;
 mod export;
 mod field;
 mod fork;
+mod head;
 mod kept;
 mod model;
 mod parse;
@@ -49,9 +50,7 @@ impl Notation for Ldmicro {
     }
 
     fn recognises(&self, bytes: &[u8]) -> bool {
-        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-        let first = bytes.split(|byte| matches!(byte, b'\r' | b'\n')).next();
-        first.is_some_and(|line| matches!(line.trim_ascii(), b"LDmicro0.1" | b"LDmicro0.2"))
+        head::recognises(bytes)
     }
 
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {

@@ -44,6 +44,8 @@ pub(super) struct File {
     pub(super) encoding: Encoding,
     /// `CYCLE=10000` and so on, in canonical order.
     pub(super) header: Vec<String>,
+    /// Lines of the head that LDmicro passes over.
+    pub(super) passed: Vec<String>,
     /// `PULL-UP LIST` and `VAR LIST` of the fork: each with its entries.
     pub(super) lists: Vec<(String, Vec<String>)>,
     /// `Xin at 21`

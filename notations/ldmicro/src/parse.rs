@@ -1,7 +1,8 @@
 //! From the bytes of a file to the model, as tolerant as the fork's reader, with limits.
 
 use super::element;
-use super::model::{Encoding, File, Leaf, Node, Rung, Version, number};
+use super::head;
+use super::model::{Encoding, File, Leaf, Node, Rung};
 use ladder_notation::{LineColumn, ReadError};
 
 /// A longer line is not read.
@@ -24,21 +25,11 @@ pub(super) fn parse(bytes: &[u8]) -> Result<File, ReadError> {
         lines: text.lines(),
         number: 0,
     };
-    let first = lines.next()?.unwrap_or_default();
-    let version = match first.trim_start_matches('\u{feff}') {
-        "LDmicro0.1" => Version::V01,
-        "LDmicro0.2" => Version::V02,
-        _ => {
-            let message = "the first line of an LDmicro program is `LDmicro0.1` or `LDmicro0.2`";
-            return Err(ReadError::at(LineColumn::START, message));
-        }
-    };
     let mut file = File {
-        version,
         encoding: Encoding { crlf, latin1 },
         ..File::default()
     };
-    head(&mut file, &mut lines)?;
+    head::read(&mut file, &mut lines)?;
     while let Some(line) = lines.next()? {
         match line.split_whitespace().next() {
             None => {}
@@ -59,13 +50,13 @@ fn shown(word: &str) -> String {
 }
 
 /// The lines of a file, trimmed.
-struct Lines<'t> {
+pub(super) struct Lines<'t> {
     lines: std::str::Lines<'t>,
     number: u32,
 }
 
 impl<'t> Lines<'t> {
-    fn next(&mut self) -> Result<Option<&'t str>, ReadError> {
+    pub(super) fn next(&mut self) -> Result<Option<&'t str>, ReadError> {
         let Some(line) = self.lines.next() else {
             return Ok(None);
         };
@@ -77,12 +68,12 @@ impl<'t> Lines<'t> {
     }
 
     /// At the line that came last.
-    fn error(&self, message: impl Into<String>) -> ReadError {
+    pub(super) fn error(&self, message: impl Into<String>) -> ReadError {
         ReadError::at(LineColumn::line(self.number.max(1)), message)
     }
 
     /// The entries of a list, up to its `END`.
-    fn list(&mut self, title: &str) -> Result<Vec<(u32, String)>, ReadError> {
+    pub(super) fn list(&mut self, title: &str) -> Result<Vec<(u32, &'t str)>, ReadError> {
         let begin = self.number;
         let mut entries = Vec::new();
         loop {
@@ -93,79 +84,10 @@ impl<'t> Lines<'t> {
                     let message = format!("the `{title}` that begins on line {begin} has no `END`");
                     return Err(self.error(message));
                 }
-                Some(entry) => entries.push((self.number, entry.to_owned())),
+                Some(entry) => entries.push((self.number, entry)),
             }
         }
     }
-}
-
-/// Everything up to `PROGRAM`.
-fn head(file: &mut File, lines: &mut Lines<'_>) -> Result<(), ReadError> {
-    let mut found: Vec<String> = Vec::new();
-    loop {
-        let Some(line) = lines.next()? else {
-            return Err(lines.error("the file ends before `PROGRAM`"));
-        };
-        match line {
-            "PROGRAM" => break,
-            "IO LIST" => {
-                for (number, entry) in lines.list(line)? {
-                    let words: Vec<&str> = entry.split_whitespace().collect();
-                    if words.len() < 3 || words[1] != "at" {
-                        let message = "an entry of the IO LIST is `Xname at 12`: a name, `at`, a pin";
-                        return Err(ReadError::at(LineColumn::line(number), message));
-                    }
-                    let words = match file.version {
-                        Version::V01 => &words[..3],
-                        Version::V02 => &words[..],
-                    };
-                    file.io.push((number, words.join(" ")));
-                }
-            }
-            line if line.ends_with(" LIST") => {
-                let entries = lines.list(line)?;
-                let entries = entries.into_iter().map(|(_, entry)| entry).collect();
-                file.lists.push((line.to_owned(), entries));
-            }
-            line if SETTINGS.iter().any(|name| value(line, name).is_some()) => found.push(line.to_owned()),
-            // LDmicro passes over any other line here.
-            _ => {}
-        }
-    }
-    file.header = header(file.version, &found);
-    Ok(())
-}
-
-/// What a header can set, in canonical order.
-const SETTINGS: [&str; 6] = ["MICRO", "CYCLE", "CRYSTAL", "BAUD", "COMPILED", "COMPILER"];
-
-fn value<'l>(line: &'l str, name: &str) -> Option<&'l str> {
-    line.strip_prefix(name)?.strip_prefix('=')
-}
-
-/// The lines of a header as LDmicro saves them. Where a setting is given twice, the last one holds.
-pub(super) fn header(version: Version, lines: &[String]) -> Vec<String> {
-    let setting = |name: &str| lines.iter().rev().find_map(|line| value(line, name));
-    SETTINGS
-        .iter()
-        .filter_map(|name| {
-            let given = setting(name);
-            let default = match *name {
-                "CYCLE" => Some(10_000),
-                "CRYSTAL" => Some(4_000_000),
-                "BAUD" => Some(2_400),
-                _ => None,
-            };
-            match (version, given, default) {
-                (Version::V01, Some(given), Some(default)) => {
-                    Some(format!("{name}={}", number(given).unwrap_or(default)))
-                }
-                (Version::V01, _, None) if *name == "COMPILER" => None,
-                (_, Some(given), _) => Some(format!("{name}={given}")),
-                (_, None, default) => default.map(|default| format!("{name}={default}")),
-            }
-        })
-        .collect()
 }
 
 /// A rung whose `RUNG` came last.

@@ -7,6 +7,7 @@ pub(super) fn save(file: &File) -> Vec<u8> {
     let indent = " ".repeat(file.version.indent());
     let mut out = vec![file.version.line().to_owned()];
     out.extend(file.header.iter().cloned());
+    out.extend(file.passed.iter().cloned());
     out.push(String::new());
     for (title, entries) in &file.lists {
         out.push(title.clone());

@@ -165,7 +165,7 @@ impl Tags {
                 match given {
                     Given::Place(name) | Given::Value(name) | Given::Bit(name, _) => self.meet_variable(name),
                     Given::Relay(name) => self.meet_bit(name),
-                    Given::Scans(_) | Given::Pulses(_) => {}
+                    Given::Scans(_) | Given::Pulses(_) | Given::Fields(_) => {}
                 }
             }
             return;

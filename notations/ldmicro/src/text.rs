@@ -1,8 +1,6 @@
 //! The texts of `FORMATTED_STRING`: characters by their codes, with LDmicro's escapes. In the profile `ldmicro` `[FMT]`
 //! reads numbers and backslashes as LDmicro does; other escapes are characters of the text.
 
-use super::model::Version;
-
 /// A part of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Piece {
@@ -12,17 +10,19 @@ pub(super) enum Piece {
     Number { digits: char, signed: bool },
 }
 
-/// The text of `var length c0 c1 ..`; in the fork's files also as it is read. None if LDmicro has no such text.
-pub(super) fn read(fields: &[&str], version: Version) -> Option<Vec<Piece>> {
-    let text = match version {
-        Version::V01 => by_codes(fields)?,
-        Version::V02 => by_codes(fields).or_else(|| Some(fields.get(1..)?.join(" ")))?,
-    };
+/// The text of `var length c0 c1 ..`, of which the escapes stay as they are; the fork also reads it as it is.
+pub(super) fn spelled_out(fields: &[&str]) -> Option<String> {
+    by_codes(fields).or_else(|| Some(fields.get(1..)?.join(" ")))
+}
+
+/// The same in pieces. None if LDmicro has no such text.
+pub(super) fn read(fields: &[&str]) -> Option<Vec<Piece>> {
+    let text = spelled_out(fields)?;
     let mut out = Vec::new();
     let mut rest = text.as_str();
     while let Some(c) = rest.chars().next() {
         let (piece, length) = match c {
-            '\\' => escape(&rest[1..], version)?,
+            '\\' => escape(&rest[1..])?,
             c => (Piece::Char(c), 0),
         };
         out.push(piece);
@@ -44,7 +44,7 @@ fn by_codes(fields: &[&str]) -> Option<String> {
 }
 
 /// What is after a backslash, and how long it is.
-fn escape(text: &str, version: Version) -> Option<(Piece, usize)> {
+pub(super) fn escape(text: &str) -> Option<(Piece, usize)> {
     if let Some(number) = number(text) {
         return Some(number);
     }
@@ -54,15 +54,16 @@ fn escape(text: &str, version: Version) -> Option<(Piece, usize)> {
         'b' => (Piece::Char('\u{8}'), 1),
         'f' => (Piece::Char('\u{c}'), 1),
         '\\' => (Piece::Char('\\'), 1),
-        'x' => {
+        'x' | 'X' => {
             let code = u8::from_str_radix(text.get(1..3)?, 16).ok()?;
             (Piece::Char(char::from(code)), 3)
         }
-        'a' if version == Version::V02 => (Piece::Char('\u{7}'), 1),
-        'e' if version == Version::V02 => (Piece::Char('\u{1b}'), 1),
-        't' if version == Version::V02 => (Piece::Char('\t'), 1),
-        'v' if version == Version::V02 => (Piece::Char('\u{b}'), 1),
-        c @ ('\'' | '"' | '?') if version == Version::V02 => (Piece::Char(c), 1),
+        // The others are the fork's, in files of both versions.
+        'a' => (Piece::Char('\u{7}'), 1),
+        'e' => (Piece::Char('\u{1b}'), 1),
+        't' => (Piece::Char('\t'), 1),
+        'v' => (Piece::Char('\u{b}'), 1),
+        c @ ('\'' | '"' | '?') => (Piece::Char(c), 1),
         _ => return None,
     })
 }
@@ -124,6 +125,23 @@ pub(super) fn literal(text: &[Piece]) -> String {
     }
     out.push('\'');
     out
+}
+
+/// Any text as a literal of ladder text.
+pub(super) fn quoted(text: &str) -> String {
+    let mut out = String::from("'");
+    for c in text.chars() {
+        match c {
+            '\'' | '$' => out.extend(['$', c]),
+            c if c.is_control() => {
+                let mut bytes = [0; 4];
+                let bytes = c.encode_utf8(&mut bytes).bytes();
+                bytes.for_each(|byte| out.push_str(&format!("${byte:02X}")));
+            }
+            c => out.push(c),
+        }
+    }
+    out + "'"
 }
 
 /// The other way: from the text that `[FMT]` has, in the profile `ldmicro` or, with `%d` for a number, in another.

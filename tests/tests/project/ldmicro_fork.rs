@@ -222,6 +222,21 @@ const RESULTS: &[(&str, i64, i64)] = &[
     ("BIN2BCD n m", 9999, 0x9999 - 0x1_0000),
     ("BCD2BIN n m", 0x1234, 1234),
     ("BCD2BIN n m", 0x9999 - 0x1_0000, 9999),
+    ("SWAP n m", 0x1234, 0x3412),
+    ("SWAP n m", 0x00FF, -256),
+    ("OPPOSITE n m", 1, -32_768),
+    ("OPPOSITE n m", -2, 32_767),
+    ("OPPOSITE n m", 0x1234, 0x2C48),
+    ("TIME2COUNT n 50000 0", 0, 5),
+    ("TIME2COUNT n 59999 2", 0, 7),
+    ("7SEGMENTS n m C", 8, 0x7F),
+    ("7SEGMENTS n m C", 16, 0xBF),
+    ("7SEGMENTS n m C", 65, 0x77),
+    ("7SEGMENTS n m C", 176, 0x63),
+    ("7SEGMENTS n m C", 129, 0),
+    ("7SEGMENTS n m A", 8, !0x7F),
+    ("7SEGMENTS n 'H' C", 0, 0x74),
+    ("7SEGMENTS n 0xB0 A", 0, !0x63),
 ];
 
 #[test]
@@ -231,6 +246,54 @@ fn calculations() {
         let rung = format!("CONTACTS Xa 0 0\n{element}");
         let rows = trace(&[&given, &rung], "_-_", &["n"]);
         assert_eq!(rows[0], [0, *n, *n], "{element} with {m}");
+    }
+}
+
+/// A number that is no character becomes a blank in its variable, too.
+#[test]
+fn a_display_changes_what_it_cannot_show() {
+    let rows = trace(
+        &["CONTACTS Xa 0 0\nMOVE m -5", "CONTACTS Xa 0 0\n7SEGMENTS n m C"],
+        "_-",
+        &["m", "n"],
+    );
+    assert_eq!(rows, [[0, 32], [0, 0]]);
+    let rows = trace(&["CTU Ca 900 300 /", "7SEGMENTS n Ca C"], "_-", &["Ca", "n"]);
+    assert_eq!(rows, [[32, 32], [0, 0]]);
+}
+
+/// Power beyond what does nothing here, as the fork's own simulator has it while nothing is connected.
+#[test]
+fn power_passes_what_does_nothing_or_ends_there() {
+    let passes = [
+        "DELAY d",
+        "SLEEP",
+        "CLRWDT",
+        "LOCK",
+        "RSFR n 5",
+        "RANDOM n",
+        "NPULSE n 5 Ya",
+        "SPI a b c d e f g h",
+        "SPI_WR a b c d e f g h",
+        "I2C_RD a b c d e f g h",
+        "I2C_WR a b c d e f g h",
+        "UART_SEND_READY",
+        "STRING s n abc",
+        "BUS n m 7 6 5 4 3 2 1 0",
+    ];
+    let ends = [
+        "UART_RECV_AVAIL",
+        "QUAD_ENCOD n 0 Xa Xb Xz Ya / 5",
+        "UART_SEND n 2 0",
+        "UART_RECV n 2 0",
+        "UART_SENDn n",
+    ];
+    for (elements, power) in [(&passes[..], "_-_"), (&ends[..], "___")] {
+        for element in elements {
+            let rung = format!("CONTACTS Xa 0 0\n{element}\nCOIL Yo 0 0 0 0");
+            let rows = trace(&[&rung], "_-_", &["Yo"]);
+            assert_eq!(diagram(&rows[0]), power, "{element}");
+        }
     }
 }
 

@@ -58,12 +58,10 @@ impl Account {
             };
             self.push(side, entry.place, outcome, entry.element.clone(), reason);
         }
+        let told = report.told();
         for found in findings {
             self.has_errors |= found.severity == Severity::Error;
-            let is_said = |entry: &ladder_notations::Entry| {
-                entry.place == found.place && matches!(entry.outcome, Became::Refused(_))
-            };
-            if report.entries.iter().any(is_said) {
+            if told(found) {
                 continue;
             }
             let severity = found.severity.name();

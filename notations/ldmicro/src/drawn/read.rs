@@ -1,7 +1,7 @@
 //! From the text to the model.
 
 use super::super::model::{Encoding, File, Leaf, Node, Rung};
-use super::super::{element, parse};
+use super::super::{element, head};
 use super::listing::{NO_PIN, WITH_PIN};
 use super::{CELL, CELL_LINES, FIRST_LINE, TOO_LONG, row};
 use ladder_format::Circuit;
@@ -87,7 +87,7 @@ fn settings(line: &str) -> Result<Vec<String>, ReadError> {
     match (number("MHz crystal", 1e6), number("ms cycle time", 1e3)) {
         (Some(crystal), Some(cycle)) => {
             lines.extend([format!("CRYSTAL={crystal}"), format!("CYCLE={cycle}")]);
-            Ok(parse::header(super::super::model::Version::V01, &lines))
+            Ok(head::header(super::super::model::Version::V01, &lines))
         }
         _ => {
             let message =

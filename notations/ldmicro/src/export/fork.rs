@@ -79,6 +79,11 @@ impl Exporter<'_> {
             Some(made) => made.clone()?,
             None => return Err(FOREIGN.to_owned()),
         };
+        if let Made::Idle(_) = made {
+            let fields = block.arguments.first().map(|bound| fields(&bound.argument));
+            let given: Vec<String> = fields.transpose()?.into_iter().collect();
+            return Ok(made.line(&given, 0, self.dialect));
+        }
         let given: Result<Vec<String>, String> = (0..block.arguments.len())
             .map(|index| self.given(block, index))
             .collect();
@@ -206,5 +211,16 @@ impl Exporter<'_> {
         let first = self.program.networks.get(self.program.main.end);
         let first = first.filter(|network| network.location.file == 0);
         first.is_some_and(|first| block.location.range.start() >= first.location.range.start())
+    }
+}
+
+/// The text that holds the fields of an element that does nothing here.
+fn fields(argument: &Argument) -> Result<String, String> {
+    match argument {
+        Argument::Value(Expr {
+            kind: ExprKind::Constant(Value::Text(bytes)),
+            ..
+        }) if !bytes.iter().any(u8::is_ascii_control) => Ok(String::from_utf8_lossy(bytes).into_owned()),
+        _ => Err("the fields of such an element are fixed".to_owned()),
     }
 }

@@ -9,7 +9,7 @@ use crate::fork::jumps;
 use crate::fork::made::Made;
 use crate::kept::{Head, after, comment, kept};
 use crate::model::{Dialect, File, Leaf, Node, Rung, Version};
-use crate::{parse, text};
+use crate::{head, text};
 use ladder_analysis::Analysis;
 use ladder_analysis::program::{
     Argument, Block, BlockKind, Expr, ExprKind, Location, Member, Network, Place as Operand, Program,
@@ -55,7 +55,7 @@ pub(super) fn file(analysis: &Analysis) -> Result<(File, Report), WriteError> {
     if !head.is_import {
         exporter.letters();
     }
-    file.header = parse::header(file.version, &file.header);
+    file.header = head::header(file.version, &file.header);
     if file.io.is_empty() {
         file.io = exporter.io(&head.pins);
     }

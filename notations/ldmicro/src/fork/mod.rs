@@ -5,14 +5,16 @@
 //! rungs --jumps--> labels, jumps and subprograms
 //! ```
 
+pub(super) mod idle;
 pub(super) mod jumps;
 pub(super) mod made;
 pub(super) mod table;
 
 use super::field::{self, Coil, Slot};
 use super::model::{Dialect, Version};
+use idle::Idle;
 use ladder_instructions::Op;
-use made::{Count, Kind, Made, MadeCounter, MadeTimer};
+use made::{Count, Kind, Made, MadeCounter, MadeTimer, Segments};
 use table::Form;
 
 /// An element of the fork.
@@ -48,6 +50,8 @@ pub(super) enum Given<'l> {
     Bit(&'l str, u8),
     /// An output of pulses, by its name.
     Pulses(&'l str),
+    /// All fields of an element that does nothing here.
+    Fields(&'l str),
 }
 
 impl<'l> Read<'l> {
@@ -81,7 +85,10 @@ impl<'l> Read<'l> {
 pub(super) fn read(text: &str, dialect: Dialect) -> Option<Result<Read<'_>, String>> {
     let fields = field::fields(text);
     if let Some(row) = table::row_of(text) {
-        return Some(own(row.form, &fields, dialect));
+        return match row.form {
+            Form::Idle(_) => idle(text),
+            form => Some(own(form, &fields, dialect)),
+        };
     }
     let is_forks = |plain: usize| dialect.version == Version::V02 || fields.len() > plain;
     match text.split(' ').next()? {
@@ -97,27 +104,42 @@ pub(super) fn read(text: &str, dialect: Dialect) -> Option<Result<Read<'_>, Stri
             let given = vec![Given::Relay(fields[0])];
             Some(Ok(Read::new(What::Made(Made::Toggle), given)))
         }
-        "UART_SEND" | "UART_RECV" => serial(text, &fields).map(Err),
-        "SET_PWM" if is_forks(2) && fields.len() > 2 => Some(pulses(&fields)),
+        "UART_SEND" | "UART_RECV" if is_more_than_a_byte(text, &fields) => idle(text),
+        "SET_PWM" if field::literal(fields.get(1)?).is_none() => idle(text),
+        "SET_PWM" if is_forks(2) && fields.len() > 2 => Some(Ok(pulses(&fields))),
         _ => None,
     }
+}
+
+/// An element that does nothing here.
+pub(super) fn idle(text: &str) -> Option<Result<Read<'_>, String>> {
+    let (word, fields) = text.split_once(' ').unwrap_or((text, ""));
+    let idle = Idle::of(word)?;
+    if fields.len() > idle::MOST_BYTES {
+        return Some(Err(format!(
+            "its fields have more than {} bytes",
+            idle::MOST_BYTES
+        )));
+    }
+    let given = if fields.is_empty() {
+        Vec::new()
+    } else {
+        vec![Given::Fields(fields)]
+    };
+    Some(Ok(Read::new(What::Made(Made::Idle(idle)), given)))
 }
 
 /// How finely a duty is given, where it is in percent.
 pub(super) const RESOLUTION: &str = "0-100%";
 
-/// Why a block of the serial port cannot be had.
-fn serial(text: &str, fields: &[&str]) -> Option<String> {
-    if fields.get(1).is_some_and(|bytes| *bytes != "1") {
-        return Some("it is about several bytes; here a block sends or takes one".to_owned());
-    }
+/// Whether it sends or takes several bytes, or waits within the cycle until the line is free.
+fn is_more_than_a_byte(text: &str, fields: &[&str]) -> bool {
     let waits = text.starts_with("UART_SEND") && fields.get(2).is_some_and(|waits| *waits != "0");
-    waits.then(|| "it waits within the cycle until the line is free".to_owned())
+    waits || fields.get(1).is_some_and(|bytes| *bytes != "1")
 }
 
 /// `SET_PWM duty frequency P1 resolution`
-fn pulses<'l>(fields: &[&'l str]) -> Result<Read<'l>, String> {
-    field::literal(fields[1]).ok_or("its frequency is a variable")?;
+fn pulses<'l>(fields: &[&'l str]) -> Read<'l> {
     let given = vec![
         Given::Value(fields[0]),
         Given::Value(fields[1]),
@@ -127,7 +149,7 @@ fn pulses<'l>(fields: &[&'l str]) -> Result<Read<'l>, String> {
     if fields.get(3).is_some_and(|resolution| *resolution != RESOLUTION) {
         read.remark = Some("its duty is not in percent in LDmicro; here it is");
     }
-    Ok(read)
+    read
 }
 
 fn is_number(field: &str) -> bool {
@@ -168,18 +190,48 @@ fn own<'l>(form: Form, fields: &[&'l str], dialect: Dialect) -> Result<Read<'l>,
         }
         Form::Timer(word) => timer(word, fields, dialect),
         Form::Counter => counter(Count::Reverse, fields),
+        Form::Count => {
+            let scans = scans(fields, dialect)?;
+            let given = vec![place(fields[0])?, Given::Scans(scans)];
+            Ok(Read::new(What::Made(Made::TimeToCount), given))
+        }
+        Form::Segments => segments(fields),
         Form::Jump(_) => Err("it must be in a rung".to_owned()),
-        Form::Refused(_, why) => Err(why.to_owned()),
+        Form::Idle(_) => Err("it does nothing here".to_owned()),
+        Form::Refused(why) => Err(why.to_owned()),
     }
 }
 
 fn given<'l>(fields: &[&'l str], slots: &[Slot]) -> Result<Vec<Given<'l>>, String> {
     let given = fields.iter().zip(slots).map(|(field, slot)| match slot {
-        Slot::Place if field::is_literal(field) => Err(format!("{field} is a number and cannot be written")),
-        Slot::Place => Ok(Given::Place(field)),
+        Slot::Place => place(field),
         Slot::Value | Slot::Number => Ok(Given::Value(field)),
     });
     given.collect()
+}
+
+fn place(field: &str) -> Result<Given<'_>, String> {
+    if field::is_literal(field) {
+        return Err(format!("{field} is a number and cannot be written"));
+    }
+    Ok(Given::Place(field))
+}
+
+/// `7SEGMENTS dest src common`, whose last field is `C` or `A`.
+fn segments<'l>(fields: &[&'l str]) -> Result<Read<'l>, String> {
+    let fixed = field::is_literal(fields[1]);
+    let anode = if fixed {
+        fields[2].starts_with('A')
+    } else {
+        !fields[2].starts_with('C')
+    };
+    let character = if fixed {
+        Given::Value(fields[1])
+    } else {
+        Given::Place(fields[1])
+    };
+    let made = Made::Segments(Segments { anode, fixed });
+    Ok(Read::new(What::Made(made), vec![place(fields[0])?, character]))
 }
 
 /// By how many bits something is shifted.
@@ -196,16 +248,8 @@ fn shifted(count: &str) -> Result<Option<&'static str>, String> {
 
 /// `TCY name delay adjust`
 fn timer<'l>(timer: MadeTimer, fields: &[&'l str], dialect: Dialect) -> Result<Read<'l>, String> {
-    let adjust = fields.get(2).copied().unwrap_or("0");
-    let adjust: i64 = adjust.parse().map_err(|_| "its last field is not a number")?;
     let period = if is_number(fields[1]) {
-        let delay: u64 = fields[1].parse().map_err(|_| "its delay is too long")?;
-        let scans = i64::try_from(delay / dialect.cycle).unwrap_or(i64::MAX);
-        let scans = scans.saturating_add(adjust);
-        if !(1..=32_767).contains(&scans) {
-            return Err(format!("its delay is {scans} cycles: 1 to 32767 are possible"));
-        }
-        Given::Scans(scans)
+        Given::Scans(scans(fields, dialect)?)
     } else if field::is_literal(fields[1]) || timer == MadeTimer::RetentiveLow {
         return Err("its delay is not a number".to_owned());
     } else {
@@ -213,6 +257,22 @@ fn timer<'l>(timer: MadeTimer, fields: &[&'l str], dialect: Dialect) -> Result<R
     };
     let given = vec![Given::Place(fields[0]), period];
     Ok(Read::new(What::Made(Made::Timer(timer)), given))
+}
+
+/// How many scans the delay in `name delay adjust` is.
+fn scans(fields: &[&str], dialect: Dialect) -> Result<i64, String> {
+    let adjust = fields.get(2).copied().unwrap_or("0");
+    let adjust: i64 = adjust.parse().map_err(|_| "its last field is not a number")?;
+    if !is_number(fields[1]) {
+        return Err("its delay is not a number".to_owned());
+    }
+    let delay: u64 = fields[1].parse().map_err(|_| "its delay is too long")?;
+    let scans = i64::try_from(delay / dialect.cycle).unwrap_or(i64::MAX);
+    let scans = scans.saturating_add(adjust);
+    if !(1..=32_767).contains(&scans) {
+        return Err(format!("its delay is {scans} cycles: 1 to 32767 are possible"));
+    }
+    Ok(scans)
 }
 
 /// `CTU name max init kind`
@@ -254,7 +314,9 @@ pub(super) fn plain(text: &str, read: &Read<'_>, dialect: Dialect) -> Option<Str
             Given::Value(field) if field::is_literal(field) => {
                 field::wrapped(field::literal(field)?).to_string()
             }
-            Given::Place(name) | Given::Value(name) | Given::Relay(name) => (*name).to_owned(),
+            Given::Place(name) | Given::Value(name) | Given::Relay(name) | Given::Fields(name) => {
+                (*name).to_owned()
+            }
             Given::Scans(scans) => scans.to_string(),
             Given::Bit(name, bit) => format!("{name} {bit}"),
             Given::Pulses(name) => format!("{name} {RESOLUTION}"),

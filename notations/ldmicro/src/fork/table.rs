@@ -28,8 +28,14 @@ pub(super) enum Form {
     Counter,
     /// `GOTO label` and the like.
     Jump(Jump),
-    /// There is no counterpart; why, and how many fields it has.
-    Refused(usize, &'static str),
+    /// `TIME2COUNT name delay adjust`
+    Count,
+    /// `7SEGMENTS dest src common`
+    Segments,
+    /// A block that does nothing; how many fields it has.
+    Idle(usize),
+    /// There is no counterpart; why.
+    Refused(&'static str),
 }
 
 /// What leads on to another rung, or is a place where that leads.
@@ -49,13 +55,6 @@ const fn row(word: &'static str, form: Form) -> Row {
 
 const TO_FROM: &[Slot] = &[Slot::Place, Slot::Value];
 const MATH: &[Slot] = &[Slot::Place, Slot::Value, Slot::Value];
-
-const HARDWARE: &str = "it is about the hardware of the controller, and there is no such port here";
-const REGISTER: &str = "it is about a register of the controller";
-const UNKNOWN_BITS: &str = "which bit goes where is not documented";
-const SEGMENTS: &str = "which segments each character lights is not documented";
-const SERIAL: &str = "there is no port here that shows whether the line is free or a byte has come";
-const PERIOD: &str = "how many scans or loops it counts is not documented";
 
 /// All of them.
 pub(crate) const ROWS: &[Row] = &[
@@ -90,59 +89,50 @@ pub(crate) const ROWS: &[Row] = &[
     row("SUBPROG", Form::Jump(Jump::Subprog)),
     row("ENDSUB", Form::Jump(Jump::Endsub)),
     row("RETURN", Form::Jump(Jump::Return)),
+    row("SWAP", Form::Made(Made::Swap, TO_FROM)),
+    row("OPPOSITE", Form::Made(Made::Opposite, TO_FROM)),
+    row("TIME2COUNT", Form::Count),
+    row("7SEGMENTS", Form::Segments),
     row(
         "ODR",
-        Form::Refused(0, "when its power is low for one scan is not documented"),
+        Form::Refused("no release of LDmicro's fork whose code is known reads it"),
     ),
-    row("TIME2COUNT", Form::Refused(2, PERIOD)),
-    row("TIME2DELAY", Form::Refused(2, PERIOD)),
-    row("DELAY", Form::Refused(1, HARDWARE)),
-    row("SLEEP", Form::Refused(0, HARDWARE)),
-    row("CLRWDT", Form::Refused(0, HARDWARE)),
-    row("LOCK", Form::Refused(0, HARDWARE)),
-    row("OPPOSITE", Form::Refused(2, UNKNOWN_BITS)),
-    row("SWAP", Form::Refused(2, UNKNOWN_BITS)),
-    row("BUS", Form::Refused(10, UNKNOWN_BITS)),
-    row("7SEGMENTS", Form::Refused(3, SEGMENTS)),
-    row("9SEGMENTS", Form::Refused(3, SEGMENTS)),
-    row("14SEGMENTS", Form::Refused(3, SEGMENTS)),
-    row("16SEGMENTS", Form::Refused(3, SEGMENTS)),
-    row("RSFR", Form::Refused(2, REGISTER)),
-    row("WSFR", Form::Refused(2, REGISTER)),
-    row("SSFR", Form::Refused(2, REGISTER)),
-    row("CSFR", Form::Refused(2, REGISTER)),
-    row("TSFR", Form::Refused(2, REGISTER)),
-    row("TCSFR", Form::Refused(2, REGISTER)),
-    row("RANDOM", Form::Refused(1, "there are no random numbers here")),
-    row(
-        "SEED_RANDOM",
-        Form::Refused(2, "there are no random numbers here"),
-    ),
-    row("NPULSE", Form::Refused(3, HARDWARE)),
-    row("NPULSE_OFF", Form::Refused(0, HARDWARE)),
-    row("PULSER", Form::Refused(5, HARDWARE)),
-    row("STEPPER", Form::Refused(6, HARDWARE)),
-    row("QUAD_ENCOD", Form::Refused(8, HARDWARE)),
-    row("SPI", Form::Refused(8, HARDWARE)),
-    row("SPI_WR", Form::Refused(8, HARDWARE)),
-    row("I2C_RD", Form::Refused(8, HARDWARE)),
-    row("I2C_WR", Form::Refused(8, HARDWARE)),
-    row("UART_SENDn", Form::Refused(1, SERIAL)),
-    row("UART_RECVn", Form::Refused(1, SERIAL)),
-    row("UART_SEND_READY", Form::Refused(0, SERIAL)),
-    row("UART_SEND_BUSY", Form::Refused(0, SERIAL)),
-    row("UART_UDRE", Form::Refused(0, SERIAL)),
-    row("UART_RECV_AVAIL", Form::Refused(0, SERIAL)),
-    row(
-        "STRING",
-        Form::Refused(
-            2,
-            "LDmicro writes a number into a text as C does, and there is no such instruction here",
-        ),
-    ),
-    row("FORMATTED_STR", Form::Refused(0, HARDWARE)),
-    row("SET_PWM_SOFT", Form::Refused(0, HARDWARE)),
-    row("PWM_OFF", Form::Refused(0, HARDWARE)),
+    row("TIME2DELAY", Form::Idle(2)),
+    row("DELAY", Form::Idle(1)),
+    row("SLEEP", Form::Idle(0)),
+    row("CLRWDT", Form::Idle(0)),
+    row("LOCK", Form::Idle(0)),
+    row("BUS", Form::Idle(10)),
+    row("9SEGMENTS", Form::Idle(3)),
+    row("14SEGMENTS", Form::Idle(3)),
+    row("16SEGMENTS", Form::Idle(3)),
+    row("RSFR", Form::Idle(2)),
+    row("WSFR", Form::Idle(2)),
+    row("SSFR", Form::Idle(2)),
+    row("CSFR", Form::Idle(2)),
+    row("TSFR", Form::Idle(2)),
+    row("TCSFR", Form::Idle(2)),
+    row("RANDOM", Form::Idle(1)),
+    row("SEED_RANDOM", Form::Idle(2)),
+    row("NPULSE", Form::Idle(3)),
+    row("NPULSE_OFF", Form::Idle(0)),
+    row("PULSER", Form::Idle(5)),
+    row("STEPPER", Form::Idle(6)),
+    row("QUAD_ENCOD", Form::Idle(4)),
+    row("SPI", Form::Idle(8)),
+    row("SPI_WR", Form::Idle(8)),
+    row("I2C_RD", Form::Idle(8)),
+    row("I2C_WR", Form::Idle(8)),
+    row("UART_SENDn", Form::Idle(1)),
+    row("UART_RECVn", Form::Idle(1)),
+    row("UART_SEND_READY", Form::Idle(0)),
+    row("UART_SEND_BUSY", Form::Idle(0)),
+    row("UART_UDRE", Form::Idle(0)),
+    row("UART_RECV_AVAIL", Form::Idle(0)),
+    row("STRING", Form::Idle(2)),
+    row("FORMATTED_STR", Form::Idle(0)),
+    row("SET_PWM_SOFT", Form::Idle(0)),
+    row("PWM_OFF", Form::Idle(0)),
 ];
 
 /// The row of a line.
@@ -157,10 +147,11 @@ impl Row {
         match self.form {
             Form::Values(_, slots) | Form::Made(_, slots) => slots.len(),
             Form::Bits(_) => 3,
-            Form::OneBit(_) | Form::Timer(_) | Form::Counter => 2,
-            Form::Jump(Jump::Return) => 0,
+            Form::Segments => 3,
+            Form::OneBit(_) | Form::Timer(_) | Form::Counter | Form::Count => 2,
+            Form::Jump(Jump::Return) | Form::Refused(_) => 0,
             Form::Jump(_) => 1,
-            Form::Refused(least, _) => least,
+            Form::Idle(least) => least,
         }
     }
 
@@ -170,6 +161,11 @@ impl Row {
             Form::Jump(jump) => Some(jump),
             _ => None,
         }
+    }
+
+    /// Whether it does nothing here.
+    pub(crate) const fn is_idle(&self) -> bool {
+        matches!(self.form, Form::Idle(_))
     }
 
     /// Whether it is this instruction on this many operands.

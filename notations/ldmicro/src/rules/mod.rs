@@ -54,9 +54,13 @@ fn unassigned(file: &File, uses: &HashMap<&str, Vec<(&Leaf, Form)>>, out: &mut V
     }
     let mut changed: HashSet<&str> = HashSet::new();
     for leaf in file.rungs.iter().flat_map(|rung| leaves(&rung.parts)) {
-        if forks_row(&leaf.text).is_some() {
-            changed.extend(field::fields(&leaf.text).first());
-        }
+        // Of an element that does nothing here it is not known which of its fields the controller changes.
+        let count = match forks_row(&leaf.text) {
+            Some(row) if row.is_idle() => usize::MAX,
+            Some(_) => 1,
+            None => 0,
+        };
+        changed.extend(field::fields(&leaf.text).into_iter().take(count));
     }
     for (name, uses) in uses {
         let assigns = |(leaf, form): &(&Leaf, Form)| {
@@ -135,13 +139,12 @@ fn one(file: &File, leaf: &Leaf, form: Form, in_rung: usize, out: &mut Vec<Findi
             }
         }
         Form::Table | Form::Curve => {
-            let first = if form == Form::Table { 4 } else { 3 };
-            fields
-                .iter()
-                .skip(first)
-                .for_each(|field| constant(line, field, out));
+            let values = element::values(&fields, form);
+            for field in values {
+                constant(line, field, out);
+            }
             if form == Form::Curve {
-                curve(line, fields.get(3..).unwrap_or_default(), out);
+                curve(line, values, out);
             }
         }
         Form::Contact if !fields[0].starts_with(['X', 'Y', 'R']) => {
@@ -155,7 +158,7 @@ fn one(file: &File, leaf: &Leaf, form: Form, in_rung: usize, out: &mut Vec<Findi
             let message = "a comment must be alone in its rung";
             out.push(error(line, "ldmicro-comment", message));
         }
-        Form::Text => texts::findings(file.version, leaf, out),
+        Form::Text => texts::findings(leaf, out),
         Form::Placeholder => {
             let message = "Empty row; delete it or add instructions before compiling.";
             out.push(error(line, "ldmicro-empty-row", message));

@@ -4,6 +4,7 @@ use super::Importer;
 use super::head::plain_duration;
 use crate::element::{self, Form};
 use crate::field::{self, Coil, Slot};
+use crate::fork::made::Made;
 use crate::fork::{self, Given, Read, What};
 use crate::model::{Leaf, Version};
 use crate::tags::MOST_STAGES;
@@ -18,11 +19,24 @@ pub(super) struct Translation {
     pub(super) text: String,
     /// Why it is not quite the same.
     pub(super) remark: Option<String>,
+    /// Whether it is an element that does nothing here.
+    pub(super) is_idle: bool,
+}
+
+impl Translation {
+    const fn with(text: String, remark: Option<String>) -> Translation {
+        let is_idle = false;
+        Translation {
+            text,
+            remark,
+            is_idle,
+        }
+    }
 }
 
 impl From<String> for Translation {
     fn from(text: String) -> Translation {
-        Translation { text, remark: None }
+        Translation::with(text, None)
     }
 }
 
@@ -33,6 +47,9 @@ impl<'f> Importer<'f> {
             let label = leaf.text.split(' ').nth(1);
             return label
                 .is_none_or(|label| !field::is_literal(label) && block.split(' ').nth(1) == Some(label));
+        }
+        if block.starts_with("[$RES]") {
+            return true;
         }
         // RES of a variable is a MOV here.
         let variable = leaf.text.strip_prefix("RES ");
@@ -49,7 +66,7 @@ impl<'f> Importer<'f> {
         let dialect = self.file.dialect();
         if let Some(read) = fork::read(&leaf.text, dialect) {
             let mut translation = self.forks(&read?)?;
-            translation.remark = translation.remark.or(register(&fields));
+            translation.remark = translation.remark.or_else(|| register(&fields));
             return Ok(translation);
         }
         let row = element::row_of(&leaf.text).ok_or("there is no such instruction here")?;
@@ -63,10 +80,8 @@ impl<'f> Importer<'f> {
                 let overflow =
                     "LDmicro's fork makes it high when a sum or difference does not fit; here nothing does";
                 let is_overflow = name == OVERFLOW && dialect.version == Version::V02;
-                Translation {
-                    text: format!("{head}( {} )", self.tags.bit(name)),
-                    remark: is_overflow.then(|| overflow.to_owned()),
-                }
+                let text = format!("{head}( {} )", self.tags.bit(name));
+                Translation::with(text, is_overflow.then(|| overflow.to_owned()))
             }
             Form::Constant(on) => format!("[ ]( SYS.{} )", if on { "ON" } else { "OFF" }).into(),
             Form::Coil => {
@@ -90,14 +105,15 @@ impl<'f> Importer<'f> {
             }
             Form::Reset => match self.tags.any_state(name) {
                 Some(tag) => format!("(RES)( {tag} )").into(),
-                None if self.tags.is_pulses(name) => {
-                    return Err("there is no block here that ends pulses".to_owned());
-                }
+                None if self.tags.is_pulses(name) => match fork::idle(&leaf.text) {
+                    Some(read) => self.forks(&read?)?,
+                    None => return Err("no block here ends pulses".to_owned()),
+                },
                 None => {
                     let mut remark = None;
                     let value = self.operand(self.tags.reset(name), &mut remark)?;
                     let text = format!("[MOV]( {}, {value} )", self.tags.variable(name));
-                    Translation { text, remark }
+                    Translation::with(text, remark)
                 }
             },
             Form::Adc => {
@@ -165,11 +181,23 @@ impl<'f> Importer<'f> {
             });
         }
         let text = format!("{head}( {} )", operands.join(", "));
-        Ok(Translation { text, remark })
+        Ok(Translation::with(text, remark))
     }
 
     /// An element of the fork.
-    fn forks(&self, read: &Read<'_>) -> Result<Translation, String> {
+    fn forks(&mut self, read: &Read<'_>) -> Result<Translation, String> {
+        if let What::Made(Made::Idle(idle)) = read.what {
+            self.made.insert(Made::Idle(idle));
+            let fields = read.given.iter().map(|given| match given {
+                Given::Fields(fields) => format!("( {} )", text::quoted(fields)),
+                _ => String::new(),
+            });
+            return Ok(Translation {
+                text: Made::Idle(idle).head() + &fields.collect::<String>(),
+                remark: Some(idle.remark()),
+                is_idle: true,
+            });
+        }
         let mut remark = read.remark.map(str::to_owned);
         let mut operands = Vec::with_capacity(read.given.len());
         for given in &read.given {
@@ -183,38 +211,54 @@ impl<'f> Importer<'f> {
                     let number = self.tags.pulses.get(*name);
                     format!("CH := {}", number.ok_or("there are no more pulse outputs here")?)
                 }
+                Given::Fields(fields) => text::quoted(fields),
             });
         }
+        let mut what = read.what;
+        if let (What::Made(Made::Segments(segments)), [_, Given::Place(character)]) =
+            (&mut what, &read.given[..])
+            && self.tags.any_state(character).is_some()
+        {
+            segments.fixed = true;
+            let why = "where the number is no character, LDmicro makes it 32; here it stays";
+            remark.get_or_insert_with(|| why.to_owned());
+        }
         // A count of a timer is a number only where it is read.
-        let counts = |given: &Given<'_>| match given {
+        let is_read = |index: usize| index > 0 && matches!(what, What::Made(Made::Segments(_)));
+        let counts = |(index, given): (usize, &Given<'_>)| match given {
             Given::Bit(name, _) => self.tags.any_state(name).is_some(),
-            Given::Place(name) => matches!(read.what, What::Made(_)) && self.tags.any_state(name).is_some(),
+            Given::Place(name) if !is_read(index) => {
+                matches!(what, What::Made(_)) && self.tags.any_state(name).is_some()
+            }
             _ => false,
         };
-        if read.given.iter().any(counts) {
+        if read.given.iter().enumerate().any(counts) {
             return Err("what it changes is a timer or counter of another kind".to_owned());
         }
-        let head = match read.what {
+        let head = match what {
             What::Instruction(op) => by_op(op).block(),
-            What::Made(made) => made.head(),
+            What::Made(made) => {
+                self.made.insert(made);
+                made.head()
+            }
         };
         let text = if operands.is_empty() {
             head
         } else {
             format!("{head}( {} )", operands.join(", "))
         };
-        Ok(Translation { text, remark })
+        Ok(Translation::with(text, remark))
     }
 
     fn listed_values(&self, form: Form, fields: &[&str]) -> Result<Translation, String> {
         let mut remark = None;
         let to = self.tags.variable(fields[0]);
         let index = self.operand(fields[1], &mut remark)?;
-        let (head, first, each) = match form {
-            Form::Table => ("[LUT]", 4, 1),
-            _ => ("[PWL]", 3, 2),
+        let (head, each) = match form {
+            Form::Table => ("[LUT]", 1),
+            _ => ("[PWL]", 2),
         };
-        let values = element::numbers(element::values(&fields[first..])).unwrap_or_default();
+        let values = element::numbers(element::values(fields, form)).unwrap_or_default();
         if fields[2].parse() != Ok(values.len() / each) || !values.len().is_multiple_of(each) {
             return Err("the number of its values is not the one that it gives".to_owned());
         }
@@ -226,12 +270,12 @@ impl<'f> Importer<'f> {
             .map(|value| field::wrapped(*value).to_string())
             .collect();
         let text = format!("{head}( {to}, {index}, {} )", values.join(", "));
-        Ok(Translation { text, remark })
+        Ok(Translation::with(text, remark))
     }
 
     fn text(&self, fields: &[&str]) -> Result<Translation, String> {
         let version = self.file.version;
-        let text = text::read(fields, version).ok_or("its text is not what LDmicro writes")?;
+        let text = text::read(fields).ok_or("its text is not what LDmicro writes")?;
         let mut operands = vec![text::literal(&text)];
         match (fields[0], text::numbers(&text)) {
             ("(none)", 0) => {}
@@ -241,10 +285,11 @@ impl<'f> Importer<'f> {
             (_, _) => return Err("LDmicro sends one number in a text".to_owned()),
         }
         let once = "here it is also sent once at the start; the fork waits until power comes";
-        Ok(Translation {
-            text: format!("[FMT]( {} )", operands.join(", ")),
-            remark: (version == Version::V02).then(|| once.to_owned()),
-        })
+        let text = format!("[FMT]( {} )", operands.join(", "));
+        Ok(Translation::with(
+            text,
+            (version == Version::V02).then(|| once.to_owned()),
+        ))
     }
 }
 

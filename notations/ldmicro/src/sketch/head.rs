@@ -12,6 +12,7 @@ impl Importer<'_> {
         lines.extend(crlf.then(|| "lines end in CR LF".to_owned()));
         lines.extend(latin1.then(|| "Latin-1".to_owned()));
         lines.extend(self.file.header.iter().cloned());
+        lines.extend(self.file.passed.iter().map(|line| format!("HEADER {line}")));
         for (title, entries) in &self.file.lists {
             lines.push(title.clone());
             lines.extend(entries.iter().cloned());

@@ -6,7 +6,6 @@ mod head;
 use super::element;
 use super::fork::jumps::Jumps;
 use super::fork::made::Made;
-use super::fork::{self, What};
 use super::model::{File, Leaf, Node, Rung, Version, leaves, number};
 use super::tags::Tags;
 use block::Translation;
@@ -32,6 +31,7 @@ pub(super) fn sketch(file: &File) -> Reading {
         channels: channels(file, &pins),
         pins,
         jumps: Jumps::of(file),
+        made: BTreeSet::new(),
         reading: Reading::default(),
     };
     importer.head();
@@ -79,21 +79,12 @@ struct Importer<'f> {
     /// The line and the pin of each name in the I/O list.
     pins: HashMap<&'f str, (u32, &'f str)>,
     jumps: Jumps,
+    /// The blocks that the program brings along.
+    made: BTreeSet<Made>,
     reading: Reading,
 }
 
 impl<'f> Importer<'f> {
-    /// The blocks that the program brings along.
-    fn made(&self) -> BTreeSet<Made> {
-        let dialect = self.file.dialect();
-        let all = self.file.rungs.iter().flat_map(|rung| leaves(&rung.parts));
-        let made = all.filter_map(|leaf| match fork::read(&leaf.text, dialect)?.ok()?.what {
-            What::Made(made) => Some(made),
-            What::Instruction(_) => None,
-        });
-        made.collect()
-    }
-
     /// The main program, after it the subprograms, and what blocks they need.
     fn program(&mut self) {
         let mut next = 0;
@@ -109,8 +100,8 @@ impl<'f> Importer<'f> {
         for at in 0..self.jumps.subprograms.len() {
             self.function(at);
         }
-        for made in self.made() {
-            let items = &mut self.reading.program.items;
+        let items = &mut self.reading.program.items;
+        for made in &self.made {
             items.extend([Item::Blank, made.item()]);
         }
     }
@@ -239,7 +230,19 @@ impl<'f> Importer<'f> {
         let place = LineColumn::line(leaf.line);
         let origin = Some(self.reading.origin(place));
         match self.translated(leaf) {
-            Ok(Translation { text, remark }) => {
+            Ok(Translation {
+                text,
+                remark,
+                is_idle,
+            }) => {
+                if let Some(message) = remark.clone().filter(|_| is_idle) {
+                    self.reading.findings.push(Finding {
+                        place,
+                        severity: Severity::Info,
+                        check: "ldmicro-idle",
+                        message,
+                    });
+                }
                 match remark {
                     Some(why) => self.reading.report.approximated(place, &leaf.text, why),
                     None => self.reading.report.translated(place, &leaf.text),

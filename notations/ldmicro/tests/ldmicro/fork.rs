@@ -194,7 +194,7 @@ fn every_element() {
 
         +--[ ]( Xb )---------------------------<JMP>( here )--<RET>--# was: GOTO 99 #--+
 
-        +--# ldmicro: SWAP n m #---[PWM]( n, 1000, CH := 1 )--# was: SET_PWM n 1000 P1 16 #--[ADC]( Ain, 0 )--# was: READ_ADC Ain 1 #--[USND]( n )--# ldmicro: UART_SEND n 2 0 #--[LUT]( n, m, 1, 2, 3 )--# was: LOOK_UP_TABLE n m 3 0 1 2 3 tab #--[FMT]( 'a \3$09', n )--# was: FORMATTED_STRING n a\x20\3\t #--# ldmicro: RES P1 #--[MOV]( _PORTA, 5 )--+
+        +--------------------[$SWAP]( n, m )--[PWM]( n, 1000, CH := 1 )--# was: SET_PWM n 1000 P1 16 #--[ADC]( Ain, 0 )--# was: READ_ADC Ain 1 #--[USND]( n )--[$UARTSEND]( 'n 2 0' )--[LUT]( n, m, 1, 2, 3 )--# was: LOOK_UP_TABLE n m 3 0 1 2 3 tab #--[FMT]( 'a \3$09', n )--# was: FORMATTED_STRING n a\x20\3\t #--[$RES]( 'P1' )--[MOV]( _PORTA, 5 )--+
 
         +--<FUN>( _sub )---------------------------------------------------------------+
 
@@ -258,6 +258,34 @@ fn every_element() {
             a : INT;
         END_VAR
         +--[ ]( EN )------[CALC]( y, (a AND 15) + (a SHR 4 AND 15) * 10 + (a SHR 8 AND 15) * 100 + (a SHR 12 AND 15) * 1000 )--+
+        END_FUNCTION_BLOCK
+
+        FUNCTION_BLOCK [$SWAP]
+        # The low byte of a number and its high one change places. #
+        VAR_IN_OUT
+            y : INT;
+        END_VAR
+        VAR_INPUT
+            a : INT;
+        END_VAR
+        +--[ ]( EN )-------------------------------------------------[ROL]( y, a, 8 )--+
+        END_FUNCTION_BLOCK
+
+        FUNCTION_BLOCK [$RES]
+        # `RES` does nothing here, and power passes: no block here ends pulses #
+        # ladder: allow(never-read): the fields are there to be seen #
+        VAR_INPUT
+            fields : STRING[512] := '';
+        END_VAR
+        END_FUNCTION_BLOCK
+
+        FUNCTION_BLOCK [$UARTSEND]
+        # `UART_SEND` does nothing here, and no power comes out of it: it is about several bytes, or waits for the line #
+        # ladder: allow(never-read): the fields are there to be seen #
+        VAR_INPUT
+            fields : STRING[512] := '';
+        END_VAR
+        +--[ ]( SYS.OFF )--------------------------------------------------( )( ENO )--+
         END_FUNCTION_BLOCK
 
         FUNCTION_BLOCK [$TON]
@@ -392,22 +420,20 @@ fn every_element() {
         26:1 SHR n n 2: approximated: that the sign of a number below 0 stays is what SR0 next to it suggests
         36:1 BIN2BCD n m: approximated: here for numbers from 0 to 9999; what LDmicro makes of others is not documented
         37:1 BCD2BIN n m: approximated: here for numbers from 0 to 9999; what LDmicro makes of others is not documented
-        101:1 SWAP n m: refused: which bit goes where is not documented
         102:1 SET_PWM n 1000 P1 16: approximated: its duty is not in percent in LDmicro; here it is
-        105:1 UART_SEND n 2 0: refused: it is about several bytes; here a block sends or takes one
+        105:1 UART_SEND n 2 0: approximated: `UART_SEND` does nothing here, and no power comes out of it: it is about several bytes, or waits for the line
         107:1 FORMATTED_STRING n a\x20\3\t: approximated: here it is also sent once at the start; the fork waits until power comes
-        108:1 RES P1: refused: there is no block here that ends pulses
+        108:1 RES P1: approximated: `RES` does nothing here, and power passes: no block here ends pulses
         109:1 MOVE #PORTA 5: approximated: #PORTA is a register of the controller; here it is a tag
         65:1 ldmicro-rightmost: CTC must be the rightmost element of its rung
         67:1 ldmicro-rightmost: RES must be the rightmost element of its rung
         68:1 ldmicro-rightmost: RES must be the rightmost element of its rung
-        101:1 ldmicro-element: `SWAP n m` stays as a comment: which bit goes where is not documented
         102:1 ldmicro-rightmost: SET_PWM must be the rightmost element of its rung
         103:1 ldmicro-rightmost: READ_ADC must be the rightmost element of its rung
-        105:1 ldmicro-element: `UART_SEND n 2 0` stays as a comment: it is about several bytes; here a block sends or takes one
+        105:1 ldmicro-idle: `UART_SEND` does nothing here, and no power comes out of it: it is about several bytes, or waits for the line
         106:1 ldmicro-rightmost: LOOK_UP_TABLE must be the rightmost element of its rung
         106:1 ldmicro-unassigned: Variable 'm' not assigned to, e.g. with a MOV statement, an ADD statement, etc. This is probably a programming error; now it will always be zero.
-        108:1 ldmicro-element: `RES P1` stays as a comment: there is no block here that ends pulses
+        108:1 ldmicro-idle: `RES` does nothing here, and power passes: no block here ends pulses
         108:1 ldmicro-rightmost: RES must be the rightmost element of its rung
     "#]].assert_eq(&read(EVERYTHING));
 }

@@ -39,6 +39,17 @@ fn one_by_one() {
         "THI Ta 25000 0",
         "TLO Ta 1000 0",
         "RTL Ta v 0",
+        "TIME2COUNT n 25000",
+        "TIME2COUNT n 50000 1",
+        "TIME2COUNT n 50000 0",
+        "TIME2COUNT n v",
+        "SWAP n m",
+        "SWAP 5 m",
+        "OPPOSITE n 0x0F",
+        "7SEGMENTS n m C",
+        "7SEGMENTS n m A",
+        "7SEGMENTS n 'C' C",
+        "7SEGMENTS #PORTB 5 A",
         "CTU Ca 5",
         "CTU Ca 5 2",
         "CTU Ca v 0 o",
@@ -109,6 +120,21 @@ fn one_by_one() {
             not: its delay is 0 cycles: 1 to 32767 are possible
         RTL Ta v 0: # ldmicro: RTL Ta v 0 #
             not: its delay is not a number
+        TIME2COUNT n 25000: [$TIME2COUNT]( n, 2 )--# was: TIME2COUNT n 25000 #
+        TIME2COUNT n 50000 1: [$TIME2COUNT]( n, 6 )--# was: TIME2COUNT n 50000 1 #
+        TIME2COUNT n 50000 0: [$TIME2COUNT]( n, 5 )
+        TIME2COUNT n v: # ldmicro: TIME2COUNT n v #
+            not: its delay is not a number
+        SWAP n m: [$SWAP]( n, m )
+        SWAP 5 m: # ldmicro: SWAP 5 m #
+            not: 5 is a number and cannot be written
+        OPPOSITE n 0x0F: [$OPPOSITE]( n, 15 )--# was: OPPOSITE n 0x0F #
+        7SEGMENTS n m C: [$SEGMENTS7]( n, m )
+        7SEGMENTS n m A: [$SEGMENTS7anode]( n, m )
+        7SEGMENTS n 'C' C: [$SEGMENTS7of]( n, 67 )--# was: 7SEGMENTS n 'C' C #
+        7SEGMENTS #PORTB 5 A: [$SEGMENTS7anodeof]( _PORTB, 5 )
+            nearly: it is spelled `_PORTB` here
+            nearly: #PORTB is a register of the controller; here it is a tag
         CTU Ca 5: [$CTU]( Ca, 5 )--# was: CTU Ca 5 #
         CTU Ca 5 2: [$CTU]( Ca, 5 )--# was: CTU Ca 5 2 #
         CTU Ca v 0 o: [$CTUlow]( Ca, v )
@@ -141,13 +167,13 @@ fn one_by_one() {
         OSL: [$OSL]
         ODF: [$OSL]--# was: ODF #
         UART_SEND n: [USND]( n )--# was: UART_SEND n #
-        UART_SEND n 1 1: # ldmicro: UART_SEND n 1 1 #
-            not: it waits within the cycle until the line is free
+        UART_SEND n 1 1: [$UARTSEND]( 'n 1 1' )
+            nearly: `UART_SEND` does nothing here, and no power comes out of it: it is about several bytes, or waits for the line
         UART_RECV n 1 1: [URCV]( n )--# was: UART_RECV n 1 1 #
         SET_PWM d 1000 P1 8: [PWM]( d, 1000, CH := 1 )--# was: SET_PWM d 1000 P1 8 #
             nearly: its duty is not in percent in LDmicro; here it is
-        SET_PWM d f P1 8: # ldmicro: SET_PWM d f P1 8 #
-            not: its frequency is a variable
+        SET_PWM d f P1 8: [$SETPWM]( 'd f P1 8' )
+            nearly: `SET_PWM` does nothing here, and power passes: its frequency is a variable
         SET_PWM d 1000 Pled 0-100%: [PWM]( d, 1000, CH := 0 )
         READ_ADC Aa: [ADC]( Aa, 0 )--# was: READ_ADC Aa #
         READ_ADC Aa 2: [ADC]( Aa, 0 )--# was: READ_ADC Aa 2 #
@@ -161,19 +187,19 @@ fn one_by_one() {
     "#]].assert_eq(&out);
 }
 
+/// What is outside of a program becomes a block that does nothing: there is one info for each, the program has no errors,
+/// and the element comes back.
 #[test]
-fn what_has_no_counterpart_stays() {
+fn what_is_outside_of_a_program_does_nothing() {
     let elements = [
-        "ODR",
-        "TIME2COUNT n 5000",
+        "BUS n m 7 6 5 4 3 2 1 0",
+        "9SEGMENTS n m C",
+        "TIME2DELAY d 100",
         "DELAY d",
         "SLEEP",
+        "SLEEP Td 5000",
         "CLRWDT",
         "LOCK",
-        "OPPOSITE n m",
-        "SWAP n m",
-        "BUS n m 7 6 5 4 3 2 1 0",
-        "7SEGMENTS n m C",
         "RSFR n 5",
         "RANDOM n",
         "SEED_RANDOM n 5",
@@ -181,10 +207,16 @@ fn what_has_no_counterpart_stays() {
         "PULSER 1 1 1 n Ya",
         "STEPPER s 5 1 1 1 Ya",
         "QUAD_ENCOD n 0 Xa Xb Xz Ya / 5",
-        "SPI a b c d e f g h",
-        "I2C_RD a b c d e f g h",
+        "SPI SPI1 a b Master 0 8 MSB 1000",
+        "I2C_RD I2C1 - \\'$ #PORTA 0x20 255 MSB 1000",
         "UART_RECV_AVAIL",
+        "UART_SEND_BUSY",
+        "UART_SENDn n",
+        "UART_SEND n 4 1",
+        "UART_RECV n 2 0",
+        "SET_PWM d f",
         "STRING s n 3 97 98 99",
+        "STRING s n naïve  text",
     ];
     let mut out = String::new();
     for element in elements {
@@ -192,40 +224,107 @@ fn what_has_no_counterpart_stays() {
             "CONTACTS Xa 0 0\nTON Ta 100000 0\n{element}\nCOIL Yb 0 0 0 0"
         )]);
         let converted = converted(text.as_bytes()).expect("it can be read");
-        let refused = converted
-            .report
-            .entries
+        let ladder = converted.written.text;
+        let block = ladder.split("--").find(|block| block.starts_with("[$"));
+        let block = block.unwrap_or_default().trim_end_matches('-');
+        let infos = converted
+            .findings
             .iter()
-            .find_map(|entry| match &entry.outcome {
-                Outcome::Refused(why) => Some(why.clone()),
-                _ => None,
-            });
-        out.push_str(&format!("{element}: {}\n", refused.expect("it is refused")));
-        assert_eq!(write(&converted.written.text), Ok(text));
+            .filter(|found| found.check == "ldmicro-idle");
+        let infos: Vec<&str> = infos.map(|found| found.message.as_str()).collect();
+        out.push_str(&format!("{block}\n    {}\n", infos.join("; ")));
+        let analysis = ladder_analysis::analyze(&ladder_syntax::parse(&ladder).into(), "test.clad");
+        assert!(analysis.program().is_some(), "{ladder}");
+        assert_eq!(write(&ladder), Ok(text));
     }
     expect![[r#"
-        ODR: when its power is low for one scan is not documented
-        TIME2COUNT n 5000: how many scans or loops it counts is not documented
-        DELAY d: it is about the hardware of the controller, and there is no such port here
-        SLEEP: it is about the hardware of the controller, and there is no such port here
-        CLRWDT: it is about the hardware of the controller, and there is no such port here
-        LOCK: it is about the hardware of the controller, and there is no such port here
-        OPPOSITE n m: which bit goes where is not documented
-        SWAP n m: which bit goes where is not documented
-        BUS n m 7 6 5 4 3 2 1 0: which bit goes where is not documented
-        7SEGMENTS n m C: which segments each character lights is not documented
-        RSFR n 5: it is about a register of the controller
-        RANDOM n: there are no random numbers here
-        SEED_RANDOM n 5: there are no random numbers here
-        NPULSE n 5 Ya: it is about the hardware of the controller, and there is no such port here
-        PULSER 1 1 1 n Ya: it is about the hardware of the controller, and there is no such port here
-        STEPPER s 5 1 1 1 Ya: it is about the hardware of the controller, and there is no such port here
-        QUAD_ENCOD n 0 Xa Xb Xz Ya / 5: it is about the hardware of the controller, and there is no such port here
-        SPI a b c d e f g h: it is about the hardware of the controller, and there is no such port here
-        I2C_RD a b c d e f g h: it is about the hardware of the controller, and there is no such port here
-        UART_RECV_AVAIL: there is no port here that shows whether the line is free or a byte has come
-        STRING s n 3 97 98 99: LDmicro writes a number into a text as C does, and there is no such instruction here
+        [$BUS]( 'n m 7 6 5 4 3 2 1 0' )
+            `BUS` does nothing here, and power passes: LDmicro itself makes nothing of it
+        [$SEGMENTS9]( 'n m C' )
+            `9SEGMENTS` does nothing here, and power passes: LDmicro itself lacks the characters of this display
+        [$TIME2DELAY]( 'd 100' )
+            `TIME2DELAY` does nothing here, and power passes: how many loops it counts depends on the controller
+        [$DELAY]( 'd' )
+            `DELAY` does nothing here, and power passes: it is about the hardware of the controller
+        [$SLEEP]
+            `SLEEP` does nothing here, and power passes: it is about the hardware of the controller
+        [$SLEEP]( 'Td 5000' )
+            `SLEEP` does nothing here, and power passes: it is about the hardware of the controller
+        [$CLRWDT]
+            `CLRWDT` does nothing here, and power passes: it is about the hardware of the controller
+        [$LOCK]
+            `LOCK` does nothing here, and power passes: it is about the hardware of the controller
+        [$RSFR]( 'n 5' )
+            `RSFR` does nothing here, and power passes: it is about a register of the controller
+        [$RANDOM]( 'n' )
+            `RANDOM` does nothing here, and power passes: there are no random numbers here
+        [$SEEDRANDOM]( 'n 5' )
+            `SEED_RANDOM` does nothing here, and power passes: there are no random numbers here
+        [$NPULSE]( 'n 5 Ya' )
+            `NPULSE` does nothing here, and power passes: there are no pulses here
+        [$PULSER]( '1 1 1 n Ya' )
+            `PULSER` does nothing here, and no power comes out of it: there are no pulses here
+        [$STEPPER]( 's 5 1 1 1 Ya' )
+            `STEPPER` does nothing here, and no power comes out of it: there are no pulses here
+        [$QUADENCOD]( 'n 0 Xa Xb Xz Ya / 5' )
+            `QUAD_ENCOD` does nothing here, and no power comes out of it: there are no pulses here
+        [$SPI]( 'SPI1 a b Master 0 8 MSB 1000' )
+            `SPI` does nothing here, and power passes: it is about the hardware of the controller
+        [$I2CRD]( 'I2C1 - \$'$$ #PORTA 0x20 255 MSB 1000' )
+            `I2C_RD` does nothing here, and power passes: it is about the hardware of the controller
+        [$UARTRECVAVAIL]
+            `UART_RECV_AVAIL` does nothing here, and no power comes out of it: no byte is ever waiting here
+        [$UARTSENDBUSY]
+            `UART_SEND_BUSY` does nothing here, and power passes: the serial line is always free here
+        [$UARTSENDn]( 'n' )
+            `UART_SENDn` does nothing here, and no power comes out of it: it is about several bytes, or waits for the line
+        [$UARTSEND]( 'n 4 1' )
+            `UART_SEND` does nothing here, and no power comes out of it: it is about several bytes, or waits for the line
+        [$UARTRECV]( 'n 2 0' )
+            `UART_RECV` does nothing here, and no power comes out of it: it is about several bytes, or waits for the line
+        [$SETPWM]( 'd f' )
+            `SET_PWM` does nothing here, and power passes: its frequency is a variable
+        [$STRING]( 's n 3 97 98 99' )
+            `STRING` does nothing here, and power passes: LDmicro writes a number into a text as C does
+        [$STRING]( 's n naïve  text' )
+            `STRING` does nothing here, and power passes: LDmicro writes a number into a text as C does
     "#]].assert_eq(&out);
+}
+
+#[test]
+fn what_the_fork_itself_does_not_read_stays() {
+    let text = program(&["CONTACTS Xa 0 0\nODR\nCOIL Yb 0 0 0 0"]);
+    check(
+        &text,
+        expect![[r#"
+        # ldmicro: LDmicro0.2 #
+        # ldmicro: CYCLE=10000 #
+        # ldmicro: CRYSTAL=4000000 #
+        # ldmicro: BAUD=2400 #
+        # ladder: profile ldmicro #
+
+        VAR_INPUT
+            Xa : BOOL;
+        END_VAR
+        VAR_OUTPUT
+            Yb : BOOL;
+        END_VAR
+
+        +--[ ]( Xa )--# ldmicro: ODR #--------------------------------------( )( Yb )--+
+        12:1 ODR: refused: no release of LDmicro's fork whose code is known reads it
+        12:1 ldmicro-element: `ODR` stays as a comment: no release of LDmicro's fork whose code is known reads it
+    "#]],
+    );
+    assert_eq!(there_and_back(text.as_bytes()), Ok(text));
+}
+
+/// What a hand puts into the fields of such a block is no line of its own.
+#[test]
+fn fields_are_one_line() {
+    let text = program(&["DELAY d"]);
+    let ladder = converted(text.as_bytes()).expect("it can be read").written.text;
+    let written = write(&ladder.replace("'d'", "'d$NEND'")).expect("it can be written");
+    assert!(written.contains("COMMENT +--"), "{written}");
 }
 
 #[test]

@@ -2,5 +2,6 @@
 
 mod fork;
 mod fork_lines;
+mod heads;
 mod programs;
 mod text;

@@ -1,11 +1,12 @@
 //! The definitions of the blocks, network by network: what is between `--` is in series. They compute what the
 //! fork's own code does, in the same order.
 
-use super::{Count, Kind, Made, MadeCounter, MadeTimer};
+use super::super::idle::Idle;
+use super::{Count, Kind, Made, MadeCounter, MadeTimer, Segments};
 
 /// What a block is made of.
 pub(super) struct Definition {
-    pub(super) says: &'static str,
+    pub(super) says: String,
     /// `y, t : INT` that are changed, and inputs.
     pub(super) changed: &'static str,
     pub(super) inputs: &'static [&'static str],
@@ -14,9 +15,9 @@ pub(super) struct Definition {
 }
 
 impl Definition {
-    fn new(says: &'static str, changed: &'static str, networks: &[&str]) -> Definition {
+    fn new(says: &str, changed: &'static str, networks: &[&str]) -> Definition {
         Definition {
-            says,
+            says: says.to_owned(),
             changed,
             inputs: &[],
             own: &[],
@@ -82,9 +83,93 @@ impl Made {
                 ],
             )
             .inputs(&["a : INT"]),
+            Made::Swap => Definition::new(
+                "The low byte of a number and its high one change places.",
+                "y : INT",
+                &["[ ]( EN )--[ROL]( y, a, 8 )"],
+            )
+            .inputs(&["a : INT"]),
+            Made::Opposite => Definition::new(
+                "The bits of a number in the opposite order.",
+                "y : INT",
+                &[
+                    "[ ]( EN )--[CALC]( y, (a AND 16#5555) * 2 OR (a SHR 1 AND 16#5555) )--[CALC]( y, (y AND 16#3333) * 4 OR (y SHR 2 AND 16#3333) )--[CALC]( y, (y AND 16#0F0F) * 16 OR (y SHR 4 AND 16#0F0F) )--[ROL]( y, y, 8 )",
+                ],
+            )
+            .inputs(&["a : INT"]),
+            Made::TimeToCount => Definition::new(
+                "A time, counted in scans.",
+                "y : INT",
+                &["[ ]( EN )--[MOV]( y, scans )"],
+            )
+            .inputs(&["scans : INT"]),
+            Made::Segments(segments) => segments.definition(),
+            Made::Idle(idle) => idle.definition(),
             Made::Timer(timer) => timer.definition(),
             Made::Counter(counter) => counter.definition(),
         }
+    }
+}
+
+impl Segments {
+    /// Numbers that stand for no character are blank; 176, the degree sign, is the last one.
+    fn definition(self) -> Definition {
+        let (changed, inputs): (_, &[&str]) = if self.fixed {
+            ("y : INT", &["a : INT"])
+        } else {
+            ("y, a : INT", &[])
+        };
+        let character = if self.fixed { "k" } else { "a" };
+        let last = CHARACTERS.len() - 1;
+        let mut networks = vec![
+            format!("[ ]( EN )--[EQ]( {character}, 176 )--[MOV]( {character}, {last} )"),
+            format!("[ ]( EN )--[LT]( {character}, 0 )--[MOV]( {character}, 32 )"),
+            format!("[ ]( EN )--[GT]( {character}, {last} )--[MOV]( {character}, 32 )"),
+        ];
+        if self.fixed {
+            networks.insert(0, "[ ]( EN )--[MOV]( k, a )".to_owned());
+        }
+        let segments: Vec<String> = CHARACTERS.iter().map(u8::to_string).collect();
+        networks.push(format!(
+            "[ ]( EN )--[LUT]( y, {character}, {} )",
+            segments.join(", ")
+        ));
+        if self.anode {
+            networks.push("[ ]( EN )--[NOT]( y, y )".to_owned());
+        }
+        let how = if self.anode { "low" } else { "high" };
+        Definition {
+            says: format!(
+                "The segments of a digit or an ASCII character, lit by {how} bits: a to g are bits 0 to 6, the point is 7."
+            ),
+            changed,
+            inputs,
+            own: if self.fixed { &["k : INT"] } else { &[] },
+            networks,
+        }
+    }
+}
+
+/// The segments that LDmicro lights for 0 to F, the same with a point, the characters from blank on, and the degree sign.
+const CHARACTERS: [u8; 129] = [
+    0x3F, 0x06, 0x5B, 0x4F, 0x66, 0x6D, 0x7D, 0x07, 0x7F, 0x6F, 0x77, 0x7C, 0x39, 0x5E, 0x79, 0x71, 0xBF,
+    0x86, 0xDB, 0xCF, 0xE6, 0xED, 0xFD, 0x87, 0xFF, 0xEF, 0xF7, 0xFC, 0xB9, 0xDE, 0xF9, 0xF1, 0x00, 0xB0,
+    0x22, 0x4E, 0x6D, 0xD2, 0xDA, 0x20, 0x39, 0x0F, 0x72, 0x70, 0x0C, 0x40, 0x80, 0x52, 0x3F, 0x06, 0x5B,
+    0x4F, 0x66, 0x6D, 0x7D, 0x07, 0x7F, 0x6F, 0x09, 0x0D, 0x61, 0x41, 0x43, 0xD3, 0x9F, 0x77, 0x7C, 0x39,
+    0x5E, 0x79, 0x71, 0x3D, 0x74, 0x30, 0x1E, 0x75, 0x38, 0x55, 0x54, 0x5C, 0x73, 0x67, 0x33, 0x6D, 0x78,
+    0x3E, 0x1C, 0x6A, 0x76, 0x6E, 0x5B, 0x39, 0x64, 0x0F, 0x23, 0x08, 0x20, 0x5F, 0x7C, 0x58, 0x5E, 0x7B,
+    0x71, 0x6F, 0x74, 0x10, 0x0E, 0x75, 0x18, 0x55, 0x54, 0x5C, 0x73, 0x67, 0x50, 0x6D, 0x78, 0x3E, 0x1C,
+    0x6A, 0x76, 0x6E, 0x5B, 0x39, 0x30, 0x0F, 0x01, 0x00, 0x63,
+];
+
+impl Idle {
+    fn definition(self) -> Definition {
+        let ends: &[&str] = if self.passes {
+            &[]
+        } else {
+            &["[ ]( SYS.OFF )--( )( ENO )"]
+        };
+        Definition::new(&self.remark(), "", ends).inputs(&["fields : STRING[512] := ''"])
     }
 }
 
@@ -184,7 +269,7 @@ impl MadeCounter {
             &["max : INT"]
         };
         Definition {
-            says,
+            says: says.to_owned(),
             changed: "c : INT",
             inputs,
             own: if self.from_variable {

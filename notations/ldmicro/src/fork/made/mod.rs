@@ -3,6 +3,7 @@
 
 mod definition;
 
+use super::idle::Idle;
 use crate::model::Dialect;
 use ladder_format::Circuit;
 use ladder_format::program::{Declaration, Drawing, Element, Item, Network, Section, SectionKind};
@@ -22,10 +23,29 @@ pub(crate) enum Made {
     ToBcd,
     /// `BCD2BIN y a`
     FromBcd,
+    /// `SWAP y a`
+    Swap,
+    /// `OPPOSITE y a`
+    Opposite,
+    /// `TIME2COUNT y delay adjust`, in scans.
+    TimeToCount,
+    /// `7SEGMENTS y a C`
+    Segments(Segments),
+    /// An element that does nothing here, with its fields.
+    Idle(Idle),
     /// `RTL t delay adjust` and the like, counted in scans.
     Timer(MadeTimer),
     /// `CTU c max init kind` and the like.
     Counter(MadeCounter),
+}
+
+/// A character for a display of seven segments.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Segments {
+    /// A segment is lit by a low bit, else by a high one.
+    pub(crate) anode: bool,
+    /// The character is a number, or is in no plain variable: LDmicro changes a variable that holds no character.
+    pub(crate) fixed: bool,
 }
 
 /// A timer that is not among those of LDmicro 2.2, or whose delay is a variable.
@@ -156,7 +176,12 @@ impl Made {
             Made::ShiftRight,
             Made::ToBcd,
             Made::FromBcd,
+            Made::Swap,
+            Made::Opposite,
+            Made::TimeToCount,
         ];
+        let segments = [(false, false), (false, true), (true, false), (true, true)]
+            .map(|(anode, fixed)| Made::Segments(Segments { anode, fixed }));
         let counters = Count::ALL.into_iter().flat_map(|count| {
             Kind::ALL.into_iter().flat_map(move |kind| {
                 [false, true].map(|from_variable| {
@@ -169,7 +194,13 @@ impl Made {
             })
         });
         let timers = MadeTimer::ALL.into_iter().map(Made::Timer);
-        plain.into_iter().chain(timers).chain(counters)
+        let idle = Idle::all().map(Made::Idle);
+        plain
+            .into_iter()
+            .chain(segments)
+            .chain(timers)
+            .chain(counters)
+            .chain(idle)
     }
 
     /// The block with this name, whatever its case.
@@ -186,7 +217,16 @@ impl Made {
             Made::ShiftRight => "SHR",
             Made::ToBcd => "BIN2BCD",
             Made::FromBcd => "BCD2BIN",
+            Made::Swap => "SWAP",
+            Made::Opposite => "OPPOSITE",
+            Made::TimeToCount => "TIME2COUNT",
             Made::Timer(timer) => timer.word(),
+            Made::Idle(idle) => return format!("${}", idle.name()),
+            Made::Segments(segments) => {
+                let common = if segments.anode { "anode" } else { "" };
+                let fixed = if segments.fixed { "of" } else { "" };
+                return format!("$SEGMENTS7{common}{fixed}");
+            }
             Made::Counter(counter) => {
                 let from = if counter.from_variable { "from" } else { "" };
                 return format!("${}{}{from}", counter.count.word(), counter.kind.suffix());
@@ -206,12 +246,23 @@ impl Made {
     /// The definition that the program brings along.
     pub(crate) fn item(self) -> Item {
         let definition = self.definition();
-        let mut items = vec![Item::Comment(definition.says.to_owned())];
+        let mut items = vec![Item::Comment(definition.says)];
+        if let Made::Idle(_) = self {
+            let why = "allow(never-read): the fields are there to be seen";
+            items.push(Item::Directive(why.to_owned()));
+        }
         let mut section = |kind, declared: &[&str]| {
             let mut section = Section::new(kind);
             for declared in declared {
                 let (name, ty) = declared.split_once(" : ").unwrap_or((declared, "INT"));
-                section.declarations.push(Declaration::new(name, ty));
+                let (ty, initial) = match ty.split_once(" := ") {
+                    Some((ty, initial)) => (ty, Some(initial.to_owned())),
+                    None => (ty, None),
+                };
+                section.declarations.push(Declaration {
+                    initial,
+                    ..Declaration::new(name, ty)
+                });
             }
             items.push(Item::Section(section));
         };
@@ -246,6 +297,19 @@ impl Made {
             Made::ShiftRight => format!("SHR {}", given.join(" ")),
             Made::ToBcd => format!("BIN2BCD {}", given.join(" ")),
             Made::FromBcd => format!("BCD2BIN {}", given.join(" ")),
+            Made::Swap => format!("SWAP {}", given.join(" ")),
+            Made::Opposite => format!("OPPOSITE {}", given.join(" ")),
+            Made::Segments(segments) => {
+                let common = if segments.anode { "A" } else { "C" };
+                format!("7SEGMENTS {} {common}", given.join(" "))
+            }
+            Made::Idle(idle) if first.is_empty() => idle.word.to_owned(),
+            Made::Idle(idle) => format!("{} {first}", idle.word),
+            Made::TimeToCount => {
+                let scans = given.get(1).and_then(|scans| scans.parse::<u64>().ok());
+                let delay = scans.unwrap_or(0).saturating_mul(dialect.cycle);
+                format!("TIME2COUNT {first} {delay} 0")
+            }
             Made::Timer(timer) => {
                 let period = given.get(1).map_or("0", String::as_str);
                 match period.parse::<u64>() {
