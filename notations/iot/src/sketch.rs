@@ -191,7 +191,7 @@ impl<'f> Importer<'f> {
             Form::Coil(op) => self.coil(op, &operands[0])?,
             Form::Reset => match &operands[0] {
                 Operand::Variable(variable) if variable.family.is_state() => format!("(RES)( {variable} )"),
-                operand @ Operand::Member(..) => format!("[MOV]( {}, 0 )", self.written(operand)?),
+                operand @ Operand::Member(..) => self.put(operand, 0)?,
                 operand => self.coil(Op::ResetCoil, operand)?,
             },
             Form::Timer(op) | Form::Counter(op) => self.state(op, element)?,
@@ -204,10 +204,22 @@ impl<'f> Importer<'f> {
     }
 
     fn coil(&self, op: Op, operand: &Operand) -> Result<String, String> {
-        match operand {
-            Operand::Variable(_) => Ok(format!("{}( {} )", by_op(op).block(), self.text(operand))),
+        match (op, operand) {
+            (Op::SetCoil, Operand::Variable(variable)) if self.is_number(variable) => self.put(operand, 1),
+            (Op::ResetCoil, Operand::Variable(variable)) if self.is_number(variable) => self.put(operand, 0),
+            (_, Operand::Variable(_)) => Ok(format!("{}( {} )", by_op(op).block(), self.text(operand))),
             _ => Err(format!("a coil writes no {operand} here")),
         }
+    }
+
+    /// What sets and resets a number: it is given one.
+    fn put(&self, operand: &Operand, number: u8) -> Result<String, String> {
+        let head = by_op(Op::Mov).block();
+        Ok(format!("{head}( {}, {number} )", self.written(operand)?))
+    }
+
+    fn is_number(&self, variable: &Variable) -> bool {
+        matches!(variable.family, Family::Integer | Family::Float) || self.numbers.contains(variable)
     }
 
     fn state(&self, op: Op, element: &'f Element) -> Result<String, String> {

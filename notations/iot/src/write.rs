@@ -208,9 +208,14 @@ impl Writer<'_> {
         if let (Op::Res | Op::ResetCoil, [Argument::State(tag)]) = (row.op, &arguments[..]) {
             return Ok(format!("RESET {}", self.names.of(*tag)?));
         }
-        if let (Op::ResetCoil, [Argument::Place(_, ty)]) = (row.op, &arguments[..])
-            && ty.is_number()
-        {
+        let resets = match (row.op, &arguments[..]) {
+            (Op::ResetCoil, [Argument::Place(_, ty)]) => ty.is_number(),
+            (Op::Mov, [Argument::Place(_, ty), Argument::Value(value)]) => {
+                ty.is_number() && constant(value) == Some(0)
+            }
+            _ => false,
+        };
+        if resets {
             return Ok(format!("RESET {}", self.argument(arguments[0])?));
         }
         let found = ROWS.iter().find(|word| match word.form {

@@ -454,3 +454,46 @@ fn the_examples_of_the_editor() {
         println!("{again}");
     }
 }
+
+/// A number is not latched: what sets or resets it puts a number there, and says so.
+#[test]
+fn set_and_reset_of_numbers() {
+    let field = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../tests/corpus/field/iot_reset_int.iot"
+    );
+    let field = std::fs::read_to_string(field).expect("the file can be read");
+    let text = format!(
+        "{field}NO I1 ; SET MI02\nNO I1 ; RST MF01\nNO I1 ; SET Q1\nNO I1 ; RESET Q1\nADD Q2 Q2 I1 ; RESET Q2\n"
+    );
+    check(&text, expect![[r#"
+        # ladder: profile iot #
+
+        VAR_INPUT
+            I01 : BOOL;
+            I1  : BOOL;
+        END_VAR
+        VAR_OUTPUT
+            Q01 : BOOL;
+            Q1  : BOOL;
+            Q2  : USINT;
+        END_VAR
+        VAR
+            MI01 : DINT;
+            MI02 : DINT;
+            MF01 : REAL;
+        END_VAR
+
+        +--[ ]( I01 )------------------------------------[MOV]( MI01, 0 )--( )( Q01 )--+
+
+        +--[ ]( I1 )-------------------------------------------------[MOV]( MI02, 1 )--+
+
+        +--[ ]( I1 )-------------------------------------------------[MOV]( MF01, 0 )--+
+
+        +--[ ]( I1 )--------------------------------------------------------(S)( Q1 )--+
+
+        +--[ ]( I1 )--------------------------------------------------------(R)( Q1 )--+
+
+        +-----------------------------------------[ADD]( Q2, Q2, I1 )--[MOV]( Q2, 0 )--+
+    "#]]);
+}
