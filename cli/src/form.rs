@@ -21,7 +21,7 @@ pub(crate) fn of_program(path: &Path, bytes: &[u8]) -> Result<Form, Failure> {
     if is_program(path) {
         return Ok(Form::Ladder);
     }
-    match recognise(bytes) {
+    match recognise(path, bytes) {
         Some(notation) => Ok(Form::Foreign(notation)),
         None if is_foreign_name(path) => Err(Failure::new(format!(
             "{}: this is in no notation that is known; if it is, `ladder convert --from` takes it",

@@ -165,23 +165,34 @@ impl LineIndex {
     /// The other way: the offset of a place, brought back into its line and into the text if it lies outside.
     pub fn offset(&self, text: &str, place: LineColumn) -> TextSize {
         let line = self.content(text, (place.line.max(1) as usize - 1).min(self.starts.len() - 1));
-        let content = &text[line];
         let before = place.column.max(1) - 1;
-        let mut characters = content.char_indices().filter(|&(_, c)| c != '\u{feff}');
+        let long = self.long_line(line.start().into());
+        let (known, counted) = long.map_or((line.start().into(), 0), |long| {
+            let after = long.columns.partition_point(|&(_, counted)| counted <= before);
+            long.columns[after - 1]
+        });
+        let known = TextSize::new(known).min(line.end());
+        let rest = &text[TextRange::new(known, line.end())];
+        let mut characters = rest.char_indices().filter(|&(_, c)| c != '\u{feff}');
         let at = characters
-            .nth(before as usize)
-            .map_or(content.len(), |(at, _)| at);
-        line.start() + TextSize::new(at as u32)
+            .nth((before - counted) as usize)
+            .map_or(rest.len(), |(at, _)| at);
+        known + TextSize::new(at as u32)
     }
 
     /// The nearest place before an offset whose column is known, and the characters before it on its line.
     fn known_column(&self, start: u32, offset: u32) -> (u32, u32) {
-        let Ok(long) = self.long.binary_search_by_key(&start, |long| long.start) else {
+        let Some(long) = self.long_line(start) else {
             return (start, 0);
         };
-        let columns = &self.long[long].columns;
-        let after = columns.partition_point(|&(known, _)| known <= offset);
-        columns[after.max(1) - 1]
+        let after = long.columns.partition_point(|&(known, _)| known <= offset);
+        long.columns[after.max(1) - 1]
+    }
+
+    /// The line that starts there, if it is a long one.
+    fn long_line(&self, start: u32) -> Option<&LongLine> {
+        let long = self.long.binary_search_by_key(&start, |long| long.start).ok()?;
+        self.long.get(long)
     }
 }
 
@@ -224,6 +235,9 @@ mod tests {
             for (at, c) in line.char_indices() {
                 let place = index.line_column(&text, TextSize::new((start + at) as u32));
                 assert_eq!(place.column, characters + 1, "{start} {at}");
+                if c != '\u{feff}' {
+                    assert_eq!(usize::from(index.offset(&text, place)), start + at);
+                }
                 characters += u32::from(c != '\u{feff}');
             }
         }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 const RUNG: &str = "\
 start (open contact I0.1 V open contact Q0) & closed contact I1.0 & active coil Q0 end
-start open contact I0.1 V open contact I2.0 & inactive coil Q1 end
+start open contact I0.1 & open contact I3.0 V (open contact I2.0 & inactive coil Q1) end
 ";
 
 const DRAFT: &str = "\
@@ -31,16 +31,16 @@ fn findings_stand_in_the_file_that_was_named() {
     expect![[r#"
         exit status 1
         -- stdout
-        warning[textbook-precedence]: the paper does not say whether `&` or `V` binds more tightly; `&` does here, put parentheses round what belongs together
+        warning[textbook-precedence]: the paper does not say what belongs together here: before a coil `&` takes all that is before it, between contacts it binds more tightly than `V`; put parentheses round what belongs together
          --> motor.rung:2:7
           |
-        2 | start open contact I0.1 V open contact I2.0 & inactive coil Q1 end
+        2 | start open contact I0.1 & open contact I3.0 V (open contact I2.0 & inactive coil Q1) end
           |       ^^^^^^^^^^^^^^^^^
 
         warning[dead-end]: the power of [ ]( I0 ) goes nowhere: nothing that acts is after it
          --> motor.rung:2:7
           |
-        2 | start open contact I0.1 V open contact I2.0 & inactive coil Q1 end
+        2 | start open contact I0.1 & open contact I3.0 V (open contact I2.0 & inactive coil Q1) end
           |       ^^^^^^^^^^^^^^^^^
           |
           = help: put a coil or another block after it, join the line to another with \ and /, or remove it
@@ -57,35 +57,35 @@ fn findings_stand_in_the_file_that_was_named() {
         (
             "concise",
             expect![[r#"
-            exit status 1
-            -- stdout
-            motor.rung:2:7: warning[textbook-precedence] the paper does not say whether `&` or `V` binds more tightly; `&` does here, put parentheses round what belongs together
-            motor.rung:2:7: warning[dead-end] the power of [ ]( I0 ) goes nowhere: nothing that acts is after it
-            lamp.cplc:5:15: error[cplc-draft-block] `[PID]<x>` stays as a comment: the draft has no such block
-            Checked 2 files: 1 error, 2 warnings.
-        "#]],
+                exit status 1
+                -- stdout
+                motor.rung:2:7: warning[textbook-precedence] the paper does not say what belongs together here: before a coil `&` takes all that is before it, between contacts it binds more tightly than `V`; put parentheses round what belongs together
+                motor.rung:2:7: warning[dead-end] the power of [ ]( I0 ) goes nowhere: nothing that acts is after it
+                lamp.cplc:5:15: error[cplc-draft-block] `[PID]<x>` stays as a comment: the draft has no such block
+                Checked 2 files: 1 error, 2 warnings.
+            "#]],
         ),
         (
             "json",
             expect![[r#"
-            exit status 1
-            -- stdout
-            [
-              {"file":"motor.rung","line":2,"column":7,"end_line":2,"end_column":24,"rule":"textbook-precedence","severity":"warning","message":"the paper does not say whether `&` or `V` binds more tightly; `&` does here, put parentheses round what belongs together"},
-              {"file":"motor.rung","rule":"dead-end","severity":"warning","message":"the power of [ ]( I0 ) goes nowhere: nothing that acts is after it","line":2,"column":7,"end_line":2,"end_column":24,"help":"put a coil or another block after it, join the line to another with \\ and /, or remove it"},
-              {"file":"lamp.cplc","line":5,"column":15,"end_line":5,"end_column":23,"rule":"cplc-draft-block","severity":"error","message":"`[PID]<x>` stays as a comment: the draft has no such block"}
-            ]
-        "#]],
+                exit status 1
+                -- stdout
+                [
+                  {"file":"motor.rung","line":2,"column":7,"end_line":2,"end_column":24,"rule":"textbook-precedence","severity":"warning","message":"the paper does not say what belongs together here: before a coil `&` takes all that is before it, between contacts it binds more tightly than `V`; put parentheses round what belongs together"},
+                  {"file":"motor.rung","rule":"dead-end","severity":"warning","message":"the power of [ ]( I0 ) goes nowhere: nothing that acts is after it","line":2,"column":7,"end_line":2,"end_column":24,"help":"put a coil or another block after it, join the line to another with \\ and /, or remove it"},
+                  {"file":"lamp.cplc","line":5,"column":15,"end_line":5,"end_column":23,"rule":"cplc-draft-block","severity":"error","message":"`[PID]<x>` stays as a comment: the draft has no such block"}
+                ]
+            "#]],
         ),
         (
             "github",
             expect![[r#"
-            exit status 1
-            -- stdout
-            ::warning file=motor.rung,line=2,col=7,endColumn=24,title=textbook-precedence::the paper does not say whether `&` or `V` binds more tightly; `&` does here, put parentheses round what belongs together
-            ::warning file=motor.rung,line=2,col=7,endColumn=24,title=dead-end::the power of [ ]( I0 ) goes nowhere: nothing that acts is after it%0Aput a coil or another block after it, join the line to another with \ and /, or remove it
-            ::error file=lamp.cplc,line=5,col=15,endColumn=23,title=cplc-draft-block::`[PID]<x>` stays as a comment: the draft has no such block
-        "#]],
+                exit status 1
+                -- stdout
+                ::warning file=motor.rung,line=2,col=7,endColumn=24,title=textbook-precedence::the paper does not say what belongs together here: before a coil `&` takes all that is before it, between contacts it binds more tightly than `V`; put parentheses round what belongs together
+                ::warning file=motor.rung,line=2,col=7,endColumn=24,title=dead-end::the power of [ ]( I0 ) goes nowhere: nothing that acts is after it%0Aput a coil or another block after it, join the line to another with \ and /, or remove it
+                ::error file=lamp.cplc,line=5,col=15,endColumn=23,title=cplc-draft-block::`[PID]<x>` stays as a comment: the draft has no such block
+            "#]],
         ),
     ] {
         let run = folder.ladder(&["check", "--format", format, "motor.rung", "lamp.cplc"]);
@@ -156,6 +156,7 @@ fn a_run_shows_the_coils() {
             I0 : BOOL := TRUE;
             I1 : BOOL;
             I2 : BOOL;
+            I3 : BOOL;
         END_VAR
         VAR_OUTPUT
             Q0 : BOOL;
@@ -165,7 +166,7 @@ fn a_run_shows_the_coils() {
         +==\==[ ]( I0 )==\==[/]( I1 )=======================================( )( Q0 )==+
         |  /==[ ]( Q0 )--/                                                             |
 
-        +==\==[ ]( I0 )=============================================================\==+
+        +==\==[ ]( I0 )==[ ]( I3 )--------------------------------------------------\--+
         |  /==[ ]( I2 )--------------------------------------------------(/)( Q1 )--/  |
     "#]]
     .assert_eq(&run.to_string());
@@ -247,15 +248,18 @@ Q1 => -____
 
         Coverage
           networks  contacts  coils
-               2/2       4/5    1/2  motor.rung
+               2/2       4/6    1/2  motor.rung
 
         Never exercised
           motor.rung:2:27: this contact was never closed while power came to it
-            start open contact I0.1 V open contact I2.0 & inactive coil Q1 end
+            start open contact I0.1 & open contact I3.0 V (open contact I2.0 & inactive coil Q1) end
                                       ^^^^^^^^^^^^^^^^^
-          motor.rung:2:47: this coil never had power
-            start open contact I0.1 V open contact I2.0 & inactive coil Q1 end
-                                                          ^^^^^^^^^^^^^^^^
+          motor.rung:2:48: this contact was never closed while power came to it
+            start open contact I0.1 & open contact I3.0 V (open contact I2.0 & inactive coil Q1) end
+                                                           ^^^^^^^^^^^^^^^^^
+          motor.rung:2:68: this coil never had power
+            start open contact I0.1 & open contact I3.0 V (open contact I2.0 & inactive coil Q1) end
+                                                                               ^^^^^^^^^^^^^^^^
 
         1 scenario in 1 file: 0 passed, 1 failed"#]]
     .assert_eq(shown);

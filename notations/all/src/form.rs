@@ -2,6 +2,7 @@
 
 use super::{LADDER, NOTATIONS, Notation, by_name, recognise};
 use std::fmt;
+use std::path::Path;
 
 /// What a program is written in.
 #[derive(Clone, Copy)]
@@ -26,10 +27,9 @@ impl Form {
         std::iter::once(LADDER).chain(NOTATIONS.iter().map(|notation| notation.name()))
     }
 
-    /// What a file is written in: by its content, since other systems share their file names; else ladder text, if its
-    /// name says so.
-    pub fn of(bytes: &[u8], is_called_ladder: bool) -> Option<Form> {
-        match recognise(bytes) {
+    /// What a file is written in: what [`recognise`] says; else ladder text, if its name says so.
+    pub fn of(path: &Path, bytes: &[u8], is_called_ladder: bool) -> Option<Form> {
+        match recognise(path, bytes) {
             Some(notation) => Some(Form::Foreign(notation)),
             None => is_called_ladder.then_some(Form::Ladder),
         }

@@ -11,6 +11,8 @@ pub use ladder_notation::{
     Remark, Report, Source, Tally, WriteError, Writing, convert, has_extension, remarks,
 };
 
+use std::path::Path;
+
 /// All of them, in the order in which they are asked whether a text is theirs.
 pub const NOTATIONS: &[&dyn Notation] = &[
     #[cfg(feature = "textbook")]
@@ -37,12 +39,16 @@ pub fn by_name(name: &str) -> Option<&'static dyn Notation> {
     NOTATIONS.iter().copied().find(|notation| notation.name() == name)
 }
 
-/// The notation that a file is in, by its content.
-pub fn recognise(bytes: &[u8]) -> Option<&'static dyn Notation> {
-    NOTATIONS
-        .iter()
-        .copied()
+/// The notation that a file is in: by its content, since other systems share their file names; else by the end of its
+/// name, if no other system's files are called so.
+pub fn recognise(path: &Path, bytes: &[u8]) -> Option<&'static dyn Notation> {
+    let mut all = NOTATIONS.iter().copied();
+    all.clone()
         .find(|notation| notation.recognises(bytes))
+        .or_else(|| {
+            let extension = path.extension()?.to_str()?;
+            all.find(|notation| notation.owns_extension() && has_extension(*notation, extension))
+        })
 }
 
 /// The notation that a file's name asks for when it is written: the only one, or the first, whose names end so.

@@ -16,6 +16,11 @@ pub trait Notation: Sync {
     /// names show nothing.
     fn extensions(&self) -> &'static [&'static str];
 
+    /// Whether nothing else has files of such names, so that the name alone shows what a file is in.
+    fn owns_extension(&self) -> bool {
+        false
+    }
+
     /// Whether a file is in this notation, from its content alone. No more than the first lines are checked.
     fn recognises(&self, bytes: &[u8]) -> bool;
 

@@ -466,7 +466,9 @@ fn set_and_reset_of_numbers() {
     let text = format!(
         "{field}NO I1 ; SET MI02\nNO I1 ; RST MF01\nNO I1 ; SET Q1\nNO I1 ; RESET Q1\nADD Q2 Q2 I1 ; RESET Q2\n"
     );
-    check(&text, expect![[r#"
+    check(
+        &text,
+        expect![[r#"
         # ladder: profile iot #
 
         VAR_INPUT
@@ -495,5 +497,6 @@ fn set_and_reset_of_numbers() {
         +--[ ]( I1 )--------------------------------------------------------(R)( Q1 )--+
 
         +-----------------------------------------[ADD]( Q2, Q2, I1 )--[MOV]( Q2, 0 )--+
-    "#]]);
+    "#]],
+    );
 }

@@ -10,6 +10,9 @@ use std::collections::BTreeMap;
 /// Parentheses nest no deeper.
 const DEEPEST: usize = 100;
 
+/// A program has no more elements: each branch is a line of its drawing, and moves the next one right.
+const MOST_ELEMENTS: usize = 256;
+
 /// Reads the programs of a text.
 pub(super) fn read(text: &str) -> Result<Reading, ReadError> {
     let words = words(text)?;
@@ -17,6 +20,7 @@ pub(super) fn read(text: &str) -> Result<Reading, ReadError> {
         words: &words,
         at: 0,
         depth: 0,
+        elements: 0,
         reading: Reading::default(),
         tags: BTreeMap::new(),
     };
@@ -72,10 +76,58 @@ struct Tag {
     misplaced: Option<(LineColumn, Element)>,
 }
 
+/// What is read of an expression without its parentheses.
+#[derive(Default)]
+struct Level {
+    branches: Vec<Vec<Circuit<Block>>>,
+    /// A branch has several parts next to another branch, and no parentheses say so.
+    is_mixed: bool,
+}
+
+impl Level {
+    fn branch(&mut self, first: Circuit<Block>) {
+        self.is_mixed |= self.branches.last().is_some_and(|branch| branch.len() > 1);
+        self.branches.push(vec![first]);
+    }
+
+    fn in_series(&mut self, part: Circuit<Block>) {
+        self.is_mixed |= self.branches.len() > 1;
+        if let Some(branch) = self.branches.last_mut() {
+            branch.push(part);
+        }
+    }
+
+    /// A coil takes all that is before it.
+    fn close(&mut self) {
+        if self.branches.len() > 1 {
+            let whole = std::mem::take(&mut self.branches);
+            let whole = whole.into_iter().map(in_series).collect();
+            self.branches = vec![vec![Circuit::Parallel(whole)]];
+        }
+    }
+
+    fn circuit(mut self) -> Circuit<Block> {
+        self.close();
+        in_series(self.branches.pop().unwrap_or_default())
+    }
+}
+
+fn in_series(mut parts: Vec<Circuit<Block>>) -> Circuit<Block> {
+    match parts.pop() {
+        Some(part) if parts.is_empty() => part,
+        last => {
+            parts.extend(last);
+            Circuit::Series(parts)
+        }
+    }
+}
+
 struct Reader<'w> {
     words: &'w [Word],
     at: usize,
     depth: usize,
+    /// The elements of the program that is being read.
+    elements: usize,
     reading: Reading,
     tags: BTreeMap<(char, u32), Tag>,
 }
@@ -84,6 +136,7 @@ impl Reader<'_> {
     /// `start` any `end`
     fn program(&mut self) -> Result<Circuit<Block>, ReadError> {
         self.expect(WordKind::Start, "a program begins with `start`")?;
+        self.elements = 0;
         let first = self.at;
         let circuit = self.any()?;
         let after = self.at;
@@ -97,39 +150,36 @@ impl Reader<'_> {
 
     fn any(&mut self) -> Result<Circuit<Block>, ReadError> {
         let start = self.place();
-        let first = self.all()?;
-        let mut mixed = first.1;
-        let mut branches = vec![first.0];
-        while self.take(WordKind::Or) {
-            let (branch, is_series) = self.all()?;
-            mixed |= is_series;
-            branches.push(branch);
+        let mut whole = Level::default();
+        loop {
+            whole.branch(self.one()?);
+            while self.take(WordKind::And) {
+                if self.is_at_coil() {
+                    whole.close();
+                }
+                whole.in_series(self.one()?);
+            }
+            if !self.take(WordKind::Or) {
+                break;
+            }
         }
-        if branches.len() == 1 {
-            return Ok(branches.remove(0));
-        }
-        if mixed {
+        if whole.is_mixed {
             self.remark(
                 start,
                 "textbook-precedence",
-                "the paper does not say whether `&` or `V` binds more tightly; `&` does here, put parentheses round what \
-                 belongs together"
+                "the paper does not say what belongs together here: before a coil `&` takes all that is before it, between \
+                 contacts it binds more tightly than `V`; put parentheses round what belongs together"
                     .to_owned(),
             );
         }
-        Ok(Circuit::Parallel(branches))
+        Ok(whole.circuit())
     }
 
-    /// What is in series, and whether it is more than one thing without parentheses.
-    fn all(&mut self) -> Result<(Circuit<Block>, bool), ReadError> {
-        let mut parts = vec![self.one()?];
-        while self.take(WordKind::And) {
-            parts.push(self.one()?);
-        }
-        Ok(match parts.len() {
-            1 => (parts.remove(0), false),
-            _ => (Circuit::Series(parts), true),
-        })
+    /// Whether a coil is next, or what is in parentheses and begins with one.
+    fn is_at_coil(&self) -> bool {
+        let mut words = self.words[self.at..].iter().map(|word| word.kind);
+        let first = words.find(|kind| *kind != WordKind::Open);
+        matches!(first, Some(WordKind::Element(element)) if element.is_coil())
     }
 
     fn one(&mut self) -> Result<Circuit<Block>, ReadError> {
@@ -165,6 +215,13 @@ impl Reader<'_> {
         element: Element,
         name: Name,
     ) -> Result<Circuit<Block>, ReadError> {
+        self.elements += 1;
+        if self.elements > MOST_ELEMENTS {
+            let message = format!(
+                "a program has at most {MOST_ELEMENTS} contacts and coils: make several of it, with a memory such as `M0` between them"
+            );
+            return Err(ReadError::at(place, message));
+        }
         let Name {
             letter,
             number,

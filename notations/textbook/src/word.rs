@@ -85,12 +85,7 @@ pub(super) fn words(text: &str) -> Result<Vec<Word>, ReadError> {
     while let Some(c) = rest.chars().next() {
         let mut found = None;
         let length = match c {
-            '\n' => {
-                at_line_start = true;
-                (place.line, place.column) = (place.line + 1, 0);
-                1
-            }
-            '\r' => {
+            '\n' | '\r' => {
                 at_line_start = true;
                 1
             }
@@ -114,7 +109,12 @@ pub(super) fn words(text: &str) -> Result<Vec<Word>, ReadError> {
         };
         words.extend(found);
         // Counted on the way: a line may be as long as the file.
-        place.column += rest[..length].chars().count() as u32;
+        for c in rest[..length].chars() {
+            if c == '\n' {
+                (place.line, place.column) = (place.line + 1, 0);
+            }
+            place.column += 1;
+        }
         rest = &rest[length..];
     }
     Ok(words)
@@ -140,7 +140,7 @@ fn word(text: &str) -> Result<(WordKind, usize), String> {
             return Ok((kind, length));
         }
         if is(one) {
-            let after = text[length..].trim_start_matches([' ', '\t']);
+            let after = text[length..].trim_start();
             let second = after
                 .get(..two.len())
                 .filter(|word| word.eq_ignore_ascii_case(two));

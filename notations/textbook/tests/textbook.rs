@@ -2,7 +2,7 @@
 
 use expect_test::{Expect, expect};
 use ladder_format::Options;
-use ladder_notation::{Notation, Outcome, Source, convert};
+use ladder_notation::{Foreign, Notation, Outcome, Source, convert};
 use ladder_notation_textbook::Textbook;
 
 /// The ladder text, then what there is to say about it; or the error.
@@ -103,11 +103,10 @@ fn remarks_of_the_paper() {
                 Q0 : BOOL;
             END_VAR
 
-            +--\--[ ]( I0 )-------------------------------------------------------------\--+
-            |  /--[ ]( I1 )--------------------------------------------------( )( Q0 )--/  |
+            +--\--[ ]( I0 )--\--------------------------------------------------( )( Q0 )--+
+            |  /--[ ]( I1 )--/                                                             |
 
             +--[ ]( Q0 )--------------------------------------------------------( )( I7 )--+
-            1:7 textbook-precedence: the paper does not say whether `&` or `V` binds more tightly; `&` does here, put parentheses round what belongs together
             2:25 textbook-name: a coil is better called `Q7` or `M7` than `I7`
         "#]],
     );
@@ -260,4 +259,122 @@ fn its_files_are_recognised() {
     assert!(!is_rung(b"start_it"));
     assert!(!is_rung(b"+--[ ]( start )--+"));
     assert!(!is_rung(b"\xff\xfe"));
+}
+
+/// A coil takes all that is before it, up to a parenthesis.
+#[test]
+fn what_belongs_to_a_coil() {
+    for (text, expected) in [
+        (
+            "start open contact I0.1 V open contact I1.0 & active coil Q0 end",
+            expect![[r#"
+                +--\--[ ]( I0 )--\--------------------------------------------------( )( Q0 )--+
+                |  /--[ ]( I1 )--/                                                             |
+            "#]],
+        ),
+        (
+            "start (open contact I0.1 V open contact I1.0) & active coil Q0 end",
+            expect![[r#"
+                +--\--[ ]( I0 )--\--------------------------------------------------( )( Q0 )--+
+                |  /--[ ]( I1 )--/                                                             |
+            "#]],
+        ),
+        (
+            "start open contact I0.1 V (open contact I1.0 & active coil Q0) end",
+            expect![[r#"
+                +--\--[ ]( I0 )-------------------------------------------------------------\--+
+                |  /--[ ]( I1 )--------------------------------------------------( )( Q0 )--/  |
+            "#]],
+        ),
+        (
+            "start open contact I0.1 & open contact I1.0 V open contact I2.1 & active coil Q0 end",
+            expect![[r#"
+                +--\--[ ]( I0 )--[ ]( I1 )--\---------------------------------------( )( Q0 )--+
+                |  /--[ ]( I2 )-------------/                                                  |
+                1:7 textbook-precedence: the paper does not say what belongs together here: before a coil `&` takes all that is before it, between contacts it binds more tightly than `V`; put parentheses round what belongs together
+            "#]],
+        ),
+        (
+            "start open contact I0.1 V open contact I1.0 & (active coil Q0 V inactive coil Q1) end",
+            expect![[r#"
+                +--\--[ ]( I0 )--\--\--------------------------------------------( )( Q0 )--\--+
+                |  /--[ ]( I1 )--/  /--------------------------------------------(/)( Q1 )--/  |
+            "#]],
+        ),
+        (
+            "start open contact I0.1 V open contact I1.0 & active coil Q0 & active coil Q1 end",
+            expect![[r#"
+                +--\--[ ]( I0 )--\---------------------------------------( )( Q0 )--( )( Q1 )--+
+                |  /--[ ]( I1 )--/                                                             |
+            "#]],
+        ),
+        (
+            "start open contact I0.1 & active coil Q0 V open contact I1.0 & active coil Q1 end",
+            expect![[r#"
+                +--\--[ ]( I0 )---------------------------------------( )( Q0 )--\--( )( Q1 )--+
+                |  /--[ ]( I1 )--------------------------------------------------/             |
+                1:7 textbook-precedence: the paper does not say what belongs together here: before a coil `&` takes all that is before it, between contacts it binds more tightly than `V`; put parentheses round what belongs together
+            "#]],
+        ),
+    ] {
+        let whole = read(text);
+        let network = whole.split("END_VAR\n").last().unwrap_or_default().trim_start();
+        expected.assert_eq(network);
+    }
+}
+
+#[test]
+fn programs_over_several_lines_are_recognised_and_read() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/corpus/field");
+    let several = std::fs::read_to_string(format!("{folder}/paper_multiline.rung")).expect("it is there");
+    let texts = [
+        several.as_str(),
+        "start closed contact I0.1 & active coil Q0 end",
+        "|\nstart closed contact I0.1 & active coil Q0 end\n|\n",
+        "\u{feff}|start\r\nclosed\r\ncontact I0.1\r\n&\r\nactive\tcoil Q0\r\nend|\r\n",
+    ];
+    let expected = read(texts[1]);
+    for text in texts {
+        assert!(Textbook.recognises(text.as_bytes()), "{text}");
+        assert_eq!(read(text), expected, "{text}");
+    }
+    for other in [
+        "start\nthe engine",
+        "starting open",
+        "start",
+        "| + |\nstart open contact",
+    ] {
+        assert!(!Textbook.recognises(other.as_bytes()), "{other}");
+    }
+    check(
+        "start open\n\n  # no comment\n contact",
+        expect![[r#"
+        1:7: `open` is followed by `contact`
+    "#]],
+    );
+}
+
+#[test]
+fn a_program_has_a_limit_and_a_line_has_none() {
+    let many = |count: usize, between: &str| {
+        let contacts: Vec<String> = (0..count)
+            .map(|number| format!("open contact M{number}"))
+            .collect();
+        format!("start ({}) & active coil Q0 end", contacts.join(between))
+    };
+    for between in [" V ", " & "] {
+        assert!(converts(&many(255, between)));
+        let refused = read(&many(20_000, between));
+        assert!(refused.ends_with(": a program has at most 256 contacts and coils: make several of it, with a memory such as `M0` between them\n"), "{refused}");
+    }
+    // Places are found on a long line without reading it again.
+    let line = "start open contact I0.1 & active coil Q0 end ".repeat(5_000);
+    let source = Source::alone("test", line.as_bytes());
+    let foreign = Foreign::read(&Textbook, &source).expect("it can be read");
+    assert_eq!(foreign.ladder().matches("( )( Q0 )").count(), 5_000);
+}
+
+fn converts(text: &str) -> bool {
+    let source = Source::alone("test", text.as_bytes());
+    convert(&Textbook, &source, &Options::default()).is_ok()
 }

@@ -145,7 +145,7 @@ fn job(
     to: Option<Form>,
 ) -> Result<Option<Job>, Failure> {
     let bytes = read_bytes(input)?;
-    let Some(from) = from.or_else(|| Form::of(&bytes, is_program(input))) else {
+    let Some(from) = from.or_else(|| Form::of(input, &bytes, is_program(input))) else {
         if !is_named {
             return Ok(None);
         }

@@ -94,7 +94,7 @@ impl Program {
         let from = match (&wanted.from, kind.notation()) {
             (Some(name), _) => named(name)?,
             (None, Some(notation)) => Form::Foreign(notation),
-            (None, None) => Form::of(&bytes, is_program(&path)).ok_or_else(|| {
+            (None, None) => Form::of(&path, &bytes, is_program(&path)).ok_or_else(|| {
                 failed(format!(
                     "{file}: this is in no notation that is known; if it is, name it"
                 ))
