@@ -562,3 +562,28 @@ fn every_foreign_program_that_is_at_hand() {
     }
     assert!(problems.is_empty(), "{}", problems.join("\n"));
 }
+
+/// Programs that people have, as they are.
+#[test]
+fn programs_from_the_field_run() {
+    let field = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/corpus/field");
+    let folder = Folder::with(&[]);
+    for (file, set, coil, row) in [
+        ("ld_bare_header/input.ld", "Xgo=1", "Yfan", "0,0,1\n"),
+        (
+            "ld_named_piecewise/input.ld",
+            "PORT.ADC[3]=100",
+            "deg",
+            "0,0,50\n",
+        ),
+        ("iot_reset_int.iot", "I01=1", "MI01", "0,0,0\n"),
+        ("paper_multiline.rung", "I0=1", "Q0", "0,0,0\n"),
+        ("paper_or.rung", "I0=1", "Q0", "0,0,1\n"),
+    ] {
+        let file = field.join(file);
+        let file = file.to_str().unwrap();
+        let run = folder.ladder(&["sim", file, "--scans", "1", "--set", set, "--watch", coil]);
+        assert_eq!((run.status, run.stderr.as_str()), (Some(0), ""), "{file}");
+        assert_eq!(run.stdout, format!("scan,time_ms,{coil}\n{row}"), "{file}");
+    }
+}

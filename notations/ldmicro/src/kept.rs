@@ -44,6 +44,12 @@ fn unescaped(text: &str) -> String {
     out + rest
 }
 
+/// A line of the head as a comment keeps it: backslashes are not doubled there, as in the path `D:\x23\a.hex`, so one
+/// that would be read as more than itself is `\x5C`.
+pub(super) fn head_line(line: &str) -> String {
+    line.replace("\\x5C", "\\x5Cx5C").replace("\\x23", "\\x5Cx23")
+}
+
 /// What the comments above the networks say.
 #[derive(Default)]
 pub(super) struct Head {
@@ -64,7 +70,7 @@ impl Head {
         let mut list: Option<(String, Vec<String>)> = None;
         for line in text.lines() {
             let line = line.trim();
-            let Some(said) = kept(line) else {
+            let Some(said) = kept(line).map(|said| said.replace("\\x5C", "\\")) else {
                 head.declaration(line);
                 continue;
             };

@@ -1,6 +1,7 @@
 //! What is above the networks: the header and the lists of the file in comments, and the declarations.
 
 use super::{Importer, name_of};
+use crate::kept::head_line;
 use crate::model::{DEFAULT_CYCLE, Encoding};
 use ladder_format::program::{Declaration, Item, Section, SectionKind};
 use ladder_notation::LineColumn;
@@ -45,7 +46,7 @@ impl Importer<'_> {
         items.extend(
             lines
                 .into_iter()
-                .map(|line| Item::Comment(format!("ldmicro: {line}"))),
+                .map(|line| Item::Comment(format!("ldmicro: {}", head_line(&line)))),
         );
         items.push(Item::Directive("profile ldmicro".to_owned()));
         if self.file.cycle() != DEFAULT_CYCLE {

@@ -68,15 +68,16 @@ fn what_is_no_program_is_not_recognised() {
 
 #[test]
 fn lines_of_the_head_that_nobody_knows_are_kept() {
-    let text = program("LDmicro\nOWNER=the mill # 3\nNAME Xa = Xb");
+    let text = program("LDmicro\nOWNER=the mill # 3\nPATH=D:\\x23\\x5C\\\\x23#\nNAME Xa = Xb");
     let ladder = converted(text.as_bytes()).expect("it can be read").written.text;
-    let head: String = ladder.split_inclusive('\n').take(7).collect();
+    let head: String = ladder.split_inclusive('\n').take(8).collect();
     expect![[r#"
         # ldmicro: LDmicro0.2 #
         # ldmicro: CYCLE=10000 #
         # ldmicro: CRYSTAL=4000000 #
         # ldmicro: BAUD=2400 #
         # ldmicro: HEADER OWNER=the mill \x23 3 #
+        # ldmicro: HEADER PATH=D:\x5Cx23\x5Cx5C\\x5Cx23\x23 #
         # ldmicro: HEADER NAME Xa = Xb #
         # ladder: profile ldmicro #
     "#]]
@@ -89,6 +90,7 @@ fn lines_of_the_head_that_nobody_knows_are_kept() {
         CRYSTAL=4000000
         BAUD=2400
         OWNER=the mill # 3
+        PATH=D:\x23\x5C\\x23#
         NAME Xa = Xb
 
         IO LIST
