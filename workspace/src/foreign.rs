@@ -28,7 +28,8 @@ pub fn foreign_source<'s>(
         .file_stem()
         .map(|stem| stem.to_string_lossy())
         .unwrap_or_default();
-    let companions = read_companions(program, &|file| notation.has_companion(&name, file))?;
+    let wanted = |file: &str| notation.has_companion(&name, file);
+    let companions = read_companions(program, notation.companion_folder(), &wanted)?;
     Ok(Source {
         name,
         bytes,
@@ -36,32 +37,46 @@ pub fn foreign_source<'s>(
     })
 }
 
-/// The files in a program's folder that belong to it, as `wanted` knows them by their names, sorted. Links do not lead out
-/// of the folder or the workspace.
-fn read_companions(program: &Path, wanted: &dyn Fn(&str) -> bool) -> Result<Vec<Companion>, FileError> {
+/// Whether a file belongs to a program, as [`Notation::has_companion`] says for those in its folder and in the folder next
+/// to it.
+pub fn is_companion(notation: &dyn Notation, program: &Path, file: &Path) -> bool {
+    let (Some(folder), Some(stem)) = (program.parent(), program.file_stem()) else {
+        return false;
+    };
+    let Ok(below) = file.strip_prefix(folder) else {
+        return false;
+    };
+    let parts: Vec<_> = below.iter().map(|part| part.to_string_lossy()).collect();
+    let name = match &parts[..] {
+        [name] => name.to_string(),
+        [inner, name] if notation.companion_folder() == Some(inner.as_ref()) => format!("{inner}/{name}"),
+        _ => return false,
+    };
+    program != file && notation.has_companion(&stem.to_string_lossy(), &name)
+}
+
+/// The files that belong to a program, as `wanted` knows them by their names, sorted: those in its folder, and in the folder
+/// `inner` of that. Links do not lead out of the folder or the workspace.
+fn read_companions(
+    program: &Path,
+    inner: Option<&str>,
+    wanted: &dyn Fn(&str) -> bool,
+) -> Result<Vec<Companion>, FileError> {
     let folder = program.parent().unwrap_or(Path::new(""));
-    let listed = if folder == Path::new("") {
-        Path::new(".")
-    } else {
-        folder
-    };
-    // A program that is not on disk (standard input) has nothing next to it.
-    let Ok(entries) = fs::read_dir(listed) else {
-        return Ok(Vec::new());
-    };
-    let names = entries
-        .take(MOST_NAMES)
-        .flatten()
-        .filter_map(|entry| entry.file_name().into_string().ok());
     let is_other = |name: &String| program.file_name().is_none_or(|own| own != name.as_str());
-    let mut names: Vec<String> = names.filter(|name| is_other(name) && wanted(name)).collect();
+    let mut names: Vec<String> = listed(folder).filter(is_other).collect();
+    if let Some(inner) = inner {
+        names.extend(listed(&folder.join(inner)).map(|name| format!("{inner}/{name}")));
+    }
+    names.retain(|name| wanted(name));
     names.sort_unstable();
     names.truncate(MOST_FILES);
     let mut found = Vec::with_capacity(names.len());
     let mut size = 0;
     for name in names {
         let path = folder.join(&name);
-        if path.is_symlink() && !named::stays_inside(folder, &path) {
+        let is_link = path.is_symlink() || (name.contains('/') && path.parent().is_some_and(Path::is_symlink));
+        if is_link && !named::stays_inside(folder, &path) {
             return Err(FileError::new(&path, Problem::Outside));
         }
         let bytes = text::bytes_from(regular::open_plain(&path, File::options().read(true))?, &path)?;
@@ -72,4 +87,12 @@ fn read_companions(program: &Path, wanted: &dyn Fn(&str) -> bool) -> Result<Vec<
         found.push(Companion { name, bytes });
     }
     Ok(found)
+}
+
+/// The names in a folder. One that cannot be read, as that of a program from standard input, has none.
+fn listed(folder: &Path) -> impl Iterator<Item = String> {
+    let folder = if folder == Path::new("") { Path::new(".") } else { folder };
+    let entries = fs::read_dir(folder).into_iter().flatten();
+    let names = entries.take(MOST_NAMES).flatten();
+    names.filter_map(|entry| entry.file_name().into_string().ok())
 }

@@ -45,7 +45,7 @@ mod write;
 
 pub use error::{FileError, Problem, Special};
 pub use excluded::is_excluded;
-pub use foreign::foreign_source;
+pub use foreign::{foreign_source, is_companion};
 pub use ladder_syntax::MAX_FILE_BYTES;
 pub use named::{Named, read_own};
 pub use programs::{Source, Workspace};

@@ -16,21 +16,37 @@ pub(super) struct Address {
 impl fmt::Display for Address {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let row = self.bank.row();
+        if self.is_upper() {
+            return write!(f, "{}0u", row.name);
+        }
         write!(f, "{}{:0width$}", row.name, self.number, width = row.digits)
     }
 }
 
+/// The number that stands for `0u`: the upper byte of the CPU's own word, `XD0u` and `YD0u`.
+const UPPER: u16 = u16::MAX;
+
 impl Address {
+    /// Whether it is the upper byte of the CPU's own inputs or outputs.
+    pub(super) const fn is_upper(self) -> bool {
+        matches!(self.bank, Bank::Xd | Bank::Yd) && self.number == UPPER
+    }
+
     /// An address as Click writes it, leading zeros or not: `X001`, `x1`. Whether it exists is not asked.
     pub(super) fn parse(text: &str) -> Option<Address> {
         let digits = text.find(|c: char| c.is_ascii_digit())?;
         let (bank, number) = text.split_at(digits);
+        if let Some(bank @ (Bank::Xd | Bank::Yd)) = Bank::named(bank)
+            && number == "0u"
+        {
+            return Some(Address { bank, number: UPPER });
+        }
         if number.len() > 5 || !number.bytes().all(|byte| byte.is_ascii_digit()) {
             return None;
         }
         Some(Address {
             bank: Bank::named(bank)?,
-            number: number.parse().ok()?,
+            number: number.parse().ok().filter(|number| *number != UPPER)?,
         })
     }
 }
@@ -80,6 +96,9 @@ impl Tag {
     /// As the DSL writes it: `ds[1]`, `ds.Level`.
     pub(super) fn dsl(&self) -> String {
         let bank = self.bank.row().dsl;
+        if let Some(address) = self.address().filter(|address| address.is_upper()) {
+            return format!("{bank}.{address}");
+        }
         match &self.which {
             Which::Number(number) => format!("{bank}[{number}]"),
             Which::Nickname(name) => format!("{bank}.{name}"),
@@ -183,10 +202,11 @@ mod tests {
             ("DS4500", "DS4500"),
             ("CTD7", "CTD7"),
             ("XD0", "XD0"),
+            ("yd0u", "YD0u"),
         ] {
             assert_eq!(Address::parse(text).unwrap().to_string(), shown);
         }
-        for text in ["", "X", "1", "Q1", "X1a", "DS99999", "DS 1", "XD0u"] {
+        for text in ["", "X", "1", "Q1", "X1a", "DS99999", "DS 1", "XD1u", "XD65535", "X0u"] {
             assert_eq!(Address::parse(text), None, "{text}");
         }
     }

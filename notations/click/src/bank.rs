@@ -1,5 +1,7 @@
 //! The memory of a Click controller: its banks as a table.
 
+use super::address::Address;
+
 /// A bank of addresses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(super) enum Bank {
@@ -319,7 +321,8 @@ impl Bank {
     /// Whether there is an address with this number.
     pub(super) fn has(self, number: u16) -> bool {
         let mut rows = self.row().numbers.iter();
-        rows.any(|(first, last)| (*first..=*last).contains(&number))
+        Address { bank: self, number }.is_upper()
+            || rows.any(|(first, last)| (*first..=*last).contains(&number))
     }
 
     /// The largest number.
@@ -330,6 +333,7 @@ impl Bank {
     /// The numbers in words: `1 to 16, 21 to 36 ..`.
     pub(super) fn extent(self) -> String {
         match self.row().numbers {
+            [(first, last)] if self == Bank::Xd || self == Bank::Yd => format!("{first} to {last}, and 0u"),
             [(first, last)] => format!("{first} to {last}"),
             _ => "1 to 16, 21 to 36, and 101 to 116 up to 801 to 816".to_owned(),
         }

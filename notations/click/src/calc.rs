@@ -92,7 +92,7 @@ fn expression(tags: &mut Tags<'_>, chain: &mut Chain, formula: &Formula, ty: Kin
     };
     let spelling = Spelling {
         operand: &operand,
-        span: &|span| super::act::range(span),
+        sum: &|span| format!("SUM({})", super::act::range(span)),
         binary: None,
     };
     Ok(formula::write(&formula, spelling))

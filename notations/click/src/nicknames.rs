@@ -314,8 +314,8 @@ mod tests {
                 DD1,INT2,"Big",0,Yes,""
                 DH2,HEX,"Mask",00FF,No,""
                 DF1,FLOAT,"tanktemp",0.5,Yes,""
+                XD0u,HEX,"Upper",0,No,""
                 TXT1,TEXT,"State",r,Yes,""
-                XD0u: Refused("nicknames.csv:7:1: there is no such address here")
                 DD1: Refused("nicknames.csv:8:1: `x` is not a value of it")
                 the nickname `tanktemp` stands for DS1 and for DF1: give one of them another name
             "#]],

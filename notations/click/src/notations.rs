@@ -91,6 +91,10 @@ impl Notation for ClickGrid {
         nicknames::is_file_of(program, file) || grid::is_subroutine_of(program, file)
     }
 
+    fn companion_folder(&self) -> Option<&'static str> {
+        Some(grid::SUBROUTINES)
+    }
+
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
         grid::read(source, |program| reading(program, Words::Grid))
     }

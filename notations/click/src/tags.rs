@@ -249,10 +249,12 @@ impl<'p> Tags<'p> {
                 let own = self
                     .nickname_of(&tag)
                     .filter(|nickname| !self.is_shared(nickname.address));
-                let Some(nickname) = own else {
-                    return self.widen(tag.bank, *number);
-                };
-                nickname.name.clone()
+                match (own, tag.address()) {
+                    (Some(nickname), _) => nickname.name.clone(),
+                    // It is between two numbers, and no element.
+                    (None, Some(address)) if address.is_upper() => address.to_string(),
+                    (None, _) => return self.widen(tag.bank, *number),
+                }
             }
         };
         let name = self.names.fresh(&like);
@@ -396,7 +398,11 @@ impl<'p> Tags<'p> {
                 let like_number = Address::parse(nickname).is_some();
                 return (!usual || like_number || nickname != name).then(|| tag.dsl());
             }
-            Which::Number(_) => self.nickname_of(tag)?,
+            Which::Number(_) => match (self.nickname_of(tag), tag.address()) {
+                (Some(nickname), _) => nickname,
+                (None, Some(address)) if address.is_upper() => return Some(address.to_string()),
+                (None, _) => return None,
+            },
         };
         let mut said = nickname.address.to_string();
         if nickname.name != name {

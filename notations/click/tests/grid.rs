@@ -197,10 +197,10 @@ fn a_folder_comes_back() {
         R,rise(X006),..,"count_up(CT1,CTD1,preset=100)"
         ,X007,..,.reset()
         R,CT1,DS10>=5,T,..,"copy(DS10,DD1)"
-        ,,,T,..,"calc(DS10 * 100 / DS11,DF1,mode=decimal)"
+        ,,,T,..,"math(DS10 * 100 / DS11,DF1,mode=decimal)"
         ,,,..,"copy(0,DS10,oneshot=1)"
         R,..,end()
-        sub_rinse_and_dry.csv
+        subroutines/Rinse_and_dry.csv
         marker,A,B,C,D,E,F,G,H,I,J,K,L,M,N,O,P,Q,R,S,T,U,V,W,X,Y,Z,AA,AB,AC,AD,AE,AF
         R,C1,..,"on_delay(T2,TD2,preset=30,unit=Ts)"
         ,C11,..,.reset()
@@ -268,8 +268,8 @@ fn every_instruction_comes_back() {
         ,,T,..,"unpack_to_bits(DH1,C101..C116)"
         ,,T,..,"unpack_to_words(DD1,DS21..DS22)"
         ,,T,..,"copy(DS[DS1+9],DS[DS2-1])"
-        ,,T,..,"calc(LSH(DH1,0001h) OR DH2,DH3,mode=hex)"
-        ,,..,"search("">="",DS1,DS101..DS110,DS30,C30,continuous=1)"
+        ,,T,..,"math(LSH(DH1,0001h) OR DH2,DH3,mode=hex)"
+        ,,..,"search(DS101..DS110 >= DS1,result=DS30,found=C30,continuous=1)"
         R,X001,..,shift(C201..C208)
         ,X002,..,.clock()
         ,X003,T,..,.reset()
@@ -281,7 +281,7 @@ fn every_instruction_comes_back() {
         ,X003,..,.reset()
         R,Y001,..,"off_delay(T3,TD3,preset=500,unit=Tms)"
         R,X001,..,for(3)
-        R,..,"calc(DS1 + 1,DS1,mode=decimal)"
+        R,..,"math(DS1 + 1,DS1,mode=decimal)"
         R,..,next()
         R,X001,..,"send(target=plc1,remote_start=""DS1"",source=DS3,count=1)"
         R,X001,..,"event_drum(outputs=[Y001],events=[X001],pattern=[[1]],current_step=DS10,completion_flag=C10)"

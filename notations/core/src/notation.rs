@@ -41,9 +41,15 @@ pub trait Notation: Sync {
     }
 
     /// Whether a file next to a program belongs to it: `program` is the stem of the program's name, `file` the whole name
-    /// of the other. The caller that reads the program from a folder hands such files in as [`Source::companions`].
+    /// of the other, or of one in the [folder](Notation::companion_folder): `subroutines/Rinse.csv`. The caller that reads
+    /// the program from a folder hands such files in as [`Source::companions`].
     fn has_companion(&self, _program: &str, _file: &str) -> bool {
         false
+    }
+
+    /// The folder next to a program that holds files of it.
+    fn companion_folder(&self) -> Option<&'static str> {
+        None
     }
 
     /// Reads a program.

@@ -20,7 +20,7 @@ pub struct Source<'s> {
 /// A file next to a program that belongs to it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Companion {
-    /// Its whole name, without the folder.
+    /// Its whole name, without the folder of the program; after a `/` if it is in a folder of its own.
     pub name: String,
     /// Its content.
     pub bytes: Vec<u8>,

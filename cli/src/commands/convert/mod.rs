@@ -14,7 +14,7 @@ use ladder_workspace::shown;
 use report::{Account, Side};
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use target::{Job, jobs};
+use target::{Job, jobs, make_folder};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -148,6 +148,9 @@ fn write(
             continue;
         };
         let path = output.with_file_name(&companion.name);
+        if let (Some(folder), true) = (path.parent(), companion.name.contains('/')) {
+            make_folder(folder)?;
+        }
         files.push((Output::open(Some(&path), existing)?, &companion.bytes));
     }
     for (file, bytes) in &mut files {

@@ -3,7 +3,7 @@
 use crate::form::{self, Form};
 use crate::outcome::{Failure, Outcome};
 use ladder_notations::{NOTATIONS, has_extension};
-use ladder_workspace::{find_files, is_program, read_bytes, shown};
+use ladder_workspace::{find_files, is_companion, is_program, read_bytes, shown};
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
@@ -100,7 +100,8 @@ pub(super) fn jobs(
     Ok((jobs, outcome))
 }
 
-fn make_folder(folder: &Path) -> Result<(), Failure> {
+/// Makes a folder, and those that it is in.
+pub(super) fn make_folder(folder: &Path) -> Result<(), Failure> {
     std::fs::create_dir_all(folder).map_err(|error| {
         Failure::new(format!(
             "{}: the folder cannot be made: {error}",
@@ -118,15 +119,9 @@ fn folders_below<'p>(inputs: &[PathBuf], file: &'p Path) -> &'p Path {
 
 /// What was found in a folder next to a program, and belongs to it, is read with that.
 fn without_companions(jobs: &mut Vec<Job>, named: &HashSet<&Path>) {
-    let belongs = |job: &Job, program: &Job| {
-        let (Form::Foreign(notation), Some(stem), Some(name)) =
-            (program.from, program.input.file_stem(), job.input.file_name())
-        else {
-            return false;
-        };
-        notation.has_companion(&stem.to_string_lossy(), &name.to_string_lossy())
-            && job.input != program.input
-            && job.input.parent() == program.input.parent()
+    let belongs = |job: &Job, program: &Job| match program.from {
+        Form::Foreign(notation) => is_companion(notation, &program.input, &job.input),
+        Form::Ladder => false,
     };
     let is_whole =
         |job: &Job| named.contains(job.input.as_path()) || !jobs.iter().any(|program| belongs(job, program));

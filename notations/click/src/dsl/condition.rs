@@ -1,6 +1,6 @@
 //! Conditions, addresses and values.
 
-use super::super::address::{Span, Tag};
+use super::super::address::{Address, Span, Tag};
 use super::super::bank::{BANKS, Bank};
 use super::super::model::{
     Bits, Comparison, Condition, Constant, Contact, ContactKind, Operand, Pointer, Relation,
@@ -256,12 +256,12 @@ fn bank(problems: &mut Problems<'_>, expr: &Expr) -> Result<Bank, Unread> {
 fn number(problems: &mut Problems<'_>, expr: &Expr) -> Result<u16, Unread> {
     let found = match expr {
         Expr::NumberLiteral(literal) => match &literal.value {
-            Number::Int(int) => int.as_u16(),
+            Number::Int(int) => int.as_u16().filter(|number| *number < u16::MAX),
             _ => None,
         },
         _ => None,
     };
-    found.ok_or_else(|| problems.note(expr, "the number of an address is needed here, from 0 to 65535"))
+    found.ok_or_else(|| problems.note(expr, "the number of an address is needed here, from 0 to 65534"))
 }
 
 /// A value, or where one goes.
@@ -269,7 +269,9 @@ pub(super) fn operand(problems: &mut Problems<'_>, expr: &Expr) -> Result<Operan
     match expr {
         Expr::Attribute(attribute) => {
             let bank = bank(problems, &attribute.value)?;
-            Ok(Operand::Tag(Tag::nickname(bank, attribute.attr.as_str())))
+            let name = attribute.attr.as_str();
+            let upper = Address::parse(name).filter(|address| address.bank == bank && address.is_upper());
+            Ok(Operand::Tag(upper.map_or_else(|| Tag::nickname(bank, name), Tag::from)))
         }
         Expr::Subscript(subscript) => indexed(problems, expr, subscript),
         other => constant(problems, other).map(Operand::Constant),

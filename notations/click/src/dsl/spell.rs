@@ -1,6 +1,6 @@
 //! The parts of a program as the DSL writes them.
 
-use super::super::address::{Span, Tag};
+use super::super::address::Tag;
 use super::super::formula::{self, Spelling};
 use super::super::model::{
     Action, Bits, Condition, Constant, ContactKind, CopyOptions, CounterKind, Formula, Instruction, MathKind,
@@ -90,7 +90,7 @@ pub(in super::super) fn quoted(text: &str) -> String {
 pub(in super::super) fn formula(formula: &Formula) -> String {
     let spelling = Spelling {
         operand: &operand,
-        span: &Span::dsl,
+        sum: &|span| format!("SUM({})", span.dsl()),
         binary: None,
     };
     formula::write(formula, spelling)

@@ -11,7 +11,8 @@ pub(in super::super) type Binary = dyn Fn(Operator, &str, &str) -> Option<String
 #[derive(Clone, Copy)]
 pub(in super::super) struct Spelling<'s> {
     pub(in super::super) operand: &'s dyn Fn(&Operand) -> String,
-    pub(in super::super) span: &'s dyn Fn(&Span) -> String,
+    /// A sum, with its name.
+    pub(in super::super) sum: &'s dyn Fn(&Span) -> String,
     /// What has no spelling of its own: Click's own words for shifts, for example. None: as the DSL.
     pub(in super::super) binary: Option<&'s Binary>,
 }
@@ -68,6 +69,6 @@ fn part(formula: &Formula, spelling: Spelling<'_>) -> (String, u8) {
             let arguments: Vec<String> = arguments.iter().map(|argument| inside(argument, 0)).collect();
             (format!("{}({})", function.name(), arguments.join(", ")), ATOM)
         }
-        Formula::Sum(span) => (format!("SUM({})", (spelling.span)(span)), ATOM),
+        Formula::Sum(span) => ((spelling.sum)(span), ATOM),
     }
 }

@@ -102,18 +102,21 @@ fn instruction(token: &mut Token<'_>) -> Result<Instruction, String> {
             clock: None,
             reset: None,
         }),
+        ("search", [sought]) => {
+            let (among, relation, value) = contact::split(sought).ok_or_else(|| {
+                format!("`{sought}` does not say what is searched for: `DS1..DS9 >= 5` does")
+            })?;
+            let (result, flag) = (token.must("result")?, token.must("found")?);
+            search((relation, value, among), result, flag, token)?
+        }
+        // Earlier exports have all by its place, and call formulas `calc`.
         ("search", [relation, value, among, result, flag]) => {
             let relation = relation.trim_matches('"');
             let relation =
                 Relation::named(relation).ok_or_else(|| format!("`{relation}` is not a relation"))?;
             search((relation, value, among), result, flag, token)?
         }
-        ("search", [sought, result, flag]) => {
-            let (among, relation, value) = contact::split(sought)
-                .ok_or_else(|| format!("`{sought}` does not say what is searched for"))?;
-            search((relation, value, among), result, flag, token)?
-        }
-        ("calc" | "math", [formula, target]) => {
+        ("math" | "calc", [formula, target]) => {
             let kind = match token.take("mode") {
                 None | Some("decimal") => MathKind::Decimal,
                 Some("hex") => MathKind::Hex,
@@ -179,10 +182,7 @@ fn done(done: &str, current: &str, banks: (Bank, Bank)) -> Result<Tag, String> {
 }
 
 fn preset(token: &mut Token<'_>) -> Result<Operand, String> {
-    let preset = token
-        .take("preset")
-        .ok_or_else(|| format!("`{}` has no `preset`", token.name))?;
-    operand(preset)
+    operand(token.must("preset")?)
 }
 
 fn timer(kind: TimerKind, bit: &str, current: &str, token: &mut Token<'_>) -> Result<Instruction, String> {

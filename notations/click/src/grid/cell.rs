@@ -39,11 +39,11 @@ impl Cell {
             "" | "|" => Body::Empty,
             "-" | "T" => Body::Wire,
             contact => Body::Contact(Text {
-                text: contact.strip_prefix("T:").unwrap_or(contact).to_owned(),
+                text: below(contact).unwrap_or(contact).to_owned(),
                 place,
             }),
         };
-        let down = matches!(text, "|" | "T") || text.starts_with("T:");
+        let down = matches!(text, "|" | "T") || below(text).is_some();
         Cell { body, down }
     }
 
@@ -58,6 +58,11 @@ impl Cell {
             (Body::Contact(contact), true) => format!("T:{}", contact.text),
         }
     }
+}
+
+/// The contact of a cell whose left edge has wire that goes down: `T:X001`, `|:X001`.
+fn below(text: &str) -> Option<&str> {
+    text.strip_prefix("T:").or_else(|| text.strip_prefix("|:"))
 }
 
 /// A row of a rung.

@@ -38,7 +38,8 @@ pub(super) fn read(text: &str, place: LineColumn) -> Result<Read, String> {
     };
     let immediate = bit
         .strip_prefix("immediate(")
-        .and_then(|bit| bit.strip_suffix(')'));
+        .and_then(|bit| bit.strip_suffix(')'))
+        .or_else(|| bit.strip_suffix(".immediate"));
     let remark = immediate.map(|_| "it reads the input itself; here all inputs are read before the scan");
     let bit = immediate.unwrap_or(bit).trim();
     let address = Address::parse(bit).ok_or_else(|| unknown(text))?;

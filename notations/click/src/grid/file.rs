@@ -44,9 +44,9 @@ pub(super) fn read(bytes: &[u8], before: u32) -> Result<Grid, ReadError> {
         let Some(marker) = record.fields.first() else {
             continue;
         };
-        match marker.text.as_str() {
+        match marker.text.trim() {
             "#" => above.push(comment(&record)),
-            "R" => {
+            marker if begins_rung(marker) => {
                 let comments = std::mem::take(&mut above);
                 let rows = vec![row(&record)?];
                 if grid.rungs.len() == MOST_RUNGS {
@@ -80,6 +80,12 @@ pub(super) fn read(bytes: &[u8], before: u32) -> Result<Grid, ReadError> {
     }
     grid.end = above;
     Ok(grid)
+}
+
+/// Whether a row with this marker begins a rung: `R`, or with its number `R1`.
+fn begins_rung(marker: &str) -> bool {
+    let number = marker.strip_prefix('R');
+    number.is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()))
 }
 
 /// The rows of one rung from lines as [`kept`] has them. None: they are not those of one rung.

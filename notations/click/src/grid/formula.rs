@@ -1,5 +1,6 @@
 //! Formulas as the grid writes them: `(DS1 * 2) + DS[DS2+1]`.
 
+use super::super::address::{Address, Span};
 use super::super::formula::{self, Spelling};
 use super::super::model::{Formula, Operand, Operator};
 use super::addresses::Addresses;
@@ -64,7 +65,11 @@ pub(super) fn write(formula: &Formula, addresses: &Addresses) -> Option<String> 
     };
     let spelling = Spelling {
         operand: &operand,
-        span: &|span| span.to_string(),
+        sum: &|span| {
+            let Span { bank, first, last } = *span;
+            let [first, last] = [first, last].map(|number| Address { bank, number });
+            format!("SUM ( {first} : {last} )")
+        },
         binary: Some(&binary),
     };
     let text = formula::write(formula, spelling);

@@ -39,7 +39,7 @@ use addresses::Addresses;
 
 pub(super) use cell::COLUMNS;
 pub(super) use file::is_grid;
-pub(super) use read::{is_subroutine_of, read};
+pub(super) use read::{SUBROUTINES, is_subroutine_of, read};
 pub(super) use rungs::CONTINUES;
 pub(super) use write::write;
 

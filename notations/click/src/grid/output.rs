@@ -127,13 +127,13 @@ pub(super) fn write<'i>(what: &'i Instruction, oneshot: bool, addresses: &Addres
             flag,
             continuous,
         }) => {
+            named.push(("result".to_owned(), addresses.text(result)?));
+            named.push(("found".to_owned(), addresses.text(flag)?));
             if *continuous {
                 named.push(("continuous".to_owned(), "1".to_owned()));
             }
-            let relation = format!("\"{}\"", relation.sign());
             let value = operand_text(value, addresses)?;
-            let (result, flag) = (addresses.text(result)?, addresses.text(flag)?);
-            ("search", vec![relation, value, among.to_string(), result, flag])
+            ("search", vec![format!("{among} {} {value}", relation.sign())])
         }
         Instruction::Math(Math {
             kind,
@@ -146,7 +146,7 @@ pub(super) fn write<'i>(what: &'i Instruction, oneshot: bool, addresses: &Addres
             };
             named.push(("mode".to_owned(), mode.to_owned()));
             (
-                "calc",
+                "math",
                 vec![
                     super::formula::write(formula, addresses)?,
                     operand_text(target, addresses)?,

@@ -194,7 +194,7 @@ fn any_program(numbers: &mut Numbers) -> String {
                 1 => format!("reset(C{rung}{row}1..C{rung}{row}3)"),
                 2 => format!("\"copy(DS[DS{rung}+{row}],DD{rung})\""),
                 3 => format!("\"on_delay(T{rung}{row},TD{rung}{row},preset={row},unit=Ts)\""),
-                4 => format!("\"calc(DS1 * {row} + DS2,DS{rung},mode=decimal)\""),
+                4 => format!("\"math(DS1 * {row} + DS2,DS{rung},mode=decimal)\""),
                 5 => format!("\"fill({row},DS{rung}..DS{rung}9)\""),
                 6 => format!("\"send(a,{row})\""),
                 _ => format!("out(Y{rung}0{})", row + 1),

@@ -5,39 +5,44 @@ use super::super::nicknames;
 use super::cell::{Body, Grid};
 use super::file;
 use super::rungs::Reader;
+use ladder_analysis::Severity;
 use ladder_notation::{Finding, LineColumn, Outcome, ReadError, Reading, Report, Source};
 use std::collections::HashMap;
 
-/// Files next to a main program that begin so are its subroutines.
+/// The folder next to a main program that holds its subroutines, each in a file of its name.
+pub(in super::super) const SUBROUTINES: &str = "subroutines";
+
+/// Files next to a main program that begin so are its subroutines too: earlier exports have no folder.
 const SUBROUTINE: &str = "sub_";
 
 /// The stem that the main program's file has in a folder of Click's ladders.
 const MAIN: &str = "main";
 
-/// Whether a file next to a program holds one of its subroutines.
+/// Whether a file that comes with a program holds one of its subroutines.
 pub(in super::super) fn is_subroutine_of(program: &str, file: &str) -> bool {
-    program == MAIN && stem(file).is_some_and(|stem| stem.starts_with(SUBROUTINE))
+    program == MAIN && subroutine(file).is_some()
 }
 
-fn stem(file: &str) -> Option<&str> {
-    file.strip_suffix(".csv")
+/// The name of the subroutine that a file holds, as its own name has it.
+fn subroutine(file: &str) -> Option<&str> {
+    let stem = file.strip_suffix(".csv")?;
+    match stem.split_once('/') {
+        Some((folder, name)) => (folder == SUBROUTINES).then_some(name),
+        None => stem.strip_prefix(SUBROUTINE),
+    }
 }
 
-/// The name of the file, without its end, that holds a subroutine: its letters and digits, small.
-pub(super) fn file_stem(subroutine: &str) -> String {
+/// The letters and digits of a name, small: files of subroutines are found by these.
+fn plain(name: &str) -> String {
     let mut out = String::new();
-    for c in subroutine.to_lowercase().chars() {
+    for c in name.to_lowercase().chars() {
         match c.is_alphanumeric() {
             true => out.push(c),
             false if out.ends_with('_') => {}
             false => out.push('_'),
         }
     }
-    let name = out.trim_matches('_');
-    format!(
-        "{SUBROUTINE}{}",
-        if name.is_empty() { "subroutine" } else { name }
-    )
+    out.trim_matches('_').to_owned()
 }
 
 /// A program, with its subroutines and nicknames where they are next to it; `to_ladder` makes ladder text of what is in
@@ -52,13 +57,19 @@ pub(in super::super) fn read(
     texts.note(&grid);
     let own = routine(MAIN, &grid, &mut reader);
     let mut program = Program::default();
-    match source.name.strip_prefix(SUBROUTINE) {
+    let name = match source.name.strip_prefix(SUBROUTINE) {
+        Some(name) => Some(name),
+        None => (source.name != MAIN && goes_back(&own)).then_some(&*source.name),
+    };
+    match name {
         Some(name) => program.subroutines.push(Routine {
             name: name.to_owned(),
             ..own
         }),
         None => program.main = own,
     }
+    // What was copied out of a program is no program, and has no end.
+    let is_lone = grid.rungs.len() == 1;
     let mut before = source.bytes.split(|byte| *byte == b'\n').count() as u32;
     let mut files = Vec::new();
     for companion in source
@@ -66,11 +77,9 @@ pub(in super::super) fn read(
         .iter()
         .filter(|one| is_subroutine_of(&source.name, &one.name))
     {
-        let stem = stem(&companion.name).unwrap_or_default();
-        let call = call_of(&program.main, stem);
-        let name = call
-            .as_ref()
-            .map_or_else(|| stem[SUBROUTINE.len()..].to_owned(), |(name, _)| name.clone());
+        let own = subroutine(&companion.name).unwrap_or_default();
+        let call = call_of(&program.main, own);
+        let name = call.as_ref().map_or_else(|| own.to_owned(), |(name, _)| name.clone());
         let place = call.map_or(LineColumn::START, |(_, place)| place);
         let failure =
             |error: ReadError| ReadError::whole(format!("{}:{}", companion.name, Later { before, error }));
@@ -93,6 +102,11 @@ pub(in super::super) fn read(
     if program.main.rungs.is_empty() && !program.subroutines.is_empty() {
         // The main program is another file.
         reading.findings.retain(|found| found.check != "click-c0201");
+    }
+    for found in &mut reading.findings {
+        if is_lone && matches!(found.check, "click-c0201" | "click-c0105") {
+            found.severity = Severity::Info;
+        }
     }
     reading.findings.sort_by_key(|found| found.place);
     for file in files.iter().rev() {
@@ -121,11 +135,19 @@ fn routine(name: &str, grid: &Grid, reader: &mut Reader) -> Routine {
     }
 }
 
+/// Whether a routine is a subroutine by what it does: it goes back, and has no end.
+fn goes_back(routine: &Routine) -> bool {
+    let actions = routine.rungs.iter().flat_map(|rung| &rung.actions);
+    let has = |what: &Instruction| actions.clone().any(|action| action.what == *what);
+    has(&Instruction::Return) && !has(&Instruction::End)
+}
+
 /// The name and place of the first call of the subroutine that a file holds.
-fn call_of(main: &Routine, stem: &str) -> Option<(String, LineColumn)> {
+fn call_of(main: &Routine, file: &str) -> Option<(String, LineColumn)> {
     let mut actions = main.rungs.iter().flat_map(|rung| &rung.actions);
+    let file = plain(file);
     actions.find_map(|action| match &action.what {
-        Instruction::Call(name) if file_stem(name) == stem => Some((name.clone(), action.place)),
+        Instruction::Call(name) if plain(name) == file => Some((name.clone(), action.place)),
         _ => None,
     })
 }

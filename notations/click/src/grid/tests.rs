@@ -280,8 +280,8 @@ R,X001,..,"send(target=1)"
             #,click: without effect in the grid: X002
             R,X001,..,out(Y001)
             R,X001,,..,out(Y001)
-            R,X001,..,send(target=1)
             #,At the end.
+            R,X001,..,send(target=1)
         "##]],
     );
 }

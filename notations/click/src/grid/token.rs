@@ -55,6 +55,12 @@ impl<'t> Token<'t> {
         Some(self.named.remove(at).1)
     }
 
+    /// What must be given by name.
+    pub(super) fn must(&mut self, name: &str) -> Result<&'t str, String> {
+        let given = self.take(name);
+        given.ok_or_else(|| format!("`{}` has no `{name}`", self.name))
+    }
+
     /// A switch: 1 or 0, off if it is not given.
     pub(super) fn switch(&mut self, name: &str) -> Result<bool, String> {
         match self.take(name) {

@@ -4,14 +4,13 @@ use super::super::dsl::spell;
 use super::super::model::{Action, Condition, Instruction, Program, Routine, Rung, Timer, TimerKind};
 use super::super::nicknames;
 use super::addresses::Addresses;
-use super::cell::{Grid, GridRung, Row, Text};
+use super::cell::{Cell, Grid, GridRung, Row, Text};
 use super::draw::{self, Drawn, Undrawable};
 use super::file::{self, MOST_ROWS};
 use super::output::{self, Written};
-use super::read;
+use super::read::SUBROUTINES;
 use super::rungs::{CONTINUES, KEPT};
 use ladder_notation::{Companion, LineColumn, Report};
-use std::collections::HashSet;
 
 /// The grids of a program: that of its main program, and next to it its subroutines and its nicknames. A program that is
 /// only a subroutine is its grid.
@@ -23,21 +22,13 @@ pub(in super::super) fn write(program: &Program, report: &mut Report) -> (String
         _ => None,
     };
     let text = grids(only.unwrap_or(&program.main));
-    let mut companions = Vec::new();
-    let mut taken: HashSet<String> = HashSet::new();
-    for routine in program.subroutines.iter().filter(|_| only.is_none()) {
-        let stem = read::file_stem(&routine.name);
-        let mut name = stem.clone();
-        let mut number = 2;
-        while !taken.insert(name.clone()) {
-            name = format!("{stem}_{number}");
-            number += 1;
-        }
-        companions.push(Companion {
-            name: format!("{name}.csv"),
+    let subroutines = program.subroutines.iter().filter(|_| only.is_none());
+    let mut companions: Vec<Companion> = subroutines
+        .map(|routine| Companion {
+            name: format!("{SUBROUTINES}/{}.csv", routine.name),
             bytes: grids(routine).into_bytes(),
-        });
-    }
+        })
+        .collect();
     let mut nicknames = program.nicknames.clone();
     nicknames.extend(addresses.into_given());
     companions.extend(nicknames::companion(&nicknames));
@@ -63,7 +54,7 @@ fn grid(routine: &Routine, addresses: &Addresses, report: &mut Report) -> Grid {
     }
     writer.comments(&routine.after);
     writer.keep();
-    writer.grid
+    writer.finish()
 }
 
 struct Writer<'r> {
@@ -134,6 +125,25 @@ impl Writer<'_> {
             }
             continues = true;
         }
+    }
+
+    /// Other readers want a rung below each comment: the last ones go above the last rung.
+    fn finish(mut self) -> Grid {
+        let end = std::mem::take(&mut self.grid.end);
+        match self.grid.rungs.last_mut() {
+            Some(last) => last.comments.extend(end),
+            None if end.is_empty() => {}
+            None => {
+                let mut row = Row::empty();
+                row.cells.fill(Cell::read("-", LineColumn::START));
+                row.output = Some(text("NOP"));
+                self.grid.rungs.push(GridRung {
+                    comments: end,
+                    rows: vec![row],
+                });
+            }
+        }
+        self.grid
     }
 
     fn tell(&mut self, action: &Action) {

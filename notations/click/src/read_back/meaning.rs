@@ -112,6 +112,9 @@ fn said(comment: &str, tag: &ladder::Tag, nicknames: &mut Vec<Nickname>) -> Opti
         return Some(Tag::nickname(Bank::of_dsl(bank)?, nickname));
     }
     let address = Address::parse(first).filter(|address| address.bank.has(address.number))?;
+    if address.is_upper() && rest.is_empty() && text.is_empty() && Address::parse(&tag.name) == Some(address) {
+        return Some(address.into());
+    }
     let name = if rest.is_empty() { &tag.name } else { rest.trim() };
     nicknames.push(Nickname {
         address,

@@ -46,8 +46,7 @@ pub(crate) fn refresh_programs(shared: &Arc<Shared>, changed: &[PathBuf]) {
             let (Some(notation), Some(place)) = (program.kind().notation(), program.place()) else {
                 return false;
             };
-            let name = file.file_name().unwrap_or_default().to_string_lossy();
-            file.parent() == place.path.parent() && notation.has_companion(&program.stem(), &name)
+            ladder_workspace::is_companion(notation, &place.path, file)
         };
         if changed.iter().any(belongs) && shared.companions.touch(&program.uri) {
             refresh(shared, &program.uri);
