@@ -75,7 +75,8 @@ fn read_companions(
     let mut size = 0;
     for name in names {
         let path = folder.join(&name);
-        let is_link = path.is_symlink() || (name.contains('/') && path.parent().is_some_and(Path::is_symlink));
+        let is_link =
+            path.is_symlink() || (name.contains('/') && path.parent().is_some_and(Path::is_symlink));
         if is_link && !named::stays_inside(folder, &path) {
             return Err(FileError::new(&path, Problem::Outside));
         }
@@ -91,7 +92,11 @@ fn read_companions(
 
 /// The names in a folder. One that cannot be read, as that of a program from standard input, has none.
 fn listed(folder: &Path) -> impl Iterator<Item = String> {
-    let folder = if folder == Path::new("") { Path::new(".") } else { folder };
+    let folder = if folder == Path::new("") {
+        Path::new(".")
+    } else {
+        folder
+    };
     let entries = fs::read_dir(folder).into_iter().flatten();
     let names = entries.take(MOST_NAMES).flatten();
     names.filter_map(|entry| entry.file_name().into_string().ok())

@@ -178,7 +178,7 @@ impl Resolver<'_, '_> {
 
 /// Values that are made of parts. As in the simulator, times and dates are words too.
 const fn has_parts(ty: Scalar) -> bool {
-    !(matches!(ty, Scalar::Bool) || ty.is_real() || ty.is_string())
+    !(matches!(ty, Scalar::Bool) || ty.is_string())
 }
 
 /// Elements that are parts of a value: BOOL, bit strings, integers.

@@ -101,6 +101,7 @@ END_VAR
 
 - A range of BOOL gives the bits of y, the first one bit 0.
 - A range of words gives a wider word, the first one the lowest part.
+- A REAL or LREAL is made of its bits as IEEE 754 has them; those of no finite number are a fault.
 - A string is read as a number.
 
 `[UNPACK]` takes the value apart again. A string that cannot be read is a fault: y keeps its value and ENO
@@ -132,6 +133,7 @@ END_VAR
 
 - Into a range of BOOL go the bits of the value, bit 0 first.
 - Into a range of words go its parts, the lowest first.
+- The bits of a REAL or LREAL are those of IEEE 754.
 - Into a string goes a number, written out.
 
 `[PACK]` is the reverse.",

@@ -8,6 +8,7 @@ use super::model::{
     Unit,
 };
 use super::operand::{Chain, fits, kind, literal, passes};
+use super::ranges::{self, array, range};
 use super::tags::Tags;
 
 /// What an instruction becomes.
@@ -27,12 +28,6 @@ pub(super) struct Above {
 /// Why an instruction has no counterpart.
 pub(super) type Refusal = String;
 
-/// A range as ladder text writes it.
-pub(super) fn range(span: &Span) -> String {
-    let (first, last) = (span.first, span.last);
-    format!("{}[{first}..{last}]", span.bank.row().name)
-}
-
 /// The blocks of an instruction. `oneshot`: an output is on for one scan.
 pub(super) fn acts(tags: &mut Tags<'_>, what: &Instruction, oneshot: bool) -> Result<Acts, Refusal> {
     let mut acts = Acts {
@@ -50,8 +45,8 @@ pub(super) fn acts(tags: &mut Tags<'_>, what: &Instruction, oneshot: bool) -> Re
         Instruction::Timer(timer) => self::timer(tags, &mut acts, timer)?,
         Instruction::Counter(counter) => self::counter(tags, &mut acts, counter)?,
         Instruction::Copy { source, target, .. } => copy(tags, chain, source, target)?,
-        Instruction::BlockCopy { source, target, .. } => block_copy(tags, chain, source, target)?,
-        Instruction::Fill { source, target, .. } => fill(tags, chain, source, target)?,
+        Instruction::BlockCopy { source, target, .. } => ranges::block_copy(tags, chain, source, target)?,
+        Instruction::Fill { source, target, .. } => ranges::fill(tags, chain, source, target)?,
         Instruction::Pack { source, target, .. } => pack(tags, chain, source, target)?,
         Instruction::Unpack { source, target, .. } => {
             array(target)?;
@@ -67,8 +62,13 @@ pub(super) fn acts(tags: &mut Tags<'_>, what: &Instruction, oneshot: bool) -> Re
         }
         Instruction::Search(search) => self::search(tags, chain, search)?,
         Instruction::Math(math) => {
-            pointed(&math.target)?;
-            *chain = calc::math(tags, math)?;
+            let mut before = Chain::default();
+            ranges::bring_formula(tags, &mut before, &math.formula)?;
+            ranges::bring_pointed(tags, &mut before, &math.target)?;
+            let computed = calc::math(tags, math)?;
+            before.blocks.extend(computed.blocks);
+            *chain = before;
+            ranges::take_pointed(tags, chain, &math.target)?;
         }
         Instruction::Call(name) => chain.push(format!("<CALL>( {name} )")),
         Instruction::For(count) => {
@@ -83,30 +83,8 @@ pub(super) fn acts(tags: &mut Tags<'_>, what: &Instruction, oneshot: bool) -> Re
     Ok(acts)
 }
 
-/// A range as an array has it: the bits and values of timers and counters are no array here.
-fn array(span: &Span) -> Result<(), Refusal> {
-    match span.bank {
-        Bank::T | Bank::Ct | Bank::Td | Bank::Ctd => {
-            Err("bits and values of timers and counters belong to their blocks, and are no range".to_owned())
-        }
-        _ => Ok(()),
-    }
-}
-
-/// A pointer into a bank that is an array here.
-fn pointed(operand: &Operand) -> Result<(), Refusal> {
-    match operand {
-        Operand::Pointer(pointer) => array(&Span {
-            bank: pointer.bank,
-            first: 1,
-            last: 1,
-        }),
-        _ => Ok(()),
-    }
-}
-
 /// A place that the program may write by itself.
-fn written(tag: &Tag) -> Result<(), Refusal> {
+pub(super) fn written(tag: &Tag) -> Result<(), Refusal> {
     match tag.bank {
         Bank::T | Bank::Ct => Err("only its own block writes the bit of a timer or counter".to_owned()),
         Bank::Sc if matches!(tag.which, super::address::Which::Number(number) if super::tags::system(number).is_some()) => {
@@ -136,6 +114,9 @@ fn coil(tags: &Tags<'_>, chain: &mut Chain, head: &str, coil: &Coil) -> Result<(
 /// A pin as an operand: its contact if it is one, else the result of a rung above.
 fn pin(tags: &mut Tags<'_>, acts: &mut Acts, of: &str, word: &str, condition: &Condition) -> String {
     use super::model::ContactKind;
+    if let Some(seen) = tags.seen(condition) {
+        return seen;
+    }
     match condition {
         Condition::Contact(contact) if contact.kind == ContactKind::Open => {
             if let Bits::One(tag) = &contact.bits {
@@ -213,8 +194,8 @@ fn copy(tags: &mut Tags<'_>, chain: &mut Chain, source: &Operand, target: &Opera
     if let Operand::Tag(tag) = target {
         written(tag)?;
     }
-    pointed(source)?;
-    pointed(target)?;
+    ranges::bring_pointed(tags, chain, source)?;
+    ranges::bring_pointed(tags, chain, target)?;
     if let (Operand::Constant(Constant::Text(text)), Kind::Text, Operand::Tag(tag)) = (source, to, target) {
         return texts(tags, chain, text, tag);
     }
@@ -237,7 +218,7 @@ fn copy(tags: &mut Tags<'_>, chain: &mut Chain, source: &Operand, target: &Opera
     };
     let place = chain.place(tags, target);
     chain.push(format!("{head}( {place}, {value} )"));
-    Ok(())
+    ranges::take_pointed(tags, chain, target)
 }
 
 /// A text goes into as many addresses as it has characters.
@@ -264,63 +245,8 @@ fn texts(tags: &Tags<'_>, chain: &mut Chain, text: &str, first: &Tag) -> Result<
     Ok(())
 }
 
-fn block_copy(tags: &Tags<'_>, chain: &mut Chain, source: &Span, target: &Tag) -> Result<(), Refusal> {
-    array(source)?;
-    written(target)?;
-    if matches!(target.bank, Bank::Td | Bank::Ctd) {
-        return Err("values of timers and counters belong to their blocks, and are no range".to_owned());
-    }
-    if source.bank.kind() != target.bank.kind() {
-        return Err("a block is copied between addresses of one kind".to_owned());
-    }
-    match tags.element(target) {
-        Some(first) => {
-            let target = Tag::from(first);
-            chain.push(format!("[BMOV]( {}, {} )", tags.text(&target), range(source)));
-        }
-        None if source.len() == 1 => {
-            let source = Tag::number(source.bank, source.first);
-            chain.push(format!("[MOV]( {}, {} )", tags.text(target), tags.text(&source)));
-        }
-        None => return Err("the first of several addresses must be given by its number".to_owned()),
-    }
-    Ok(())
-}
-
-fn fill(tags: &mut Tags<'_>, chain: &mut Chain, source: &Operand, target: &Span) -> Result<(), Refusal> {
-    array(target)?;
-    pointed(source)?;
-    let to = target.bank.kind();
-    let direct = match (source, kind(source)) {
-        (Operand::Constant(constant), _) => fits(constant, to),
-        (_, Some(from)) => passes(from, to),
-        (_, None) => false,
-    };
-    if direct {
-        let value = chain.value(tags, source, Some(to));
-        chain.push(format!("[FILL]( {}, {value} )", range(target)));
-        return Ok(());
-    }
-    let between = tags.helper("fill_value", to.iec(), "a value that fills a range");
-    let value = match source {
-        Operand::Constant(constant) => literal(constant, None),
-        other => chain.value(tags, other, None),
-    };
-    let is_number = |kind: Kind| !matches!(kind, Kind::Bit | Kind::Text);
-    let from_number = kind(source).map_or(
-        !matches!(source, Operand::Constant(Constant::Bit(_) | Constant::Text(_))),
-        is_number,
-    );
-    if !is_number(to) || !from_number {
-        return Err("bits, numbers and texts do not turn into one another".to_owned());
-    }
-    chain.push(format!("[TYP]( {between}, {value} )"));
-    chain.push(format!("[FILL]( {}, {between} )", range(target)));
-    Ok(())
-}
-
 fn pack(tags: &mut Tags<'_>, chain: &mut Chain, source: &Span, target: &Tag) -> Result<(), Refusal> {
-    array(source)?;
+    ranges::bring(tags, chain, source)?;
     written(target)?;
     let place = tags.text(target);
     if source.bank.kind() != Kind::Text {
@@ -413,7 +339,7 @@ pub(super) fn after(tags: &mut Tags<'_>, what: &Instruction) -> Vec<Above> {
 }
 
 fn search(tags: &mut Tags<'_>, chain: &mut Chain, search: &Search) -> Result<(), Refusal> {
-    array(&search.among)?;
+    ranges::bring(tags, chain, &search.among)?;
     written(&search.result)?;
     written(&search.flag)?;
     if search.among.first > search.among.last {

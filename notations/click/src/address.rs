@@ -206,7 +206,9 @@ mod tests {
         ] {
             assert_eq!(Address::parse(text).unwrap().to_string(), shown);
         }
-        for text in ["", "X", "1", "Q1", "X1a", "DS99999", "DS 1", "XD1u", "XD65535", "X0u"] {
+        for text in [
+            "", "X", "1", "Q1", "X1a", "DS99999", "DS 1", "XD1u", "XD65535", "X0u",
+        ] {
             assert_eq!(Address::parse(text), None, "{text}");
         }
     }

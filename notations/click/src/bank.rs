@@ -308,6 +308,22 @@ impl Bank {
         Some(row.bank)
     }
 
+    /// What its array is called in ladder text: as Click calls it, where that is no word of the language.
+    pub(super) fn array(self) -> &'static str {
+        match self {
+            Bank::Ctd => "CTD_values",
+            bank => bank.row().name,
+        }
+    }
+
+    /// The bank whose array has this name, whatever the case.
+    pub(super) fn of_array(name: &str) -> Option<Bank> {
+        let row = BANKS
+            .iter()
+            .find(|row| row.bank.array().eq_ignore_ascii_case(name))?;
+        Some(row.bank)
+    }
+
     /// The bank that the DSL writes so: `ds`.
     pub(super) fn of_dsl(name: &str) -> Option<Bank> {
         let row = BANKS.iter().find(|row| row.dsl == name)?;

@@ -70,18 +70,6 @@ fn is_real(formula: &Formula) -> bool {
 /// A formula as the expression of a `[CALC]`. What must be ready before it goes into the chain.
 fn expression(tags: &mut Tags<'_>, chain: &mut Chain, formula: &Formula, ty: Kind) -> Result<String, String> {
     let formula = without_rotates(formula);
-    let mut sums = Vec::new();
-    formula::sums(&formula, &mut sums);
-    for span in sums {
-        if tags
-            .element(&super::address::Tag::number(span.bank, span.first))
-            .is_none()
-        {
-            return Err(
-                "the values of timers and counters belong to their blocks, and are no range".to_owned(),
-            );
-        }
-    }
     let both = RefCell::new((tags, chain));
     let operand = |operand: &Operand| {
         let (tags, chain) = &mut *both.borrow_mut();
@@ -92,7 +80,7 @@ fn expression(tags: &mut Tags<'_>, chain: &mut Chain, formula: &Formula, ty: Kin
     };
     let spelling = Spelling {
         operand: &operand,
-        sum: &|span| format!("SUM({})", super::act::range(span)),
+        sum: &|span| format!("SUM({})", super::ranges::range(span)),
         binary: None,
     };
     Ok(formula::write(&formula, spelling))

@@ -29,6 +29,7 @@ mod nicknames;
 mod notations;
 mod operand;
 mod order;
+mod ranges;
 mod read_back;
 mod sketch;
 mod tags;

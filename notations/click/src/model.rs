@@ -18,6 +18,18 @@ pub(super) struct Program {
 }
 
 impl Program {
+    /// Whether it is subroutines alone.
+    pub(super) fn has_no_main(&self) -> bool {
+        let Routine {
+            rungs,
+            comments,
+            after,
+            ..
+        } = &self.main;
+        let is_empty = rungs.is_empty() && comments.is_empty() && after.is_empty();
+        is_empty && self.main.place == LineColumn::START && !self.subroutines.is_empty()
+    }
+
     /// The main program, then the subroutines.
     pub(super) fn routines(&self) -> impl Iterator<Item = &Routine> {
         std::iter::once(&self.main).chain(&self.subroutines)

@@ -40,8 +40,8 @@ impl Notation for Click {
     }
 
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
-        let mut program = dsl::read(source.text()?)?;
         let mut nicknames = nicknames::next_to(source)?;
+        let mut program = dsl::read_with(source.text()?, &nicknames.all)?;
         program.nicknames = std::mem::take(&mut nicknames.all);
         nicknames.unused(&program);
         let mut reading = reading(&program, Words::Dsl);
@@ -130,6 +130,10 @@ fn reading(program: &model::Program, words: Words) -> Reading {
                 message: format!("`{shown}` stays as a comment: {why}"),
             });
         }
+    }
+    if program.has_no_main() {
+        // The main program is another file.
+        findings.retain(|found| found.check != "click-c0201");
     }
     findings.sort_by_key(|finding| finding.place);
     reading.findings = findings;

@@ -126,7 +126,7 @@ impl Chain {
                         index
                     }
                 };
-                format!("{}[{index}]", pointer.bank.row().name)
+                format!("{}[{index}]", pointer.bank.array())
             }
         }
     }

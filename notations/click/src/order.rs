@@ -5,15 +5,24 @@ use super::address::Which;
 use super::bank::Bank;
 use super::dsl::spell;
 use super::grid;
-use super::model::{Condition, Program, Rung};
+use super::model::{Condition, Instruction, Program, Rung};
 use super::tags::Tags;
 use super::uses::{self, Access, What};
 use ladder_notation::Report;
 
+/// Where a condition of a rung is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Part {
+    /// Before some of its instructions.
+    Branch,
+    /// At an input of an instruction, which begins at the left rail.
+    Pin,
+}
+
 /// The conditions of a rung, and of those that go on in it, that read what one of its instructions before them writes.
-pub(super) fn late<'p>(tags: &Tags<'_>, rungs: &'p [Rung]) -> Vec<&'p Condition> {
+pub(super) fn late<'p>(tags: &Tags<'_>, rungs: &'p [Rung]) -> Vec<(&'p Condition, Part)> {
     let mut written: Vec<What<'p>> = Vec::new();
-    let mut out = Vec::new();
+    let mut out: Vec<(&'p Condition, Part)> = Vec::new();
     for (number, rung) in rungs.iter().enumerate() {
         let is_late = |condition: &'p Condition, written: &[What<'p>]| {
             let reads = uses::of_condition(condition);
@@ -22,18 +31,33 @@ pub(super) fn late<'p>(tags: &Tags<'_>, rungs: &'p [Rung]) -> Vec<&'p Condition>
                 .any(|read| written.iter().any(|what| overlap(tags, &read.what, what)))
         };
         if number > 0 && is_late(&rung.condition, &written) {
-            out.push(&rung.condition);
+            out.push((&rung.condition, Part::Branch));
         }
         for action in &rung.actions {
-            if is_late(&action.condition, &written) && !out.contains(&&action.condition) {
-                out.push(&action.condition);
-            }
+            let mut check = |condition: Option<&'p Condition>, part, written: &[What<'p>]| {
+                let late = condition.filter(|condition| is_late(condition, written));
+                if let Some(late) = late.filter(|late| !out.iter().any(|(there, _)| there == late)) {
+                    out.push((late, part));
+                }
+            };
+            check(Some(&action.condition), Part::Branch, &written);
+            let pins = match &action.what {
+                Instruction::Timer(timer) => [timer.reset.as_ref(), None],
+                Instruction::Counter(counter) => [counter.count_down.as_ref(), counter.reset.as_ref()],
+                Instruction::Shift(shift) => [shift.clock.as_ref(), None],
+                _ => [None, None],
+            };
+            pins.into_iter().for_each(|pin| check(pin, Part::Pin, &written));
             let writes = uses::of_instruction(&action.what).into_iter();
             written.extend(
                 writes
-                    .filter(|one| one.access != Access::Read)
+                    .filter(|one| matches!(one.access, Access::Write | Access::Own))
                     .map(|one| one.what),
             );
+            // A register is cleared by a rung below the one that shifts it.
+            if let Instruction::Shift(shift) = &action.what {
+                check(shift.reset.as_ref(), Part::Pin, &written);
+            }
         }
     }
     out
@@ -53,7 +77,8 @@ pub(super) fn remarks(program: &Program, look: Look, report: &mut Report) {
     let tags = Tags::of(program);
     for routine in program.routines() {
         for rungs in routine.rungs.chunk_by(|_, next| goes_on(next)) {
-            for condition in late(&tags, rungs) {
+            for (condition, part) in late(&tags, rungs) {
+                let look = if part == Part::Pin { Look::Before } else { look };
                 let why = match (look, program.seen_first.contains(condition)) {
                     (Look::Before, false) => {
                         "Click looks at it before its rung acts, and here something has acted"

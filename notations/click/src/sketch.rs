@@ -5,8 +5,8 @@ mod contacts;
 use super::act::{self, Above};
 use super::bank::{Bank, Writer};
 use super::dsl::spell;
-use super::model::{Action, Condition, Instruction, Program, Routine, Rung};
-use super::order;
+use super::model::{Action, Instruction, Program, Routine, Rung};
+use super::order::{self, Part};
 use super::tags::Tags;
 use super::uses::{Access, What, uses};
 use ladder_format::Circuit;
@@ -28,7 +28,6 @@ pub(super) fn sketch(program: &Program) -> Reading {
         items: Vec::new(),
         reading: Reading::default(),
         seen_first: 0,
-        late: Vec::new(),
     };
     sketcher.remarks(program);
     for routine in program.routines() {
@@ -47,8 +46,6 @@ struct Sketcher<'p> {
     reading: Reading,
     /// How many conditions were checked before their rung.
     seen_first: usize,
-    /// Those of the rung that is being made, and the tags that hold them.
-    late: Vec<(Condition, String)>,
 }
 
 impl Sketcher<'_> {
@@ -100,7 +97,7 @@ impl Sketcher<'_> {
                 What::Somewhere(pointer) => (pointer.bank, Some(pointer.bank.row().name.to_owned())),
             };
             let Some(name) = name else { continue };
-            if one.access == Access::Read {
+            if matches!(one.access, Access::Read | Access::Contact) {
                 read.insert(name.clone(), bank);
             }
             if one.access == Access::Write {
@@ -186,20 +183,24 @@ impl Sketcher<'_> {
     /// A rung of Click, which may be several networks: all of its contacts are checked before it acts.
     fn rungs(&mut self, rungs: &[Rung]) {
         let mut above = Vec::new();
-        for condition in order::late(&self.tags, rungs) {
+        for (condition, part) in order::late(&self.tags, rungs) {
             self.seen_first += 1;
-            let what = format!("what a branch sees before its rung acts, {}", self.seen_first);
+            let part = match part {
+                Part::Branch => "a branch",
+                Part::Pin => "a pin",
+            };
+            let what = format!("what {part} sees before its rung acts, {}", self.seen_first);
             let helper = self.tags.helper("seen", "BOOL", what);
             above.push(Above {
                 condition: condition.clone(),
                 blocks: vec![format!("( )( {helper} )")],
             });
-            self.late.push((condition.clone(), helper));
+            self.tags.late.push((condition.clone(), helper));
         }
         for rung in rungs {
             self.rung(rung, std::mem::take(&mut above));
         }
-        self.late.clear();
+        self.tags.late.clear();
     }
 
     fn rung(&mut self, rung: &Rung, mut above: Vec<Above>) {
@@ -233,8 +234,9 @@ impl Sketcher<'_> {
             0 | 1 => parts.extend(branches),
             _ => parts.push(Circuit::Parallel(branches)),
         }
-        for network in above {
-            self.own_network(std::mem::take(&mut comments), network, rung.place);
+        for Above { condition, blocks } in above {
+            let condition = self.condition(&condition);
+            self.own_network(std::mem::take(&mut comments), condition, blocks, rung.place);
         }
         self.items.push(Item::Blank);
         if only_nops {
@@ -249,20 +251,26 @@ impl Sketcher<'_> {
             drawing: Drawing::Circuit(Circuit::Series(parts)),
         }));
         for network in after {
-            let said = network
-                .blocks
-                .iter()
-                .filter_map(|block| block.strip_prefix("(R)( "));
-            let said = said.map(|bits| format!("reset of {}", bits.trim_end_matches([' ', ')'])));
-            self.own_network(said.collect(), network, rung.place);
+            let blocks = network.blocks.iter();
+            let reset = blocks.filter_map(|block| block.strip_prefix("(R)( "));
+            let said = reset.map(|bits| format!("reset of {}", bits.trim_end_matches([' ', ')'])));
+            let said: Vec<String> = said.collect();
+            let condition = self.seen(&network.condition, rung.place);
+            self.own_network(said, condition, network.blocks, rung.place);
         }
     }
 
     /// A rung that the importer makes.
-    fn own_network(&mut self, comments: Vec<String>, network: Above, place: LineColumn) {
-        let mut parts = vec![self.condition(&network.condition)];
+    fn own_network(
+        &mut self,
+        comments: Vec<String>,
+        condition: Circuit<Element>,
+        blocks: Vec<String>,
+        place: LineColumn,
+    ) {
+        let mut parts = vec![condition];
         let origin = Some(self.reading.origin(place));
-        let blocks = network.blocks.into_iter();
+        let blocks = blocks.into_iter();
         parts.extend(blocks.map(|block| Circuit::Element(Element::block(block, origin))));
         self.items.push(Item::Blank);
         self.items.push(Item::Network(Network {

@@ -2,12 +2,13 @@
 
 use super::address::{Address, Span, Tag, Which};
 use super::bank::{Bank, Writer};
-use super::model::{Constant, CounterKind, Instruction, Nickname, Program, TimerKind};
+use super::model::{Condition, Constant, CounterKind, Instruction, Nickname, Program, TimerKind};
+use super::ranges::is_of_blocks;
 use super::uses::{Access, Use, What, uses};
 use ladder_format::program::{Declaration, Qualifier, Section, SectionKind};
 use ladder_instructions::{Op, by_op};
 use ladder_notation::names::Names;
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 /// A timer or a counter: one tag of a block type.
 #[derive(Debug, Clone)]
@@ -36,9 +37,17 @@ pub(super) struct Tags<'p> {
     /// Addresses that lie in ranges.
     ranged: HashMap<Bank, Vec<bool>>,
     pointed: HashSet<Bank>,
+    /// The conditions of the rung that is being made which are checked before it acts, and the tags that hold them.
+    pub(super) late: Vec<(Condition, String)>,
+    /// Banks of timers and counters that are arrays too, and how many copies of elements that takes.
+    copied: BTreeSet<Bank>,
+    copies: usize,
     /// Banks of the controller that the program writes.
     written: HashSet<Bank>,
 }
+
+/// More copies of what timers and counters hold are not made.
+const MOST_COPIES: usize = 20_000;
 
 /// Bits of the controller that ladder text has of its own.
 const SYSTEM: &[(u16, &str)] = &[
@@ -86,7 +95,7 @@ impl<'p> Tags<'p> {
         }
         // The arrays keep their names, whatever nicknames there are.
         for row in super::bank::BANKS {
-            tags.names.spell(row.name);
+            tags.names.spell(row.bank.array());
         }
         let uses = uses(program);
         let mut spans = Vec::new();
@@ -130,7 +139,8 @@ impl<'p> Tags<'p> {
         for one in &uses {
             match one.what {
                 What::One(tag) | What::From(tag, _) => tags.meet(tag),
-                What::Many(span) if matches!(span.bank, Bank::T | Bank::Ct | Bank::Td | Bank::Ctd) => {
+                // A contact on a range is one on each of its bits.
+                What::Many(span) if one.access == Access::Contact && is_of_blocks(span.bank) => {
                     let (first, last) = span.bounds();
                     for number in (first..=last).filter(|number| span.bank.has(*number)) {
                         tags.meet(&Tag::number(span.bank, number));
@@ -308,6 +318,42 @@ impl<'p> Tags<'p> {
         tag.address().filter(|_| !self.own_by_tag.contains_key(&tag))
     }
 
+    /// The tag that holds what a condition was before its rung acts.
+    pub(super) fn seen(&self, condition: &Condition) -> Option<String> {
+        let found = self.late.iter().find(|(late, _)| late == condition)?;
+        Some(found.1.clone())
+    }
+
+    /// Where the blocks of a range keep what they hold, each with its element in the array of the bank.
+    ///
+    /// # Errors
+    ///
+    /// The program has so many of them that it would grow out of all proportion.
+    pub(super) fn copies(&mut self, span: &Span) -> Result<Vec<(String, String)>, String> {
+        if !is_of_blocks(span.bank) {
+            return Ok(Vec::new());
+        }
+        self.copied.insert(span.bank);
+        let mut out = Vec::new();
+        for key in &self.state_order {
+            let mut tag = key.clone();
+            tag.bank = span.bank;
+            let is_there = tag.address().is_some_and(|address| span.holds(address));
+            if is_there && self.state_key(&tag).as_ref() == Some(key) {
+                let Which::Number(number) = key.which else {
+                    continue;
+                };
+                out.push((format!("{}[{number}]", span.bank.array()), self.text(&tag)));
+            }
+        }
+        out.sort_by_key(|(element, _)| element.len());
+        self.copies += out.len();
+        if self.copies > MOST_COPIES {
+            return Err("the program takes timers and counters as ranges too often".to_owned());
+        }
+        Ok(out)
+    }
+
     /// Makes a tag of the importer's own. `what` says what it is for, and is how it is known again.
     pub(super) fn helper(&mut self, like: &str, ty: &str, what: impl Into<String>) -> String {
         let what = what.into();
@@ -345,12 +391,14 @@ impl<'p> Tags<'p> {
     pub(super) fn sections(&self) -> Vec<Section> {
         let mut sections = Sections::default();
         for (bank, (first, last)) in &self.arrays {
-            if matches!(bank, Bank::T | Bank::Ct | Bank::Td | Bank::Ctd) {
+            let is_copy = is_of_blocks(*bank);
+            if is_copy && !self.copied.contains(bank) {
                 continue;
             }
             let ty = format!("ARRAY[{first}..{last}] OF {}", bank.kind().iec());
-            let retentive = bank.row().retentive;
-            sections.push(*bank, retentive, Declaration::new(bank.row().name, ty), self);
+            let mut declaration = Declaration::new(bank.array(), ty);
+            declaration.comment = is_copy.then(|| "what timers or counters hold, as an array".to_owned());
+            sections.push(*bank, bank.row().retentive, declaration, self);
         }
         for tag in &self.state_order {
             let state = &self.states[tag];

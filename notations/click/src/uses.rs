@@ -29,6 +29,8 @@ pub(super) enum What<'p> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Access {
     Read,
+    /// Read as a contact.
+    Contact,
     Write,
     /// The bit of a timer or counter, at its own block.
     Own,
@@ -90,7 +92,7 @@ impl<'p> Uses<'p> {
             }
             Condition::Contact(Contact { place, bits, .. }) => {
                 self.place = Some(*place);
-                self.bits(bits, Access::Read);
+                self.bits(bits, Access::Contact);
             }
             Condition::Compare(comparison) => {
                 self.place = Some(comparison.place);

@@ -1,8 +1,12 @@
 //! From a file of another system to ladder text.
 
 use super::{Finding, LineColumn, Notation, ReadError, Reading, Report, Source};
-use ladder_format::program::WrittenProgram;
+use ladder_format::program::{Item, ProgramSketch, WrittenProgram};
 use ladder_syntax::TextSize;
+use std::collections::HashSet;
+
+/// The rule about comments that switch off what is not found.
+pub(super) const UNUSED: &str = "suppression-unused";
 
 /// A foreign program as ladder text.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -39,15 +43,46 @@ pub fn convert(
     options: &ladder_format::Options,
 ) -> Result<Converted, ReadError> {
     let Reading {
-        program,
+        mut program,
         places,
         report,
         findings,
     } = notation.read(source)?;
+    let mut written = program.write(options);
+    if without_idle_directives(&mut program, &written.text) {
+        written = program.write(options);
+    }
     Ok(Converted {
-        written: program.write(options),
+        written,
         places,
         report,
         findings,
     })
+}
+
+/// Takes out the importer's comments that switch off what is not found: a finding about them would be one about a line that
+/// nobody wrote. Comes back whether there were any.
+fn without_idle_directives(program: &mut ProgramSketch, text: &str) -> bool {
+    let is_allow = |item: &Item| matches!(item, Item::Directive(said) if said.starts_with("allow"));
+    if !program.items.iter().any(is_allow) {
+        return false;
+    }
+    let analysis = ladder_analysis::analyze(&ladder_syntax::parse(text).into(), "");
+    let found = analysis.diagnostics().iter();
+    let idle: HashSet<usize> = found
+        .filter(|found| found.rule.name() == UNUSED)
+        .map(|found| usize::from(found.range.start()))
+        .collect();
+    let mut at = 0;
+    let before = program.items.len();
+    program.items.retain(|item| {
+        let Item::Directive(said) = item else { return true };
+        let comment = format!("# ladder: {said} #");
+        let Some(start) = text[at..].find(&comment).map(|start| at + start) else {
+            return true;
+        };
+        at = start + comment.len();
+        !idle.contains(&start)
+    });
+    program.items.len() < before
 }

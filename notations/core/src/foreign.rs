@@ -1,7 +1,8 @@
 //! A program of another system, next to the ladder text that it becomes: what is found in that text is shown in the
 //! file that a person wrote.
 
-use super::{Converted, Entry, LineColumn, Lines, Notation, Outcome, ReadError, Source, convert};
+use super::convert::UNUSED;
+use super::{Converted, Entry, LineColumn, Lines, Notation, Outcome, ReadError, Report, Source, convert};
 use ladder_analysis::{Diagnostic, Severity};
 use ladder_syntax::{TextRange, TextSize};
 use std::collections::{HashMap, HashSet};
@@ -73,6 +74,41 @@ impl Foreign {
     /// The file as it is shown.
     pub fn text(&self) -> &str {
         &self.text
+    }
+
+    /// What it becomes, and what became of each element.
+    pub fn converted(&self) -> &Converted {
+        &self.converted
+    }
+
+    /// What became of each element, where these errors are in the ladder text: what is at the place of one is refused after all.
+    pub fn report<'d>(&self, errors: impl IntoIterator<Item = &'d Diagnostic>) -> Report {
+        let mut report = self.converted.report.clone();
+        let found = self.converted.findings.iter();
+        let said: HashMap<LineColumn, &str> = found
+            .filter(|found| found.severity == Severity::Error)
+            .map(|found| (found.place, found.message.as_str()))
+            .collect();
+        let mut refused: HashSet<LineColumn> = HashSet::new();
+        let mut first: HashMap<LineColumn, usize> = HashMap::new();
+        for (number, entry) in report.entries.iter().enumerate() {
+            first.entry(entry.place).or_insert(number);
+            if matches!(entry.outcome, Outcome::Refused(_)) {
+                refused.insert(entry.place);
+            }
+        }
+        for error in errors {
+            let place = self.place(error.range);
+            if !refused.insert(place) {
+                continue;
+            }
+            let why = said.get(&place).copied().unwrap_or(&error.message);
+            match first.get(&place) {
+                Some(entry) => report.entries[*entry].outcome = Outcome::Refused(why.to_owned()),
+                None => report.refused(place, &self.ladder()[error.range], why),
+            }
+        }
+        report
     }
 
     /// The ladder text that it becomes.
@@ -158,6 +194,8 @@ impl Foreign {
     /// The findings of the ladder text, with their places in the shown text. The fixes are left out: they would change a
     /// text that is nowhere.
     pub fn in_file(&self, mut findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
+        // The comments that switch rules off are the importer's.
+        findings.retain(|finding| finding.rule.name() != UNUSED);
         for finding in &mut findings {
             finding.range = self.range(finding.range);
             finding.fixes.clear();

@@ -101,7 +101,7 @@ impl Compiler<'_> {
         let spot = self.spot(place)?;
         let value = match arguments.get(1)? {
             Argument::Range(range) => {
-                if ty == Scalar::Bool || ty.is_real() || ty.is_string() || !packs(range.element) {
+                if ty == Scalar::Bool || ty.is_string() || !packs(range.element) {
                     return Err(arguments.refused(format!("{} cannot be packed into {ty}", range.element)));
                 }
                 let to = self.layout.word();
@@ -138,11 +138,7 @@ impl Compiler<'_> {
         let (out, start) = self.begin_powered(en);
         match arguments.get(0)? {
             Argument::Range(range) => {
-                if value.ty == Scalar::Bool
-                    || value.ty.is_real()
-                    || value.ty.is_string()
-                    || !packs(range.element)
-                {
+                if value.ty == Scalar::Bool || value.ty.is_string() || !packs(range.element) {
                     return Err(
                         arguments.refused(format!("{} cannot be unpacked into {}", value.ty, range.element))
                     );

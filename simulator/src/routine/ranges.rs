@@ -4,6 +4,7 @@ use super::Operands;
 use crate::fault::Trouble;
 use crate::memory::{Bit, Memory, TextSlot, Word};
 use crate::operation::{IntegerOp, RealOp, Width, integer, real};
+use ladder_analysis::values::types::Scalar;
 use std::ops::Range;
 
 /// A range whose ends are known only now.
@@ -170,9 +171,42 @@ pub(super) fn shift_texts<const FORCED: bool>(memory: &mut Memory, with: &mut Op
     memory.copy_text::<FORCED>(TextSlot(range.start as u32), entering);
 }
 
+/// How wide a value is that is packed; a real has the bits that IEEE 754 says.
+fn width_of(ty: Scalar) -> Width {
+    Width::of(match ty {
+        Scalar::Real => Scalar::Dword,
+        Scalar::Lreal => Scalar::Lword,
+        ty => ty,
+    })
+}
+
+/// The word of memory that holds these bits as a value of a type.
+fn of_bits(ty: Scalar, bits: i64) -> Result<i64, Trouble> {
+    let real = match ty {
+        Scalar::Real => f64::from(f32::from_bits(bits as u32)),
+        Scalar::Lreal => f64::from_bits(bits as u64),
+        _ => return Ok(bits),
+    };
+    // No tag holds an infinity, or what is no number.
+    if real.is_finite() {
+        Ok(real.to_bits() as i64)
+    } else {
+        Err(Trouble::NotFinite)
+    }
+}
+
+/// The bits of a value of a type, from the word of memory that holds it.
+fn bits_of(ty: Scalar, word: i64) -> i64 {
+    match ty {
+        Scalar::Real => i64::from((f64::from_bits(word as u64) as f32).to_bits()),
+        _ => word,
+    }
+}
+
 /// Bits into a word, the first as bit 0.
 pub(super) fn pack_bits<const FORCED: bool>(memory: &mut Memory, with: &mut Operands) -> Result<(), Trouble> {
-    let (to, width) = (with.word(), Width::of(with.ty()));
+    let (to, ty) = (with.word(), with.ty());
+    let width = width_of(ty);
     let range = with.range(memory);
     if range.len() > width.bits() as usize {
         return Err(Trouble::Lengths {
@@ -182,7 +216,7 @@ pub(super) fn pack_bits<const FORCED: bool>(memory: &mut Memory, with: &mut Oper
     }
     let bits = memory.bits[range].iter().enumerate();
     let value = bits.fold(0u64, |value, (n, &bit)| value | u64::from(bit) << n);
-    memory.put_word::<FORCED>(to, width.wrap(value as i64));
+    memory.put_word::<FORCED>(to, of_bits(ty, width.wrap(value as i64))?);
     Ok(())
 }
 
@@ -191,7 +225,8 @@ pub(super) fn pack_words<const FORCED: bool>(
     memory: &mut Memory,
     with: &mut Operands,
 ) -> Result<(), Trouble> {
-    let (to, width) = (with.word(), Width::of(with.ty()));
+    let (to, ty) = (with.word(), with.ty());
+    let width = width_of(ty);
     let range = with.range(memory);
     let part = Width::of(with.ty()).bits();
     let room = (width.bits() / part) as usize;
@@ -206,14 +241,15 @@ pub(super) fn pack_words<const FORCED: bool>(
     let value = words.fold(0u64, |value, (n, &word)| {
         value | (word as u64 & mask) << (n as u32 * part)
     });
-    memory.put_word::<FORCED>(to, width.wrap(value as i64));
+    memory.put_word::<FORCED>(to, of_bits(ty, width.wrap(value as i64))?);
     Ok(())
 }
 
 /// Elements past the width of the value are cleared.
 pub(super) fn unpack_bits<const FORCED: bool>(memory: &mut Memory, with: &mut Operands) {
     let range = with.range(memory);
-    let (value, width) = (with.value(memory), Width::of(with.ty()).bits());
+    let (value, ty) = (with.value(memory), with.ty());
+    let (value, width) = (bits_of(ty, value), width_of(ty).bits());
     for (n, slot) in range.enumerate() {
         let bit = n < width as usize && value >> n & 1 != 0;
         memory.put_bit::<FORCED>(Bit(slot as u32), bit);
@@ -223,7 +259,8 @@ pub(super) fn unpack_bits<const FORCED: bool>(memory: &mut Memory, with: &mut Op
 pub(super) fn unpack_words<const FORCED: bool>(memory: &mut Memory, with: &mut Operands) {
     let range = with.range(memory);
     let part = Width::of(with.ty());
-    let (value, width) = (with.value(memory), Width::of(with.ty()).bits());
+    let (value, ty) = (with.value(memory), with.ty());
+    let (value, width) = (bits_of(ty, value), width_of(ty).bits());
     for (n, slot) in range.enumerate() {
         let shift = n as u32 * part.bits();
         let word = if shift < width {
@@ -241,7 +278,7 @@ pub(super) fn sum(memory: &mut Memory, with: &mut Operands) -> Result<(), Troubl
     let range = with.range(memory);
     let element = with.ty();
     if ty.is_real() {
-        let single = ty == ladder_analysis::values::types::Scalar::Real;
+        let single = ty == Scalar::Real;
         let mut total = 0.0;
         for &word in &memory.words[range] {
             let value = if element.is_real() {

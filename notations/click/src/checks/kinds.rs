@@ -1,10 +1,12 @@
 //! What kinds of values go together: in contacts, comparisons, set points, copies and formulas.
 
+use super::super::address::Tag;
 use super::super::bank::{Bank, Kind};
 use super::super::model::{
     Action, Bits, Coil, Comparison, Condition, Constant, Instruction, Operand, Relation, Search,
 };
 use super::super::operand::{fits, kind};
+use super::words::Words;
 use super::{Found, copies, mathematics};
 use ladder_analysis::with_article;
 use ladder_notation::LineColumn;
@@ -81,6 +83,15 @@ fn compare(comparison: &Comparison, out: &mut Found) {
         out.error(place, "click-compare", message);
         return;
     }
+    if let (Words::Dsl, Some(one), Some(other)) = (out.words, type_of(left, right), type_of(right, left))
+        && one != other
+    {
+        let shown = out.words.comparison(comparison);
+        let message = format!(
+            "`{shown}` compares {one} with {other}, and the DSL asks for one type; Click itself compares them as numbers"
+        );
+        out.warning(place, "click-compare", message);
+    }
     let is_text = [left, right]
         .into_iter()
         .any(|side| kind(side) == Some(Kind::Text));
@@ -97,6 +108,23 @@ fn compare(comparison: &Comparison, out: &mut Found) {
         );
         out.warning(place, "click-pointer", message);
     }
+}
+
+/// The type of one side of a comparison, as the page on the DSL calls it. A whole number has that of the other side.
+fn type_of(side: &Operand, other: &Operand) -> Option<&'static str> {
+    let kind = match side {
+        Operand::Constant(Constant::Float(_)) => Some(Kind::Float),
+        Operand::Constant(_) => kind(other),
+        side => kind(side),
+    };
+    Some(match kind? {
+        Kind::Int => "int16",
+        Kind::Int2 => "int32",
+        Kind::Hex => "hex16",
+        Kind::Float => "float32",
+        Kind::Bit => "a bit",
+        Kind::Text => "a text",
+    })
 }
 
 fn compares(constant: &Constant, kind: Kind) -> bool {
@@ -148,6 +176,7 @@ pub(super) fn action(action: &Action, out: &mut Found) {
                 &[Bank::Ds, Bank::Dd],
                 out,
             );
+            wide_setpoint(place, &counter.setpoint, out);
             counter.reset.iter().for_each(|pin| condition(pin, out));
             counter.count_down.iter().for_each(|pin| condition(pin, out));
         }
@@ -161,15 +190,8 @@ pub(super) fn action(action: &Action, out: &mut Found) {
         },
         Instruction::Fill { source, target, .. } => copies::copied(place, source, target.bank.kind(), out),
         Instruction::BlockCopy { source, target, .. } => {
-            let (from, to) = (source.bank.kind(), target.bank.kind());
-            if from != to {
-                let message = format!(
-                    "a block copies addresses of one kind, and this goes from {} to {}",
-                    out.words.bank(source.bank),
-                    out.words.bank(target.bank)
-                );
-                out.error(place, "click-copy", message);
-            }
+            let first = Operand::Tag(Tag::number(source.bank, source.first));
+            copies::copied(place, &first, target.bank.kind(), out);
         }
         Instruction::Pack { source, target, .. } => {
             copies::packed(place, source.bank, source.len(), target.bank, out);
@@ -238,6 +260,23 @@ fn setpoint(place: LineColumn, what: &str, value: &Operand, most: Kind, banks: &
             banks.join(" or ")
         );
         out.error(place, "click-setpoint", message);
+    }
+}
+
+/// What the page on the DSL does not have as the set point of a counter, and Click has.
+fn wide_setpoint(place: LineColumn, value: &Operand, out: &mut Found) {
+    let is_wide = match value {
+        Operand::Constant(constant) => !fits(constant, Kind::Int) && fits(constant, Kind::Int2),
+        Operand::Tag(tag) => tag.bank == Bank::Dd,
+        Operand::Pointer(_) => false,
+    };
+    if is_wide && out.words == Words::Dsl {
+        let message = format!(
+            "{} is wider than a set point of the DSL, an int16 or an address of {}; Click's own counters take it",
+            out.words.operand(value),
+            out.words.bank(Bank::Ds)
+        );
+        out.warning(place, "click-setpoint", message);
     }
 }
 

@@ -29,7 +29,7 @@ pub(super) fn check(program: &Program, out: &mut Found) {
                 if one.access == Access::Write {
                     writes(place, tag, out);
                 }
-                if one.access == Access::Read
+                if matches!(one.access, Access::Read | Access::Contact)
                     && matches!(tag.bank, Bank::T | Bank::Ct)
                     && !owned.contains(tag)
                 {

@@ -207,7 +207,6 @@ R,C1,..,\"calc(DS1 + 1,DH1,mode=hex)\"",
             15:72 Warning click-c1001: Y001 has an out() at 14:66 too: the last one in the scan wins
             16:66 Error click-copy: a bit does not turn into an integer: C1
             17:66 Error click-pointer: a pointer is an address of DS, and DD1 is none
-            18:66 Error click-copy: a block copies addresses of one kind, and this goes from DS to DD
             19:66 Error click-pack: X is not packed into DS
             20:66 Error click-search: the flag of a search is an address of C, and Y003 is none
             20:66 Error click-search: the result of a search is a number of an address, and DF1 holds none

@@ -132,9 +132,9 @@ fn called(problems: &mut Problems<'_>, call: &ExprCall) -> Result<Read, Unread> 
             clock: arguments.pin(problems, "clock")?,
             reset: arguments.pin(problems, "reset")?,
         }),
-        "search" => search(problems, &arguments)?,
-        "calc" => math(problems, &arguments, MathKind::Decimal)?,
-        "math_hex" => math(problems, &arguments, MathKind::Hex)?,
+        "search" => search(problems, &arguments, call)?,
+        "calc" => math(problems, &arguments, MathKind::Decimal, call)?,
+        "math_hex" => math(problems, &arguments, MathKind::Hex, call)?,
         "call" => match arguments.must(problems, "subroutine_name")? {
             Expr::Name(name) => Instruction::Call(name.id.to_string()),
             other => return Err(problems.note(other, "call() takes the name of a subroutine")),
@@ -181,17 +181,24 @@ fn counter(
     }))
 }
 
-fn search(problems: &mut Problems<'_>, arguments: &Arguments<'_>) -> Result<Instruction, Unread> {
+fn search(
+    problems: &mut Problems<'_>,
+    arguments: &Arguments<'_>,
+    call: &ExprCall,
+) -> Result<Instruction, Unread> {
     let (text, at) = arguments.text(problems, "condition")?;
     let Some(relation) = Relation::named(text) else {
         return Err(problems.note(at, "the condition of a search is eq, ne, gt, ge, lt or le"));
     };
     let start = arguments.tag(problems, "start_address")?;
     let end = arguments.tag(problems, "end_address")?;
-    let (Some(first), Some(last)) = (start.address(), end.address()) else {
-        let message = "a search goes from one number to another: ds[100], ds[200]";
-        let at = arguments.must(problems, "start_address")?;
-        return Err(problems.note(at, message));
+    let [first, last] = [start, end].map(|tag| problems.address(&tag));
+    let (Some(first), Some(last)) = (first, last) else {
+        return Ok(Instruction::Kept {
+            text: problems.source(call).to_owned(),
+            why: "a search goes from one number to another, and no nickname file says where its bounds are"
+                .to_owned(),
+        });
     };
     if first.bank != last.bank {
         let at = arguments.must(problems, "end_address")?;
@@ -215,8 +222,13 @@ fn math(
     problems: &mut Problems<'_>,
     arguments: &Arguments<'_>,
     kind: MathKind,
+    call: &ExprCall,
 ) -> Result<Instruction, Unread> {
     let (text, at) = arguments.text(problems, "formula")?;
+    if let Err(why) = formula::shallow(text) {
+        let text = problems.source(call).to_owned();
+        return Ok(Instruction::Kept { text, why });
+    }
     let formula = formula::parse(text).map_err(|error| {
         let around = shown(text.get(error.at..).unwrap_or(""));
         let at_end = error.at >= text.len();

@@ -271,7 +271,9 @@ pub(super) fn operand(problems: &mut Problems<'_>, expr: &Expr) -> Result<Operan
             let bank = bank(problems, &attribute.value)?;
             let name = attribute.attr.as_str();
             let upper = Address::parse(name).filter(|address| address.bank == bank && address.is_upper());
-            Ok(Operand::Tag(upper.map_or_else(|| Tag::nickname(bank, name), Tag::from)))
+            Ok(Operand::Tag(
+                upper.map_or_else(|| Tag::nickname(bank, name), Tag::from),
+            ))
         }
         Expr::Subscript(subscript) => indexed(problems, expr, subscript),
         other => constant(problems, other).map(Operand::Constant),

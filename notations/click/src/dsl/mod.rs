@@ -11,6 +11,8 @@ mod recognise;
 pub(super) mod spell;
 mod write;
 
-pub(super) use program::{read, single_action};
+#[cfg(test)]
+pub(super) use program::read;
+pub(super) use program::{read_with, single_action};
 pub(super) use recognise::recognises;
 pub(super) use write::write;

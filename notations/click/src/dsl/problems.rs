@@ -1,5 +1,7 @@
 //! What is not in the DSL, with its place.
 
+use super::super::address::{Address, Tag, Which};
+use super::super::model::Nickname;
 use ladder_notation::{LineColumn, Lines, ReadError};
 use ruff_python_ast::{Expr, Stmt};
 use ruff_text_size::Ranged;
@@ -9,6 +11,8 @@ pub(super) struct Problems<'t> {
     text: &'t str,
     lines: Lines,
     all: Vec<(LineColumn, String)>,
+    /// What the address picker says.
+    nicknames: &'t [Nickname],
 }
 
 /// What could not be read. What it is has been noted.
@@ -16,9 +20,10 @@ pub(super) struct Problems<'t> {
 pub(super) struct Unread;
 
 impl<'t> Problems<'t> {
-    pub(super) fn new(text: &'t str) -> Problems<'t> {
+    pub(super) fn new(text: &'t str, nicknames: &'t [Nickname]) -> Problems<'t> {
         Problems {
             text,
+            nicknames,
             lines: Lines::of(text),
             all: Vec::new(),
         }
@@ -37,6 +42,15 @@ impl<'t> Problems<'t> {
 
     pub(super) fn place(&self, of: &impl Ranged) -> LineColumn {
         self.lines.place(self.text, of.start().into())
+    }
+
+    /// The address of a tag, if it is known.
+    pub(super) fn address(&self, tag: &Tag) -> Option<Address> {
+        let Which::Nickname(name) = &tag.which else {
+            return tag.address();
+        };
+        let is_it = |nickname: &&Nickname| nickname.address.bank == tag.bank && nickname.name == *name;
+        self.nicknames.iter().find(is_it).map(|nickname| nickname.address)
     }
 
     pub(super) fn is_empty(&self) -> bool {

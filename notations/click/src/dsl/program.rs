@@ -1,6 +1,6 @@
 //! A Python file as a program: `main`, the subroutines, and the rungs in them.
 
-use super::super::model::{Action, Condition, Program, Routine, Rung};
+use super::super::model::{Action, Condition, Nickname, Program, Routine, Rung};
 use super::act::act;
 use super::arguments::is_instruction;
 use super::comments::Comments;
@@ -12,19 +12,28 @@ use ruff_python_ast::{Expr, Stmt, StmtFunctionDef, StmtIf};
 use ruff_python_parser::parse_module;
 use ruff_text_size::Ranged;
 
-/// Reads a program. Python is parsed and never run.
+/// Reads a program without nicknames.
+///
+/// # Errors
+///
+/// As [`read_with`].
+pub(in super::super) fn read(text: &str) -> Result<Program, ReadError> {
+    read_with(text, &[])
+}
+
+/// Reads a program. Python is parsed and never run. `nicknames` are those that the address picker knows.
 ///
 /// # Errors
 ///
 /// If it is not Python, too large or too deep, or has anything in it that the DSL has not.
-pub(in super::super) fn read(text: &str) -> Result<Program, ReadError> {
+pub(in super::super) fn read_with(text: &str, nicknames: &[Nickname]) -> Result<Program, ReadError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     depth::check(text)?;
     let parsed = parse_module(text).map_err(|error| {
         let place = Lines::of(text).place(text, error.location.start().into());
         ReadError::at(place, format!("this is not Python: {}", error.error))
     })?;
-    let mut problems = Problems::new(text);
+    let mut problems = Problems::new(text, nicknames);
     let mut comments = Comments::of(text, parsed.tokens());
     let mut routines = Vec::new();
     let mut header = Vec::new();
@@ -63,7 +72,7 @@ pub(in super::super) fn read(text: &str) -> Result<Program, ReadError> {
             _ => program.subroutines.push(routine),
         }
     }
-    if main.is_none() && problems.is_empty() {
+    if main.is_none() && program.subroutines.is_empty() && problems.is_empty() {
         let end = Lines::of(text).place(text, text.len());
         return Err(ReadError::at(
             end,

@@ -1,4 +1,4 @@
-//! Whether a file is a Click program in Python: `def main():` whose first rung is one of the DSL.
+//! Whether a file is a Click program in Python: `def main():` or `@sub` with a rung of the DSL.
 
 use super::super::bank::Bank;
 use super::arguments::is_instruction;
@@ -10,13 +10,45 @@ const LOOKED_AT: usize = 64 * 1024;
 pub(in super::super) fn recognises(bytes: &[u8]) -> bool {
     let beginning = &bytes[..bytes.len().min(LOOKED_AT)];
     let text = String::from_utf8_lossy(beginning);
-    let mut lines = text.lines().skip_while(|line| code(line) != "def main():");
-    if lines.next().is_none() {
+    let lines: Vec<&str> = text.lines().map(code).filter(|line| !line.is_empty()).collect();
+    let Some(start) = lines
+        .iter()
+        .position(|line| matches!(*line, "def main():" | "@sub"))
+    else {
         return false;
+    };
+    // Of other Python a rung may look like one of Click, but hardly its actions; so one of them may be wrong.
+    let rungs = rungs(&lines[start..]);
+    let first = rungs.first();
+    let is_rung = |(condition, action): &(&str, &str)| is_condition(condition) && is_action(action);
+    first.is_some_and(is_rung) || rungs.iter().any(|(condition, action)| acts(condition, action))
+}
+
+/// The condition of each `if`, or of the innermost of several, and the first line below it.
+fn rungs<'t>(lines: &[&'t str]) -> Vec<(&'t str, &'t str)> {
+    let is_if = |line: &str| line.starts_with("if ") && line.ends_with(':');
+    let pairs = lines.windows(2).filter(|pair| is_if(pair[0]) && !is_if(pair[1]));
+    pairs.map(|pair| (pair[0], pair[1])).collect()
+}
+
+/// Whether a rung acts on an address of Click, or ends.
+fn acts(condition: &str, action: &str) -> bool {
+    let name = word(action);
+    let Some(inside) = action[name.len()..].strip_prefix('(') else {
+        return false;
+    };
+    match name {
+        "end" | "next_loop" => condition == "if True:" && inside.starts_with(')'),
+        // Another word is one that was mistyped, where its rung is one of Click.
+        name if is_instruction(name) => begins_with_address(inside),
+        name => name != "print" && is_condition(condition) && begins_with_address(inside),
     }
-    let mut rest = lines.map(code).filter(|line| !line.is_empty());
-    rest.find(|line| line.starts_with("if ") && line.ends_with(':') && is_condition(line))
-        .is_some_and(|_| rest.next().is_some_and(is_action))
+}
+
+/// `y[1]`, `c.Run`
+fn begins_with_address(text: &str) -> bool {
+    let bank = word(text);
+    Bank::of_dsl(bank).is_some() && text[bank.len()..].starts_with(['[', '.'])
 }
 
 /// A line without its comment.
@@ -38,7 +70,7 @@ fn is_condition(line: &str) -> bool {
     match first {
         "True" => rest == ":",
         "all" | "any" | "nc" | "re" | "fe" => rest.starts_with('('),
-        first => Bank::of_dsl(first).is_some() && rest.starts_with(['[', '.']),
+        _ => begins_with_address(condition),
     }
 }
 

@@ -7,8 +7,9 @@ use ladder_notation::Report;
 /// The text of a program, and what of it the DSL cannot say.
 pub(in super::super) fn write(program: &Program, report: &mut Report) -> String {
     let mut out = String::new();
-    for (number, routine) in program.routines().enumerate() {
-        if number > 0 {
+    let skipped = usize::from(program.has_no_main());
+    for (number, routine) in program.routines().enumerate().skip(skipped) {
+        if number > skipped {
             out.push_str("\n\n");
         }
         self::routine(routine, number > 0, &mut out, report);

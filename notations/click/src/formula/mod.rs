@@ -130,6 +130,18 @@ pub(super) fn foreign(formula: &Formula, kind: MathKind) -> Option<&'static str>
     }
 }
 
+/// Whether a text has no more parentheses in one another than Click reads.
+///
+/// # Errors
+///
+/// It has more of them.
+pub(super) fn shallow(text: &str) -> Result<(), String> {
+    if nesting(text) > 8 {
+        return Err("Click has no more than eight parentheses in one another".to_owned());
+    }
+    Ok(())
+}
+
 /// How many parentheses are in one another in the text of a formula.
 pub(super) fn nesting(text: &str) -> usize {
     let mut depth = 0usize;

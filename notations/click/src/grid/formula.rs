@@ -14,6 +14,7 @@ use std::cell::Cell;
 ///
 /// Why it is none.
 pub(super) fn read(text: &str) -> Result<Formula, String> {
+    formula::shallow(text)?;
     let formula = formula::parse(text).map_err(|error| {
         let before: String = text
             .get(..error.at)

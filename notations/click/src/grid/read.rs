@@ -79,7 +79,9 @@ pub(in super::super) fn read(
     {
         let own = subroutine(&companion.name).unwrap_or_default();
         let call = call_of(&program.main, own);
-        let name = call.as_ref().map_or_else(|| own.to_owned(), |(name, _)| name.clone());
+        let name = call
+            .as_ref()
+            .map_or_else(|| own.to_owned(), |(name, _)| name.clone());
         let place = call.map_or(LineColumn::START, |(_, place)| place);
         let failure =
             |error: ReadError| ReadError::whole(format!("{}:{}", companion.name, Later { before, error }));
@@ -99,10 +101,6 @@ pub(in super::super) fn read(
     let mut reading = to_ladder(&program);
     reading.report = texts.joined(reading.report, reader.report);
     reading.findings.extend(reader.findings);
-    if program.main.rungs.is_empty() && !program.subroutines.is_empty() {
-        // The main program is another file.
-        reading.findings.retain(|found| found.check != "click-c0201");
-    }
     for found in &mut reading.findings {
         if is_lone && matches!(found.check, "click-c0201" | "click-c0105") {
             found.severity = Severity::Info;

@@ -18,7 +18,7 @@ pub(in super::super) fn write(program: &Program, report: &mut Report) -> (String
     let addresses = Addresses::of(program, report);
     let mut grids = |routine: &Routine| file::write(&grid(routine, &addresses, report));
     let only = match &program.subroutines[..] {
-        [only] if is_empty(&program.main) => Some(only),
+        [only] if program.has_no_main() => Some(only),
         _ => None,
     };
     let text = grids(only.unwrap_or(&program.main));
@@ -33,10 +33,6 @@ pub(in super::super) fn write(program: &Program, report: &mut Report) -> (String
     nicknames.extend(addresses.into_given());
     companions.extend(nicknames::companion(&nicknames));
     (text, companions)
-}
-
-fn is_empty(routine: &Routine) -> bool {
-    routine.rungs.is_empty() && routine.comments.is_empty() && routine.after.is_empty()
 }
 
 /// The grid of a routine. What it cannot say is a comment.

@@ -121,7 +121,7 @@ impl Back<'_> {
                 {
                     let bits = what.strip_prefix("data of ").and_then(Span::in_text);
                     let bits = bits.ok_or("the comment of its data tag names no range")?;
-                    self.registers.push(tag);
+                    self.registers.push(Some(tag));
                     let (clock, reset) = (None, None);
                     return alone(Instruction::Shift(Shift { bits, clock, reset }));
                 }
@@ -190,11 +190,14 @@ impl Back<'_> {
                 let bits = self.span_of(bits)?;
                 let own = Operand::Tag(Tag::number(bits.bank, bits.first));
                 match self.operand(data)? {
-                    data if data == own => alone(Instruction::Shift(Shift {
-                        bits,
-                        clock: None,
-                        reset: None,
-                    })),
+                    data if data == own => {
+                        self.registers.push(None);
+                        alone(Instruction::Shift(Shift {
+                            bits,
+                            clock: None,
+                            reset: None,
+                        }))
+                    }
                     _ => Err(
                         "Click's shift register takes the power of its rung: use its own first bit here"
                             .to_owned(),

@@ -1,8 +1,9 @@
 //! What the tags of a ladder program are in Click.
 
-use super::super::address::{Address, Tag};
+use super::super::address::{Address, Tag, Which};
 use super::super::bank::{Bank, Kind};
-use super::super::model::{Constant, Nickname};
+use super::super::model::{Action, Constant, Instruction, Nickname, Operand, Program};
+use super::super::ranges::is_of_blocks;
 use ladder_analysis::program::{self as ladder, Role, TagId};
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::values::value::Value;
@@ -61,7 +62,7 @@ fn meaning(tag: &ladder::Tag, comment: &str, nicknames: &mut Vec<Nickname>) -> M
         return Meaning::Helper(what.to_owned());
     }
     if let Type::Array { element, .. } = tag.ty {
-        return match Bank::named(&tag.name)
+        return match Bank::of_array(&tag.name)
             .filter(|bank| kind_bank(element, tag.role).is_some_and(|like| like.kind() == bank.kind()))
         {
             Some(bank) => Meaning::Bank(bank),
@@ -112,7 +113,8 @@ fn said(comment: &str, tag: &ladder::Tag, nicknames: &mut Vec<Nickname>) -> Opti
         return Some(Tag::nickname(Bank::of_dsl(bank)?, nickname));
     }
     let address = Address::parse(first).filter(|address| address.bank.has(address.number))?;
-    if address.is_upper() && rest.is_empty() && text.is_empty() && Address::parse(&tag.name) == Some(address) {
+    if address.is_upper() && rest.is_empty() && text.is_empty() && Address::parse(&tag.name) == Some(address)
+    {
         return Some(address.into());
     }
     let name = if rest.is_empty() { &tag.name } else { rest.trim() };
@@ -154,7 +156,6 @@ const KEYWORDS: &[&str] = &[
 
 /// A nickname as Python can hold it.
 fn pythonic(tag: Tag) -> Tag {
-    use super::super::address::Which;
     match &tag.which {
         Which::Nickname(name) => Tag::nickname(tag.bank, python_name(name)),
         Which::Number(_) => tag,
@@ -171,4 +172,40 @@ pub(in super::super) fn python_name(name: &str) -> String {
         name.push('_');
     }
     name
+}
+
+/// Takes out the copies between timers and counters and the arrays that hold what they do: in Click they are one.
+pub(super) fn without_own_copies(program: &mut Program) {
+    let nicknames = std::mem::take(&mut program.nicknames);
+    let blocks = |bank| match bank {
+        Bank::Td => Bank::T,
+        Bank::Ctd => Bank::Ct,
+        bank => bank,
+    };
+    let number = |tag: &Tag| match &tag.which {
+        Which::Number(number) => Some(*number),
+        Which::Nickname(name) => {
+            let own = nicknames.iter().find(|nickname| {
+                blocks(nickname.address.bank) == blocks(tag.bank) && python_name(&nickname.name) == *name
+            })?;
+            Some(own.address.number)
+        }
+    };
+    let is_own = |action: &Action| match &action.what {
+        Instruction::Copy {
+            source: Operand::Tag(from),
+            target: Operand::Tag(to),
+            ..
+        } => {
+            from.bank == to.bank
+                && is_of_blocks(to.bank)
+                && number(from).is_some_and(|from| number(to) == Some(from))
+        }
+        _ => false,
+    };
+    let routines = std::iter::once(&mut program.main).chain(&mut program.subroutines);
+    for rung in routines.flat_map(|routine| &mut routine.rungs) {
+        rung.actions.retain(|action| !is_own(action));
+    }
+    program.nicknames = nicknames;
 }

@@ -34,8 +34,8 @@ struct Back<'p> {
     /// What the importer's own rungs compute: pins, pointers with something added.
     conditions: HashMap<TagId, Condition>,
     pointers: HashMap<TagId, (Tag, i32)>,
-    /// The data tags of the shift registers in the last rung.
-    registers: Vec<TagId>,
+    /// The data tags of the shift registers in the last rung; one without a clock has none.
+    registers: Vec<Option<TagId>>,
 }
 
 /// Whether a rung is one of the importer's own.
@@ -73,6 +73,7 @@ pub(super) fn program(analysis: &Analysis) -> Result<(model::Program, Report), W
     };
     let mut out = back.routines();
     out.nicknames = nicknames;
+    meaning::without_own_copies(&mut out);
     out.seen_first = back.conditions.values().cloned().collect();
     Ok((out, back.report))
 }

@@ -126,7 +126,7 @@ impl Back<'_> {
     fn rungs(
         &mut self,
         network: &Network,
-        registers: &[ladder_analysis::program::TagId],
+        registers: &[Option<ladder_analysis::program::TagId>],
         is_reset: bool,
         routine: &mut Routine,
     ) -> Result<Vec<Rung>, Refusal> {
@@ -150,7 +150,7 @@ impl Back<'_> {
         if let Some(blocks) = series(network, &parts[split..]) {
             match self.above(&condition, &blocks) {
                 Above::Yes => return Ok(Vec::new()),
-                Above::Clock(tag) if registers.contains(&tag) => {
+                Above::Clock(tag) if registers.contains(&Some(tag)) => {
                     let given =
                         pin_of_register(&mut routine.rungs, |shift| shift.clock = Some(condition.clone()));
                     if given {

@@ -1,11 +1,12 @@
 //! What lets power through, as the elements of a sketch.
 
-use super::super::act;
 use super::super::address::Tag;
 use super::super::bank::Bank;
+use super::super::bank::Kind;
 use super::super::dsl::spell;
-use super::super::model::{Bits, Condition, Contact, ContactKind};
-use super::super::operand::{Chain, kind};
+use super::super::model::{Bits, Condition, Constant, Contact, ContactKind, Operand};
+use super::super::operand::{Chain, kind, literal};
+use super::super::ranges;
 use super::Sketcher;
 use ladder_format::Circuit;
 use ladder_format::program::Element;
@@ -14,8 +15,8 @@ use ladder_notation::LineColumn;
 impl Sketcher<'_> {
     /// A condition, or the tag that holds what it was before the rung acts.
     pub(super) fn seen(&mut self, condition: &Condition, place: LineColumn) -> Circuit<Element> {
-        match self.late.iter().find(|(late, _)| late == condition) {
-            Some((_, helper)) => {
+        match self.tags.seen(condition) {
+            Some(helper) => {
                 let block = format!("[ ]( {helper} )");
                 self.series(place, vec![block])
             }
@@ -42,8 +43,19 @@ impl Sketcher<'_> {
             Condition::Compare(comparison) => {
                 let mut chain = Chain::default();
                 let sides = [&comparison.left, &comparison.right];
-                let left = chain.value(&mut self.tags, sides[0], kind(sides[1]));
-                let right = chain.value(&mut self.tags, sides[1], kind(sides[0]));
+                let [left, right] = [(0, 1), (1, 0)].map(|(side, other)| {
+                    let other = kind(sides[other]);
+                    match (sides[side], other) {
+                        // An integer is compared with a real as one.
+                        (Operand::Constant(number @ Constant::Float(_)), Some(Kind::Int)) => {
+                            format!("REAL#{}", literal(number, None))
+                        }
+                        (Operand::Constant(number @ Constant::Float(_)), Some(Kind::Int2)) => {
+                            format!("LREAL#{}", literal(number, None))
+                        }
+                        (value, other) => chain.value(&mut self.tags, value, other),
+                    }
+                });
                 chain.push(format!("[{}]( {left}, {right} )", comparison.relation.mnemonic()));
                 let text = spell::condition(condition);
                 self.reading.report.translated(comparison.place, text);
@@ -79,7 +91,7 @@ impl Sketcher<'_> {
                 tags.map(|tag| format!("{head}( {} )", self.tags.text(&tag)))
                     .collect()
             }
-            Bits::Many(span) => vec![format!("{head}( {} )", act::range(span))],
+            Bits::Many(span) => vec![format!("{head}( {} )", ranges::range(span))],
         };
         self.series(contact.place, blocks)
     }
