@@ -308,7 +308,7 @@ fn files_that_belong_to_a_program_are_read_and_written_with_it() {
     let nicknames = "Address,Nickname\nY001,Pump\n";
     let folder = Folder::with(&[
         ("plant/main.csv", &main),
-        ("plant/sub_rinse.csv", &sub),
+        ("plant/subroutines/Rinse.csv", &sub),
         ("plant/nicknames.csv", nicknames),
         ("plant/table.csv", "time,level\n0,1\n"),
     ]);
@@ -323,7 +323,7 @@ fn files_that_belong_to_a_program_are_read_and_written_with_it() {
     let run = folder.ladder(&["convert", "made/main.clad", "-o", "made/main.csv"]);
     assert_eq!(run.status, Some(0), "{run}");
     assert_eq!(folder.read("made/main.csv"), main);
-    assert_eq!(folder.read("made/sub_rinse.csv"), sub);
+    assert_eq!(folder.read("made/subroutines/Rinse.csv"), sub);
     let run = folder.ladder(&["convert", "made/main.clad", "-o", "plant/new.csv"]);
     assert_eq!(run.status, Some(2), "{run}");
     assert!(!folder.path("plant/new.csv").exists(), "nothing is half written");

@@ -6,6 +6,7 @@ mod check;
 mod check_formats;
 mod check_stdin;
 mod click;
+mod click_field;
 mod convert;
 mod escapes;
 mod explain;
