@@ -198,3 +198,94 @@ fn a_register_is_reset_by_its_own_bit() {
         );
     }
 }
+
+/// The page's table: what timers hold as ranges, blocks between kinds, the bits of reals, numbers of unlike types compared.
+const TABLE: &str = "\
+def main():
+    if x[1]:
+        ton(t[1], 2, Ts)
+        ton(t[2], 9, Ts)
+    if x[2]:
+        calc('SUM(td[1:4])', ds[1])
+        copy_pack(t[1:3], dh[1])
+        search('ge', 3, td[1], td[2], ds[2], c[1])
+        copy(td[ds[9]], ds[3])
+        copy_block(ds[1:3], dd[1])
+        copy_block(dd[1:3], df[1])
+        copy_block(td[1:3], dd[5])
+    if re(x[3]):
+        copy_fill(7, td[1:3])
+    if re(x[4]):
+        copy(4, td[ds[9]])
+    if True:
+        copy_pack(ds[20:22], df[9])
+        copy_unpack(df[9], ds[30:32])
+        copy_unpack(df[9], c[101:133])
+    if ds[1] >= 2.5:
+        out(c[2])
+    if dd[1] >= 2.5:
+        out(c[3])
+    if df[1] >= dd[1]:
+        out(c[4])
+    if True:
+        end()
+";
+
+#[test]
+fn what_goes_into_what_is_as_the_table_says() {
+    let inputs = "X[3],X[4],DS[20],DS[21],DS[9]\n0,0,0,16256,2\n\n\n1,,,,\n0,1,,,\n";
+    let folder = Folder::with(&[("table.py", TABLE), ("in.csv", inputs)]);
+    let watched =
+        "T1.ACC,T2.ACC,DS[1],DH[1],DS[2],C[1],DS[3],DD[1],DF[1],DD[6],DF[9],DS[31],C[131],C[2],C[3],C[4]";
+    let simulated = |file: &str| {
+        let run = folder.ladder(&[
+            "sim", file, "--scans", "6", "--dt", "1s", "--inputs", "in.csv", "--set", "X[1]=1", "--set",
+            "X[2]=1", "--watch", watched,
+        ]);
+        assert_eq!(run.status, Some(0), "{run}");
+        run.stdout
+    };
+    let trace = simulated("table.py");
+    expect![[r#"
+        scan,time_ms,T1.ACC,T2.ACC,DS[1],DH[1],DS[2],C[1],DS[3],DD[1],DF[1],DD[6],DF[9],DS[31],C[131],C[2],C[3],C[4]
+        0,0,1,1,2,0,-1,0,1,2,2.0,1,1.0,16256,0,0,0,1
+        1,1000,2,2,4,1,-1,0,2,4,4.0,2,1.0,16256,0,1,1,1
+        2,2000,3,3,6,1,1,1,3,6,6.0,3,1.0,16256,0,1,1,1
+        3,3000,7,7,8,1,1,1,4,8,8.0,4,1.0,16256,0,1,1,1
+        4,4000,8,4,16,1,1,1,8,16,16.0,8,1.0,16256,0,1,1,1
+        5,5000,9,5,14,1,1,1,5,14,14.0,5,1.0,16256,0,1,1,1
+    "#]].assert_eq(&trace);
+    // Through ladder text and back it does the same, and says it with the same words.
+    let run = folder.ladder(&["convert", "table.py", "-o", "table.clad"]);
+    assert_eq!(run.status, Some(0), "{run}");
+    let run = folder.ladder(&["convert", "table.clad", "-o", "again.py"]);
+    assert_eq!(run.status, Some(0), "{run}");
+    assert_eq!(simulated("again.py"), trace);
+    let again = folder.read("again.py");
+    for action in TABLE
+        .lines()
+        .filter(|line| line.contains("copy_") || line.contains("td["))
+    {
+        assert!(
+            again.contains(&action.trim().replace('\'', "\"").replace("'ge'", "\"ge\"")),
+            "{action}\n{again}"
+        );
+    }
+}
+
+#[test]
+fn a_search_is_between_nicknames() {
+    let program = "def main():\n    if x[1]:\n        search('eq', 5, ds.First, ds.Last, ds.At, c.Hit)\n    if True:\n        end()\n";
+    let nicknames = "Address,Nickname\nDS11,First\nDS19,Last\n";
+    let folder = Folder::with(&[("main.py", program), ("nicknames.csv", nicknames)]);
+    let run = folder.ladder(&["convert", "main.py"]);
+    assert_eq!(run.status, Some(0), "{run}");
+    assert!(run.stdout.contains("DS[11..19]"), "{run}");
+    let alone = Folder::with(&[("main.py", program)]);
+    let run = alone.ladder(&["convert", "main.py"]);
+    assert_eq!(run.status, Some(1), "{run}");
+    assert!(
+        run.stderr.contains("no nickname file says where its bounds are"),
+        "{run}"
+    );
+}

@@ -221,6 +221,28 @@ fn copies() -> impl Strategy<Value = Instruction> {
             target: Tag::number(Bank::Ds, target),
             options: options(),
         }),
+        (
+            select(&[Bank::Dd, Bank::Df, Bank::Td][..]),
+            span(&[Bank::Ds], 5),
+            1u16..99
+        )
+            .prop_map(move |(bank, source, target)| Instruction::BlockCopy {
+                source,
+                target: Tag::number(bank, target),
+                options: options(),
+            }),
+        (span(&[Bank::T, Bank::Ct], 9), tag(&[Bank::Dh])).prop_map(move |(source, target)| {
+            Instruction::Pack {
+                source,
+                target,
+                options: options(),
+            }
+        }),
+        span(&[Bank::Td, Bank::Ctd], 9).prop_map(move |target| Instruction::Fill {
+            source: Operand::Constant(Constant::Int(7)),
+            target,
+            options: options(),
+        }),
         (source, span(WRITTEN, 5)).prop_map(move |(source, target)| Instruction::Fill {
             source,
             target,

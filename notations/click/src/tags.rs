@@ -334,6 +334,9 @@ impl<'p> Tags<'p> {
             return Ok(Vec::new());
         }
         self.copied.insert(span.bank);
+        let (first, last) = span.bounds();
+        self.widen(span.bank, first);
+        self.widen(span.bank, last);
         let mut out = Vec::new();
         for key in &self.state_order {
             let mut tag = key.clone();

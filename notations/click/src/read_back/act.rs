@@ -1,5 +1,6 @@
 //! Blocks that act, as instructions of Click.
 
+use super::copies;
 use super::value::{Refusal, stripped};
 use super::{Above, Back, Meaning};
 use crate::address::{Span, Tag};
@@ -85,7 +86,7 @@ impl Back<'_> {
                 comment: self.comment_after(last),
             });
         }
-        Ok(out)
+        Ok(copies::blocks(out))
     }
 
     /// What is added to a pointer.

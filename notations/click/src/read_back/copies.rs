@@ -3,11 +3,79 @@
 use super::Back;
 use super::act::{helper_tag, op};
 use super::value::Refusal;
-use crate::address::{Span, Tag};
+use crate::address::{Address, Span, Tag};
 use crate::bank::Bank;
-use crate::model::{Constant, CopyOptions, Instruction, Operand};
+use crate::model::{Action, Constant, CopyOptions, Instruction, Operand};
 use ladder_analysis::program::{Block, Bound};
 use ladder_instructions::Op;
+
+/// Actions one after the other, in which copies of consecutive addresses to ones of another kind are one copy of a block.
+pub(super) fn blocks(actions: Vec<Action>) -> Vec<Action> {
+    let mut out: Vec<Action> = Vec::with_capacity(actions.len());
+    for action in actions {
+        let goes_on = out.last_mut().is_some_and(|last| {
+            last.comment.is_none() && last.oneshot == action.oneshot && grows(&mut last.what, &action.what)
+        });
+        match out.last_mut().filter(|_| goes_on) {
+            Some(last) => last.comment = action.comment,
+            None => out.push(action),
+        }
+    }
+    out
+}
+
+/// Whether a copy goes on with the one before it, or with a block of them, which then holds it too.
+fn grows(before: &mut Instruction, next: &Instruction) -> bool {
+    let Some((from, to)) = between_kinds(next) else {
+        return false;
+    };
+    let follows = |first: u16, last: u16| last.checked_sub(first).map(u32::from);
+    if let Instruction::BlockCopy { source, target, .. } = before {
+        let Some(first) = target.address() else {
+            return false;
+        };
+        let is_next = source.bank == from.bank
+            && first.bank == to.bank
+            && source.last.checked_add(1) == Some(from.number)
+            && follows(source.first, from.number) == follows(first.number, to.number);
+        if is_next {
+            source.last = from.number;
+        }
+        return is_next;
+    }
+    let Some((first, target)) = between_kinds(before) else {
+        return false;
+    };
+    let is_next = (first.bank, target.bank) == (from.bank, to.bank)
+        && first.number.checked_add(1) == Some(from.number)
+        && target.number.checked_add(1) == Some(to.number);
+    if is_next {
+        *before = Instruction::BlockCopy {
+            source: Span {
+                bank: first.bank,
+                first: first.number,
+                last: from.number,
+            },
+            target: target.into(),
+            options: CopyOptions::default(),
+        };
+    }
+    is_next
+}
+
+/// Where a copy of one address to one of another kind comes from and goes.
+fn between_kinds(what: &Instruction) -> Option<(Address, Address)> {
+    let Instruction::Copy {
+        source: Operand::Tag(source),
+        target: Operand::Tag(target),
+        ..
+    } = what
+    else {
+        return None;
+    };
+    let (from, to) = (source.address()?, target.address()?);
+    (from.bank.kind() != to.bank.kind()).then_some((from, to))
+}
 
 impl Back<'_> {
     /// A copy; a text goes into several addresses by as many blocks.

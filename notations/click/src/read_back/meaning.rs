@@ -205,7 +205,15 @@ pub(super) fn without_own_copies(program: &mut Program) {
     };
     let routines = std::iter::once(&mut program.main).chain(&mut program.subroutines);
     for rung in routines.flat_map(|routine| &mut routine.rungs) {
-        rung.actions.retain(|action| !is_own(action));
+        let all = std::mem::take(&mut rung.actions);
+        for action in all {
+            if !is_own(&action) {
+                rung.actions.push(action);
+            } else if let (Some(last), Some(comment)) = (rung.actions.last_mut(), action.comment) {
+                // It is behind the last block of what the copy belongs to.
+                last.comment = Some(comment);
+            }
+        }
     }
     program.nicknames = nicknames;
 }
