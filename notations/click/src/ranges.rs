@@ -50,7 +50,7 @@ fn take(tags: &mut Tags<'_>, chain: &mut Chain, span: &Span) -> Result<(), Refus
     Ok(())
 }
 
-/// All addresses that a pointer may lead to.
+/// All addresses that a pointer may reach.
 fn reached(pointer: &Pointer) -> Span {
     Span {
         bank: pointer.bank,
@@ -59,7 +59,7 @@ fn reached(pointer: &Pointer) -> Span {
     }
 }
 
-/// As [`bring`], for what a pointer may lead to.
+/// As [`bring`], for what a pointer may reach.
 pub(super) fn bring_pointed(
     tags: &mut Tags<'_>,
     chain: &mut Chain,
@@ -71,7 +71,7 @@ pub(super) fn bring_pointed(
     }
 }
 
-/// As [`take`], for what a pointer may lead to.
+/// As [`take`], for what a pointer may reach.
 pub(super) fn take_pointed(tags: &mut Tags<'_>, chain: &mut Chain, operand: &Operand) -> Result<(), Refusal> {
     match operand {
         Operand::Pointer(pointer) if matches!(pointer.bank, Bank::T | Bank::Ct) => array(&reached(pointer)),

@@ -210,7 +210,7 @@ pub(super) fn without_own_copies(program: &mut Program) {
             if !is_own(&action) {
                 rung.actions.push(action);
             } else if let (Some(last), Some(comment)) = (rung.actions.last_mut(), action.comment) {
-                // It is behind the last block of what the copy belongs to.
+                // It is after the last block of what the copy belongs to.
                 last.comment = Some(comment);
             }
         }
