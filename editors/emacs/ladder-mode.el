@@ -119,13 +119,25 @@ A comment cannot hold a `#': what is to be written the server knows."
   "Whether ONE and OTHER are the same but for capitals."
   (eq t (compare-strings one nil nil other nil nil t)))
 
+(defconst ladder--before-hash
+  (concat "\\(?:^\\|[^[:alnum:]_.]\\)\\(?:[0-9][0-9_]*\\|"
+          (regexp-opt '("T" "TIME" "LTIME" "D" "DATE" "TOD" "TIME_OF_DAY" "DT" "DATE_AND_TIME" "BOOL" "BYTE" "WORD" "DWORD"
+                        "LWORD" "SINT" "INT" "DINT" "LINT" "USINT" "UINT" "UDINT" "ULINT" "REAL" "LREAL" "STRING"))
+          "\\)")
+  "What is directly before the `#' of a literal: a whole number, or the word of a type.")
+
 (defun ladder--literal-p (position)
   "Whether the `#' at POSITION is part of a literal, as in T#5s.
-That is so after a letter or digit, in parentheses and in declarations."
+That is so after a number or the word of a type, in parentheses and in declarations."
   (save-excursion
     (goto-char position)
-    (and (not (bolp))
-         (memq (char-syntax (char-before)) '(?w))
+    (and (let ((case-fold-search t))
+           (looking-back ladder--before-hash (line-beginning-position)))
+         ;; A literal has one `#', and WORD#16#FF two.
+         (save-excursion
+           (skip-chars-backward "0-9_:+-")
+           (or (not (eq (char-before) ?#))
+               (looking-at "\\(?:2\\|8\\|16\\)#[[:xdigit:]]")))
          (or (> (car (parse-partial-sexp (line-beginning-position) position)) 0)
              (ladder--in-declarations-p)))))
 

@@ -25,13 +25,13 @@ syntax region cladOperands matchgroup=cladBracket start=/(/ end=/)/ oneline cont
 syntax region cladNested start=/(/ end=/)/ oneline contained transparent
       \ contains=cladNested,cladString,cladLiteral,cladNumber,cladConstant,cladNamed,cladOperator,cladTag,cladInnerComment
 
-" A # right after a letter or digit belongs to a literal: no comment begins there.
-syntax region cladInnerComment start=/\%([[:alnum:]]\|[^\d0-\d127]\)\@4<!#/ end=/#/ contained contains=cladTodo
+" Every # that no literal has taken.
+syntax region cladInnerComment start=/#/ end=/#/ contained contains=cladTodo
 syntax match cladTag /\%([[:alpha:]_%]\|[^\d0-\d127]\)\%([[:alnum:]_.]\|[^\d0-\d127]\)*/ contained
 syntax match cladNamed /\<\w\+\ze\s*\%(:=\|=>\)/ contained
 syntax match cladNumber /\<\d[0-9_]*\%(\.\d[0-9_]*\)\?\%(e[+-]\?\d\+\)\?\>/ contained
 syntax match cladNumber /\<\d[0-9_.]*\%([dhm]\|ms\|us\|ns\|s\)[0-9dhmsun_.]*\>/ contained
-syntax match cladLiteral /\<\w\+#-\?[0-9A-Za-z_.:-]\+/ contained
+syntax match cladLiteral /\.\@1<!\<\%(\d[0-9_]*\|T\|L\?TIME\|D\|DATE\|TOD\|TIME_OF_DAY\|DT\|DATE_AND_TIME\|BOOL\|BYTE\|[DL]\?WORD\|U\?[SDL]\?INT\|L\?REAL\|STRING\)#-\?\%(\%(2\|8\|16\)#\)\?[0-9A-Za-z_.:-]\+/ contained
 syntax match cladOperator /:=\|=>\|<>\|<=\|>=\|\.\.\|[-+*\/^=<>]/ contained
 syntax keyword cladOperator AND OR XOR NOT MOD SHL SHR contained
 syntax keyword cladConstant TRUE FALSE PI contained

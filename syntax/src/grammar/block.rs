@@ -69,7 +69,7 @@ pub(super) fn head<B: Builder>(p: &mut Parser<'_, '_, B>, open: SyntaxKind) -> b
         let taken = kind == closing
             || kind == SyntaxKind::COMMENT
             || !named && matches!(kind, SyntaxKind::MNEMONIC | SyntaxKind::BLOCK_NAME);
-        let literal = takes_hash(p.text, open, kind, end);
+        let literal = takes_hash(p.text, open, kind, blanks..end);
         if taken && !literal {
             blanks_token(p, blanks);
             p.token((kind, end));
@@ -146,11 +146,11 @@ fn blanks_token<B: Builder>(p: &mut Parser<'_, '_, B>, end: usize) {
 
 /// Whether a `#` directly after the word belongs to it: in a coil's parentheses it does (LANGUAGE §1), as in
 /// `(T#5s)` where the first part was forgotten.
-fn takes_hash(text: &str, open: SyntaxKind, kind: SyntaxKind, end: usize) -> bool {
+fn takes_hash(text: &str, open: SyntaxKind, kind: SyntaxKind, word: Range<usize>) -> bool {
     open == SyntaxKind::L_PAREN
         && matches!(kind, SyntaxKind::MNEMONIC | SyntaxKind::ERROR)
-        && text.as_bytes().get(end) == Some(&b'#')
-        && text[..end].ends_with(char::is_alphanumeric)
+        && text.as_bytes().get(word.end) == Some(&b'#')
+        && lexer::takes_hash(text, word.start, word.end)
 }
 
 /// Takes characters that mean nothing in a first part, up to `to`, as one error.

@@ -7,7 +7,7 @@
 //! recognized.
 
 use super::declaration::keyword_at;
-use crate::lexer::{ascii_word_end as word_end, blanks_end};
+use crate::lexer::{ascii_word_end as word_end, blanks_end, takes_hash};
 
 /// Words that are not names, or that have a meaning of their own among operands.
 const SPECIAL: [&str; 13] = [
@@ -46,7 +46,7 @@ pub(super) fn plain_block(text: &str, at: usize) -> Option<usize> {
         return Some(at + 1);
     }
     loop {
-        at = blanks_end(bytes, operand_end(bytes, at)?);
+        at = blanks_end(bytes, operand_end(text, at)?);
         match byte(at) {
             b',' => at = blanks_end(bytes, at + 1),
             b')' => return Some(at + 1),
@@ -90,7 +90,8 @@ fn plain_name_end(text: &str, at: usize) -> Option<usize> {
 
 /// Where the name, member (`t1.Q`), number (`-5`, `2.5`) or typed literal (`T#5s`) ends that begins here. What follows
 /// it must be a blank, a comma or the list's end, which is for the caller to see.
-fn operand_end(bytes: &[u8], at: usize) -> Option<usize> {
+fn operand_end(text: &str, at: usize) -> Option<usize> {
+    let bytes = text.as_bytes();
     let byte = |at: usize| bytes.get(at).copied().unwrap_or(0);
     let mut end = word_end(bytes, at);
     match byte(at) {
@@ -110,9 +111,9 @@ fn operand_end(bytes: &[u8], at: usize) -> Option<usize> {
     }
     if byte(end) == b'#' {
         let value = end + 1;
-        let is_prefix = bytes[at..end].iter().all(u8::is_ascii_alphanumeric);
+        let is_literal = takes_hash(text, at, end);
         end = number_end(bytes, word_end(bytes, value));
-        return (is_prefix && end > value).then_some(end);
+        return (is_literal && end > value).then_some(end);
     }
     Some(end)
 }

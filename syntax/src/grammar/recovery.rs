@@ -78,8 +78,8 @@ fn unmatched_parentheses(text: &str, at: usize) -> Vec<usize> {
                 at = lexer::string_end(bytes, at);
                 continue;
             }
-            // Inside parentheses a `#` directly after a letter or digit belongs to a literal.
-            b'#' if open.is_empty() || !text[..at].ends_with(char::is_alphanumeric) => {
+            // Inside parentheses a `#` may belong to a literal.
+            b'#' if open.is_empty() || !lexer::takes_hash(text, word_start(text, at), at) => {
                 let end = lexer::comment_end(bytes, at);
                 // After a comment over lines this may be another line: nothing is known, and nothing guessed.
                 if memchr::memchr2(b'\n', b'\r', &bytes[at..end]).is_some() {
@@ -93,6 +93,14 @@ fn unmatched_parentheses(text: &str, at: usize) -> Vec<usize> {
         at += 1;
     }
     open
+}
+
+/// Where the word or literal begins that ends at a place, with at most one `#` in it.
+fn word_start(text: &str, at: usize) -> usize {
+    let is_inside = |c: char| c.is_alphanumeric() || matches!(c, '_' | '.' | ':' | '-' | '+');
+    let last = text[..at].trim_end_matches(is_inside);
+    let before = last.strip_suffix('#').unwrap_or(last);
+    before.trim_end_matches(is_inside).len()
 }
 
 /// Whether the dashes at `at`, in a list that is not closed, are wire and not a sign.

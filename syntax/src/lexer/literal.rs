@@ -5,7 +5,7 @@
 
 use super::word_end;
 
-/// Where the literal ends that has begun at `at`, with a digit, a word or a `#`.
+/// Where the literal ends that has begun at `at`, with a digit or a word.
 pub(super) fn literal_end(text: &str, at: usize) -> usize {
     let bytes = text.as_bytes();
     let mut end = at;
@@ -18,7 +18,7 @@ pub(super) fn literal_end(text: &str, at: usize) -> usize {
         let digit_after = bytes.get(end + 1).is_some_and(u8::is_ascii_digit);
         let before = if end > at { bytes[end - 1] } else { b' ' };
         match bytes.get(end) {
-            Some(b'#') if takes_hash(text, end) => {
+            Some(b'#') if takes_hash(text, at, end) => {
                 let prefix = &text[part..end];
                 date = is_date_prefix(prefix);
                 hexadecimal = prefix == "16";
@@ -47,9 +47,57 @@ pub(super) fn literal_end(text: &str, at: usize) -> usize {
     }
 }
 
-/// Whether the `#` at `at` is directly after a letter or digit.
-pub(super) fn takes_hash(text: &str, at: usize) -> bool {
-    text[..at].ends_with(char::is_alphanumeric)
+/// The words that begin a typed literal (LANGUAGE §1): those of durations and dates, and the other elementary types.
+const TIMES: [&str; 9] = [
+    "T",
+    "TIME",
+    "LTIME",
+    "D",
+    "DATE",
+    "TOD",
+    "TIME_OF_DAY",
+    "DT",
+    "DATE_AND_TIME",
+];
+const TYPES: [&str; 16] = [
+    "BOOL", "BYTE", "WORD", "DWORD", "LWORD", "SINT", "INT", "DINT", "LINT", "USINT", "UINT", "UDINT",
+    "ULINT", "REAL", "LREAL", "STRING",
+];
+
+fn is_one_of(words: &[&str], word: &str) -> bool {
+    words.iter().any(|known| known.eq_ignore_ascii_case(word))
+}
+
+/// Whether the `#` at `at` belongs to a literal, which would have begun at `start`: it is directly after a whole number or a
+/// word that begins a typed literal, which are behind no point, and has no other before it. Two has only `WORD#16#00FF`.
+/// Any other `#` opens a comment, also directly after a tag.
+pub(crate) fn takes_hash(text: &str, start: usize, at: usize) -> bool {
+    let (before, word) = split_word(&text[start..at]);
+    if word.starts_with(|c: char| !c.is_ascii_digit()) {
+        let is_typed = is_one_of(&TIMES, word) || is_one_of(&TYPES, word);
+        return is_typed && before.is_empty() && !is_after_point(&text[..start]);
+    }
+    if word.is_empty() || !word.bytes().all(|b| b.is_ascii_digit() || b == b'_') || before.ends_with('.') {
+        return false;
+    }
+    let Some((prefix, sign)) = before.split_once('#') else {
+        return !is_after_point(&text[..start]);
+    };
+    let has_digits = text.as_bytes().get(at + 1).is_some_and(u8::is_ascii_hexdigit);
+    let is_base = matches!(sign, "" | "-" | "+") && matches!(word, "2" | "8" | "16");
+    is_base && has_digits && is_one_of(&TYPES, prefix)
+}
+
+/// Whether a `.` is last in a text, and not the `..` of a range.
+fn is_after_point(text: &str) -> bool {
+    let text = text.trim_end_matches([' ', '\t']);
+    text.ends_with('.') && !text.ends_with("..")
+}
+
+/// The letters and digits at the end of a text, and what is before them.
+fn split_word(text: &str) -> (&str, &str) {
+    let before = text.trim_end_matches(|c: char| c == '_' || unicode_ident::is_xid_continue(c));
+    (before, &text[before.len()..])
 }
 
 fn is_date_prefix(prefix: &str) -> bool {
@@ -67,7 +115,7 @@ fn is_mantissa(text: &str) -> bool {
             .all(|b| b.is_ascii_digit() || b == b'.' || b == b'_')
 }
 
-/// Where the address at `at` ends. A `#` directly after it belongs to it, as after every letter or digit.
+/// Where the address at `at` ends.
 pub(super) fn address_end(text: &str, at: usize) -> usize {
     let bytes = text.as_bytes();
     let mut end = at + 1;
@@ -77,9 +125,6 @@ pub(super) fn address_end(text: &str, at: usize) -> usize {
             break;
         }
         end += 1;
-    }
-    if bytes.get(end) == Some(&b'#') {
-        return literal_end(text, end);
     }
     end
 }

@@ -6,7 +6,7 @@
 
 mod literal;
 
-pub(crate) use literal::{is_closed_string, string_end};
+pub(crate) use literal::{is_closed_string, string_end, takes_hash};
 
 use crate::kind::SyntaxKind::{self, *};
 use literal::{address_end, literal_end};
@@ -134,12 +134,12 @@ pub(crate) fn in_operands(text: &str, at: usize) -> Token {
     (kind, at + len)
 }
 
-/// A name, a word operator, TRUE or FALSE; or a literal when a `#` is directly after a letter or digit.
+/// A name, a word operator, TRUE or FALSE; or a literal when a `#` that belongs to it is directly after it.
 fn word(text: &str, at: usize) -> Token {
     let Some(end) = identifier_end(text, at) else {
         return (ERROR, junk_end(text, at));
     };
-    if text.as_bytes().get(end) == Some(&b'#') && literal::takes_hash(text, end) {
+    if text.as_bytes().get(end) == Some(&b'#') && takes_hash(text, at, end) {
         return (LITERAL, literal_end(text, at));
     }
     (word_kind(&text[at..end]), end)
@@ -159,7 +159,7 @@ fn word_kind(word: &str) -> SyntaxKind {
 fn junk_end(text: &str, at: usize) -> usize {
     let mut chars = text[at..].char_indices();
     chars.next();
-    let end = chars
+    chars
         .find(|&(_, c)| {
             if c.is_ascii() {
                 is_operand_character(c as u8)
@@ -167,12 +167,7 @@ fn junk_end(text: &str, at: usize) -> usize {
                 is_start(c)
             }
         })
-        .map_or(text.len(), |(n, _)| at + n);
-    // A digit of another script is a digit: the `#` after it opens no comment.
-    if text.as_bytes().get(end) == Some(&b'#') && literal::takes_hash(text, end) {
-        return literal_end(text, end);
-    }
-    end
+        .map_or(text.len(), |(n, _)| at + n)
 }
 
 /// Whether the ASCII character means something among operands.

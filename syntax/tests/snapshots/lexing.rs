@@ -34,6 +34,69 @@ fn check_operands(operands: &[&str], expect: expect_test::Expect) {
     expect.assert_eq(&out);
 }
 
+/// A `#` directly after a tag opens a comment; directly after a number or the word of a type it belongs to a literal.
+#[test]
+fn comments_directly_after_something() {
+    check_operands(
+        &[
+            "a# note #",
+            "a#note#",
+            "v1# note #",
+            "%IX0.3# note #",
+            "word.3# note #",
+            "t1.INT# note #",
+            "t1. INT# note #",
+            "a[1..16#0F]",
+            "# c #16#0F",
+            "5s# note #",
+            "5# note #",
+            "2.5# note #",
+            "T#5s# note #",
+            "16#FF# note #",
+            "16#5# note #",
+            "INT#5# note #",
+            "WORD#16#FF# note #",
+            "WORD#16# note #",
+            "INT#2# note #",
+            "D#2026-11-21# note #",
+            "TOD#13:45:00# note #",
+            "TRUE# note #",
+            "a - 16#FF",
+            "Phase#IDLE#",
+            "a[3# note #]",
+            "'x'# note #",
+        ],
+        expect![[r#"
+            a# note #  =>  IDENT a  COMMENT # note #
+            a#note#  =>  IDENT a  COMMENT #note#
+            v1# note #  =>  IDENT v1  COMMENT # note #
+            %IX0.3# note #  =>  ADDRESS %IX0.3  COMMENT # note #
+            word.3# note #  =>  IDENT word  DOT .  LITERAL 3  COMMENT # note #
+            t1.INT# note #  =>  IDENT t1  DOT .  IDENT INT  COMMENT # note #
+            t1. INT# note #  =>  IDENT t1  DOT .  IDENT INT  COMMENT # note #
+            a[1..16#0F]  =>  IDENT a  L_BRACKET [  LITERAL 1  DOT_DOT ..  LITERAL 16#0F  R_BRACKET ]
+            # c #16#0F  =>  COMMENT # c #  LITERAL 16#0F
+            5s# note #  =>  LITERAL 5s  COMMENT # note #
+            5# note #  =>  LITERAL 5#  IDENT note  !MissingComma  !UnclosedComment
+            2.5# note #  =>  LITERAL 2.5  COMMENT # note #
+            T#5s# note #  =>  LITERAL T#5s  COMMENT # note #
+            16#FF# note #  =>  LITERAL 16#FF  COMMENT # note #
+            16#5# note #  =>  LITERAL 16#5  COMMENT # note #
+            INT#5# note #  =>  LITERAL INT#5  COMMENT # note #
+            WORD#16#FF# note #  =>  LITERAL WORD#16#FF  COMMENT # note #
+            WORD#16# note #  =>  LITERAL WORD#16  COMMENT # note #
+            INT#2# note #  =>  LITERAL INT#2  COMMENT # note #
+            D#2026-11-21# note #  =>  LITERAL D#2026-11-21  COMMENT # note #
+            TOD#13:45:00# note #  =>  LITERAL TOD#13:45:00  COMMENT # note #
+            TRUE# note #  =>  LITERAL TRUE  COMMENT # note #
+            a - 16#FF  =>  IDENT a  MINUS -  LITERAL 16#FF
+            Phase#IDLE#  =>  IDENT Phase  COMMENT #IDLE#
+            a[3# note #]  =>  IDENT a  L_BRACKET [  LITERAL 3#  IDENT note  !UnclosedBlock { closing: R_BRACKET }  !MissingComma  !UnclosedComment
+            'x'# note #  =>  STRING 'x'  COMMENT # note #
+        "#]],
+    );
+}
+
 #[test]
 fn literals() {
     check_operands(
@@ -292,22 +355,22 @@ fn number_signs() {
         expect![[r#"
             T#5s  =>  LITERAL T#5s
             T #5s#  =>  IDENT T  COMMENT #5s#
-            a# c #  =>  LITERAL a#  IDENT c  !MissingComma  !UnclosedComment
+            a# c #  =>  IDENT a  COMMENT # c #
             a_# c #  =>  IDENT a_  COMMENT # c #
             a[3]# c #  =>  IDENT a  L_BRACKET [  LITERAL 3  R_BRACKET ]  COMMENT # c #
             a[3# c #]  =>  IDENT a  L_BRACKET [  LITERAL 3#  IDENT c  !UnclosedBlock { closing: R_BRACKET }  !MissingComma  !UnclosedComment
             5# c #  =>  LITERAL 5#  IDENT c  !MissingComma  !UnclosedComment
-            16#FF# c #  =>  LITERAL 16#FF#  IDENT c  !MissingComma  !UnclosedComment
-            %IX0# c #  =>  ADDRESS %IX0#  IDENT c  !MissingComma  !UnclosedComment
+            16#FF# c #  =>  LITERAL 16#FF  COMMENT # c #
+            %IX0# c #  =>  ADDRESS %IX0  COMMENT # c #
             'a'# c #  =>  STRING 'a'  COMMENT # c #
             '#', b  =>  STRING '#'  COMMA ,  IDENT b
             a, # c # b  =>  IDENT a  COMMA ,  COMMENT # c #  IDENT b
             # c #  =>  COMMENT # c #
             ##  =>  COMMENT ##
-            a##  =>  LITERAL a#  !UnclosedComment
+            a##  =>  IDENT a  COMMENT ##
             €5#x  =>  ERROR €  LITERAL 5#x  !UnexpectedCharacter { place: Operands, after_comment: false }
-            é#x  =>  LITERAL é#x
-            ٣#x  =>  ERROR ٣#x  !UnexpectedCharacter { place: Operands, after_comment: false }
+            é#x  =>  IDENT é  !UnclosedComment
+            ٣#x  =>  ERROR ٣  !UnexpectedCharacter { place: Operands, after_comment: false }  !UnclosedComment
             (a)# c #  =>  IDENT a  COMMENT # c #
             a # c 5#, b  =>  IDENT a  COMMENT # c 5#  COMMA ,  IDENT b
         "#]],
@@ -342,7 +405,7 @@ fn on_a_rung_and_in_a_head() {
         expect![[r##"
             "+--\\--/--|": RAIL_CONNECTOR "+" WIRE "--" DOWN "\\" WIRE "--" UP "/" WIRE "--" RAIL "|"
             "[T#c#]": L_BRACKET "[" MNEMONIC "T" COMMENT "#c#" R_BRACKET "]"
-            "(S#c#)": L_PAREN "(" ERROR "S#c#" R_PAREN ")"
+            "(S#c#)": L_PAREN "(" MNEMONIC "S" COMMENT "#c#" R_PAREN ")"
             "(T#5s)": L_PAREN "(" ERROR "T#5s" R_PAREN ")"
             "<J#c#MP>": L_ANGLE "<" MNEMONIC "J" COMMENT "#c#" ERROR "MP" R_ANGLE ">"
             "[/](a)": L_BRACKET "[" MNEMONIC "/" R_BRACKET "]" L_PAREN "(" IDENT "a" R_PAREN ")"
