@@ -94,6 +94,10 @@ impl Reader {
         ) else {
             return Err(Stays);
         };
+        // Without its bars it would be a gap.
+        if wiring::bar_contacts(parts).next().is_some() {
+            return Err(Stays);
+        }
         if source.has_comment(index) {
             check_leading_comments(source, parts, first)?;
         }

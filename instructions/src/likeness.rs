@@ -19,8 +19,9 @@ const KNOWN_ELSEWHERE: &[(&str, Op)] = &[
     ("INV", Op::Inverter),
     ("JSR", Op::Call),
     ("JUMP", Op::Jmp),
+    ("L", Op::SetCoil),
     ("LABEL", Op::Lbl),
-    ("LIM", Op::Limit),
+    ("LIM", Op::Ge),
     ("NC", Op::NegatedContact),
     ("NO", Op::Contact),
     ("ONS", Op::OneShotRising),
@@ -37,11 +38,19 @@ const KNOWN_ELSEWHERE: &[(&str, Op)] = &[
     ("SET", Op::SetCoil),
     ("SQR", Op::Sqrt),
     ("SUBR", Op::Fun),
+    ("TMR", Op::Ton),
     ("TND", Op::Ret),
     ("TONR", Op::Rto),
+    ("U", Op::ResetCoil),
     ("XIC", Op::Contact),
     ("XIO", Op::NegatedContact),
     ("XPY", Op::Exp),
+];
+
+/// Names of instructions elsewhere that the table has nothing like: they are no slips of what they resemble.
+const UNLIKE_ANY: &[&str] = &[
+    "ANB", "ANDN", "ANI", "AVE", "CMP", "CMPL", "COSH", "DEC", "INC", "LDI", "MVM", "MVN", "NAND", "NOR",
+    "ORB", "ORI", "ORN", "PID", "SINH", "STD", "SUM", "TANH", "XNOR", "XORN",
 ];
 
 /// The row that goes by this name elsewhere.
@@ -68,12 +77,56 @@ pub(crate) fn closest(shape: Shape, mnemonic: &str) -> Option<&'static Instructi
         return Some(row);
     }
     let typed = mnemonic.trim().to_ascii_uppercase();
-    TABLE
-        .iter()
-        .flat_map(|row| row.spellings().map(move |spelling| (row, spelling)))
+    if UNLIKE_ANY.contains(&typed.as_str()) {
+        return None;
+    }
+    spellings()
         .filter_map(|(row, spelling)| Some((slips(&typed, spelling)?, row.shape != shape, row)))
         .min_by_key(|(slips, other_shape, _)| (*slips, *other_shape))
         .map(|(_, _, row)| row)
+}
+
+/// See [`slip_of`](crate::slip_of).
+pub(crate) fn slip_of(shape: Shape, mnemonic: &str) -> Option<&'static Instruction> {
+    let typed = mnemonic.trim().to_ascii_uppercase();
+    if known_elsewhere(Spelling::read(mnemonic)).is_some() || UNLIKE_ANY.contains(&typed.as_str()) {
+        return None;
+    }
+    let mut near =
+        spellings().filter(|(row, spelling)| row.shape == shape && slips(&typed, spelling) == Some(1));
+    let (row, spelling) = near.next()?;
+    let is_the_only_one = near.all(|(other, _)| other.op == row.op);
+    (is_the_only_one && is_plausible(&typed, spelling)).then_some(row)
+}
+
+/// Every spelling of the table with its row.
+fn spellings() -> impl Iterator<Item = (&'static Instruction, &'static str)> {
+    TABLE
+        .iter()
+        .flat_map(|row| row.spellings().map(move |spelling| (row, spelling)))
+}
+
+/// Whether the one letter that parts a word from a spelling is a slip, and not what makes it another word: `MOVB` and
+/// `ASIN` are other instructions than `MOV` and `SIN`, and among words of three letters nearly each is near to another.
+fn is_plausible(typed: &str, spelling: &str) -> bool {
+    let letters = typed.as_bytes();
+    let is_longer = match letters {
+        [.., before, last] if typed.starts_with(spelling) => before != last,
+        [first, after, ..] if typed.ends_with(spelling) => first != after,
+        _ => false,
+    };
+    match typed.len() {
+        0..3 => false,
+        3 => {
+            let sorted = |word: &str| {
+                let mut letters = word.as_bytes().to_vec();
+                letters.sort_unstable();
+                letters
+            };
+            sorted(typed) == sorted(spelling)
+        }
+        _ => !is_longer,
+    }
 }
 
 /// How many slips lead from a spelling to what was typed; none if that is too many to be one.

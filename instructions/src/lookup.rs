@@ -37,6 +37,17 @@ pub fn closest(shape: Shape, mnemonic: &str) -> Option<&'static Instruction> {
     likeness::closest(shape, mnemonic)
 }
 
+/// The row of these brackets that a spelling is plainly a slip of: one letter too many, missing or wrong, or two swapped,
+/// and no other instruction is as near. Other names of other controllers are no slips.
+pub fn slip_of(shape: Shape, mnemonic: &str) -> Option<&'static Instruction> {
+    likeness::slip_of(shape, mnemonic)
+}
+
+/// The row that other controllers and notations call by a name that the table does not have (`XIC`, `TMR`, `JSR`).
+pub fn known_elsewhere(mnemonic: &str) -> Option<&'static Instruction> {
+    likeness::known_elsewhere(Spelling::read(mnemonic))
+}
+
 fn rows_of(
     shape: Shape,
     spelling: Option<Spelling>,

@@ -99,6 +99,40 @@ impl Rung {
     }
 }
 
+/// A contact drawn with bars, as in many books: `--| |--`, `--||--`, and `--|/|--` for a closed one. It means nothing in the
+/// language; without it the drawing would be another.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct BarContact {
+    /// Its parts, from the first bar to the last, as indices into [`Rung::parts`].
+    pub parts: Range<usize>,
+    /// There is a stroke between the bars.
+    pub is_closed: bool,
+}
+
+/// How many blanks there are between the bars of a contact, at most.
+const WIDEST_CONTACT: u32 = 3;
+
+/// The contacts drawn with bars on a rung.
+pub fn bar_contacts(parts: &[RungPart]) -> impl Iterator<Item = BarContact> + '_ {
+    let is_bar = |n: usize| matches!(parts[n].kind, PartKind::Bar | PartKind::StrayBar);
+    let mut end = 0;
+    (1..parts.len().saturating_sub(2)).filter_map(move |first| {
+        if first < end || !is_bar(first) || !parts[first].touches || !parts[first - 1].kind.joins() {
+            return None;
+        }
+        let is_closed = matches!(parts[first + 1].kind, PartKind::Up | PartKind::Down);
+        let last = first + 1 + usize::from(is_closed);
+        let after = parts.get(last + 1)?;
+        let gap = parts[last].range.start() - parts[first].range.end();
+        if !is_bar(last) || !after.touches || !after.kind.joins() || u32::from(gap) > WIDEST_CONTACT {
+            return None;
+        }
+        end = last + 1;
+        let parts = first..end;
+        Some(BarContact { parts, is_closed })
+    })
+}
+
 /// A pair of connectors: one electrical point. Rungs count within their network.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Point {

@@ -8,7 +8,7 @@ use crate::networks::named::{self, Named};
 use crate::networks::order::Order;
 use crate::networks::reading::Reading;
 use ladder_instructions::{Accepts, Coil, Instruction, Op, Operand, lookup};
-use ladder_syntax::wiring::{PartKind, Wiring};
+use ladder_syntax::wiring::{PartKind, Wiring, bar_contacts};
 use ladder_syntax::{
     LineKind, Name, Network, Parse, Surroundings, SyntaxError, SyntaxErrorKind, TextRange, TextSize,
 };
@@ -180,7 +180,13 @@ pub(crate) fn network(
         }
         base += TextSize::new(line.len);
     }
-    let broken = syntax_error || !wiring.unpaired.is_empty();
+    let has_bar_contact = || {
+        wiring
+            .rungs
+            .iter()
+            .any(|rung| bar_contacts(&rung.parts).next().is_some())
+    };
+    let broken = syntax_error || !wiring.unpaired.is_empty() || has_bar_contact();
     let user_blocks = user_blocks(&blocks, known);
     let names_tag = |formal: &Formal| match formal {
         Formal::Operand(row) => !matches!(row.accepts, Accepts::Label | Accepts::Function),

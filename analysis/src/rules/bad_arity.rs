@@ -2,18 +2,20 @@
 
 use super::form::Form;
 use super::{missing_wire, wrong_shape};
-use crate::findings::diagnostic::{Applicability, Diagnostic, Fix};
+use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::BlockAt;
 use crate::networks::network::{Formal, Meaning};
 use crate::networks::user_block::UserBlockFacts;
 use crate::program::ParameterKind;
-use ladder_format::Edit;
-use ladder_instructions::{Accepts, Instruction, Operand};
+use ladder_instructions::{Instruction, Operand};
 use ladder_syntax::{Parse, TextRange};
 
 pub(crate) const RULE: Rule =
     Rule(&RuleFacts::new(RuleGroup::Blocks, "bad-arity", Severity::Error).fixed(Applicability::Unsafe));
+
+/// What stands for an operand until a person writes the right one. It is an error, so that nothing runs with it.
+pub(super) const PLACEHOLDER: &str = "?";
 
 pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
     let network = form.network;
@@ -72,10 +74,11 @@ fn instruction(parse: &Parse, bound: BlockAt<'_>, row: &'static Instruction) -> 
     };
     let found = Diagnostic::new(RULE, range, message(bound, row, given))
         .help(format!("it is written {}", row.signature()));
+    // An operand too many says that something else is meant: to take it away would be to guess what.
     Some(if excess.is_empty() {
         add_missing(bound, row, given, found)
     } else {
-        remove_excess(bound, &excess, found)
+        found
     })
 }
 
@@ -105,38 +108,6 @@ fn operands(count: usize) -> String {
     }
 }
 
-fn remove_excess(bound: BlockAt<'_>, excess: &[usize], mut found: Diagnostic) -> Diagnostic {
-    let facts = &bound.facts;
-    let list = facts.list_range.unwrap_or(facts.range);
-    let edits = if excess.len() == facts.operands.len() {
-        // Nothing is left: the list goes as well.
-        vec![TextRange::new(facts.head_range.end(), list.end())]
-    } else {
-        excess
-            .iter()
-            .map(|&n| match n.checked_sub(1) {
-                Some(before) => {
-                    TextRange::new(facts.operands[before].range.end(), facts.operands[n].range.end())
-                }
-                None => TextRange::new(facts.operands[0].range.start(), facts.operands[1].range.start()),
-            })
-            .collect()
-    };
-    let title = if excess.len() == 1 {
-        "Remove the extra operand"
-    } else {
-        "Remove the extra operands"
-    };
-    let edits = edits.into_iter().map(|range| Edit {
-        range: bound.absolute(range),
-        text: String::new(),
-    });
-    // Another block may have been meant to take them.
-    let fix = Fix::new(Applicability::Unsafe, title, edits.collect());
-    found.fixes.push(fix);
-    found
-}
-
 fn add_missing(bound: BlockAt<'_>, row: &'static Instruction, given: usize, found: Diagnostic) -> Diagnostic {
     // At most one group of operands lacks after the required ones.
     let Some(needed) = (given..given + 8).find(|&count| row.takes(count)) else {
@@ -147,10 +118,7 @@ fn add_missing(bound: BlockAt<'_>, row: &'static Instruction, given: usize, foun
         .collect();
     let names: Vec<&str> = missing.iter().map(|operand| operand.name).collect();
     let title = format!("Add {}", names.join(" and "));
-    let values: Vec<&str> = missing.iter().map(|operand| placeholder(operand)).collect();
-    let values = values.join(", ");
-    let (at, text) = insertion(bound, given, &values);
-    // The values are placeholders.
+    let (at, text) = insertion(bound, given, &vec![PLACEHOLDER; missing.len()].join(", "));
     found.fix(Applicability::Unsafe, title, bound.absolute(at), text)
 }
 
@@ -168,20 +136,6 @@ fn insertion(bound: BlockAt<'_>, given: usize, values: &str) -> (TextRange, Stri
             let end = last.map_or(list.end(), |operand| operand.range.end());
             (TextRange::empty(end), format!(", {values}"))
         }
-    }
-}
-
-/// What stands for an operand until a person writes the right one.
-fn placeholder(operand: &Operand) -> &'static str {
-    match operand.accepts {
-        Accepts::Duration | Accepts::Time => "T#1s",
-        Accepts::Count | Accepts::Integer => "1",
-        Accepts::Value | Accepts::Number | Accepts::Compared | Accepts::Convertible | Accepts::Expression => {
-            "0"
-        }
-        Accepts::String => "'text'",
-        Accepts::SearchOperator => "EQ",
-        _ => operand.name,
     }
 }
 
@@ -207,7 +161,7 @@ fn user_block(facts: &UserBlockFacts, bound: BlockAt<'_>, out: &mut Vec<Diagnost
         let found = Diagnostic::new(RULE, bound.absolute(range), message)
             .help(signature())
             .related_at(facts.file(), facts.at, "the block is defined here");
-        out.push(remove_excess(bound, &excess, found));
+        out.push(found);
         return;
     }
     let is_given = |index| {

@@ -1,6 +1,7 @@
 //! `bad-operand`: something is in an operand's place that cannot be there.
 
 use super::form::Form;
+use super::near_names::{self, Meant};
 use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::names::did_you_mean;
@@ -10,7 +11,7 @@ use crate::networks::network::{Formal, Meaning};
 use crate::program::ParameterKind;
 use ladder_instructions::StateType;
 use ladder_instructions::{Direction, Presence, Profile, Profiles};
-use ladder_syntax::{Many, OperandPlace, TextRange};
+use ladder_syntax::{Many, OperandPlace, TextRange, TextSize};
 
 pub(crate) const RULE: Rule =
     Rule(&RuleFacts::new(RuleGroup::Blocks, "bad-operand", Severity::Error).about_types());
@@ -145,12 +146,8 @@ fn unknown_name(form: &Form<'_>, bound: BlockAt<'_>, operand: &OperandFacts, nam
         format!("{head} has no operand of the name `{}`", name.text),
     );
     if let Some(near) = did_you_mean::closest(&name.text, names.iter().copied()) {
-        return found.help(format!("did you mean `{near}`?")).fix(
-            Applicability::Unsafe,
-            format!("Replace with `{near}`"),
-            bound.absolute(name.range),
-            near,
-        );
+        let meant = Meant::name(near, "Replace with", bound.absolute(name.range));
+        return near_names::ask(found, &name.text, near, meant);
     }
     match names.as_slice() {
         [] => found.help("it has no operands that are given by name"),
@@ -269,16 +266,46 @@ pub(crate) fn missing(place: OperandPlace, range: TextRange) -> Diagnostic {
     }
 }
 
-pub(crate) fn missing_comma(range: TextRange) -> Diagnostic {
-    wrong(range, "a comma is missing before this operand")
-        .help("operands are separated by commas")
-        // One name may have been cut in two.
+/// `before`: what is before it on its line.
+pub(crate) fn missing_comma(range: TextRange, before: &str, text: &str) -> Diagnostic {
+    let found = wrong(range, "a comma is missing before this operand");
+    let Some((number, unit)) = duration(before, text) else {
+        // One name may have been cut in two, or what is here belongs somewhere else.
+        return found.help("operands are separated by commas");
+    };
+    let blanks = before.len() - before.trim_end().len();
+    let start = range.start() - TextSize::new(blanks as u32);
+    let written = format!("{number}{unit}");
+    found
+        .help(format!("a duration has no blank in it: write {written}"))
         .fix(
             Applicability::Unsafe,
-            "Insert `,`",
-            TextRange::empty(range.start()),
-            ", ",
+            format!("Write {written}"),
+            TextRange::new(start, range.end()),
+            unit,
         )
+}
+
+/// `5 s`, `1.5 sec`: a number, and a unit of time after it.
+fn duration<'t>(before: &'t str, unit: &str) -> Option<(&'t str, &'static str)> {
+    const UNITS: [(&str, &[&str]); 7] = [
+        ("d", &["d", "day", "days"]),
+        ("h", &["h", "hr", "hour", "hours"]),
+        ("m", &["m", "min", "minute", "minutes"]),
+        ("s", &["s", "sec", "second", "seconds"]),
+        ("ms", &["ms", "msec", "millisecond", "milliseconds"]),
+        ("us", &["us", "usec", "microsecond", "microseconds"]),
+        ("ns", &["ns"]),
+    ];
+    let before = before.trim_end_matches([' ', '\t']);
+    let is_of_number = |c: char| c.is_ascii_digit() || c == '.' || c == '_';
+    let number = before.trim_end_matches(is_of_number);
+    let number = &before[number.len()..];
+    let is_whole_word =
+        !before[..before.len() - number.len()].ends_with(|c: char| c.is_alphanumeric() || c == '_');
+    let named = |names: &[&str]| names.iter().any(|name| name.eq_ignore_ascii_case(unit));
+    let (sign, _) = UNITS.iter().find(|(_, names)| named(names))?;
+    (is_whole_word && number.starts_with(|c: char| c.is_ascii_digit())).then_some((number, sign))
 }
 
 /// The operands of a list after the last one that is read.

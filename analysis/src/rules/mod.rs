@@ -50,6 +50,7 @@ pub(crate) mod no_output;
 pub(crate) mod of_names;
 pub(crate) mod one_address;
 pub(crate) mod open_wire;
+mod operand_fit;
 pub(crate) mod order_sensitive;
 pub(crate) mod overlapping_address;
 pub(crate) mod power_rules;

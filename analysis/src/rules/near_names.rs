@@ -3,7 +3,8 @@
 //! Two names that differ by one letter (one too many, one missing, one wrong, two swapped) become equal when one
 //! letter is taken out of each. So all names with one letter taken out are in a table.
 
-use ladder_syntax::Name;
+use crate::findings::diagnostic::{Applicability, Diagnostic};
+use ladder_syntax::{Name, TextRange};
 use rustc_hash::FxHasher;
 use std::hash::{Hash, Hasher};
 
@@ -55,6 +56,43 @@ impl NearNames {
         names
             .filter(|near| differ_by_a_letter(name.as_str(), near.as_str()))
             .collect()
+    }
+}
+
+/// Whether a name is so near to another that it is one with a typing error: names of three letters are alike too easily.
+fn is_slip(name: &str, near: &str) -> bool {
+    let (name, near) = (Name::new(name), Name::new(near));
+    name.as_str().chars().count() > SHORTEST && differ_by_a_letter(name.as_str(), near.as_str())
+}
+
+/// Asks whether a nearer name was meant, and puts it there where that is plausible.
+pub(crate) fn ask(found: Diagnostic, wanted: &str, near: &str, meant: Meant) -> Diagnostic {
+    let found = found.help(format!("did you mean {}?", meant.shown));
+    if !is_slip(wanted, near) {
+        return found;
+    }
+    found.fix(Applicability::Unsafe, meant.title, meant.range, meant.written)
+}
+
+/// What is put in the place of a misspelt name.
+pub(crate) struct Meant {
+    /// As the message shows it.
+    pub(crate) shown: String,
+    /// What the fix does.
+    pub(crate) title: String,
+    pub(crate) range: TextRange,
+    pub(crate) written: String,
+}
+
+impl Meant {
+    /// The name itself.
+    pub(crate) fn name(near: &str, action: &str, range: TextRange) -> Meant {
+        Meant {
+            shown: format!("`{near}`"),
+            title: format!("{action} `{near}`"),
+            range,
+            written: near.to_owned(),
+        }
     }
 }
 

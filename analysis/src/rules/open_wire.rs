@@ -106,13 +106,7 @@ impl<'c> Reach<'c> {
         let parts = self.segments(rung)[segment].parts.clone();
         let dead = parts.clone().take_while(|&part| !self.live[rung][part]).count();
         let range = self.range(rung, parts.start, parts.start + dead - 1);
-        let before = parts
-            .start
-            .checked_sub(1)
-            .map(|before| self.part(rung, before).kind);
-        // A `|` that touches no wire but a block is decoration like any other, and formatting parts the two.
-        let first = self.part(rung, parts.start);
-        if before == Some(PartKind::Bar) && first.touches && first.kind == PartKind::Wire {
+        if !self.live[rung].contains(&true) {
             return Some(self.with_rail(rung, rung_not_powered::found(range)));
         }
         let found = Diagnostic::new(
@@ -235,7 +229,10 @@ impl<'c> Reach<'c> {
         } else {
             Applicability::Unsafe
         };
-        found.fixes.push(Fix::new(applicability, "Join the wire", edits));
+        // A bar is there for something: what, its drawing does not say.
+        if between.iter().all(|part| part.kind == PartKind::Comment) {
+            found.fixes.push(Fix::new(applicability, "Join the wire", edits));
+        }
         Some(found)
     }
 

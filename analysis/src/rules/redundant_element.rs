@@ -10,6 +10,7 @@ use crate::boolean::power::{Powers, Question, Replacement};
 use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::BlockAt;
+use crate::program::Step;
 use ladder_instructions::Power;
 use rustc_hash::FxHashSet;
 
@@ -75,8 +76,13 @@ pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
         each_variable(&table.power.gates.of_block[index], |variable| {
             repeated |= asked[variable] > 1;
         });
+        // Without power nothing decides, until the power is there that was meant to be.
+        let is_dead = match table.network.order.steps[table.step_of[index]] {
+            Step::Block { en, .. } => table.powers.of_step[en].is_empty(),
+            _ => false,
+        };
         // An edge remembers: without it another scan is a different one.
-        if !repeated || !is_condition(bound) || remembers(bound) {
+        if is_dead || !repeated || !is_condition(bound) || remembers(bound) {
             continue;
         }
         let same = |replacement| {

@@ -1,4 +1,4 @@
-//! `rung-not-powered`: a rung begins with `|--` where `+--` takes power from the left rail.
+//! `rung-not-powered`: a rung does not begin with `+`, which takes power from the left rail, and no connector feeds it.
 
 use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
@@ -13,7 +13,7 @@ pub(super) fn found(range: TextRange) -> Diagnostic {
     Diagnostic::new(
         RULE,
         range,
-        "this rung gets no power: it begins with `|`, which is decoration; `+` takes power from the left rail",
+        "this rung gets no power: it does not begin with `+`, which takes power from the left rail",
     )
-    .help("begin the line with `+`")
+    .help("begin the line with `+`; a `|` there is decoration")
 }

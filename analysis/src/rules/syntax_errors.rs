@@ -101,6 +101,14 @@ fn finding(parse: &Parse, error: &SyntaxError, text: &str, rest: &str) -> Diagno
                 );
                 found.fixes = vec![fix];
             }
+            if place == Surroundings::Head {
+                return unexpected_character::named_in_head::explain(
+                    found,
+                    &text_before(parse, range),
+                    text,
+                    rest,
+                );
+            }
             found
         }
         SyntaxErrorKind::UnclosedString => bad_literal::unclosed_string(range),
@@ -110,7 +118,7 @@ fn finding(parse: &Parse, error: &SyntaxError, text: &str, rest: &str) -> Diagno
             bad_declaration::block_name(header, text, range)
         }
         SyntaxErrorKind::MissingOperand { place } => bad_operand::missing(place, range),
-        SyntaxErrorKind::MissingComma => bad_operand::missing_comma(range),
+        SyntaxErrorKind::MissingComma => bad_operand::missing_comma(range, &text_before(parse, range), text),
         SyntaxErrorKind::TooComplex => bad_operand::too_complex(range),
         SyntaxErrorKind::TooMany(Many::Operands) => bad_operand::too_many(range),
         SyntaxErrorKind::TooMany(Many::Parts) => unexpected_character::too_many(range),

@@ -5,7 +5,7 @@
 //! name that is used once and looks like another is probably a slip.
 
 use super::declaration_fix::Undeclared;
-use super::near_names::NearNames;
+use super::near_names::{self, Meant, NearNames};
 use super::tag_view::TagView;
 use crate::context::Context;
 use crate::findings::diagnostic::{Applicability, Diagnostic, Fix};
@@ -221,13 +221,13 @@ fn forgotten(around: &Undeclaring<'_>, tag: &TagFacts, range: TextRange) -> Diag
     around.suggestions.set(left.saturating_sub(1));
     let may_be_slip = left > 0 && tag.uses.len() == 1;
     let near = may_be_slip.then(|| around.nearest(name));
-    let found = match near.flatten() {
-        Some(near) => found.help(format!("did you mean `{near}`?")).fix(
-            Applicability::Unsafe,
-            format!("Replace with `{near}`"),
-            range,
-            near,
-        ),
+    let scope = &around.context.scopes[0];
+    let is_of_type = |near: &&str| {
+        let near = scope.find(&Name::new(near));
+        near.is_some_and(|near| scope.tags[near].ty == tag.ty)
+    };
+    let found = match near.flatten().filter(is_of_type) {
+        Some(near) => near_names::ask(found, name, near, Meant::name(near, "Replace with", range)),
         None => found.help("declare it, so that a typing error cannot make a new tag"),
     };
     declaring(around, found, (0, tag), tag.role)
@@ -289,7 +289,7 @@ fn slip(context: &Context, tag: &TagFacts, near: &NearNames) -> Option<Diagnosti
     let scope = &context.scopes[0];
     let near = near.one_letter_from(&Name::new(&tag.name)).into_iter();
     let near = near.filter_map(|name| scope.find(name));
-    let often = near.filter(|&other| scope.tags[other].uses.len() > 1);
+    let often = near.filter(|&other| scope.tags[other].uses.len() > 1 && scope.tags[other].ty == tag.ty);
     // The first of the file.
     let other = &scope.tags[often.min()?].name;
     let place = context.place_of(tag);

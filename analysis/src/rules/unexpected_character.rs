@@ -1,7 +1,9 @@
 //! `unexpected-character`: characters that mean nothing where they are.
 
 pub(super) mod box_drawing;
+pub(super) mod named_in_head;
 
+use super::bad_arity::PLACEHOLDER;
 use super::frame_keyword;
 use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::excerpt::shortened;
@@ -25,6 +27,9 @@ pub(crate) fn unexpected(
         Surroundings::Rung if is_identifier(text) => format!("`{shown}` is outside of any block"),
         Surroundings::Rung => format!("`{shown}` means nothing on a rung"),
         Surroundings::Head => format!("`{shown}` means nothing in the first part of a block"),
+        Surroundings::Operands if text == PLACEHOLDER => {
+            "an operand is missing here: `?` holds its place".to_owned()
+        }
         Surroundings::Operands => format!("`{shown}` means nothing among operands"),
         Surroundings::Declaration => format!("`{shown}` means nothing in a declaration"),
     };
@@ -58,6 +63,9 @@ pub(crate) fn unexpected(
         )),
         Surroundings::Rung => {
             found.help("a rung is drawn with - + | \\ / and blocks; text is in # comments #")
+        }
+        Surroundings::Operands if text == PLACEHOLDER => {
+            found.help("write the tag or the value instead of it")
         }
         _ => found,
     }

@@ -1,6 +1,7 @@
 //! `unknown-block`: a user-defined block that no file defines, or that is drawn in another shape.
 
 use super::form::Form;
+use super::near_names::{self, Meant};
 use crate::context::Context;
 use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
@@ -53,13 +54,14 @@ fn unknown(context: &Context, bound: BlockAt<'_>) -> Diagnostic {
         .filter(|block| block.shape == bound.facts.shape);
     match did_you_mean::closest(name, same_shape.map(|block| block.name.as_str())) {
         Some(near) => {
-            let near = in_brackets(near);
-            found.help(format!("did you mean {near}?")).fix(
-                Applicability::Unsafe,
-                format!("Replace with {near}"),
+            let written = in_brackets(near);
+            let meant = Meant {
+                shown: written.clone(),
+                title: format!("Replace with {written}"),
                 range,
-                near,
-            )
+                written,
+            };
+            near_names::ask(found, name, near, meant)
         }
         None => found.help(format!(
             "define it: FUNCTION_BLOCK {written}, its declarations and rungs, END_FUNCTION_BLOCK"

@@ -1,5 +1,6 @@
 //! `unknown-function`: a `<CALL>` names no function.
 
+use super::near_names::{self, Meant};
 use crate::context::Context;
 use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
@@ -14,12 +15,7 @@ pub(crate) fn unknown(context: &Context, name: &str, range: TextRange) -> Diagno
     let own = context.functions.iter().map(|f| f.name.as_str());
     let names = own.chain(context.others.function_names());
     match did_you_mean::closest(name, names) {
-        Some(near) => found.help(format!("did you mean `{near}`?")).fix(
-            Applicability::Unsafe,
-            format!("Call `{near}`"),
-            range,
-            near,
-        ),
+        Some(near) => near_names::ask(found, name, near, Meant::name(near, "Call", range)),
         None => found.help(format!(
             "a function begins with a network that holds <FUN>( {name} )"
         )),

@@ -1,16 +1,19 @@
 //! `unknown-instruction`: no instruction has this name.
 
 use super::form::Form;
+use super::operand_fit::fits;
 use super::{missing_wire, wrong_shape};
 use crate::findings::article::with_article;
 use crate::findings::diagnostic::{Applicability, Diagnostic};
-use crate::findings::excerpt::in_sentence;
+use crate::findings::excerpt::{in_sentence, text};
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::BlockAt;
 use crate::networks::network::Meaning;
-use ladder_instructions::{Accepts, Instruction, Operand, Profile, Shape, TABLE, closest};
-use ladder_syntax::is_identifier;
-use std::fmt::Write;
+use crate::values::literal::Literal;
+use ladder_instructions::{
+    Accepts, Instruction, Operand, Profile, Shape, TABLE, closest, in_other_shape, known_elsewhere, slip_of,
+};
+use ladder_syntax::{Parse, is_identifier};
 
 pub(crate) const RULE: Rule = Rule(
     &RuleFacts::new(RuleGroup::Blocks, "unknown-instruction", Severity::Error).fixed(Applicability::Unsafe),
@@ -30,10 +33,7 @@ pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
         if before.is_some_and(|before| missing_wire::takes_next_head(network, before)) {
             continue;
         }
-        out.push(match wrong_shape::elsewhere(bound) {
-            Some(row) => wrong_shape::brackets(form.parse, bound, row),
-            None => unknown(bound),
-        });
+        out.push(meant(form.parse, bound));
     }
 }
 
@@ -56,54 +56,129 @@ fn not_in_profile(profile: Profile, row: &Instruction, bound: BlockAt<'_>) -> Op
     Some(found.help(format!("its timers and counters are {}", known.join(" "))))
 }
 
+/// What a block probably means. A name that other notations have says more than a likeness, and without operands the
+/// name of a tag is where the kind of contact or coil belongs.
+fn meant(parse: &Parse, bound: BlockAt<'_>) -> Diagnostic {
+    let shape = bound.facts.shape;
+    let text = bound.facts.head.text();
+    let known = known_elsewhere(text);
+    if let Some(found) = range_test(parse, bound) {
+        return found;
+    }
+    let is_bare = bound.facts.list_range.is_none() && is_identifier(text) && shape != Shape::Function;
+    // `[RESET]` is a contact of that tag, `(RESET)` the coil that resets one.
+    let is_sign = known.is_some_and(|row| row.shape == shape);
+    // `[END]`, `(RET)`.
+    let mut complete = in_other_shape(shape, text).filter(|row| row.takes(0));
+    if is_bare && !is_sign && complete.next().is_none() {
+        return bare(bound);
+    }
+    match (known, wrong_shape::elsewhere(bound)) {
+        (Some(row), _) if row.shape == shape => known_by(bound, row),
+        (_, Some(row)) => wrong_shape::brackets(parse, bound, row),
+        _ => misspelt(bound),
+    }
+}
+
 fn unknown(bound: BlockAt<'_>) -> Diagnostic {
-    let found = Diagnostic::new(
+    Diagnostic::new(
         RULE,
         bound.head_range(),
         format!("there is no instruction {}", bound.head_text()),
-    );
+    )
+}
+
+fn replaced(found: Diagnostic, bound: BlockAt<'_>, row: &Instruction) -> Diagnostic {
+    let title = format!("Replace with {}", row.block());
+    found.fix(Applicability::Unsafe, title, bound.head_range(), row.block())
+}
+
+/// `[start]`, `(run)`.
+fn bare(bound: BlockAt<'_>) -> Diagnostic {
     let text = bound.facts.head.text();
-    let shape = bound.facts.shape;
-    let count = bound.positional_count();
-    // A likeness across shapes says something only if the operands fit as well.
-    let near = closest(shape, text).filter(|row| row.shape == shape || row.takes(count));
-    // `[start]`, `(run)`: the tag is where the kind of contact or coil belongs.
-    let bare = bound.facts.list_range.is_none() && is_identifier(text) && shape != Shape::Function;
-    let (block, kind) = match shape {
+    let (block, kind) = match bound.facts.shape {
         Shape::Coil => ("( )", "coil"),
         _ => ("[ ]", "contact"),
     };
     let written = format!("{block}( {text} )");
+    unknown(bound)
+        .help(format!(
+            "{} of the tag `{text}` is written {written}",
+            with_article(kind)
+        ))
+        .fix(
+            Applicability::Unsafe,
+            format!("Write {written}"),
+            bound.head_range(),
+            written,
+        )
+}
+
+/// `(SET)`, `[XIC]`: other notations call an instruction so.
+fn known_by(bound: BlockAt<'_>, row: &Instruction) -> Diagnostic {
+    let message = format!(
+        "there is no {}: the {} is written {}",
+        bound.head_text(),
+        in_sentence(row.title),
+        row.block()
+    );
+    let found =
+        Diagnostic::new(RULE, bound.head_range(), message).help(format!("it is written {}", row.signature()));
+    // Without operands it is as incomplete under its right name.
+    if bound.facts.list_range.is_none() || fits(bound, row) {
+        replaced(found, bound, row)
+    } else {
+        found
+    }
+}
+
+/// `[LIM]( low, value, high )`: whether a value is in a range. Where the limits are tags the low one may be above the high
+/// one, which has another meaning there.
+fn range_test(parse: &Parse, bound: BlockAt<'_>) -> Option<Diagnostic> {
+    if bound.facts.shape != Shape::Logical || !bound.facts.head.text().eq_ignore_ascii_case("LIM") {
+        return None;
+    }
+    let found = unknown(bound).help("a range test is written [GE]( value, low )--[LE]( value, high )");
+    let [low, value, high] = &bound.facts.operands[..] else {
+        return Some(found);
+    };
+    let are_in_order = match (low.value.literal(), high.value.literal()) {
+        (Some(Literal::Int(low)), Some(Literal::Int(high))) => low <= high,
+        (Some(Literal::Real(low)), Some(Literal::Real(high))) => low <= high,
+        (Some(Literal::Time(low)), Some(Literal::Time(high))) => low <= high,
+        _ => false,
+    };
+    if !are_in_order || bound.positional_count() != 3 {
+        return Some(found);
+    }
+    let [low, value, high] = [low, value, high].map(|operand| text(parse, bound.absolute(operand.range)));
+    let written = format!("[GE]( {value}, {low} )--[LE]( {value}, {high} )");
     let title = format!("Write {written}");
-    let like_a_tag = || text.chars().count() > 3 && text.chars().any(char::is_lowercase);
-    if bare && (near.is_none() || like_a_tag()) {
-        return found
-            .help(format!(
-                "{} of the tag `{text}` is written {written}",
-                with_article(kind)
-            ))
-            .fix(Applicability::Unsafe, title, bound.head_range(), written);
+    Some(found.fix(Applicability::Unsafe, title, bound.range(), written))
+}
+
+fn misspelt(bound: BlockAt<'_>) -> Diagnostic {
+    let found = unknown(bound);
+    let shape = bound.facts.shape;
+    let name = bound.facts.head.text();
+    // A likeness across shapes says something only if the operands fit as well.
+    let near = closest(shape, name).filter(|row| row.shape == shape || row.takes(bound.positional_count()));
+    if let Some(row) = near {
+        let found = found.help(format!(
+            "did you mean {} ({})?",
+            row.block(),
+            in_sentence(row.title)
+        ));
+        return match slip_of(shape, name) {
+            Some(row) if fits(bound, row) => replaced(found, bound, row),
+            _ => found,
+        };
     }
-    match near {
-        Some(row) => {
-            let mut meant = format!("did you mean {} ({})?", row.block(), in_sentence(row.title));
-            if bare {
-                let _ = write!(meant, " The {kind} of a tag is written {written}");
-            }
-            let replace = format!("Replace with {}", row.block());
-            let found = found.help(meant);
-            let found = found.fix(Applicability::Unsafe, replace, bound.head_range(), row.block());
-            if !bare {
-                return found;
-            }
-            found.fix(Applicability::Unsafe, title, bound.head_range(), written)
+    found.help(match shape {
+        Shape::Coil => "a coil is ( ), (/), (S), (R), (P), (N), (M), (SM), (RM) or (RES)",
+        Shape::Function => {
+            "a block in < > is <LBL>, <JMP>, <FUN>, <CALL>, <RET>, <END>, <FOR>, <NEXT> or <MCR>"
         }
-        None if shape == Shape::Coil => {
-            found.help("a coil is ( ), (/), (S), (R), (P), (N), (M), (SM), (RM) or (RES)")
-        }
-        None if shape == Shape::Function => {
-            found.help("a block in < > is <LBL>, <JMP>, <FUN>, <CALL>, <RET>, <END>, <FOR>, <NEXT> or <MCR>")
-        }
-        None => found.help("contacts are [ ] and [/]; the language reference lists all instructions"),
-    }
+        Shape::Logical => "contacts are [ ] and [/]; the language reference lists all instructions",
+    })
 }

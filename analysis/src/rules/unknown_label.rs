@@ -1,5 +1,6 @@
 //! `unknown-label` where a `<$B>` block jumps out of its body. Other jumps are found while operands are resolved.
 
+use super::near_names::{self, Meant};
 use crate::context::{Body, Context};
 use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
@@ -130,12 +131,7 @@ pub(crate) fn unknown(context: &Context, network: usize, name: &str, range: Text
         .iter()
         .filter(|label| context.bodies[label.network] == body);
     if let Some(near) = did_you_mean::closest(name, seen.map(|label| label.name.as_str())) {
-        return found.help(format!("did you mean `{near}`?")).fix(
-            Applicability::Unsafe,
-            format!("Jump to `{near}`"),
-            range,
-            near,
-        );
+        return near_names::ask(found, name, near, Meant::name(near, "Jump to", range));
     }
     let key = Name::new(name);
     match context.labels.iter().find(|label| label.key == key) {

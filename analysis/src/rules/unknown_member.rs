@@ -1,7 +1,8 @@
 //! `unknown-member`: the word or number after a point names no part of the tag.
 
+use super::near_names::{self, Meant};
 use crate::findings::article::with_article;
-use crate::findings::diagnostic::{Applicability, Diagnostic};
+use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::names::did_you_mean;
 use crate::names::scope::Scope;
@@ -56,12 +57,7 @@ pub(crate) fn of_no_state(
         .iter()
         .filter(|tag| matches!(tag.ty, Some(Type::State(_))));
     match did_you_mean::closest(name, states.map(|tag| tag.name.as_str())) {
-        Some(near) => found.help(format!("did you mean `{near}`?")).fix(
-            Applicability::Unsafe,
-            format!("Replace with `{near}`"),
-            base,
-            near,
-        ),
+        Some(near) => near_names::ask(found, name, near, Meant::name(near, "Replace with", base)),
         None => found.help(format!(
             "check the name, or write the block that it belongs to, such as [TON]( {name}, T#5s )"
         )),

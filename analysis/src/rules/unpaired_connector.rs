@@ -11,7 +11,7 @@ use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::neighbours::{rung_above, rung_below};
 use crate::networks::network::breaks_drawing;
 use ladder_syntax::numeral::nth;
-use ladder_syntax::wiring::{self, PartKind, Rung};
+use ladder_syntax::wiring::{self, PartKind, Rung, bar_contacts};
 use ladder_syntax::{Parse, TextRange};
 
 pub(crate) const RULE: Rule = Rule(
@@ -82,7 +82,13 @@ fn unpaired(context: &Context, line: usize, kind: PartKind, out: &mut Vec<Diagno
     // An error in the text may have swallowed the partner.
     let misread = |line: usize| {
         let foreign = context.foreign_comments().on_line(line).is_some();
-        foreign || parse.lines()[line].errors.iter().any(breaks_drawing)
+        // `--|/|--` is a contact.
+        let is_contact = || {
+            bar_contacts(&wiring::rung(&parse.lines()[line].tree()).parts)
+                .next()
+                .is_some()
+        };
+        foreign || is_contact() || parse.lines()[line].errors.iter().any(breaks_drawing)
     };
     let lines = parse.lines();
     let is_drawn = |line: &usize| !lines[*line].kind.is_decoration();

@@ -1,12 +1,13 @@
 //! `wrong-shape`: an instruction in brackets that it does not have, as in `<TON>` or `[SET]( run )`.
 
+use super::operand_fit::fits;
 use crate::findings::diagnostic::{Applicability, Diagnostic};
 use crate::findings::excerpt;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::BlockAt;
 use crate::networks::facts::{Node, NodeKind};
 use crate::values::literal::Literal;
-use ladder_instructions::{Instruction, Op, in_other_shape};
+use ladder_instructions::{Instruction, Op, Role, Shape, in_other_shape};
 use ladder_syntax::Parse;
 
 pub(crate) const RULE: Rule =
@@ -24,17 +25,23 @@ pub(crate) fn taking_operands(bound: BlockAt<'_>) -> Option<&'static Instruction
     in_other_shape(bound.facts.shape, bound.facts.head.text()).find(|row| row.takes(count))
 }
 
-/// Only a word that is one instruction and no other, with the operands that it takes, can mean nothing else: one or
-/// two letters are one slip away from others.
-fn applicability(bound: BlockAt<'_>, row: &Instruction) -> Applicability {
+/// Only a word that is one instruction and no other can mean nothing else: one or two letters are one slip away from
+/// others. None where the drawing says something else than the instruction: what is drawn as a coil is no condition, an
+/// operand must be one that it takes, and elsewhere the END of a program ends the scan, not all of them.
+fn applicability(bound: BlockAt<'_>, row: &Instruction) -> Option<Applicability> {
     let name = bound.facts.head.text();
+    let is_read_as_coil = bound.facts.shape == Shape::Coil && row.role == Role::Condition;
+    if is_read_as_coil || row.op == Op::End || !fits(bound, row) {
+        return None;
+    }
     let is_the_only_one = in_other_shape(bound.facts.shape, name).nth(1).is_none();
-    let fits = row.takes(bound.positional_count());
-    if bound.instruction().is_none() && is_the_only_one && fits && name.len() > 2 {
+    let has_list = bound.facts.list_range.is_some();
+    let is_safe = bound.instruction().is_none() && is_the_only_one && name.len() > 2 && has_list;
+    Some(if is_safe {
         Applicability::Safe
     } else {
         Applicability::Unsafe
-    }
+    })
 }
 
 /// A loop in the way of other languages, with the counter, its first and its last value: `[FOR]( i, 1, 3 )`.
@@ -101,12 +108,13 @@ pub(crate) fn brackets(parse: &Parse, bound: BlockAt<'_>, row: &'static Instruct
         Op::ResetCoil => format!("to reset a bit write {written}"),
         Op::Coil => format!("to write a bit write {written}"),
         Op::Contact => format!("to test a bit write {written}"),
+        Op::End => "<END> stops the program for good; to end the scan write <RET>".to_owned(),
         _ => format!("write {written}"),
     };
-    Diagnostic::new(RULE, bound.head_range(), message).help(help).fix(
-        applicability(bound, row),
-        format!("Replace with {}", row.block()),
-        bound.head_range(),
-        row.block(),
-    )
+    let found = Diagnostic::new(RULE, bound.head_range(), message).help(help);
+    let Some(applicability) = applicability(bound, row) else {
+        return found;
+    };
+    let title = format!("Replace with {}", row.block());
+    found.fix(applicability, title, bound.head_range(), row.block())
 }

@@ -11,8 +11,6 @@ fn misspelt() {
             > +--[TOM]( t, T#5s )--( )( y )--+
                  ^^^^^ error[unknown-instruction]: there is no instruction [TOM]
                 help: did you mean [TON] (on-delay timer)?
-                fix: Replace with [TON]
-                  +--------------------------------------------------[TON]( t, T#5s )--( )( y )--+
         "#]],
     );
     check(
@@ -27,13 +25,13 @@ fn misspelt() {
         "+--[XIC]( a )--(OTE)( y )--+\n",
         expect![[r#"
             > +--[XIC]( a )--(OTE)( y )--+
-                 ^^^^^ error[unknown-instruction]: there is no instruction [XIC]
-                help: did you mean [ ] (open contact)?
+                 ^^^^^ error[unknown-instruction]: there is no [XIC]: the open contact is written [ ]
+                help: it is written [ ]( tag )
                 fix: Replace with [ ]
                   +--[ ]( a )--------------------------------------------------------(OTE)( y )--+
             > +--[XIC]( a )--(OTE)( y )--+
-                             ^^^^^ error[unknown-instruction]: there is no instruction (OTE)
-                help: did you mean ( ) (coil)?
+                             ^^^^^ error[unknown-instruction]: there is no (OTE): the coil is written ( )
+                help: it is written ( )( tag )
                 fix: Replace with ( )
                   +--------------------------------------------------------[XIC]( a )--( )( y )--+
         "#]],
@@ -85,16 +83,12 @@ fn a_word_that_may_be_an_instruction_or_a_tag() {
         expect![[r#"
             > +--[ ]( TOM )--[TOM]--(RSE)--+
                              ^^^^^ error[unknown-instruction]: there is no instruction [TOM]
-                help: did you mean [TON] (on-delay timer)? The contact of a tag is written [ ]( TOM )
-                fix: Replace with [TON]
-                  +--[ ]( TOM )----------------------------------------------------[TON]--(RSE)--+
+                help: a contact of the tag `TOM` is written [ ]( TOM )
                 fix: Write [ ]( TOM )
                   +--[ ]( TOM )--[ ]( TOM )-----------------------------------------------(RSE)--+
             > +--[ ]( TOM )--[TOM]--(RSE)--+
                                     ^^^^^ error[unknown-instruction]: there is no instruction (RSE)
-                help: did you mean (RES) (reset timer or counter)? The coil of a tag is written ( )( RSE )
-                fix: Replace with (RES)
-                  +--[ ]( TOM )----------------------------------------------------[TOM]--(RES)--+
+                help: a coil of the tag `RSE` is written ( )( RSE )
                 fix: Write ( )( RSE )
                   +--[ ]( TOM )-----------------------------------------------[TOM]--( )( RSE )--+
         "#]],
@@ -174,7 +168,7 @@ fn too_few_operands() {
                  ^^^^^^^^^^ error[bad-arity]: [TON] takes 2 operands, 1 is given
                 help: it is written [TON]( t, PT, R := )
                 fix: Add PT
-                  +--------------------------------------------------[TON]( t, T#1s )--( )( y )--+
+                  +--[TON]( t, ? )--( )( y )--+
         "#]],
     );
     check(
@@ -184,12 +178,12 @@ fn too_few_operands() {
                  ^^^ error[bad-arity]: [ ] takes 1 operand, none is given
                 help: it is written [ ]( tag )
                 fix: Add tag
-                  +--[ ]( tag )-------------------------------------------------------------( )--+
+                  +--[ ]( ? )--( )--+
             > +--[ ]--( )--+
                       ^^^ error[bad-arity]: ( ) takes 1 operand, none is given
                 help: it is written ( )( tag )
                 fix: Add tag
-                  +--[ ]-------------------------------------------------------------( )( tag )--+
+                  +--[ ]--( )( ? )--+
         "#]],
     );
     check(
@@ -199,7 +193,7 @@ fn too_few_operands() {
                  ^^^^^^^^^^ error[bad-arity]: [ADD] takes at least 3 operands, 1 is given
                 help: it is written [ADD]( y, a, b, ... )
                 fix: Add a and b
-                  +------------------------------------------------------------[ADD]( y, 0, 0 )--+
+                  +--[ADD]( y, ?, ? )--+
         "#]],
     );
     check(
@@ -209,7 +203,7 @@ fn too_few_operands() {
                  ^^^^^^^^^^^^^^^^^^ error[bad-arity]: [TON] takes 2 operands, 1 is given
                 help: it is written [TON]( t, PT, R := )
                 fix: Add PT
-                  +------------------------------------------[TON]( t, T#1s, R := r )--( )( y )--+
+                  +--[TON]( t, ?, R := r )--( )( y )--+
         "#]],
     );
     check(
@@ -219,7 +213,7 @@ fn too_few_operands() {
                  ^^^^^^^^^^^^^^^^^^^^^^^ error[bad-arity]: [PWL] takes at least 6 operands, 5 are given
                 help: it is written [PWL]( y, x, x0, y0, x1, y1, ... )
                 fix: Add y1
-                  +--------------------------------------------------[PWL]( y, x, 0, 0, 10, 0 )--+
+                  +--[PWL]( y, x, 0, 0, 10, ? )--+
         "#]],
     );
 }
@@ -232,8 +226,6 @@ fn too_many_operands() {
             > +--[ ]( a, b )--( )( y )--+
                          ^ error[bad-arity]: [ ] takes 1 operand, 2 are given
                 help: it is written [ ]( tag )
-                fix: Remove the extra operand
-                  +--[ ]( a )----------------------------------------------------------( )( y )--+
         "#]],
     );
     check(
@@ -242,8 +234,6 @@ fn too_many_operands() {
             > +--[TON]( t, T#5s, T#6s, x, R := r )--( )( y )--+
                                  ^^^^^^^ error[bad-arity]: [TON] takes 2 operands, 4 are given
                 help: it is written [TON]( t, PT, R := )
-                fix: Remove the extra operands
-                  +------------------------------------------[TON]( t, T#5s, R := r )--( )( y )--+
         "#]],
     );
     check(
@@ -252,8 +242,6 @@ fn too_many_operands() {
             > +--[ ]( a )--<RET>( b )--+
                                   ^ error[bad-arity]: <RET> takes no operands, 1 is given
                 help: it is written <RET>
-                fix: Remove the extra operand
-                  +--[ ]( a )-------------------------------------------------------------<RET>--+
         "#]],
     );
 }
@@ -274,8 +262,6 @@ fn one_error_in_an_operand_list_is_reported_once() {
             > +--[ ]( a b )--( )( y )--+
                         ^ error[bad-operand]: a comma is missing before this operand
                 help: operands are separated by commas
-                fix: Insert `,`
-                  +--[ ]( a, b )-------------------------------------------------------( )( y )--+
         "#]],
     );
     check(

@@ -36,16 +36,12 @@ fn nothing_below_or_above() {
                 at 2:1 `|  ---[ ]( b )---            |`: its partner `/` belongs onto this rung
                 fix: Close the branch with `/`
                   |  /--[ ]( b )---            |
-                fix: Replace `\` with wire
-                  +-----[ ]( a )--\--( )( y )--+
             > +--\--[ ]( a )--\--( )( y )--+
                               ^ error[unpaired-connector]: the 2nd `\` on line 1 has no partner: line 2 below it has no `/`
                 help: every `\` needs a `/` on the rung below: together they join the two lines
                 at 2:1 `|  ---[ ]( b )---            |`: its partner `/` belongs onto this rung
                 fix: Close the branch with `/`
                   |  ---[ ]( b )--/            |
-                fix: Replace `\` with wire
-                  +--\--[ ]( a )-----( )( y )--+
         "#]],
     );
 }
@@ -62,9 +58,6 @@ fn one_too_many() {
                 fix: Close the branch with `/`
                   +--\--[ ]( a )--\----------------------------------------------------( )( y )--+
                   |  /--[ ]( b )--/                                                              |
-                fix: Replace `\` with wire
-                  +--\--[ ]( a )-------------------------------------------------------( )( y )--+
-                  |  /--[ ]( b )--                                                               |
         "#]],
     );
     // The columns say that the first one lacks its partner, the order says it is the second.
@@ -79,9 +72,6 @@ fn one_too_many() {
                 fix: Close the branch with `/`
                   +--\--[ ]( a )--\----------------------------------------------------( )( y )--+
                   |  /--[ ]( b )--/                                                              |
-                fix: Replace `\` with wire
-                  +--[ ]( a )----\-----------------------------------------------------( )( y )--+
-                  |  --[ ]( b )--/                                                               |
         "#]],
     );
     check(
@@ -130,9 +120,6 @@ fn no_other_rule_follows() {
                   +--[ ]( a )--\-------------------------------------------------------( )( y )--+
                   |            |                                                                 |
                   |            /-------------------------------------------------------( )( z )--+
-                fix: Replace `\` with wire
-                  +--[ ]( a )----------------------------------------------------------( )( y )--+
-                  |                                                                              |
         "#]],
     );
     check(
@@ -161,9 +148,6 @@ fn what_is_drawn_is_completed() {
                 fix: Close the branch with `/`
                   +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
                   |  /--[ ]( run )----/                                                          |
-                fix: Replace `\` with wire
-                  +--[ ]( start )--\--[/]( stop )------------------------------------( )( run )--+
-                  |  --[ ]( run )--/                                                             |
         "#]],
     );
     // The closing one is forgotten: after wire, after a block, too far away.
@@ -177,9 +161,6 @@ fn what_is_drawn_is_completed() {
                 fix: Close the branch with `/`
                   +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
                   |  /--[ ]( run )----/                                                          |
-                fix: Replace `\` with wire
-                  +--\--[ ]( start )--[/]( stop )------------------------------------( )( run )--+
-                  |  /--[ ]( run )--                                                             |
         "#]],
     );
     check(
@@ -192,9 +173,6 @@ fn what_is_drawn_is_completed() {
                 fix: Close the branch with `/`
                   +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
                   |  /--[ ]( run )----/                                                          |
-                fix: Replace `\` with wire
-                  +--\--[ ]( start )--[/]( stop )------------------------------------( )( run )--+
-                  |  /--[ ]( run )--                                                             |
         "#]],
     );
     check(
@@ -207,9 +185,6 @@ fn what_is_drawn_is_completed() {
                 fix: Close the branch with `/`
                   +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
                   |  /--[ ]( run )----/                                                          |
-                fix: Replace `\` with wire
-                  +--\--[ ]( start )--[/]( stop )------------------------------------( )( run )--+
-                  |  /--[ ]( run )                                                               |
         "#]],
     );
     // One is forgotten above.
@@ -256,8 +231,6 @@ fn swapped_connectors() {
                 fix: Swap `/` and `\`
                   +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
                   |  /--[ ]( run )----/                                                          |
-                fix: Replace `/` with wire
-                  +-----[ ]( start )--\--[/]( stop )--( )( run )--+
             > |  \--[ ]( run )----/
                  ^ error[unpaired-connector]: the `\` on line 2 has no partner: there is no rung below it
                 help: every `\` needs a `/` on the rung below: together they join the two lines
@@ -275,8 +248,6 @@ fn swapped_connectors() {
                 fix: Swap `/` and `\`
                   +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
                   |  /--[ ]( run )----/                                                          |
-                fix: Replace `/` with wire
-                  +--\--[ ]( start )-----[/]( stop )--( )( run )--+
             > |  /--[ ]( run )----\
                                   ^ error[unpaired-connector]: the `\` on line 2 has no partner: there is no rung below it
                 help: every `\` needs a `/` on the rung below: together they join the two lines
@@ -297,8 +268,6 @@ fn swapped_connectors() {
                 fix: Replace `\` with `/`
                   +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
                   |  /--[ ]( run )----/                                                          |
-                fix: Replace `\` with wire
-                  +-----[ ]( start )--\--[/]( stop )--( )( run )--+
             > |  \--[ ]( run )----/
                  ^ error[unpaired-connector]: the `\` on line 2 has no partner: there is no rung below it
                 help: every `\` needs a `/` on the rung below: together they join the two lines
@@ -316,8 +285,6 @@ fn swapped_connectors() {
                 fix: Replace `/` with `\`
                   +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
                   |  /--[ ]( run )----/                                                          |
-                fix: Replace `/` with wire
-                  +-----[ ]( start )--\--[/]( stop )--( )( run )--+
             > |  /--[ ]( run )----/
                                   ^ error[unpaired-connector]: the 2nd `/` on line 2 has no partner: line 2 has 2 `/`, line 1 above it has 1 `\`
                 help: connectors pair in their order from left to right, whatever their columns: the partner is probably missing at the 1st `/`
@@ -346,9 +313,6 @@ fn a_rail_in_the_place_of_a_connector() {
                 fix: Close the branch with `/`
                   +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
                   |  /--[ ]( run )----/                                                          |
-                fix: Replace `\` with wire
-                  +--[ ]( start )--\--[/]( stop )------------------------------------( )( run )--+
-                  |--[ ]( run )----/                                                             |
         "#]],
     );
     check(
@@ -364,9 +328,6 @@ fn a_rail_in_the_place_of_a_connector() {
                 fix: Close the branch with `/`
                   +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
                   |  /--[ ]( run )----/                                                          |
-                fix: Replace `\` with wire
-                  +--\--[ ]( start )--[/]( stop )------------------------------------( )( run )--+
-                  |  /--[ ]( run )---------------------------------------------------------------|
         "#]],
     );
     check(
@@ -379,9 +340,6 @@ fn a_rail_in_the_place_of_a_connector() {
                 fix: Replace `+` with `/`
                   +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
                   |  /--[ ]( run )----/                                                          |
-                fix: Replace `\` with wire
-                  +--\--[ ]( start )--[/]( stop )------------------------------------( )( run )--+
-                  |  /--[ ]( run )---------------------------------------------------------------+
         "#]],
     );
     check(
@@ -393,8 +351,6 @@ fn a_rail_in_the_place_of_a_connector() {
                 fix: Replace with `\`
                   +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
                   |  /--[ ]( run )----/                                                          |
-                fix: Replace with wire
-                  +--\--[ ]( start )-----[/]( stop )--( )( run )--+
             > |  /--[ ]( run )----/                          |
                                   ^ error[unpaired-connector]: the 2nd `/` on line 2 has no partner: line 2 has 2 `/`, line 1 above it has 1 `\`
                 help: every `/` needs a `\` on the rung above: together they join the two lines
@@ -415,15 +371,11 @@ fn a_rail_in_the_place_of_a_connector() {
                 help: `+` is where a line leaves the left rail or ends at the right rail; lines are joined with \ and /
                 fix: Replace with `\`
                   +--\--[ ]( start )--+--[/]( stop )--( )( run )--+
-                fix: Replace with wire
-                  +--[ ]( start )--+--[/]( stop )------------------------------------( )( run )--+
             > +--+--[ ]( start )--+--[/]( stop )--( )( run )--+
                                   ^ error[misplaced-rail]: `+` is in the middle of a line
                 help: `+` is where a line leaves the left rail or ends at the right rail; lines are joined with \ and /
                 fix: Replace with `\`
                   +--+--[ ]( start )--\--[/]( stop )--( )( run )--+
-                fix: Replace with wire
-                  +--+--[ ]( start )--[/]( stop )------------------------------------( )( run )--+
             > |  /--[ ]( run )----/                          |
                  ^ error[unpaired-connector]: the 1st `/` on line 2 has no partner: line 1 above it has no `\`
                 help: every `/` needs a `\` on the rung above: together they join the two lines
@@ -502,9 +454,6 @@ fn a_connector_is_drawn_where_a_block_is_in_its_column() {
                 fix: Join with `/` below it
                   +--[ ]( b )--\--[ ]( long_name )----------------------------------\--( )( y )--+
                   |            /--[ ]( a )--------------------------------( )( z )--/------------+
-                fix: Replace `\` with wire
-                  +--[ ]( b )--\--[ ]( long_name )-------------------------------------( )( y )--+
-                  |            /--[ ]( a )---------------------------------------------( )( z )--+
         "#]],
     );
 }

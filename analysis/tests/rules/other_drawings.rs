@@ -65,8 +65,6 @@ fn branches_between_others_that_are_drawn_with_bars() {
                   |  /--[ ]( b )--|            |
                 fix: Close the branch with `/`
                   |  |/--[ ]( b )--|            |
-                fix: Replace `\` with wire
-                  +-----[ ]( a )--\--( )( y )--+
             > +--\--[ ]( a )--\--( )( y )--+
                               ^ error[unpaired-connector]: the 2nd `\` on line 1 has no partner: line 2 below it has no `/`
                 help: every `\` needs a `/` on the rung below: together they join the two lines
@@ -75,8 +73,6 @@ fn branches_between_others_that_are_drawn_with_bars() {
                   |  |--[ ]( b )--/            |
                 fix: Close the branch with `/`
                   |  |--[ ]( b )--/|            |
-                fix: Replace `\` with wire
-                  +--\--[ ]( a )-----( )( y )--+
         "#]],
     );
 }

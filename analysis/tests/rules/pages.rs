@@ -148,8 +148,8 @@ fn rules_fix_their_wrong_programs_as_they_say() {
     assert!(problems.is_empty(), "{}", problems.join("\n"));
 }
 
-/// Over all wrong programs: a fix takes its finding away, brings no error, and leaves what it touches in the
-/// canonical layout.
+/// Over all wrong programs: a fix takes its finding away, brings no error but the place of what a person has to write,
+/// and leaves what it touches in the canonical layout.
 #[test]
 fn fixes_are_safe_and_leave_the_drawing_aligned() {
     let mut problems = Vec::new();
@@ -187,6 +187,7 @@ fn unsafe_fix(program: &str, before: &[Diagnostic], finding: &Diagnostic, fixed:
     let errors = |found: &[Diagnostic]| found.iter().filter(|d| d.severity == Severity::Error).count();
     let first_new = after
         .iter()
+        .filter(|d| !d.message.ends_with("holds its place"))
         .find(|d| d.severity == Severity::Error && before.iter().all(|b| b.message != d.message));
     if let Some(new) = first_new.filter(|_| errors(&after) >= errors(before)) {
         return Some(format!("brings the error {}: {}", new.rule, new.message));

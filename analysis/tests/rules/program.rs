@@ -164,8 +164,6 @@ fn functions() {
             > +--[ ]( a )--<CALL>( fil )--+
                                    ^^^ error[unknown-function]: there is no function `fil`
                 help: did you mean `fill`?
-                fix: Call `fill`
-                  +--[ ]( a )----------------------------------------------------<CALL>( fill )--+
         "#]],
     );
     check(
@@ -247,8 +245,6 @@ fn uses_of_blocks() {
                                             ^ error[bad-arity]: [$Debounce] takes 3 operands, 4 are given
                 help: it is written [$Debounce]( raw, wait, clean )
                 at 1:16 `[$Debounce]`: the block is defined here
-                fix: Remove the extra operand
-                  +-------------------------------------------------[$Debounce]( a, T#20ms, y )--+
         "#]],
     );
     check(
@@ -261,8 +257,6 @@ fn uses_of_blocks() {
             > +--[$Debounce]( a, T#20ms, raw := b, wat := y )--+
                                                    ^^^ error[bad-operand]: [$Debounce] has no operand of the name `wat`
                 help: did you mean `wait`?
-                fix: Replace with `wait`
-                  +-------------------------------[$Debounce]( a, T#20ms, raw := b, wait := y )--+
         "#]],
     );
     check(

@@ -124,7 +124,7 @@ fn a_file_in_the_first_draft() {
                  ^^^ error[bad-arity]: [ ] takes 1 operand, none is given
                 help: it is written [ ]( tag )
                 fix: Add tag
-                  +--[ ]( tag )---------------------------------------------------<a>--( )( z )--+
+                  +--[ ]( ? )<a>--( )( z )--+
             > +--[ ]<a>--( )( z )--+
                    ^^ warning[missing-wire]: two blocks touch without a wire between them
                 help: draw a `-` between them
@@ -163,8 +163,6 @@ fn comment_that_is_not_closed() {
             > +--[TOM]( t, 5s )--<JMP>( there )--+
                  ^^^^^ error[unknown-instruction]: there is no instruction [TOM]
                 help: did you mean [TON] (on-delay timer)?
-                fix: Replace with [TON]
-                  +----------------------------------------------[TON]( t, 5s )--<JMP>( there )--+
             > # mark
               ^ error[unclosed-comment]: this comment is never closed: all that follows is read as comment
                 help: close it with a second `#`

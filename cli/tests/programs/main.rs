@@ -10,6 +10,7 @@ mod click_field;
 mod convert;
 mod escapes;
 mod explain;
+mod fixed_drawings;
 mod fmt;
 mod foreign;
 mod harness;

@@ -50,7 +50,9 @@ pub(super) fn fixes(parse: &Parse, own: &Side, other: Option<&Side>, suspect: us
         let drawn = || draw(parse, other, own.kind, column, suspect).filter(|_| !is_misdrawn);
         fixes.extend(closed.or_else(joined).or_else(drawn));
     }
-    fixes.extend(take_away(parse, spot, own.kind));
+    if own.kind == PartKind::Down && other.is_none_or(|other| is_apart(&other)) {
+        fixes.extend(take_away(parse, spot));
+    }
     fixes
 }
 
@@ -285,13 +287,18 @@ fn draw(parse: &Parse, other: &Row, kind: PartKind, column: usize, suspect: usiz
     Some(guess(title, vec![edit(TextRange::empty(at), &drawn)]))
 }
 
-/// The last way out.
-fn take_away(parse: &Parse, spot: Spot<'_>, kind: PartKind) -> Option<Fix> {
+/// Whether a line below is drawn without the connector that would join it: its power comes from the left rail.
+fn is_apart(below: &Row) -> bool {
+    below.rung.has_left_rail() && below.rung.connectors(PartKind::Up).next().is_none()
+}
+
+/// The last way out, where nothing is below that a `\` could lead to. A `/` with nothing above it may be a closed contact of
+/// another notation: there is none.
+fn take_away(parse: &Parse, spot: Spot<'_>) -> Option<Fix> {
     let parts = &spot.row.rung.parts;
     let touches_after = parts.get(spot.part + 1).is_some_and(|next| next.touches);
-    let title = format!("Replace `{}` with wire", symbol(kind));
     let edits = || vec![edit(spot.row.range(parse, spot.part), "-")];
-    (parts[spot.part].touches && touches_after).then(|| guess(title, edits()))
+    (parts[spot.part].touches && touches_after).then(|| guess("Replace `\\` with wire".to_owned(), edits()))
 }
 
 fn guess(title: String, edits: Vec<Edit>) -> Fix {

@@ -81,6 +81,8 @@ pub(super) fn fix(mut source: Source, task: Task) -> Checked {
             title: fix.title.clone(),
         }));
         (source, findings) = (next, left);
+        // What was refused may go well with this.
+        most = task.most;
     }
     Checked {
         source,

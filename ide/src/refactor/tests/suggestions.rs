@@ -193,12 +193,12 @@ fn a_line_that_begins_with_nothing() {
         "#]],
     );
     check(
-        "rung-not-powered",
+        "open-wire",
         r"+--[ ]( a )--\--( )( y )--+
 |--[ ]( b )--/            |
 ",
         expect![[r#"
-            this rung gets no power: it begins with `|`, which is decoration; `+` takes power from the left rail
+            no power can reach this wire: it begins neither at the left rail nor at a connector
             > Begin at the left rail
             +--[ ]( a )--\-------------------------------------------------------( )( y )--+
             +--[ ]( b )--/                                                                 |
