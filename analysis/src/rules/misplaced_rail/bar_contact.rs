@@ -50,9 +50,10 @@ pub(super) fn findings(form: &Form<'_>, rung: usize, contacts: &[BarContact]) ->
 }
 
 const fn kind(contact: &BarContact) -> (&'static str, &'static str) {
-    match contact.is_closed {
-        true => ("a closed", "[/]"),
-        false => ("an open", "[ ]"),
+    if contact.is_closed {
+        ("a closed", "[/]")
+    } else {
+        ("an open", "[ ]")
     }
 }
 

@@ -47,7 +47,7 @@ fn difference(drawing: &Drawing, text: &str) -> Option<String> {
                 tags.insert(name, value);
                 if let Ok(point) = simulation.resolve(name) {
                     let value = if name == "n" {
-                        Value::Int(value.into())
+                        Value::Int(value)
                     } else {
                         Value::Bool(value != 0)
                     };
@@ -258,5 +258,6 @@ fn drawings_from_the_field() {
         drawing.clad:1:21: error[unexpected-character] an operand is missing here: `?` holds its place
         Checked 1 file: 1 error. Fixed 1 finding.
         +--[ ]( go )---[/]( ? )---( )( fan )--+
-    "#]].assert_eq(&shown);
+    "#]]
+    .assert_eq(&shown);
 }
