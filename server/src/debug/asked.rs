@@ -36,7 +36,7 @@ impl Asked {
         let scenario = scenario_of(configuration)?;
         let program = match (&scenario, &configuration.program) {
             (Some(scenario), _) => scenario.program.clone(),
-            (None, Some(program)) => absolute(program)?,
+            (None, Some(program)) => in_own_workspace(program, "program")?.0,
             (None, None) => return Err("`program` is missing: name the .clad file to run".into()),
         };
         Ok(Asked {
@@ -119,35 +119,57 @@ fn assign(
 /// The table of inputs that the configuration names.
 fn read_table(program: &Path, name: &str, simulation: &Simulation) -> Result<Inputs, String> {
     let file = inside(program, name, "inputs")?;
-    let located = file.locate().map_err(|error| format!("inputs: {error}"))?;
-    let text = ladder_workspace::read(&located).map_err(|error| format!("inputs: {error}"))?;
-    Inputs::parse(&shown::path(&located), &text, simulation).map_err(|error| format!("inputs: {error}"))
+    let text = file.read().map_err(|error| format!("inputs: {error}"))?;
+    Inputs::parse(&shown::path(&file.path()), &text, simulation).map_err(|error| format!("inputs: {error}"))
 }
 
-/// A path that the client gave: it must be whole, for nobody chose the folder that the adapter runs in.
+/// A path that the client gave: it must be whole, for nobody chose the folder that the adapter runs in, and on this
+/// computer: on Windows even a check of a file on another one sends it the name of the person.
 fn absolute(path: &str) -> Result<PathBuf, String> {
-    let path = Path::new(path);
-    if path.is_absolute() {
-        return Ok(path.to_owned());
+    let shown = shown::line(path);
+    if is_on_another_computer(path) {
+        return Err(format!(
+            "{shown}: this is on another computer; give its folder a drive letter, and name the file there"
+        ));
+    }
+    if Path::new(path).is_absolute() {
+        return Ok(PathBuf::from(path));
     }
     Err(format!(
-        "{}: name the whole path of the file, for example with ${{workspaceFolder}} before it",
-        shown::path(path)
+        "{shown}: name the whole path of the file, for example with ${{workspaceFolder}} before it"
     ))
+}
+
+/// Whether a path is one of the network, as Windows writes it: refused everywhere, for a workspace is the same on each machine.
+pub(super) fn is_on_another_computer(path: &str) -> bool {
+    path.starts_with(['/', '\\']) && path[1..].starts_with(['/', '\\'])
+}
+
+/// A file that the client names by its whole path: links to it stay in the workspace that it lies in.
+fn in_own_workspace(path: &str, what: &str) -> Result<(PathBuf, Named), String> {
+    let mut whole = absolute(path)?;
+    if has_parents(&whole)
+        && let (Some(Ok(folder)), Some(name)) = (whole.parent().map(Path::canonicalize), whole.file_name())
+    {
+        whole = folder.join(name);
+    }
+    let file = inside(&whole, &whole.to_string_lossy(), what)?;
+    file.locate().map_err(|error| format!("{what}: {error}"))?;
+    Ok((whole, file))
 }
 
 /// A file that the configuration names next to the program: it lies in the folder of the program's workspace.
 fn inside(program: &Path, name: &str, what: &str) -> Result<Named, String> {
-    let path = Path::new(name);
-    if !path.is_absolute() {
+    if !Path::new(name).is_absolute() {
         return Ok(Named::in_file(program, name));
     }
+    let path = absolute(name)?;
     let root = Root::of(program).map_err(|error| format!("{what}: {error}"))?;
     let relative = path.strip_prefix(root.folder()).ok().and_then(Path::to_str);
     let relative = relative.ok_or_else(|| {
         format!(
             "{what}: {} lies outside of {}, where the program is",
-            shown::path(path),
+            shown::path(&path),
             shown::path(root.folder())
         )
     })?;
@@ -169,17 +191,33 @@ fn scenario_of(configuration: &Configuration) -> Result<Option<Scenario>, String
         return Ok(None);
     }
     let program = configuration.program.as_deref();
-    let file = match (&configuration.scenario_file, program) {
-        (Some(file), _) => absolute(file)?,
-        (None, Some(program)) if is_scenario_file(program) => absolute(program)?,
-        (None, Some(program)) => absolute(program)?.with_extension(ladder_workspace::SCENARIO_EXTENSION),
+    let (path, file) = match (&configuration.scenario_file, program) {
+        (Some(file), Some(program)) => {
+            let (program, _) = in_own_workspace(program, "program")?;
+            let file = inside(&program, file, "scenarioFile")?;
+            (file.path(), file)
+        }
+        (Some(file), None) => in_own_workspace(file, "scenarioFile")?,
+        (None, Some(program)) if is_scenario_file(program) => in_own_workspace(program, "program")?,
+        (None, Some(program)) => {
+            let (program, _) = in_own_workspace(program, "program")?;
+            let file = program.with_extension(ladder_workspace::SCENARIO_EXTENSION);
+            in_own_workspace(&file.to_string_lossy(), "scenarioFile")?
+        }
         (None, None) => {
             return Err("`scenarioFile` is missing: name the .ladder-test file of the scenario".into());
         }
     };
-    let text = ladder_workspace::read(&file).map_err(|error| error.to_string())?;
+    // What is wrong in a scenario is told with its text, which of other files is nobody's business.
+    if !ladder_workspace::is_scenario(&path) {
+        return Err(format!(
+            "scenarioFile: {}: scenarios are in a file ending in .ladder-test",
+            shown::path(&path)
+        ));
+    }
+    let text = file.read().map_err(|error| error.to_string())?;
     let suite = scenario::parse(&text);
-    let file = Source::new(file, text);
+    let file = Source::new(path, text);
     let Some((named, _)) = &suite.program else {
         return Err(error(&file, &suite.errors));
     };

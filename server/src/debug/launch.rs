@@ -71,7 +71,7 @@ pub(super) fn must_be_program(path: &Path) -> Result<(), String> {
 /// Reads a program with what it uses of its workspace.
 fn load_program(path: &Path) -> Result<Loaded, String> {
     must_be_program(path)?;
-    let text = ladder_workspace::read(path).map_err(|error| error.to_string())?;
+    let text = ladder_workspace::read_own(path).map_err(|error| error.to_string())?;
     let workspace = Workspace::of(path).map_err(|error| error.to_string())?;
     let own = workspace.program_at(path);
     let analysis = match own {

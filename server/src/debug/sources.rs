@@ -3,8 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use ladder_syntax::{LineIndex, TextRange, TextSize};
+use ladder_workspace::Named;
 use serde_json::{Value as Json, json};
 
+use super::asked::is_on_another_computer;
 use super::messages::Initialize;
 
 /// A file with its text.
@@ -29,9 +31,13 @@ impl Source {
         if self.path == path {
             return true;
         }
+        // A path of the network is not asked whether it is this one.
+        if path.to_str().is_none_or(is_on_another_computer) {
+            return false;
+        }
         let same_name =
             self.path.file_name() == path.file_name() || path.is_symlink() || self.path.is_symlink();
-        same_name && matches!((self.path.canonicalize(), path.canonicalize()), (Ok(a), Ok(b)) if a == b)
+        same_name && resolved(path).is_some_and(|path| resolved(&self.path) == Some(path))
     }
 
     /// The line of an offset, from 0.
@@ -84,6 +90,12 @@ impl Source {
         }
         range.end()
     }
+}
+
+/// A path without links. None of those below the workspace that leads out of it is followed.
+fn resolved(path: &Path) -> Option<PathBuf> {
+    let name = path.file_name()?.to_str()?;
+    Named::in_file(path, name).locate().ok()?.canonicalize().ok()
 }
 
 /// How the client counts.
