@@ -121,6 +121,18 @@ impl Action {
         )
     }
 
+    /// Whether who sent it waits for the answer, and longer than a moment.
+    pub(super) fn is_awaited(&self) -> bool {
+        !matches!(
+            self,
+            Action::ValuesAt(_)
+                | Action::HasShown
+                | Action::Follow(_)
+                | Action::FollowOthers(_)
+                | Action::Message(..)
+        )
+    }
+
     /// What the debugger of the simulation sees of it.
     pub(super) fn effect(&self) -> Effect {
         match self {

@@ -31,7 +31,7 @@ impl Runner {
             is_running: self.run.is_some(),
             files: engine.files(),
             session: &mut engine.session,
-            urgent: self.urgent.clone(),
+            urgent: self.queue.urgent.clone(),
         };
         let debugger = (beginning.0)(ground).map_err(Failure::Failed)?;
         self.simulation.engine.has_gone_on();

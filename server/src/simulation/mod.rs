@@ -18,6 +18,7 @@ mod line_map;
 pub mod messages;
 mod picture;
 mod pulse;
+mod queue;
 mod reasons;
 mod request;
 mod retention;

@@ -1,16 +1,16 @@
 //! The thread of a simulation: scans, and the commands between them.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError};
 use std::time::{Duration, Instant};
 
-use ladder_simulator::Brake;
 use tokio::sync::watch;
 
 use super::action::{Action, Answer, Pace};
 use super::debugging::Effect;
 use super::messages::{State, Status};
+use super::queue::Queue;
 use super::request::Failure;
 use super::running_program::{Detail, Simulation};
 use super::session::Command;
@@ -27,12 +27,6 @@ const SHOW: Duration = Duration::from_millis(33);
 /// The longest time between two scans: a day.
 const NEVER: Duration = Duration::from_secs(86_400);
 
-/// Stops a scan that takes long, so that the session can serve an urgent command.
-pub(super) fn brake(urgent: &Arc<AtomicUsize>, cancel: &Cancel) -> Brake {
-    let (urgent, cancel) = (urgent.clone(), cancel.clone());
-    Brake::new(move || urgent.load(Ordering::SeqCst) > 0 || cancel.is_cancelled())
-}
-
 /// A run that goes on between commands.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Going {
@@ -47,9 +41,7 @@ pub(super) struct Runner {
     pub(super) simulation: Simulation,
     pub(super) run: Option<Going>,
     pub(super) inbox: Receiver<Command>,
-    pub(super) urgent: Arc<AtomicUsize>,
-    /// How many texts wait to be followed.
-    pub(super) texts: Arc<AtomicUsize>,
+    pub(super) queue: Arc<Queue>,
     /// Whether the client has shown what it was sent last.
     pub(super) has_shown: Arc<AtomicBool>,
     /// There is something that it has not been sent yet.
@@ -120,9 +112,7 @@ impl Runner {
             reply,
         }: Command,
     ) -> Next {
-        if action.is_urgent() {
-            self.urgent.fetch_sub(1, Ordering::SeqCst);
-        }
+        self.queue.leave(&action);
         let next = if matches!(action, Action::Stop) {
             Next::Leave
         } else {
@@ -147,7 +137,10 @@ impl Runner {
                 drawn.map(Answer::DiagramText)
             }
             Action::Record(name, outputs) => {
-                let recorded = self.simulation.engine.record(&name, outputs.as_deref());
+                let engine = &mut self.simulation.engine;
+                engine.obey(self.queue.brake_of_command(&cancel));
+                let recorded = engine.record(&name, outputs.as_deref());
+                engine.obey(self.queue.brake_of_run());
                 recorded.map(Answer::Recorded)
             }
             Action::Tags(search) => Ok(Answer::Found(self.simulation.engine.search(&search))),
@@ -267,7 +260,7 @@ impl Runner {
             }
             Action::Follow(revision) => {
                 // Of several that wait the last one counts.
-                if self.texts.fetch_sub(1, Ordering::SeqCst) == 1 {
+                if !self.queue.has_text() {
                     self.follow(revision);
                 }
             }
@@ -285,9 +278,8 @@ impl Runner {
     /// Whether the program is to be checked again because other files are not as they were.
     fn concerned_by_others(&self, revision: &Revision) -> bool {
         // A text that waits goes with the other files as they are.
-        let waits = self.texts.load(Ordering::SeqCst) > 0;
         let is_newest = revision.version >= self.simulation.engine.revision().version;
-        is_newest && !waits && self.simulation.engine.uses_others()
+        is_newest && !self.queue.has_text() && self.simulation.engine.uses_others()
     }
 
     fn follow(&mut self, revision: Arc<Revision>) {
@@ -307,21 +299,20 @@ impl Runner {
         }
     }
 
-    /// Scans until done, until nobody waits for it, or until an urgent command wants to be heard. Other commands
-    /// wait: a `set` that was sent after a `step` takes effect after it.
+    /// Scans until done, until nobody waits for it, until a command that waits wants to be heard, or until it has taken too
+    /// long. A command that waits is not served meanwhile: a `set` that was sent after a `step` takes effect after it.
     fn step(&mut self, scans: u64, cancel: &Cancel) {
         if self.simulation.status != Status::Paused {
             return;
         }
         self.simulation.status = Status::Running;
-        self.simulation.engine.obey(brake(&self.urgent, cancel));
+        self.simulation.engine.obey(self.queue.brake_of_command(cancel));
         if let Some(debugger) = self.simulation.debugger() {
             debugger.resumed();
         }
         let mut reported = Instant::now();
         for _ in 0..scans {
-            let interrupted = cancel.is_cancelled() || self.urgent.load(Ordering::SeqCst) > 0;
-            if interrupted || self.simulation.status != Status::Running {
+            if self.queue.ends(cancel) || self.simulation.status != Status::Running {
                 break;
             }
             self.simulation.scan();
@@ -330,8 +321,7 @@ impl Runner {
                 reported = Instant::now();
             }
         }
-        let nobody = Cancel::default();
-        self.simulation.engine.obey(brake(&self.urgent, &nobody));
+        self.simulation.engine.obey(self.queue.brake_of_run());
         self.pause();
     }
 
@@ -371,9 +361,13 @@ impl Runner {
     /// One scan of a run.
     fn go_on(&mut self) {
         let Some(mut run) = self.run else { return };
+        self.queue.begin();
+        let before = self.simulation.engine.scans();
         self.simulation.scan();
         let now = Instant::now();
-        run.left = run.left.map(|left| left - 1);
+        // A scan that was stopped by a command that waits is begun again.
+        let done = self.simulation.engine.scans().saturating_sub(before);
+        run.left = run.left.map(|left| left.saturating_sub(done));
         // A scan that takes longer than its interval makes the simulation slow; it does not make it catch up.
         run.due = run.due.map(|(due, pace)| ((due + pace).max(now), pace));
         self.owes = true;

@@ -1,7 +1,7 @@
 //! One simulation, on a thread of its own.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Sender, channel};
 use std::time::Instant;
 
@@ -10,9 +10,10 @@ use tokio::sync::{oneshot, watch};
 use super::action::{Action, Answer, Pace};
 use super::engine::Engine;
 use super::messages::{Options, State, Status};
+use super::queue::Queue;
 use super::request::Failure;
 use super::retention::Keeping;
-use super::runner::{Runner, brake};
+use super::runner::Runner;
 use super::running_program::{Detail, Simulation};
 use crate::busy::Busy;
 use crate::cancel::Cancel;
@@ -45,10 +46,7 @@ pub(crate) struct Session {
     /// The document it runs.
     pub uri: Arc<str>,
     commands: Sender<Command>,
-    /// How many urgent commands wait.
-    urgent: Arc<AtomicUsize>,
-    /// How many texts wait to be followed.
-    texts: Arc<AtomicUsize>,
+    queue: Arc<Queue>,
     /// Whether the client has shown what it was sent last.
     has_shown: Arc<AtomicBool>,
 }
@@ -63,10 +61,10 @@ impl Session {
         running: &Busy,
     ) -> Result<(Self, Begun), Failure> {
         let (commands, inbox) = channel();
-        let urgent = Arc::<AtomicUsize>::default();
+        let queue = Queue::new();
         let uri = revision.uri.clone();
         let (mut engine, notes) = Engine::start(revision, options, keeping)?;
-        engine.obey(brake(&urgent, &Cancel::default()));
+        engine.obey(queue.brake_of_run());
         let first = engine.first_rung();
         let mut simulation = Simulation {
             id: id.clone(),
@@ -79,13 +77,11 @@ impl Session {
         };
         let (states, receiver) = watch::channel(simulation.state(Detail::Picture));
         let has_shown = Arc::new(AtomicBool::new(true));
-        let texts = Arc::<AtomicUsize>::default();
         let runner = Runner {
             simulation,
             run: None,
             inbox,
-            urgent: urgent.clone(),
-            texts: texts.clone(),
+            queue: queue.clone(),
             has_shown: has_shown.clone(),
             owes: false,
             shown: Instant::now(),
@@ -100,8 +96,7 @@ impl Session {
             id,
             uri,
             commands,
-            urgent,
-            texts,
+            queue,
             has_shown,
         };
         let begun = Begun {
@@ -116,12 +111,7 @@ impl Session {
     /// error; `cancel` stops a step before its end.
     pub(crate) fn ask(&self, action: Action, cancel: Cancel) -> oneshot::Receiver<Result<Answer, Failure>> {
         let (reply, answer) = oneshot::channel();
-        if action.is_urgent() {
-            self.urgent.fetch_add(1, Ordering::SeqCst);
-        }
-        if matches!(action, Action::Follow(_)) {
-            self.texts.fetch_add(1, Ordering::SeqCst);
-        }
+        self.queue.enter(&action);
         if matches!(action, Action::HasShown) {
             // A long step does not look at what waits.
             self.has_shown.store(true, Ordering::SeqCst);

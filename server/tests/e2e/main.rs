@@ -28,6 +28,7 @@ mod semantic_tokens;
 mod several_files;
 mod shown;
 mod simulate;
+mod storm;
 mod sync;
 mod trace;
 mod typed;

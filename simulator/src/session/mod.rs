@@ -244,7 +244,7 @@ impl Session {
     pub fn go_to(&mut self, scans: u64) -> bool {
         let now = self.simulation.scans();
         let (back, ahead) = (self.scans_behind() as u64, self.scans_ahead() as u64);
-        if scans + back < now || scans > now + ahead {
+        if scans.saturating_add(back) < now || scans > now + ahead {
             return false;
         }
         if self.simulation.is_open() {

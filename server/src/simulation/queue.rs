@@ -1,0 +1,105 @@
+//! Which commands wait for a simulation, and when what runs gives way to them.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
+
+use ladder_simulator::Brake;
+
+use super::action::Action;
+use crate::cancel::Cancel;
+
+/// What runs gives way to a command that is not urgent when it has taken this long.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// A step, or the recording of a scenario, takes this long at most: a client that has asked for a billion scans is answered.
+const LONGEST: Duration = Duration::from_secs(10);
+
+/// The commands that were sent to a simulation and are not taken up yet, and when the work under way began.
+#[derive(Debug)]
+pub(super) struct Queue {
+    /// How many urgent commands wait.
+    pub(super) urgent: Arc<AtomicUsize>,
+    /// How many texts wait to be followed.
+    texts: AtomicUsize,
+    /// How many commands wait whose senders wait for the answer.
+    awaited: AtomicUsize,
+    created: Instant,
+    /// When the work under way began, in milliseconds since `created`.
+    begun: AtomicU64,
+}
+
+impl Queue {
+    pub(super) fn new() -> Arc<Queue> {
+        Arc::new(Queue {
+            urgent: Arc::default(),
+            texts: AtomicUsize::new(0),
+            awaited: AtomicUsize::new(0),
+            created: Instant::now(),
+            begun: AtomicU64::new(0),
+        })
+    }
+
+    /// An action is sent.
+    pub(super) fn enter(&self, action: &Action) {
+        for counter in self.counters(action) {
+            counter.fetch_add(1, Ordering::SeqCst);
+        }
+    }
+
+    /// It is taken up.
+    pub(super) fn leave(&self, action: &Action) {
+        for counter in self.counters(action) {
+            counter.fetch_sub(1, Ordering::SeqCst);
+        }
+        self.begin();
+    }
+
+    fn counters(&self, action: &Action) -> impl Iterator<Item = &AtomicUsize> {
+        let urgent = action.is_urgent().then_some(&*self.urgent);
+        let text = matches!(action, Action::Follow(_)).then_some(&self.texts);
+        let awaited = action.is_awaited().then_some(&self.awaited);
+        [urgent, text, awaited].into_iter().flatten()
+    }
+
+    /// Whether a newer text waits to be followed.
+    pub(super) fn has_text(&self) -> bool {
+        self.texts.load(Ordering::SeqCst) > 0
+    }
+
+    /// A command, or a scan of a run, begins.
+    pub(super) fn begin(&self) {
+        self.begun.store(self.now(), Ordering::SeqCst);
+    }
+
+    fn now(&self) -> u64 {
+        u64::try_from(self.created.elapsed().as_millis()).unwrap_or(u64::MAX)
+    }
+
+    fn has_taken(&self, time: Duration) -> bool {
+        let begun = self.begun.load(Ordering::SeqCst);
+        u128::from(self.now().saturating_sub(begun)) >= time.as_millis()
+    }
+
+    fn is_pressing(&self) -> bool {
+        self.urgent.load(Ordering::SeqCst) > 0
+            || (self.awaited.load(Ordering::SeqCst) > 0 && self.has_taken(PATIENCE))
+    }
+
+    /// Whether a command that takes long ends early.
+    pub(super) fn ends(&self, cancel: &Cancel) -> bool {
+        cancel.is_cancelled() || self.is_pressing() || self.has_taken(LONGEST)
+    }
+
+    /// Stops a scan of a run that takes long, so that the session can serve a command.
+    pub(super) fn brake_of_run(self: &Arc<Self>) -> Brake {
+        let queue = self.clone();
+        Brake::new(move || queue.is_pressing())
+    }
+
+    /// Stops what a command does.
+    pub(super) fn brake_of_command(self: &Arc<Self>, cancel: &Cancel) -> Brake {
+        let (queue, cancel) = (self.clone(), cancel.clone());
+        Brake::new(move || queue.ends(&cancel))
+    }
+}
