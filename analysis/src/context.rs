@@ -117,9 +117,12 @@ impl Context {
             return 1;
         };
         let mut number = self.parse.lines().line_ends_above(line) as usize + 1;
-        if self.parse.lines()[line].line_ends > 0 {
+        let found = &self.parse.lines()[line];
+        let text = found.text();
+        // Nearly every line has an end at its end and no other: then its length is nothing to look through.
+        let own = u32::from(text.ends_with(['\n', '\r']));
+        if found.line_ends > own {
             let within = usize::from(offset - self.parse.line_start(line));
-            let text = self.parse.lines()[line].text().to_owned();
             number += LineIndex::new(&text).line(TextSize::new(within as u32));
         }
         number

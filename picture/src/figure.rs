@@ -1,7 +1,7 @@
 //! What a network consists of: the elements of its rungs with the room that each takes, before they have columns.
 
 use super::comment;
-use super::measure::columns;
+use super::measure::{columns, shortened};
 use super::style::LINE;
 use super::symbol::{Room, Symbol, Words};
 use ladder_analysis::networks::{BlockAt, NetworkAt};
@@ -79,9 +79,12 @@ pub(super) fn figure(network: NetworkAt<'_>, words: &Words<'_>) -> Figure {
             None => network.line(number),
         };
         let between = before..network.line(number);
-        figure
-            .above
-            .push(between.flat_map(|line| words.comments_of(line)).collect());
+        figure.above.push(
+            between
+                .flat_map(|line| words.comments_of(line))
+                .map(shortened)
+                .collect(),
+        );
         figure.rung(network, number, rung, words, &blocks, &connectors);
     }
     figure
@@ -129,7 +132,7 @@ impl Figure {
                 }
                 PartKind::Comment => {
                     let text = words.text_of(network.part_range(&words.context.parse, number, index));
-                    let text = comment::on_one_line(&text);
+                    let text = shortened(comment::on_one_line(&text));
                     if part.segment.is_none() && Some(index) > last {
                         after.push(text);
                         continue;

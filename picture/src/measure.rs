@@ -7,6 +7,23 @@ pub(super) fn columns(text: &str) -> u32 {
     ladder_format::display_width(text)
 }
 
+/// No text in a drawing takes more columns: one of a megabyte would make all lines of its network as wide.
+const MOST_COLUMNS: u32 = 1000;
+
+/// A text as it is drawn: all of it, but for one that is too long.
+pub(super) fn shortened(text: String) -> String {
+    // A character takes a column at the most for each of its bytes.
+    if text.len() <= MOST_COLUMNS as usize || columns(&text) <= MOST_COLUMNS {
+        return text;
+    }
+    let mut taken = 0;
+    let fits = |letter: &char| {
+        taken += columns(letter.encode_utf8(&mut [0; 4]));
+        taken < MOST_COLUMNS
+    };
+    text.chars().take_while(fits).chain(['…']).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::{Options, scene};
@@ -28,6 +45,13 @@ mod tests {
         let scene = scene(&analysis.context, &Options::default());
         assert!(scene.shapes.len() > operands);
         MEASURED.with(Cell::get)
+    }
+
+    #[test]
+    fn a_text_that_is_too_long_is_cut() {
+        let long = "ö".repeat(1000);
+        assert_eq!(super::shortened(long.clone()), long);
+        assert_eq!(super::shortened(long + "x"), format!("{}…", "ö".repeat(999)));
     }
 
     #[test]

@@ -3,7 +3,7 @@
 //! Contacts, coils, timers and counters are as IEC 61131-3 draws them: the tag above, the inputs in a box. A
 //! comparison of two values is a contact with the comparison in it, which keeps a rung on one line.
 
-use super::measure::columns;
+use super::measure::{columns, shortened};
 use super::style::{HALF, LINE, UNIT};
 use super::{Options, Values, comment};
 use ladder_analysis::context::Context;
@@ -200,7 +200,7 @@ impl<'c> Words<'c> {
 
     fn operand(&self, bound: BlockAt<'_>, operand: &OperandFacts) -> String {
         let text = self.text_of(bound.absolute(operand.value.range));
-        text.split_whitespace().collect::<Vec<_>>().join(" ")
+        shortened(text.split_whitespace().collect::<Vec<_>>().join(" "))
     }
 
     /// An operand with its value, if it has one.
@@ -210,7 +210,7 @@ impl<'c> Words<'c> {
         };
         let text = self.operand(bound, operand);
         let value = self.value.and_then(|value| value(&text));
-        let value = value.map(|value| format!("= {value}"));
+        let value = value.map(|value| shortened(format!("= {value}")));
         Label {
             text,
             value,
@@ -312,7 +312,7 @@ impl<'c> Words<'c> {
             } else {
                 Label::default()
             },
-            name: name.to_owned(),
+            name: shortened(name.to_owned()),
             pins,
             rows,
             names: names.unwrap_or(0),
@@ -330,9 +330,11 @@ impl<'c> Words<'c> {
                 let Meaning::User(block) = bound.meaning else {
                     return String::new();
                 };
-                self.context.user_blocks[block].parameters[*parameter]
-                    .name
-                    .clone()
+                shortened(
+                    self.context.user_blocks[block].parameters[*parameter]
+                        .name
+                        .clone(),
+                )
             }
             _ => String::new(),
         }

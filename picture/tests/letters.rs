@@ -234,3 +234,44 @@ fn odd_texts() {
         }
     }
 }
+
+/// A network whose rungs lead down to the right, as wide as it is high.
+fn staircase(rungs: usize) -> String {
+    let mut text = "+--\\--( )( y )--+\n".to_owned();
+    for _ in 0..rungs {
+        text += "   /--[ ]( a )--\\--( )( y )--+\n";
+    }
+    text + "   /--( )( y )--+\n"
+}
+
+#[test]
+fn a_network_that_is_too_large_says_so() {
+    let small = drawn(&staircase(20), 70, None);
+    assert!(small[0].lines.len() > 20);
+    let large = drawn(&staircase(3000), 70, None);
+    let lines: Vec<&str> = large[0].lines.iter().map(|line| line.text.as_str()).collect();
+    let [said] = lines[..] else {
+        panic!("{} lines", lines.len())
+    };
+    assert!(
+        said.ends_with("is too large to be drawn with characters"),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_block_with_very_many_operands_is_no_wider_than_one_with_many() {
+    // Operands after the thousandth are not read, and are one long text.
+    let text = format!("+--[ADD]( y{} )--+\n", ", a".repeat(20_000));
+    let pieces = drawn(&text, 70, None);
+    let widest = pieces[0].lines.iter().map(|line| line.text.chars().count()).max();
+    assert!(widest < Some(1200), "{widest:?}");
+}
+
+#[test]
+fn text_that_is_no_network_is_shown_as_it_is() {
+    let line = format!("+--[ ]( {} --( )( b )--+", "a".repeat(100_000));
+    let pieces = drawn(&format!("{line}\n"), 70, None);
+    assert_eq!(pieces[0].lines[0].text, line);
+    assert_eq!(pieces[0].lines[0].marks[0].characters, 0..line.len());
+}

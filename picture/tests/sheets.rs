@@ -265,3 +265,14 @@ fn networks_take_the_whole_width_of_a_page() {
         );
     }
 }
+
+#[test]
+fn a_network_of_very_many_pages_is_not_drawn() {
+    let stairs = "   /--[ ]( a )--\\--( )( y )--+\n".repeat(3000);
+    let text = format!("+--\\--( )( y )--+\n{stairs}   /--( )( y )--+\n+--[ ]( y )--( )( z )--+\n");
+    let sheets = drawn(&text, &A4);
+    assert!(sheets.len() < 10, "{} pages", sheets.len());
+    assert!(texts(&sheets[0]).contains("pages, and that of a network has at most 400."));
+    let long = format!("+--[ADD]( y{} )--+\n", ", a".repeat(20_000));
+    assert!(drawn(&long, &A4).len() < 400);
+}

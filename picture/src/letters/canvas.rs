@@ -136,7 +136,7 @@ impl Canvas {
     }
 
     /// The lines; `places` has for each of them the place that it shows, or one for all that follow, and `wires` those that
-    /// have the wire of a rung.
+    /// have the wire of a rung, in their order.
     pub(super) fn finish(self, places: &[TextSize], wires: &[usize]) -> Vec<Line> {
         let rows = self.rows.into_iter().enumerate();
         let lines = rows.map(|(row, cells)| {
@@ -176,7 +176,7 @@ impl Canvas {
                 text,
                 marks,
                 place: place.copied().unwrap_or_default(),
-                is_wire: wires.contains(&row),
+                is_wire: wires.binary_search(&row).is_ok(),
             }
         });
         lines.collect()

@@ -162,11 +162,10 @@ fn draw(
     context: &Context,
     live: Option<&Live>,
 ) -> Option<(Vec<Line>, Vec<Area>)> {
-    let mut canvas = Canvas::default();
-    match item {
-        PageItem::Comment(lines) => texts(&mut canvas, &paragraph(&lines, rail), Ink::Comment),
-        PageItem::Heading(heading) => texts(&mut canvas, &[heading], Ink::Name),
-        PageItem::Text(_, lines) => texts(&mut canvas, &lines, Ink::Text),
+    let lines = match item {
+        PageItem::Comment(lines) => texts(&paragraph(&lines, rail), Ink::Comment, range),
+        PageItem::Heading(heading) => texts(&[heading], Ink::Name, range),
+        PageItem::Text(_, lines) => texts(&lines, Ink::Text, range),
         PageItem::Section(..) => return None,
         PageItem::Network(index, mut drawn) => {
             let (figure, layout) = &mut *drawn;
@@ -182,15 +181,28 @@ fn draw(
                 rail,
                 live,
             };
-            let plan = drawing.draw(&mut canvas);
-            return Some((canvas.finish(&plan.places, &plan.wires), plan.areas));
+            let mut canvas = Canvas::default();
+            match drawing.draw(&mut canvas) {
+                Ok(plan) => return Some((canvas.finish(&plan.places, &plan.wires), plan.areas)),
+                Err(too_large) => texts(&[too_large], Ink::Text, range),
+            }
         }
-    }
-    Some((canvas.finish(&[range.start()], &[]), Vec::new()))
+    };
+    Some((lines, Vec::new()))
 }
 
-fn texts(canvas: &mut Canvas, lines: &[String], ink: Ink) {
-    for (row, line) in lines.iter().enumerate() {
-        canvas.text(row, 0, line, ink);
-    }
+/// Lines of text, each as it is.
+fn texts(lines: &[String], ink: Ink, range: TextRange) -> Vec<Line> {
+    let lines = lines.iter().map(|line| {
+        let text = line.trim_end();
+        let characters = 0..text.chars().count();
+        let marks = (!characters.is_empty()).then_some(Mark { characters, ink });
+        Line {
+            text: text.to_owned(),
+            marks: marks.into_iter().collect(),
+            place: range.start(),
+            is_wire: false,
+        }
+    });
+    lines.collect()
 }

@@ -14,6 +14,9 @@ use ladder_syntax::{Parse, TextRange, TextSize};
 /// Where a comment above a rung begins.
 const COMMENT: usize = 3;
 
+/// Cells of a drawing: each takes some tens of bytes.
+const MOST_CELLS: usize = 4_000_000;
+
 /// A network with its columns, and how it is.
 pub(super) struct Drawing<'d> {
     pub(super) parse: &'d Parse,
@@ -63,7 +66,10 @@ impl Flow {
 
 impl Drawing<'_> {
     /// Draws it; gives what is where.
-    pub(super) fn draw(&self, canvas: &mut Canvas) -> Plan {
+    ///
+    /// # Errors
+    /// It is too large, in words.
+    pub(super) fn draw(&self, canvas: &mut Canvas) -> Result<Plan, String> {
         let mut wires = Vec::new();
         let mut places = Vec::new();
         for rung in 0..self.figure.rungs.len() {
@@ -72,13 +78,26 @@ impl Drawing<'_> {
             let place = self.parse.line_range(self.network.line(rung)).start();
             places.resize(places.len() + lines.over + 1 + lines.under, place);
         }
-        self.rails(canvas, places.len());
+        let (lines, columns) = (places.len(), self.columns());
+        if lines.saturating_mul(columns) > MOST_CELLS {
+            return Err(format!(
+                "a network of {lines} lines and {columns} columns is too large to be drawn with characters"
+            ));
+        }
+        self.rails(canvas, lines);
         self.verticals(canvas, &wires);
         let mut areas = Vec::new();
         for (rung, &row) in wires.iter().enumerate() {
             self.rung(canvas, rung, row, &mut areas);
         }
-        Plan { places, wires, areas }
+        Ok(Plan { places, wires, areas })
+    }
+
+    /// How wide it is, but for comments after its rungs.
+    fn columns(&self) -> usize {
+        let things = self.layout.grid.things.iter().zip(&self.layout.columns);
+        let ends = things.map(|(thing, column)| column + thing.columns);
+        ends.chain(self.rail).max().unwrap_or(0) as usize
     }
 
     /// The lines of a rung over and under its wire.

@@ -17,6 +17,8 @@ use std::ops::Range;
 pub(super) const APART: f32 = 14.0;
 /// Pixels at the end of a wire that is cut, for its number.
 const MARK: i32 = 36;
+/// A network is cut into so many parts at most.
+const MOST_PARTS: usize = 400;
 /// Points between a network and its title.
 pub(super) const CLOSE: f32 = 3.0;
 
@@ -244,7 +246,15 @@ fn network(pages: &mut Pages, scene: &Scene, block: &Block, label: Label, title:
         whole.top..whole.bottom,
         (room / scale) as i32,
     );
-    if next_to.len() == 1 && below.len() == 1 {
+    let parts = next_to.len().saturating_mul(below.len());
+    if parts > MOST_PARTS {
+        let said =
+            format!("Its drawing would take {parts} pages, and that of a network has at most {MOST_PARTS}.");
+        head.push(text(pages, Look::Text, &said, CLOSE));
+        place_in_order(pages, head);
+        return;
+    }
+    if parts == 1 {
         head.push(Strip {
             shapes: shapes.to_vec(),
             window: whole,

@@ -1,5 +1,6 @@
 //! What a simulation reports about its past, and where it stops.
 
+use ladder_analysis::values::types::Scalar;
 use ladder_simulator::scenario::{self, Wanted};
 use ladder_simulator::{Breakpoint, Hit, value_text};
 
@@ -9,14 +10,34 @@ use super::request::Failure;
 use super::value::to_json;
 use crate::document::position::Range;
 
+/// An answer holds this many values of the past at most, a long text counted as several.
+const MOST_VALUES: u64 = 200_000;
+
+/// For how many values one of a type counts.
+fn size(ty: Scalar) -> u64 {
+    match ty {
+        Scalar::String(most) => 1 + u64::from(most) / 64,
+        _ => 1,
+    }
+}
+
 impl Engine {
-    /// What tags held after each of the last scans.
+    /// What tags held after each of the last scans; refused if that is more than an answer should hold.
     pub(super) fn past(&self, tags: &[String], scans: u64) -> Result<messages::History, Failure> {
         let simulation = self.session.simulation();
         let points = tags
             .iter()
             .map(|tag| point(simulation, tag))
             .collect::<Result<Vec<_>, _>>()?;
+        let kept = (self.behind() as u64 + 1).min(scans);
+        let of_scan: u64 = points.iter().map(|point| size(point.ty)).sum();
+        if kept.saturating_mul(of_scan) > MOST_VALUES {
+            return Err(Failure::Invalid(format!(
+                "the values of {} tags in {kept} scans are too many for an answer; ask for fewer tags, or the last {} scans",
+                points.len(),
+                MOST_VALUES / of_scan
+            )));
+        }
         let past = self
             .session
             .past(&points, usize::try_from(scans).unwrap_or(usize::MAX));

@@ -284,3 +284,26 @@ async fn a_warm_restart_keeps_what_is_retentive() {
     );
     client.finish().await;
 }
+
+#[tokio::test]
+async fn no_answer_holds_more_of_the_past_than_a_client_can_take() {
+    let mut client = Client::new().await;
+    client.open("+--[ ]( a )--( )( b )--+\n").await;
+    let answer = client.simulate("start", json!({"uri": URI})).await.unwrap();
+    let session = &answer["session"];
+    client
+        .simulate("step", json!({"session": session, "scans": 300}))
+        .await
+        .unwrap();
+    let many = vec!["a"; 1000];
+    let asked = json!({"session": session, "tags": many, "scans": u64::MAX});
+    let (_, refused) = client.simulate("history", asked).await.unwrap_err();
+    assert!(
+        refused.contains("1000 tags in 301 scans") && refused.contains("the last 200 scans"),
+        "{refused}"
+    );
+    let asked = json!({"session": session, "tags": many, "scans": 200});
+    let past = client.simulate("history", asked).await.unwrap();
+    assert_eq!(past["tags"][999]["values"].as_array().unwrap().len(), 200);
+    client.finish().await;
+}

@@ -14,6 +14,7 @@ mod conditions;
 mod controller;
 mod cycles;
 mod data;
+mod expansion;
 mod expression;
 mod flow;
 mod formula;
@@ -44,7 +45,7 @@ use crate::retain::{Retained, kept_tags, retained};
 use crate::work;
 use call_graph::Cycles;
 use flow::Region;
-use ladder_analysis::program::{Program, TagId};
+use ladder_analysis::program::{Location, Program, TagId};
 use ladder_instructions::Semantics;
 pub(crate) use ports::{CHANNELS, Ports};
 use std::collections::HashMap;
@@ -77,6 +78,15 @@ pub(crate) struct Compiled {
 /// More code than this is refused: user-defined blocks inside blocks can multiply without end.
 const MOST_INSTRUCTIONS: usize = 1 << 24;
 
+fn too_large(location: Location) -> CompileError {
+    CompileError {
+        message:
+            "the program takes more memory than the simulator has; user-defined blocks inside blocks multiply"
+                .into(),
+        location,
+    }
+}
+
 type Result<T> = std::result::Result<T, CompileError>;
 
 /// Compiles a program that is to run a scan in each interval, in nanoseconds. Each file's blocks are compiled for its
@@ -88,6 +98,7 @@ pub(crate) fn compile(program: &Program, interval: i64) -> Result<Compiled> {
             location: disagreement.location,
         });
     }
+    expansion::check(program)?;
     let mut layout = Layout::new();
     let homes = program
         .tags

@@ -1,8 +1,7 @@
 //! One network, step by step: where power begins, where wires meet, and the blocks between.
 
-use super::{Compiler, MOST_INSTRUCTIONS, Result, flow};
+use super::{Compiler, MOST_INSTRUCTIONS, Result, flow, too_large};
 use crate::code::{BlockPlace, ElementPlace, Instr, NetworkPlace};
-use crate::compile_error::CompileError;
 use crate::memory::Bit;
 use crate::places::BlockAt;
 use ladder_analysis::program::{Block, BlockKind, Location, Step};
@@ -63,12 +62,7 @@ impl Compiler<'_> {
         self.powers = outer;
         self.semantics = outer_semantics;
         if self.layout.is_too_large() || self.code.instrs.len() > MOST_INSTRUCTIONS {
-            return Err(CompileError {
-                message: "the program takes more memory than the simulator has; user-defined blocks inside \
-                          blocks multiply"
-                    .into(),
-                location: network.location,
-            });
+            return Err(too_large(network.location));
         }
         Ok(())
     }

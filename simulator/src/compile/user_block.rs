@@ -15,7 +15,7 @@ use ladder_analysis::values::value::Value;
 use ladder_instructions::{Op, Shape};
 
 /// Blocks inside blocks; compiling them nests as deep.
-const DEEPEST: usize = 100;
+pub(super) const DEEPEST: usize = 100;
 
 impl Compiler<'_> {
     /// A user-defined block; its power is what the body leaves in ENO.

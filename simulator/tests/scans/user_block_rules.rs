@@ -3,6 +3,7 @@
 use crate::support::check;
 use expect_test::expect;
 use ladder_analysis::analyze;
+use ladder_simulator::{Options, Simulation};
 use std::sync::Arc;
 
 /// The rules that find something wrong in a text.
@@ -290,4 +291,26 @@ fn fun_in_the_body_of_a_function_shape_defines_a_function_of_the_workspace() {
         x  _
     "#]],
     );
+}
+
+#[test]
+fn blocks_that_multiply_are_counted_before_they_are_compiled() {
+    let refused = |levels: usize| {
+        let mut text = "FUNCTION_BLOCK [$B0]\n+--[ ]( EN )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n".to_owned();
+        for level in 1..=levels {
+            let inner = level - 1;
+            text +=
+                &format!("FUNCTION_BLOCK [$B{level}]\n+--[$B{inner}]--[$B{inner}]--+\nEND_FUNCTION_BLOCK\n");
+        }
+        text += &format!("+--[$B{levels}]--+\n");
+        let analysis = analyze(&Arc::new(ladder_syntax::parse(&text)), "test.clad");
+        let program = analysis.program().expect("no errors").clone();
+        let made = Simulation::new(program, Options::default());
+        made.err().map(|error| error.message)
+    };
+    assert_eq!(refused(10), None);
+    for levels in [20, 64, 99] {
+        let message = refused(levels).expect("it is too large");
+        assert!(message.contains("blocks inside blocks multiply"), "{message}");
+    }
 }
