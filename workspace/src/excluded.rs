@@ -19,7 +19,7 @@ pub fn is_excluded(file: &Path) -> bool {
 }
 
 /// The nearest file that says something about it decides.
-fn is_ignored(file: &Path) -> bool {
+pub(crate) fn is_ignored(file: &Path) -> bool {
     for folder in file.ancestors().skip(1) {
         // What cannot be read says nothing, as in a search.
         if ignore_files(folder).is_err() {

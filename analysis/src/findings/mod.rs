@@ -30,6 +30,12 @@ pub struct Finding {
 }
 
 impl Finding {
+    /// Whether it names a place in a file, another one than its own.
+    pub fn relates_to(&self, file: &str) -> bool {
+        let mut related = self.found.related.iter();
+        related.any(|related| related.file.as_deref() == Some(file))
+    }
+
     /// One whose places count from `start`.
     pub(crate) fn new(found: &Arc<Diagnostic>, start: TextSize) -> Finding {
         Finding {

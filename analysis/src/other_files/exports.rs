@@ -125,6 +125,19 @@ impl Exports {
         self.offers_the_same(other) && self.outward == other.outward
     }
 
+    /// Whether what they see of it lies at the same places, where they see the same.
+    pub fn lies_the_same(&self, other: &Exports) -> bool {
+        let places = |exports: &Exports| {
+            let functions = exports.functions.iter().map(|function| function.at);
+            let blocks = exports.blocks.iter().map(|block| block.facts.at);
+            let globals = exports.globals.iter().map(|global| global.at);
+            let states = exports.states.iter().map(|(_, at)| *at);
+            let all = functions.chain(blocks).chain(globals).chain(states);
+            all.collect::<Vec<_>>()
+        };
+        places(self) == places(other)
+    }
+
     /// Whether the same functions, blocks, tags and states are seen, whatever the file does with those of others.
     pub(crate) fn offers_the_same(&self, other: &Exports) -> bool {
         fn same<T>(a: &[T], b: &[T], equal: impl Fn(&T, &T) -> bool) -> bool {

@@ -70,6 +70,18 @@ impl Exported {
             || (!self.globals.is_empty() && old.differing_tags(new).any(is_global))
     }
 
+    /// Whether a file that says this from now on was read without knowing what the others do with it: calls and uses are
+    /// entered for names that some file offers, and it is the first that offers these.
+    pub fn did_not_know(&self, after: &Exports) -> bool {
+        let others = || self.files.iter().filter(|other| other.file != after.file);
+        let new_functions = after.functions.iter().map(|function| &function.key);
+        let mut new_functions = new_functions.filter(|key| !self.functions.contains_key(*key));
+        let new_globals = after.globals.iter().map(|global| &global.key);
+        let mut new_globals = new_globals.filter(|key| !self.globals.contains_key(*key));
+        new_functions.any(|key| others().any(|other| other.outward.calls.contains(key)))
+            || new_globals.any(|key| others().any(|other| other.outward.tags.contains_key(key)))
+    }
+
     /// The files.
     pub fn files(&self) -> &[Arc<Exports>] {
         &self.files

@@ -45,6 +45,10 @@ pub(super) struct Folder {
     unknown: HashSet<PathBuf>,
     /// What its files show to each other. Nothing if that has changed since it was asked for.
     pub(super) exported: Option<Arc<Exported>>,
+    /// The workspace, as its folder was found.
+    found: Option<Root>,
+    /// Of files that an editor shows whether they belong to the workspace.
+    held: HashMap<PathBuf, bool>,
     /// How often what an open file shows has become something else.
     pub(super) changes: u64,
 }
@@ -66,6 +70,8 @@ impl Folder {
             open: HashMap::new(),
             unknown: HashSet::new(),
             exported: None,
+            found: None,
+            held: HashMap::new(),
             changes: 0,
         };
         let Ok(found) = Root::of(path) else {
@@ -81,6 +87,7 @@ impl Folder {
         }
         let mut programs = found.programs(&folder.settings.files);
         programs.retain(|path| folder.settings.files.contain(path));
+        folder.found = Some(found);
         folder.unknown = programs
             .iter()
             .filter(|path| shown.contains(path))
@@ -97,6 +104,14 @@ impl Folder {
         .into_iter()
         .collect();
         folder
+    }
+
+    /// Whether a file is one of the workspace. One that is hidden or excluded is a guest: it sees the others, and they do not
+    /// see it.
+    pub(super) fn holds(&mut self, path: &Path) -> bool {
+        let (found, files) = (&self.found, &self.settings.files);
+        let holds = || found.as_ref().is_some_and(|found| found.holds(path, files));
+        *self.held.entry(path.to_owned()).or_insert_with(holds)
     }
 
     /// How its files were when they were read.
@@ -117,8 +132,10 @@ impl Folder {
 
     /// Takes a file as it is on disk now. One that an editor shows is not read: what its editor shows counts.
     pub(super) fn reread(&mut self, root: &Path, path: &Path) {
+        self.held.remove(path);
+        let holds = self.holds(path);
         let shown = self.disk.get(path).filter(|_| self.open.contains_key(path));
-        let file = if !self.settings.files.contain(path) {
+        let file = if !holds {
             None
         } else if let Some(shown) = shown {
             Some(shown.without_text(Stamp::of(path))).filter(|file| file.stamp.exists())
@@ -157,20 +174,21 @@ impl Folder {
     }
 
     fn exported(&mut self) -> &Arc<Exported> {
-        let (disk, open) = (&self.disk, &self.open);
+        let (disk, open, held) = (&self.disk, &self.open, &self.held);
         self.exported.get_or_insert_with(|| {
             let mut all: BTreeMap<&Path, &Arc<Exports>> =
                 disk.iter().map(|(path, file)| (&**path, &file.exports)).collect();
-            all.extend(open.iter().map(|(path, open)| (&**path, &open.exports)));
+            let open = open.iter().filter(|(path, _)| held.get(*path) != Some(&false));
+            all.extend(open.map(|(path, open)| (&**path, &open.exports)));
             Arc::new(Exported::new(all.into_values().cloned().collect()))
         })
     }
 }
 
-/// Whether the others see the same of a file before and after a change.
+/// Whether the others see the same of a file before and after a change on disk, at the same places.
 pub(super) fn same(a: Option<&Exports>, b: Option<&Exports>) -> bool {
     match (a, b) {
-        (Some(a), Some(b)) => a.says_the_same(b),
+        (Some(a), Some(b)) => a.says_the_same(b) && a.lies_the_same(b),
         (None, None) => true,
         _ => false,
     }

@@ -56,6 +56,8 @@ pub(crate) struct Affected {
     pub(crate) for_others: bool,
     /// The file itself: others have changed since it was read, when they could not know that it concerns it.
     pub(crate) for_itself: bool,
+    /// The same is seen at other places.
+    pub(crate) moved: bool,
 }
 impl Neighbours {
     /// What a file is called in messages, and what it sees of the others.
@@ -78,11 +80,18 @@ impl Neighbours {
         let exports = Arc::new(Exports::of(&analysis.context, &analysis.context.name));
         let mut state = self.lock();
         let (root, folder) = state.folder(path);
-        let changed = match folder.shown(path).cloned() {
-            Some(before) => folder.exported_for(&root, path).concerns(&before, &exports),
+        let is_guest = !folder.holds(path);
+        let before = folder.shown(path).cloned();
+        let exported = folder.exported_for(&root, path);
+        let did_not_know = !is_guest && exported.did_not_know(&exports);
+        let concerns = match &before {
+            Some(before) => exported.concerns(before, &exports),
             None => true,
         };
-        let for_itself = changed && read_at.is_some_and(|read_at| read_at != folder.changes);
+        let changed = concerns && !is_guest;
+        let moved = before.is_some_and(|before| !before.lies_the_same(&exports)) && !is_guest;
+        let for_itself =
+            did_not_know || (concerns && read_at.is_some_and(|read_at| read_at != folder.changes));
         let shown = folder.shown(path);
         if !shown.is_some_and(|before| before.says_the_same(&exports)) {
             folder.changes += 1;
@@ -98,7 +107,13 @@ impl Neighbours {
         Affected {
             for_others: changed,
             for_itself,
+            moved,
         }
+    }
+
+    /// What the others see of a file lies at other places now, and one of them names one.
+    pub(crate) fn places_moved(&self, path: &Path) {
+        self.lock().folder(path).1.exported = None;
     }
 
     /// An editor shows a file from now on: its text on disk does not count. Reads nothing, and waits for nobody who does.
@@ -112,9 +127,10 @@ impl Neighbours {
         let mut state = self.lock();
         let (root, folder) = state.folder(path);
         let before = folder.open.remove(path).map(|open| open.exports);
+        let was_guest = !folder.holds(path);
         folder.reread(&root, path);
         folder.exported = None;
-        !same(before.as_deref(), folder.shown(path).map(|exports| &**exports))
+        !was_guest && !same(before.as_deref(), folder.shown(path).map(|exports| &**exports))
     }
 
     /// Files were changed, made or removed. True if any file sees something else now.

@@ -288,6 +288,16 @@ impl Revision {
         }
     }
 
+    /// Whether a finding that is known of it names a place in a file.
+    pub(crate) fn relates_to(&self, file: &str) -> bool {
+        let mut findings = self
+            .analysis
+            .get()
+            .into_iter()
+            .flat_map(|known| known.whole().findings());
+        findings.any(|found| found.relates_to(file))
+    }
+
     /// Where the file lies, if it is one.
     pub(crate) fn place(&self) -> Option<&Membership> {
         self.place.as_ref()

@@ -198,7 +198,7 @@ async fn a_hover_tells_of_the_other_files() {
     let text = hover["contents"]["value"].as_str().unwrap();
     assert!(text.contains("Read in this file: line [1]("), "{text}");
     assert!(
-        text.ends_with("In library.clad: written once, read once"),
+        text.ends_with("In `library.clad`: written once, read once"),
         "{text}"
     );
     client.finish().await;
@@ -279,4 +279,94 @@ async fn what_is_inside_of_another_file_goes_into_what_runs() {
     changed(&mut client, 3).await;
     assert_eq!(total_after_a_scan(&mut client, &session).await, 112);
     client.finish().await;
+}
+
+/// A program with a function that nothing in it calls.
+const UNCALLED: &str = "+--[ ]( a )--( )( y )--+\n+--<FUN>( count )--( )( z )--+\n";
+
+#[tokio::test]
+async fn a_call_in_a_file_that_is_read_later_counts() {
+    let plant = Plant::with(&[
+        ("ladder.toml", ""),
+        ("a.clad", UNCALLED),
+        ("b.clad", "+--[ ]( a )--<CALL>( count )--+\n"),
+    ]);
+    // At once after the start, while the folder is read in the background.
+    let root = plant.uri("").trim_end_matches('/').to_owned();
+    let mut client = Client::begun(json!({"processId": null, "rootUri": root, "capabilities": {}})).await;
+    let a = plant.uri("a.clad");
+    client.open_as(&a, 1, UNCALLED).await;
+    while published(&mut client, &a)
+        .await
+        .contains(&"unused-function".to_owned())
+    {}
+    // Typed, where another file calls it already.
+    replace(&mut client, &a, 2, &UNCALLED.replace("count", "other")).await;
+    while !published(&mut client, &a)
+        .await
+        .contains(&"unused-function".to_owned())
+    {}
+    replace(&mut client, &a, 3, UNCALLED).await;
+    while published(&mut client, &a)
+        .await
+        .contains(&"unused-function".to_owned())
+    {}
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn a_place_in_another_file_moves_with_its_text() {
+    let global = |ty: &str| format!("VAR_GLOBAL total : {ty}; END_VAR\n+--[ ]( a )--( )( y )--+\n");
+    let plant = Plant::with(&[("a.clad", &global("DINT")), ("b.clad", &global("INT"))]);
+    let mut client = Client::new().await;
+    let (a, b) = (plant.uri("a.clad"), plant.uri("b.clad"));
+    client.open_as(&a, 1, &global("DINT")).await;
+    client.open_as(&b, 1, &global("INT")).await;
+    let named = |it: &Value, line: u64| {
+        let all = it["diagnostics"].as_array().unwrap();
+        let related = all
+            .iter()
+            .flat_map(|found| found["relatedInformation"].as_array());
+        let mut related = related.flatten();
+        related.any(|place| place["location"]["range"]["start"]["line"] == line)
+    };
+    client
+        .notification("textDocument/publishDiagnostics", |it| {
+            (it["uri"] == a || it["uri"] == b) && named(it, 0)
+        })
+        .await;
+    for (uri, ty) in [(&a, "DINT"), (&b, "INT")] {
+        replace(&mut client, uri, 2, &format!("\n\n\n{}", global(ty))).await;
+    }
+    client
+        .notification("textDocument/publishDiagnostics", |it| {
+            (it["uri"] == a || it["uri"] == b) && named(it, 3)
+        })
+        .await;
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn a_hidden_file_is_seen_by_no_other() {
+    let block = "FUNCTION_BLOCK [$Hidden]\n+--[ ]( EN )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n";
+    let user = "+--[$Hidden]--( )( y )--+\n";
+    for settings in [&[("ladder.toml", "")][..], &[]] {
+        let plant = Plant::with(&[&[(".h.clad", block), ("a.clad", user)], settings].concat());
+        let mut client = Client::new().await;
+        let (hidden, a) = (plant.uri(".h.clad"), plant.uri("a.clad"));
+        client.open_as(&a, 1, user).await;
+        assert_eq!(published(&mut client, &a).await, ["unknown-block"]);
+        client.open_as(&hidden, 1, block).await;
+        published(&mut client, &hidden).await;
+        replace(&mut client, &a, 2, &format!("{user}\n")).await;
+        assert_eq!(published(&mut client, &a).await, ["unknown-block"]);
+        client
+            .notify("textDocument/didClose", json!({"textDocument": {"uri": hidden}}))
+            .await;
+        watched(&mut client, &hidden).await;
+        published(&mut client, &hidden).await;
+        replace(&mut client, &a, 3, user).await;
+        assert_eq!(published(&mut client, &a).await, ["unknown-block"]);
+        client.finish().await;
+    }
 }

@@ -5,6 +5,7 @@ mod walk;
 pub(crate) use walk::{ignore_files, is_own_file};
 
 use crate::error::{FileError, Problem};
+use crate::excluded::is_ignored;
 use crate::named;
 use crate::root::{Root, SETTINGS_FILE};
 use crate::settings::{Files, Settings};
@@ -77,30 +78,36 @@ impl Root {
     pub fn programs(&self, files: &Files) -> Vec<PathBuf> {
         match self {
             Root::Settings(folder) => {
-                let mut programs = programs_below(folder);
+                let mut programs = programs_below(folder, None);
                 programs.retain(|program| files.contain(program));
                 programs
             }
             Root::Folder(folder) => {
-                let mut programs: Vec<PathBuf> = std::fs::read_dir(folder)
-                    .into_iter()
-                    .flatten()
-                    .filter_map(|entry| Some(entry.ok()?.path()))
-                    .filter(|path| is_program(path) && is_own_file(folder, path))
-                    .collect();
-                programs.sort();
+                let mut programs = programs_below(folder, Some(1));
+                programs.retain(|path| path.parent() == Some(folder));
                 programs
             }
         }
     }
+
+    /// Whether a program is one of the workspace: it is not hidden, nor excluded. It need not be there.
+    pub fn holds(&self, program: &Path, files: &Files) -> bool {
+        let Ok(below) = program.strip_prefix(self.folder()) else {
+            return false;
+        };
+        let mut parts = below.components();
+        let is_hidden = parts.any(|part| part.as_os_str().as_encoded_bytes().starts_with(b"."));
+        !is_hidden && files.contain(program) && !is_ignored(program)
+    }
 }
 
-/// The programs of one workspace: those below its folder, but not those below another settings file.
-pub(crate) fn programs_below(root: &Path) -> Vec<PathBuf> {
-    let Ok(walk) = Walker::below(root, |entry| !entry.path().join(SETTINGS_FILE).is_file()) else {
+/// The programs of one workspace, sorted: those below its folder, as deep as that, but not those below another settings file.
+pub(crate) fn programs_below(root: &Path, depth: Option<usize>) -> Vec<PathBuf> {
+    let Ok(mut walk) = Walker::below(root, |entry| !entry.path().join(SETTINGS_FILE).is_file()) else {
         return Vec::new();
     };
     walk.builder
+        .max_depth(depth)
         .build()
         .filter_map(Result::ok)
         .map(ignore::DirEntry::into_path)

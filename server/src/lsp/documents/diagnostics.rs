@@ -76,6 +76,9 @@ fn tell_others(shared: &Arc<Shared>, revision: &Revision) {
         if affected.for_others {
             refresh_others(shared, &[&place.path], Some(&revision.uri));
         }
+        if affected.moved && !affected.for_others {
+            refresh_related(shared, revision);
+        }
         if affected.for_itself {
             look_again(shared, &revision.uri);
         }
@@ -96,6 +99,24 @@ fn refresh_others(shared: &Arc<Shared>, paths: &[impl AsRef<Path>], but: Option<
         if next_to && Some(&*other.uri) != but {
             look_again(shared, &other.uri);
         }
+    }
+    pull::refresh(shared);
+}
+
+/// Looks once more at the open documents whose findings name places in a file: they are others now.
+fn refresh_related(shared: &Arc<Shared>, revision: &Revision) {
+    let (Some(place), Some(names)) = (revision.place(), revision.names()) else {
+        return;
+    };
+    let file = &names.context().name;
+    let all = shared.documents.all();
+    let related: Vec<_> = all.iter().filter(|other| other.relates_to(file)).collect();
+    if related.is_empty() {
+        return;
+    }
+    shared.neighbours.places_moved(&place.path);
+    for other in related {
+        look_again(shared, &other.uri);
     }
     pull::refresh(shared);
 }
