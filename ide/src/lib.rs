@@ -19,6 +19,7 @@ mod jumps;
 mod lens;
 mod links;
 mod locate;
+pub mod markdown;
 mod neighbour;
 mod on_type;
 mod outline;

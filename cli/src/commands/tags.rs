@@ -140,9 +140,20 @@ fn csv(entries: &[TagEntry], out: &mut Stdout) -> io::Result<()> {
             places.join(" ")
         }));
         cells.push(entry.comment.clone());
-        table.write_record(cells.iter().map(|cell| shown::line(cell).into_owned()))?;
+        table.write_record(cells.iter().map(|cell| for_spreadsheet(cell)))?;
     }
     table.flush()
+}
+
+/// A cell that is shown as it is: a spreadsheet takes what begins like a formula for one, and runs it.
+fn for_spreadsheet(cell: &str) -> String {
+    let line = shown::line(cell);
+    let is_formula = line.trim_start().starts_with(['=', '+', '-', '@']);
+    if is_formula {
+        format!("'{line}")
+    } else {
+        line.into_owned()
+    }
 }
 
 #[derive(Serialize)]

@@ -11,7 +11,7 @@ pub(crate) use made::SOFTWARE;
 use crate::outcome::Failure;
 use crate::terminal::Stdout;
 use ladder_workspace::{Replacement, shown};
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 
 /// The output of a run.
@@ -34,6 +34,11 @@ impl Output {
     /// Whether it is a file, and not what a person or a log sees.
     pub(crate) fn is_file(&self) -> bool {
         matches!(self, Output::File(_))
+    }
+
+    /// Whether a person sees it at once: what is sent on is a file in the end.
+    pub(crate) fn is_on_screen(&self) -> bool {
+        matches!(self, Output::Stdout(_)) && io::stdout().is_terminal()
     }
 
     /// Writes a text that others wrote parts of: into a file as it is, on stdout with what a terminal would interpret escaped.

@@ -78,3 +78,14 @@ fn for_other_programs() {
     let tags: serde_json::Value = serde_json::from_str(json).unwrap();
     expect![[r#"{"comment":"","declared":6,"kind":"output","places":[{"does":"set","line":12,"network":1},{"does":"reset","line":13,"network":2},{"does":"read","line":14,"network":3}],"tag":"lamp","type":"BOOL"}"#]].assert_eq(&tags[0].to_string());
 }
+
+#[test]
+fn no_cell_is_a_formula() {
+    let folder = Folder::with(&[(
+        "h.clad",
+        "VAR_INPUT\n    a : BOOL;  # =cmd|' /C calc'!A0 #\n    b : BOOL;  # a = b #\nEND_VAR\n+--[ ]( a )--[ ]( b )--( )( y )--+\n",
+    )]);
+    let run = folder.ladder(&["tags", "h.clad", "--format", "csv"]);
+    assert!(run.stdout.contains(",'=cmd|' /C calc'!A0\n"), "{run}");
+    assert!(run.stdout.contains(",a = b\n"), "{run}");
+}

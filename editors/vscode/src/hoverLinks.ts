@@ -1,4 +1,5 @@
 // What can be done with the tags under the pointer, as links below what the server says of them.
+import { escaped } from './markdown.ts';
 import type { Tag } from './protocol.ts';
 
 /** The commands that the links may run. */
@@ -28,7 +29,7 @@ export function hoverLinks(tags: readonly Tag[]): string {
             links.push(tag.forced ? link('Release', 'ladder.simulation.unforce', tag) : link('Force', 'ladder.simulation.force', tag));
         }
         links.push(link('Why?', 'ladder.simulation.why', tag), link('Trace', 'ladder.trace.add', tag));
-        return `\`${tag.name}\` = ${tag.text.replace(/[\\`*_{}[\]()#+.!|<>-]/g, '\\$&')}: ${links.join(' · ')}`;
+        return `\`${tag.name}\` = ${escaped(tag.text)}: ${links.join(' · ')}`;
     });
     return lines.join('\n\n');
 }

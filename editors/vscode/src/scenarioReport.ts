@@ -2,6 +2,7 @@
 import * as vscode from 'vscode';
 
 import { whole } from './diskText.ts';
+import { escaped, fenced } from './markdown.ts';
 import { unitsBefore, type FileResult, type ScenarioResult } from './scenarioResults.ts';
 
 /** What came of one scenario. */
@@ -29,7 +30,7 @@ export function report(
     const [first, ...others] = scenario.differences;
     // The first line is next to the row, too; the drawing has it at its end.
     const sentence = first?.message ?? 'A fault stopped the program.';
-    const drawn = new vscode.TestMessage(new vscode.MarkdownString(`${sentence}\n\n\`\`\`text\n${scenario.diagram ?? ''}\n\`\`\``));
+    const drawn = new vscode.TestMessage(new vscode.MarkdownString(`${escaped(sentence)}\n\n${fenced(scenario.diagram ?? '')}`));
     const at = (line: number, column: number) =>
         item.uri && new vscode.Location(item.uri, new vscode.Position(line - 1, unitsBefore(lines[line - 1] ?? '', column)));
     const place = first ? at(first.line, first.column) : item.uri && item.range && new vscode.Location(item.uri, item.range.start);

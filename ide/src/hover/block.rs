@@ -1,6 +1,7 @@
 //! Hover on a block's first part: the instruction's card, or the user-defined block's parameters.
 
 use super::Hover;
+use crate::markdown;
 use ladder_analysis::context::Context;
 use ladder_analysis::networks::BlockAt;
 use ladder_analysis::networks::network::Meaning;
@@ -70,7 +71,10 @@ pub(crate) fn user_block_card(block: &UserBlockFacts) -> String {
         "```clad\n{open}{}{close}( {} )\n```\n**User-defined block**{}\n\n",
         block.name,
         names.join(", "),
-        block.file().map(|file| format!(" in {file}")).unwrap_or_default(),
+        block
+            .file()
+            .map(|file| format!(" in {}", markdown::code(file)))
+            .unwrap_or_default(),
     );
     for parameter in &block.parameters {
         let way = match parameter.kind {

@@ -3,6 +3,7 @@
 use super::Hover;
 use super::uses::{self, line_link};
 use crate::locate::{OnRung, node_at};
+use crate::markdown;
 use ladder_analysis::context::{Callee, Context};
 use ladder_analysis::names::scope::{Origin, TagFacts};
 use ladder_analysis::networks::BlockAt;
@@ -79,7 +80,7 @@ fn describe(
                     Callee::Other(import) => {
                         return Some(format!(
                             "```clad\n<FUN>( {name} )\n```\nFunction in {}",
-                            import.file
+                            markdown::code(&import.file)
                         ));
                     }
                 };
@@ -142,7 +143,7 @@ pub(crate) fn tag_card(context: &Context, tag: &TagFacts, here: Option<TextSize>
         Role::Internal => "internal tag",
     };
     let origin = match (tag.origin, &tag.cold.foreign) {
-        (_, Some(file)) => format!("declared in VAR_GLOBAL in {file}"),
+        (_, Some(file)) => format!("declared in VAR_GLOBAL in {}", markdown::code(file)),
         (Origin::Declared(section), None) => format!(
             "declared in {} on line {}",
             section.keyword(),

@@ -1,5 +1,6 @@
 //! What other files of the workspace do with the thing under the pointer.
 
+use crate::markdown::code;
 use crate::neighbour::Workspace;
 use crate::symbol::{Found, Usage, find, in_files_of, occurrences};
 use ladder_analysis::context::Context;
@@ -47,7 +48,7 @@ pub fn used_in_other_files(context: &Context, offset: TextSize, workspace: &dyn 
                     count => format!("{verb} {count} times"),
                 })
                 .collect();
-            format!("In {file}: {}", said.join(", "))
+            format!("In {}: {}", code(&file), said.join(", "))
         })
         .collect();
     if more > 0 {
@@ -77,8 +78,8 @@ mod tests {
         check(
             &format!("%% main.clad\n+--[GT]( to$0tal, 3 )--( )( own )--+\n{PLANT}"),
             expect![[r#"
-                In library.clad: written once, read 2 times  
-                In reset.clad: written once
+                In `library.clad`: written once, read 2 times  
+                In `reset.clad`: written once
             "#]],
         );
         check(
@@ -90,7 +91,7 @@ mod tests {
         check(
             &format!("%% main.clad\n+--<CALL>( co$0unt )--+\n{PLANT}"),
             expect![[r#"
-                In reset.clad: used once
+                In `reset.clad`: used once
             "#]],
         );
         check(

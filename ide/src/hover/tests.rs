@@ -317,7 +317,7 @@ fn names_of_other_files() {
         ```clad
         <FUN>( count )
         ```
-        Function in library.clad
+        Function in `library.clad`
 
         ---
 
@@ -326,7 +326,7 @@ fn names_of_other_files() {
         ```clad
         [$Hold]( raw )
         ```
-        **User-defined block** in library.clad
+        **User-defined block** in `library.clad`
 
         - `raw`: BOOL, input
         ====
@@ -344,7 +344,7 @@ fn names_of_other_files() {
         ```clad
         total : DINT
         ```
-        Internal tag (declared in VAR_GLOBAL in library.clad)  
+        Internal tag (declared in VAR_GLOBAL in `library.clad`)  
         Written in this file: nowhere  
         Read in this file: line [1](#L1)
 

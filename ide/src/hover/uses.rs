@@ -1,6 +1,7 @@
 //! Who writes and who reads a tag: the lines, and a few of the rungs.
 
 use crate::body::line_text;
+use crate::markdown;
 use ladder_analysis::AccessKind;
 use ladder_analysis::context::Context;
 use ladder_analysis::names::scope::{Origin, SectionKind, TagFacts};
@@ -47,7 +48,7 @@ pub(super) fn card(context: &Context, tag: &TagFacts, here: Option<TextSize>) ->
     }
     let rungs = rungs(context, tag, here);
     if !rungs.is_empty() {
-        let _ = write!(card, "\n\n```clad\n{}\n```", rungs.join("\n"));
+        let _ = write!(card, "\n\n{}", markdown::drawing("clad", &rungs.join("\n")));
     }
     card
 }

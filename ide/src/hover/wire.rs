@@ -2,6 +2,7 @@
 
 use super::Hover;
 use crate::locate::OnRung;
+use crate::markdown;
 use ladder_analysis::context::Context;
 use ladder_analysis::formulas;
 use ladder_syntax::wiring::PartKind;
@@ -21,7 +22,7 @@ pub(super) fn hover(context: &Context, place: &OnRung<'_>) -> Option<Hover> {
     }
     if !effects.is_empty() {
         let gap = if markdown.is_empty() { "" } else { "\n\n" };
-        markdown = format!("{markdown}{gap}```text\n{effects}\n```");
+        markdown = format!("{markdown}{gap}{}", markdown::drawing("text", &effects));
     }
     Some(Hover {
         range: network.part_range(&context.parse, place.rung, place.part),
@@ -40,7 +41,7 @@ pub(super) fn power(context: &Context, place: &OnRung<'_>) -> Option<String> {
     Some(match power.as_str() {
         "TRUE" => "Power: always".to_owned(),
         "FALSE" => "Power: never".to_owned(),
-        formula => format!("Power: `{formula}`"),
+        formula => format!("Power: {}", markdown::code(formula)),
     })
 }
 

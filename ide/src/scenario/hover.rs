@@ -5,6 +5,7 @@ use super::place::{AtCursor, line, place};
 use super::row::{Named, named, value_type};
 use crate::comments;
 use crate::hover::{Hover, tag_card};
+use crate::markdown::{code, escaped};
 use ladder_analysis::context::Context;
 use ladder_analysis::names::scope::TagFacts;
 use ladder_simulator::scenario::{Cell, Direction, Row, Scenario};
@@ -175,11 +176,7 @@ fn declared_comment(program: &Context, tag: &TagFacts) -> Option<String> {
     let found = comments::of_line(parse, parse.line_at(program.place_of(tag).start())?);
     let said = found.iter().find_map(|(_, comment)| comments::words(comment))?;
     // A comment is not Markdown.
-    Some(
-        said.chars()
-            .flat_map(|c| c.is_ascii_punctuation().then_some('\\').into_iter().chain([c]))
-            .collect(),
-    )
+    Some(escaped(said).into_owned())
 }
 
 fn of_step(scenarios: &Scenarios<'_>, scenario: &Scenario, row: &Row, number: usize) -> String {
@@ -191,7 +188,7 @@ fn of_step(scenarios: &Scenarios<'_>, scenario: &Scenario, row: &Row, number: us
         Cell::Value(text) => {
             let value = ty.and_then(|ty| Some((value_text::parse(text, ty).ok()?, ty)));
             let value = value.map_or_else(|| text.clone(), |(value, ty)| value_text::display(&value, ty));
-            format!("`{}`", value.replace('`', "'"))
+            code(&value)
         }
     };
     let before = row.cells[..number]

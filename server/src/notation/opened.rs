@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use ladder_analysis::{Analysis, Diagnostic};
+use ladder_ide::markdown;
 use ladder_notations::{Foreign, Notation, Outcome, ReadError, Source};
 use ladder_syntax::{LineIndex, Parse, TextRange, TextSize, line_around};
 use ladder_workspace::foreign_source;
@@ -62,7 +63,7 @@ impl Opened {
         let mut shown: Vec<String> = Vec::new();
         let networks = self.networks(line);
         if !networks.is_empty() {
-            shown.push(format!("```clad\n{}\n```", cut(&networks.join("\n\n"))));
+            shown.push(markdown::drawing("clad", &cut(&networks.join("\n\n"))));
         }
         for entry in self.foreign.entries_in(line) {
             let (what, why) = match &entry.outcome {
@@ -70,7 +71,8 @@ impl Opened {
                 Outcome::Approximated(why) => ("approximated", why),
                 Outcome::Refused(why) => ("no counterpart", why),
             };
-            shown.push(format!("**{what}** `{}`: {why}", entry.element));
+            let (element, why) = (markdown::code(&entry.element), markdown::escaped(why));
+            shown.push(format!("**{what}** {element}: {why}"));
         }
         (!shown.is_empty()).then(|| (trimmed(text, line), shown.join("\n\n")))
     }

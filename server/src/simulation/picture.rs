@@ -4,6 +4,7 @@ use std::collections::HashSet;
 
 use ladder_analysis::program::Role;
 use ladder_analysis::values::types::Scalar;
+use ladder_ide::markdown;
 use ladder_simulator::{Entry, Point, Simulation, chart, value_text};
 use ladder_syntax::{TextRange, TextSize};
 
@@ -155,6 +156,8 @@ impl Engine {
             let value = simulation.value(point);
             let value = match point.ty {
                 Scalar::Bool => value_text::cell(&value, point.ty),
+                // It may hold anything, as an image that the editor would load.
+                ty if ty.is_string() => markdown::code(&value_text::display(&value, ty)),
                 ty => value_text::display(&value, ty),
             };
             let forced = if simulation.is_forced(point) {

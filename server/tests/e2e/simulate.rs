@@ -532,3 +532,16 @@ VAR  on : DINT;  edges : DINT;  END_VAR
     );
     client.finish().await;
 }
+
+#[tokio::test]
+async fn a_value_in_a_hover_is_no_markdown() {
+    let program = "VAR  note : STRING := '![x](http://y/z.png) `b`';  END_VAR\n+--[LEN]( n, note )--+\n";
+    let (mut client, _, _) = started(program).await;
+    let shown = client.hover(1, 14).await.unwrap();
+    let text = shown["contents"]["value"].as_str().unwrap();
+    assert!(
+        text.starts_with("`note` is **`` '![x](http://y/z.png) `b`' ``**"),
+        "{text}"
+    );
+    client.finish().await;
+}

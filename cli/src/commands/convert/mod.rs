@@ -158,8 +158,9 @@ fn write(
     }
     for (file, bytes) in &mut files {
         match std::str::from_utf8(bytes) {
-            Ok(text) => file.write_text(text)?,
-            Err(_) => file.write_all(bytes)?,
+            Ok(text) if file.is_on_screen() => file.write_text(text)?,
+            // `> y.clad` gets what `-o y.clad` does.
+            _ => file.write_all(bytes)?,
         }
     }
     for (file, _) in files {

@@ -1,5 +1,6 @@
 //! What became of the elements, for people and for machines.
 
+use crate::json::to_writer_pretty;
 use crate::outcome::{Failure, Outcome};
 use crate::terminal;
 use ladder_analysis::Severity;
@@ -146,7 +147,7 @@ pub(super) fn people(accounts: &[Account]) {
 pub(super) fn json(accounts: &[Account]) -> Result<(), Failure> {
     let entries: Vec<&Entry> = accounts.iter().flat_map(|account| &account.entries).collect();
     let mut err = terminal::stderr();
-    serde_json::to_writer_pretty(&mut err, &entries)
+    to_writer_pretty(&mut err, &entries)
         .map_err(|error| Failure::new(format!("the report cannot be written: {error}")))?;
     writeln!(err)?;
     err.flush()?;
