@@ -1,10 +1,7 @@
 //! Whether a file that the user named is one that a search would pass over.
 
-use crate::root::SETTINGS_FILE;
-use crate::search::ignore_files;
+use crate::search::is_ignored;
 use crate::settings::Settings;
-use ignore::Match;
-use ignore::gitignore::Gitignore;
 use std::path::Path;
 
 /// Whether the settings of its workspace exclude a file, or a `.gitignore` or `.ignore` in a folder above it does, up to
@@ -16,38 +13,6 @@ pub fn is_excluded(file: &Path) -> bool {
     };
     let settings = Settings::of(&file).unwrap_or_default();
     !settings.files.contain(&file) || is_ignored(&file)
-}
-
-/// The nearest file that says something about it decides.
-pub(crate) fn is_ignored(file: &Path) -> bool {
-    for folder in file.ancestors().skip(1) {
-        // What cannot be read says nothing, as in a search.
-        if ignore_files(folder).is_err() {
-            continue;
-        }
-        for name in [".ignore", ".gitignore"] {
-            let patterns = folder.join(name);
-            if !patterns.is_file() {
-                continue;
-            }
-            // A pattern that cannot be read says nothing, as in a search.
-            let (patterns, _) = Gitignore::new(patterns);
-            match patterns.matched_path_or_any_parents(file, false) {
-                Match::Ignore(_) => return true,
-                Match::Whitelist(_) => return false,
-                Match::None => {}
-            }
-        }
-        // What is above a repository or a workspace does not belong to it.
-        if folder.join(".git").exists() || folder.join(SETTINGS_FILE).is_file() && !in_repository(folder) {
-            return false;
-        }
-    }
-    false
-}
-
-fn in_repository(folder: &Path) -> bool {
-    folder.ancestors().any(|above| above.join(".git").exists())
 }
 
 #[cfg(test)]

@@ -165,12 +165,12 @@ fn json_means_what_it_meant() {
 
 #[test]
 fn a_program_that_is_sent_on_is_the_one_that_is_written() {
-    let hostile = "# \u{9b}2J \u{2028} \u{1b}[1m #\nstart open contact I0 & active coil Q0 end\n";
+    let hostile = "# \u{9b}2J \u{2028} \u{1b}[1m #\nstart open contact I0.1 & active coil Q0 end\n";
     let folder = Folder::with(&[("h.rung", hostile)]);
     let sent = folder.ladder(&["convert", "h.rung", "--from", "textbook"]);
     folder.ladder(&["convert", "h.rung", "--from", "textbook", "-o", "h.clad"]);
     assert_eq!(sent.stdout, folder.read("h.clad"));
-    assert!(sent.stdout.contains("\u{9b}2J"), "{sent}");
+    assert!(sent.stdout.contains('\u{2028}'), "{sent}");
     let told = folder.ladder(&["convert", "h.rung", "--from", "textbook", "--report", "json"]);
     is_safe("report", &told.stderr);
 }

@@ -184,7 +184,7 @@ fn a_block_of_a_program() {
         exit status 0
         -- stdout
             [$Alarm]( high, wait, lamp )
-        User-defined block in lib/alarms.clad
+        User-defined block in `lib/alarms.clad`
 
         - `high`: BOOL, input
         - `wait`: TIME, input, may be left out

@@ -10,7 +10,7 @@ use serde_json::{Map, Value as Json};
 
 use super::configuration::{Configuration, GivenInputs, is_scenario_file};
 use super::play::Play;
-use super::sources::Source;
+use super::sources::{Source, is_on_another_computer};
 use super::watch::Scope;
 use crate::simulation::Keeping;
 use crate::simulation::value::from_json;
@@ -138,11 +138,6 @@ fn absolute(path: &str) -> Result<PathBuf, String> {
     Err(format!(
         "{shown}: name the whole path of the file, for example with ${{workspaceFolder}} before it"
     ))
-}
-
-/// Whether a path is one of the network, as Windows writes it: refused everywhere, for a workspace is the same on each machine.
-pub(super) fn is_on_another_computer(path: &str) -> bool {
-    path.starts_with(['/', '\\']) && path[1..].starts_with(['/', '\\'])
 }
 
 /// A file that the client names by its whole path: links to it stay in the workspace that it lies in.

@@ -6,7 +6,6 @@ use ladder_syntax::{LineIndex, TextRange, TextSize};
 use ladder_workspace::Named;
 use serde_json::{Value as Json, json};
 
-use super::asked::is_on_another_computer;
 use super::messages::Initialize;
 
 /// A file with its text.
@@ -90,6 +89,11 @@ impl Source {
         }
         range.end()
     }
+}
+
+/// Whether a path is one of the network, as Windows writes it: refused everywhere, for a workspace is the same on each machine.
+pub(super) fn is_on_another_computer(path: &str) -> bool {
+    path.starts_with(['/', '\\']) && path[1..].starts_with(['/', '\\'])
 }
 
 /// A path without links. None of those below the workspace that leads out of it is followed.

@@ -1,11 +1,12 @@
 //! Which files are meant when a person names files and folders.
 
+mod ignored;
 mod walk;
 
-pub(crate) use walk::{ignore_files, is_own_file};
+pub(crate) use ignored::is_ignored;
+pub(crate) use walk::is_own_file;
 
 use crate::error::{FileError, Problem};
-use crate::excluded::is_ignored;
 use crate::named;
 use crate::root::{Root, SETTINGS_FILE};
 use crate::settings::{Files, Settings};
