@@ -38,7 +38,7 @@ pub(super) fn page(name: &str, program: Option<&Path>) -> Result<String, Failure
         let context = &analysis.context;
         if let Some(page) = documentation(context, &Topic::UserBlock(name.to_owned())) {
             // That of another file says where it is.
-            let file = format!("**User-defined block** in {}\n", analysis.context.name);
+            let file = format!("**User-defined block** in `{}`\n", analysis.context.name);
             return Ok(page.replacen("**User-defined block**\n", &file, 1));
         }
         let own = context.user_blocks[..context.own_blocks].iter();
