@@ -28,6 +28,7 @@ mod edit;
 mod file;
 mod flat;
 mod layout;
+pub mod names;
 mod network;
 mod networks;
 mod pen;

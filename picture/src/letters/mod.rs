@@ -13,7 +13,10 @@
 
 mod canvas;
 mod network;
+mod style;
 mod symbol;
+
+pub use style::{Style, text};
 
 use super::Options;
 use super::live::{items_in, lines_of};

@@ -4,7 +4,7 @@ use super::value_of;
 use crate::findings::Source;
 use ladder_analysis::values::value::Value;
 use ladder_instructions::Op;
-use ladder_picture::letters::{self, Gate, Live, Shown};
+use ladder_picture::letters::{self, Gate, Live, Shown, Style};
 use ladder_simulator::Simulation;
 use ladder_syntax::TextRange;
 
@@ -12,16 +12,12 @@ use ladder_syntax::TextRange;
 const RAIL: u32 = 78;
 
 /// The diagram of a program, as it is written or as it is.
-pub(super) fn drawn(source: &Source, simulation: Option<&Simulation>) -> String {
+pub(super) fn drawn(source: &Source, simulation: Option<&Simulation>, style: Style) -> String {
     let context = &source.analyze().context;
     let live = simulation.map(|simulation| live(source, simulation));
     let all = TextRange::up_to(context.parse.text_len());
     let pieces = letters::pieces(context, all, RAIL, live.as_ref());
-    let drawn = pieces.iter().map(|piece| {
-        let lines = piece.lines.iter().map(|line| format!("{}\n", line.text));
-        lines.collect::<String>()
-    });
-    drawn.collect::<Vec<_>>().join("\n")
+    letters::text(&pieces, style)
 }
 
 /// How the parts of the drawing are.

@@ -1,0 +1,178 @@
+//! A text with drawings in it, part by part, as a program.
+
+use crate::network::Piece;
+use crate::operand::Operands;
+use crate::part::{self, Drawn, Part};
+use crate::sheet::Sheet;
+use crate::text::Phrase;
+use ladder_format::program::{self, Item, ProgramSketch, RungPiece};
+use ladder_syntax::LineColumn;
+use std::collections::BTreeMap;
+
+/// What was read.
+#[derive(Debug, Default)]
+pub struct Read {
+    /// The networks, with what is written next to them.
+    pub program: ProgramSketch,
+    /// The origins in the program are indices into this.
+    pub places: Vec<LineColumn>,
+    /// What was read as it is meant, from top to bottom.
+    pub shown: Vec<Shown>,
+    /// What could not be read, from top to bottom: it stays as comments.
+    pub problems: Vec<Problem>,
+    /// The names that ladder text cannot hold, each with its spelling there.
+    pub renamed: Vec<(String, String)>,
+}
+
+/// An element of a drawing.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Shown {
+    /// Where it is.
+    pub place: LineColumn,
+    /// As it is drawn, with its name.
+    pub text: String,
+}
+
+/// Something in a drawing that cannot be read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Problem {
+    /// Where it is.
+    pub place: LineColumn,
+    /// As it is drawn.
+    pub text: String,
+    /// Why not, and what to do.
+    pub why: String,
+}
+
+impl Read {
+    /// Whether everything was read.
+    pub fn is_complete(&self) -> bool {
+        self.problems.is_empty()
+    }
+}
+
+/// A drawing is no higher: what takes time grows with the lines of one part.
+const HIGHEST: usize = 2_000;
+
+/// Reads a text. What is no drawing becomes comments.
+pub fn read(text: &str) -> Read {
+    let mut reader = Reader::default();
+    let lines: Vec<&str> = text.trim_start_matches('\u{feff}').lines().collect();
+    let mut first = 0;
+    for lines in lines.chunk_by(|one, next| is_blank(one) == is_blank(next)) {
+        for part in lines.chunks(HIGHEST) {
+            if !is_blank(part[0]) {
+                reader.part(first, part);
+            }
+            first += part.len();
+        }
+    }
+    reader.read.renamed = reader.operands.changed();
+    reader.read
+}
+
+/// Whether lines look like a drawing: a contact or coil is on a wire. `lines` has no blank one.
+pub fn looks_drawn(lines: &[&str]) -> bool {
+    let sheet = Sheet::of(lines.iter().copied());
+    !part::read(&sheet, &mut Operands::default()).networks.is_empty()
+}
+
+/// The fences of code in a forum or a mail are no part of what is between them.
+fn is_blank(line: &str) -> bool {
+    line.trim().is_empty() || line.trim_start().starts_with("```")
+}
+
+#[derive(Default)]
+struct Reader {
+    read: Read,
+    operands: Operands,
+}
+
+impl Reader {
+    fn part(&mut self, first: usize, lines: &[&str]) {
+        let sheet = Sheet::of(lines.iter().copied());
+        let part = part::read(&sheet, &mut self.operands);
+        let place = |line: usize, column: usize| LineColumn {
+            line: (first + line) as u32 + 1,
+            column: sheet.character(line, column),
+        };
+        if !self.read.program.items.is_empty() {
+            self.read.program.items.push(Item::Blank);
+        }
+        for text in said(&part.texts) {
+            self.read.program.items.push(Item::Comment(text));
+        }
+        let mut top = 0;
+        for (number, drawn) in part.networks.iter().enumerate() {
+            if number > 0 {
+                self.read.program.items.push(Item::Blank);
+            }
+            match drawn.problems.is_empty() {
+                true => self.network(&part, drawn, &place),
+                false => {
+                    for ((line, column), why) in &drawn.problems {
+                        self.read.problems.push(Problem {
+                            place: place(*line, *column),
+                            text: lines[*line].trim().to_owned(),
+                            why: why.clone(),
+                        });
+                    }
+                    let stays = lines[top..=drawn.end].iter();
+                    self.read.program.items.extend(stays.map(|line| Item::Comment((*line).to_owned())));
+                }
+            }
+            top = drawn.end + 1;
+        }
+    }
+
+    fn network(&mut self, part: &Part, drawn: &Drawn, place: &dyn Fn(usize, usize) -> LineColumn) {
+        let mut rungs = Vec::new();
+        for rung in &drawn.network.rungs {
+            let pieces = rung.iter().map(|piece| match *piece {
+                Piece::Rail => RungPiece::Rail,
+                Piece::Down => RungPiece::Down,
+                Piece::Up => RungPiece::Up,
+                Piece::Gap => RungPiece::Gap,
+                Piece::Symbol(symbol) => {
+                    let symbol = &part.symbols[symbol];
+                    let place = place(symbol.line, symbol.column);
+                    self.read.places.push(place);
+                    let origin = Some(self.read.places.len() as u32 - 1);
+                    let text = symbol.shown.clone();
+                    RungPiece::Element(match &symbol.written {
+                        Ok(block) => {
+                            self.read.shown.push(Shown { place, text });
+                            program::Element::block(block, origin)
+                        }
+                        Err(why) => {
+                            let why = why.clone();
+                            self.read.problems.push(Problem { place, text, why });
+                            program::Element::comment(&symbol.shown, origin)
+                        }
+                    })
+                }
+            });
+            rungs.push(pieces.collect());
+        }
+        self.read.program.items.push(Item::Network(program::Network {
+            comments: said(&drawn.texts),
+            drawing: program::Drawing::Rungs(rungs),
+        }));
+    }
+}
+
+/// What is written, line by line, without the signs of comments in other languages.
+fn said(texts: &[Phrase]) -> Vec<String> {
+    let mut lines: BTreeMap<usize, Vec<&str>> = BTreeMap::new();
+    for phrase in texts {
+        lines.entry(phrase.line).or_default().push(&phrase.text);
+    }
+    let without_signs = |text: &str| {
+        let text = text.trim();
+        let text = ["(*", "//", ";", "!!", "/*"].iter().fold(text, |text, sign| text.strip_prefix(sign).unwrap_or(text));
+        let text = ["*)", "!!", "*/"].iter().fold(text, |text, sign| text.strip_suffix(sign).unwrap_or(text));
+        text.trim().to_owned()
+    };
+    let lines = lines.into_values().map(|phrases| without_signs(&phrases.join("  ")));
+    lines.filter(|text| !text.is_empty()).collect()
+}

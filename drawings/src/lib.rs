@@ -1,0 +1,37 @@
+//! Ladder diagrams as people draw them with characters, in forums, mails and manuals: read as sketches, which the writer of
+//! `ladder-format` draws.
+//!
+//! ```text
+//!   start      stop              run
+//! |--| |---+----|/|--------------( )--|
+//! |  run   |                          |
+//! |--| |---+                          |
+//! ```
+//!
+//! ```text
+//! text --drawing--> parts: runs of lines without a blank one
+//!      --sheet----> columns
+//!      --frame----> boxes of blocks
+//!      --symbol---> contacts and coils; --element, block--> blocks of ladder text, named by --text
+//!      --wires----> what is joined, from left to right and from line to line
+//!      --network--> rungs with connectors
+//! ```
+//!
+//! Nothing is guessed: an element that cannot be read is a comment in its place, a network whose wires cannot be followed stays as comments,
+//! and [`Read::problems`] says where and why.
+#![forbid(unsafe_code)]
+
+mod block;
+mod drawing;
+mod element;
+mod frame;
+mod marks;
+mod network;
+mod operand;
+mod part;
+mod sheet;
+mod symbol;
+mod text;
+mod wires;
+
+pub use drawing::{Problem, Read, Shown, looks_drawn, read};

@@ -1,0 +1,96 @@
+//! Ladder diagrams drawn with characters, as people write them into forums, mails and manuals.
+//!
+//! ```text
+//!   start      stop              run
+//! |--| |---+----|/|--------------( )--|
+//! |  run   |                          |
+//! |--| |---+                          |
+//! ```
+//!
+//! `ladder-drawings` reads them. What is written is what `ladder render --format text` shows, in plain characters.
+
+use ladder_analysis::Analysis;
+use ladder_drawings::{looks_drawn, read};
+use ladder_notation::{Finding, LineColumn, Notation, ReadError, Reading, Report, Source, WriteError, Writing};
+use ladder_analysis::Severity;
+use ladder_picture::letters::{self, Style};
+use ladder_syntax::TextRange;
+
+/// See the module.
+#[derive(Debug)]
+pub struct Ascii;
+
+/// This many lines are checked for a drawing.
+const LINES: usize = 200;
+
+/// The column of the right rail.
+const RAIL: u32 = 78;
+
+impl Notation for Ascii {
+    fn name(&self) -> &'static str {
+        "ascii"
+    }
+
+    fn title(&self) -> &'static str {
+        "ladder diagram drawn with characters"
+    }
+
+    fn extensions(&self) -> &'static [&'static str] {
+        // `.txt`, like so much else: only the content shows it.
+        &[]
+    }
+
+    fn recognises(&self, bytes: &[u8]) -> bool {
+        let Ok(text) = std::str::from_utf8(bytes) else {
+            return false;
+        };
+        let lines: Vec<&str> = text.trim_start_matches('\u{feff}').lines().take(LINES).collect();
+        // Ladder text draws contacts on wires too.
+        let is_ladder = !ladder_syntax::parse(&lines.join("\n")).lines().iter().any(|line| !line.errors.is_empty());
+        !is_ladder && lines.split(|line| line.trim().is_empty()).any(|part| !part.is_empty() && looks_drawn(part))
+    }
+
+    fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
+        let read = read(source.text()?);
+        if read.shown.is_empty() && read.problems.is_empty() {
+            return Err(ReadError::whole("there is no drawing in the file: no contact or coil is on a wire"));
+        }
+        let mut reading = Reading {
+            program: read.program,
+            places: read.places,
+            ..Reading::default()
+        };
+        let report = &mut reading.report;
+        for shown in read.shown {
+            report.translated(shown.place, shown.text);
+        }
+        for problem in read.problems {
+            reading.findings.push(Finding {
+                place: problem.place,
+                severity: Severity::Error,
+                check: "ascii-unread",
+                message: format!("`{}` stays as a comment: {}", problem.text, problem.why),
+            });
+            report.refused(problem.place, problem.text, problem.why);
+        }
+        for (name, spelling) in read.renamed {
+            let why = format!("this is not a name of its own in ladder text; it is `{spelling}` here");
+            report.approximated(LineColumn::START, name, why);
+        }
+        report.entries.sort_by_key(|entry| entry.place);
+        Ok(reading)
+    }
+
+    fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
+        if analysis.has_errors() {
+            return Err(WriteError::new("the program has errors"));
+        }
+        let all = TextRange::up_to(analysis.context.parse.text_len());
+        let pieces = letters::pieces(&analysis.context, all, RAIL, None);
+        Ok(Writing {
+            bytes: letters::text(&pieces, Style::Ascii).into_bytes(),
+            report: Report::default(),
+            companions: Vec::new(),
+        })
+    }
+}

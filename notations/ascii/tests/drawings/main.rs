@@ -1,0 +1,6 @@
+//! Drawings as people post them, read; what they become does what is drawn.
+
+mod forms;
+mod truth;
+mod unread;
+mod written;
