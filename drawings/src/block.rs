@@ -212,6 +212,30 @@ fn comparison(inside: &str, name: Option<&str>) -> Option<(&'static Instruction,
     Some((row(mnemonic)?, vec![value(left), value(right)]))
 }
 
+/// What boxes say of themselves next to their short names.
+const TITLES: [&str; 20] = [
+    "TIMER ON DELAY",
+    "TIMER OFF DELAY",
+    "TIMER ON",
+    "TIMER OFF",
+    "RETENTIVE TIMER ON",
+    "RETENTIVE TIMER",
+    "COUNT UP",
+    "COUNT DOWN",
+    "COUNTER UP",
+    "ADD",
+    "SUBTRACT",
+    "MULTIPLY",
+    "DIVIDE",
+    "MOVE",
+    "EQUAL",
+    "NOT EQUAL",
+    "GREATER THAN",
+    "LESS THAN",
+    "GREATER OR EQUAL",
+    "LESS OR EQUAL",
+];
+
 /// The instruction of a box, and for each line inside what is given there.
 pub(crate) struct Boxed {
     pub(crate) row: &'static Instruction,
@@ -243,7 +267,9 @@ pub(crate) fn boxed(edge: &str, inside: &[String]) -> Result<Boxed, String> {
         });
     };
     let lines = inside.iter().zip(1..);
-    let given = lines.map(|(line, number)| if number == title { Vec::new() } else { labelled(line) });
+    let says_more = |line: &str| TITLES.iter().any(|title| title.eq_ignore_ascii_case(line.trim()));
+    let is_title = |line: &str, number: usize| number == title || says_more(line);
+    let given = lines.map(|(line, number)| if is_title(line, number) { Vec::new() } else { labelled(line) });
     Ok(Boxed {
         row,
         given: given.collect(),

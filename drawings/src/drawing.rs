@@ -2,8 +2,8 @@
 
 use crate::network::Piece;
 use crate::operand::Operands;
-use crate::part::{self, Drawn, Part};
-use crate::sheet::Sheet;
+use crate::part::{self, Drawn, Form, Part};
+use crate::sheet::{Sheet, arms};
 use crate::text::Phrase;
 use ladder_format::program::{self, Item, ProgramSketch, RungPiece};
 use ladder_syntax::LineColumn;
@@ -71,10 +71,18 @@ pub fn read(text: &str) -> Read {
     reader.read
 }
 
-/// Whether lines look like a drawing: a contact or coil is on a wire. `lines` has no blank one.
+/// Whether lines look like a drawing, and not like ladder text with an error. `lines` has no blank one.
 pub fn looks_drawn(lines: &[&str]) -> bool {
     let sheet = Sheet::of(lines.iter().copied());
-    !part::read(&sheet, &mut Operands::default()).networks.is_empty()
+    let part = part::read(&sheet, &mut Operands::default());
+    let count = |form: Form| part.symbols.iter().filter(|symbol| symbol.form == form).count();
+    let (own, inside, drawn) = (count(Form::Own), count(Form::Inside), count(Form::Drawn));
+    let has_boxes = lines.iter().any(|line| line.chars().any(|c| !c.is_ascii() && arms(c).is_some()));
+    // Ladder text begins a rung with `+`.
+    let begins_otherwise = || lines.iter().all(|line| !line.trim_start().starts_with('+'));
+    (has_boxes && own + inside + drawn > 0)
+        || (drawn > 0 && drawn + inside > own)
+        || (inside > 1 && own == 0 && begins_otherwise())
 }
 
 /// The fences of code in a forum or a mail are no part of what is between them.

@@ -55,14 +55,13 @@ pub(crate) fn contact(inside: &str, labels: Labels<'_>, operands: &mut Operands)
         };
         return named(mark, name, operands);
     }
+    if let Some(name) = prefixed(says, &["/", "!", "NOT ", "XIO "]) {
+        return named("[/]", name, operands);
+    }
     if let Some(written) = block::in_brackets(&compared_below(says, labels), labels.above, operands) {
         return written;
     }
-    let (mark, name) = match prefixed(says, &["/", "!", "NOT ", "XIO "]) {
-        Some(name) => ("[/]", name),
-        None => ("[ ]", prefixed(says, &["XIC "]).unwrap_or(says)),
-    };
-    named(mark, name, operands)
+    named("[ ]", prefixed(says, &["XIC "]).unwrap_or(says), operands)
 }
 
 /// Whether what is between the bars is a comparison and nothing else: one operand is above then, and one below.

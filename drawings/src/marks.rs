@@ -39,4 +39,13 @@ impl Marks {
         }
         line[columns].fill(mark);
     }
+
+    /// Whether a box reaches over a line, and whether something is on a rung there.
+    pub(crate) fn has_frame(&self, line: usize) -> bool {
+        self.0[line].iter().any(|mark| matches!(mark, Mark::Frame(_)))
+    }
+
+    pub(crate) fn has_symbol(&self, line: usize) -> bool {
+        self.0[line].iter().any(|mark| matches!(mark, Mark::Symbol(_)))
+    }
 }

@@ -25,10 +25,23 @@ pub(crate) struct Part {
 pub(crate) struct Element {
     pub(crate) line: usize,
     pub(crate) column: usize,
+    /// How much it tells of itself that it is drawn, and no ladder text.
+    pub(crate) form: Form,
     /// As it is drawn, with what is written about it.
     pub(crate) shown: String,
     /// As a block of ladder text, or why it is none.
     pub(crate) written: Result<String, String>,
+}
+
+/// In which form an element is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Form {
+    /// As ladder text has it too.
+    Own,
+    /// With its name inside its brackets.
+    Inside,
+    /// With bars, with its name above it, or as a box.
+    Drawn,
 }
 
 /// A network, with the lines that belong to it.
@@ -78,7 +91,7 @@ pub(crate) fn read(sheet: &Sheet, operands: &mut Operands) -> Part {
             ..Part::default()
         };
     }
-    let labels = labels(&symbols, &frames, &mut phrases);
+    let labels = labels(&symbols, &frames, &mut phrases, &marks);
     let acts = |symbol: usize| match &symbols[symbol].kind {
         SymbolKind::Contact(inside) => block::row(inside.split(' ').next().unwrap_or("")).is_some_and(acts),
         SymbolKind::Coil(_) | SymbolKind::Frame(_) => true,
@@ -92,9 +105,9 @@ pub(crate) fn read(sheet: &Sheet, operands: &mut Operands) -> Part {
         let touches = |run: &wires::Run| {
             let before = phrase.to == run.from && is_wire(sheet.at(run.line, run.from));
             let after = run.to == phrase.from && is_wire(sheet.at(run.line, phrase.from.saturating_sub(1)));
-            run.line == phrase.line && run.is_rung() && (before || after)
+            run.is_rung() && (before || after)
         };
-        if wires.runs.iter().any(touches) {
+        if wires.next_to(phrase.line, phrase.from).any(touches) {
             let why = format!("`{}` is in the wire: a name belongs above its contact, or inside it", phrase.text);
             problems.push(((phrase.line, phrase.from), why));
         }
@@ -114,6 +127,7 @@ pub(crate) fn read(sheet: &Sheet, operands: &mut Operands) -> Part {
         Element {
             line: symbol.line,
             column: symbol.from,
+            form: form(&symbol.kind, label.above.is_some() || sheet.at(symbol.line, symbol.from) != '['),
             shown: match label.above {
                 Some(above) => format!("{} {above}", drawn.trim()),
                 None => drawn.trim().to_owned(),
@@ -129,14 +143,29 @@ pub(crate) fn read(sheet: &Sheet, operands: &mut Operands) -> Part {
     }
 }
 
+/// `is_drawn`: its name is above it, or it has no bracket that opens to the right.
+fn form(kind: &SymbolKind, is_drawn: bool) -> Form {
+    match kind {
+        SymbolKind::Own => Form::Own,
+        SymbolKind::Frame(_) => Form::Drawn,
+        SymbolKind::Contact(_) if is_drawn => Form::Drawn,
+        SymbolKind::Contact(inside) | SymbolKind::Coil(inside) => {
+            if inside.trim().is_empty() { Form::Own } else { Form::Inside }
+        }
+    }
+}
+
 fn acts(row: &'static ladder_instructions::Instruction) -> bool {
     row.role == ladder_instructions::Role::Acting
 }
 
+/// The name of a contact is no more lines above it.
+const HIGHEST: usize = 10;
+
 /// What is written above and below each symbol. It is no longer among the phrases then.
 type Label = (Option<Phrase>, Option<Phrase>);
 
-fn labels(symbols: &[Symbol], frames: &[Frame], phrases: &mut [Vec<Phrase>]) -> Vec<Label> {
+fn labels(symbols: &[Symbol], frames: &[Frame], phrases: &mut [Vec<Phrase>], marks: &Marks) -> Vec<Label> {
     let mut found: Vec<Label> = vec![(None, None); symbols.len()];
     // Those whose name is above a line, in the order of their columns.
     let mut over: Vec<Vec<usize>> = vec![Vec::new(); phrases.len() + 1];
@@ -148,15 +177,22 @@ fn labels(symbols: &[Symbol], frames: &[Frame], phrases: &mut [Vec<Phrase>]) -> 
         };
         over[top].push(number);
     }
-    for line in 1..over.len() {
-        over[line].sort_by_key(|&number| symbols[number].from);
-        let spans: Vec<(usize, usize)> = over[line].iter().map(|&number| (symbols[number].from, symbols[number].to)).collect();
-        let about = text::about(&spans, &phrases[line - 1]);
-        for (&number, phrase) in over[line].iter().zip(about) {
-            found[number].0 = phrase;
+    for (line, mut named) in over.into_iter().enumerate() {
+        named.sort_by_key(|&number| symbols[number].from);
+        // The lines of a box may be between a contact and its name.
+        for above in (0..line).rev().take(HIGHEST) {
+            let spans: Vec<(usize, usize)> = named.iter().map(|&number| (symbols[number].from, symbols[number].to)).collect();
+            let about = text::about(&spans, &phrases[above]);
+            let taken = about.iter().flatten().cloned().collect();
+            take(&mut phrases[above], taken);
+            for (&number, phrase) in named.iter().zip(about) {
+                found[number].0 = phrase;
+            }
+            named.retain(|&number| found[number].0.is_none());
+            if named.is_empty() || !marks.has_frame(above) || marks.has_symbol(above) {
+                break;
+            }
         }
-        let taken = over[line].iter().filter_map(|&number| found[number].0.clone()).collect();
-        take(&mut phrases[line - 1], taken);
     }
     // What is above another symbol is not below this one.
     for (number, symbol) in symbols.iter().enumerate() {

@@ -79,6 +79,15 @@ pub(crate) struct Wires {
     pub(crate) joints: Vec<Joint>,
 }
 
+impl Wires {
+    /// The wires left and right of a place that has none.
+    pub(crate) fn next_to(&self, line: usize, column: usize) -> impl Iterator<Item = &Run> {
+        let right = self.runs.partition_point(|run| (run.line, run.from) < (line, column));
+        let both = self.runs[right.saturating_sub(1)..].iter().take(2);
+        both.filter(move |run| run.line == line)
+    }
+}
+
 /// Follows the wires. `power` is for each box the line on which power comes to it, with the number of its symbol.
 pub(crate) fn find(sheet: &Sheet, marks: &Marks, power: &[Option<(usize, usize)>]) -> Wires {
     let mut reader = Reader {

@@ -43,6 +43,9 @@ fn put_in_order(all: &mut Vec<Finding>) {
 /// After an open comment, and in a text that is in another notation, only that is said.
 fn hide_what_is_doubtful(context: &Context, all: &mut Vec<Finding>) {
     let parse = &context.parse;
+    if !rules::cplc_draft::is_it(parse) {
+        rules::drawn::hide_all_else(parse, all);
+    }
     let has_errors = || all.iter().any(|found| found.severity == Severity::Error);
     if parse.unclosed_comment().is_none() && !(has_errors() && rules::cplc_draft::is_it(parse)) {
         return;

@@ -16,6 +16,7 @@ pub(crate) mod constant_power;
 pub(crate) mod constant_write;
 pub(crate) mod contact_after_coil;
 pub(crate) mod cplc_draft;
+pub(crate) mod drawn;
 pub(crate) mod dead_end;
 pub mod declaration_fix;
 pub(crate) mod dependencies;

@@ -94,13 +94,7 @@ fn finding(parse: &Parse, error: &SyntaxError, text: &str, rest: &str) -> Diagno
         SyntaxErrorKind::WrongBracket { closing } => unclosed_block::wrong(closing, text, range),
         SyntaxErrorKind::UnclosedComment => unclosed_comment::unclosed(parse, range),
         SyntaxErrorKind::UnexpectedCharacter { place, after_comment } => {
-            let mut found = unexpected_character::unexpected(place, after_comment, text, range);
-            if let Some(fix) = unexpected_character::box_drawing::fix(parse, range.start()) {
-                found = found.help(
-                    "a rung is drawn with - + | \\ / and blocks; this looks like box-drawing characters",
-                );
-                found.fixes = vec![fix];
-            }
+            let found = unexpected_character::unexpected(place, after_comment, text, range);
             if place == Surroundings::Head {
                 return unexpected_character::named_in_head::explain(
                     found,

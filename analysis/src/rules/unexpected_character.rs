@@ -1,6 +1,5 @@
 //! `unexpected-character`: characters that mean nothing where they are.
 
-pub(super) mod box_drawing;
 pub(super) mod named_in_head;
 
 use super::bad_arity::PLACEHOLDER;

@@ -29,6 +29,9 @@ pub const NOTATIONS: &[&dyn Notation] = &[
     &ladder_notation_click::Click,
     #[cfg(feature = "click")]
     &ladder_notation_click::ClickGrid,
+    // Last: what looks drawn may be one of the others.
+    #[cfg(feature = "ascii")]
+    &ladder_notation_ascii::Ascii,
 ];
 
 /// The name of this project's own notation, next to those of [`NOTATIONS`].

@@ -4,14 +4,15 @@ use ladder_tests::project;
 use std::collections::BTreeSet;
 
 /// The crates of the language itself.
-const LANGUAGE: [&str; 4] = ["syntax", "instructions", "format", "analysis"];
+const LANGUAGE: [&str; 5] = ["syntax", "instructions", "format", "drawings", "analysis"];
 
 /// What a crate may use: those of the language only what is here, the others also all of the language.
-const RULES: [(&str, &[&str]); 11] = [
+const RULES: [(&str, &[&str]); 12] = [
     ("syntax", &[]),
     ("instructions", &[]),
     ("format", &["syntax", "instructions"]),
-    ("analysis", &["syntax", "instructions", "format"]),
+    ("drawings", &["syntax", "instructions", "format"]),
+    ("analysis", &["syntax", "instructions", "format", "drawings"]),
     ("simulator", &[]),
     ("picture", &[]),
     ("notation", &[]),
@@ -69,6 +70,8 @@ fn may_use(name: &str, used: &str) -> bool {
         // Tests use what they test; the fuzzer does nothing else.
         "tests" | "invariants" | "fuzz" => true,
         "notations" => LANGUAGE.contains(&used) || used == "notation" || used.starts_with("notation-"),
+        // What it writes is a picture.
+        "notation-ascii" if used == "picture" => true,
         _ if name.starts_with("notation-") => LANGUAGE.contains(&used) || used == "notation",
         _ => {
             let (_, own) = RULES.iter().find(|(other, _)| *other == name).expect(name);

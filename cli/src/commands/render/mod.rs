@@ -20,6 +20,7 @@ use clap::{Args, ValueEnum};
 use ladder_analysis::values::types::Scalar;
 #[cfg(feature = "pdf")]
 use ladder_picture::sheet;
+use ladder_picture::letters::Style;
 use ladder_picture::{Options, Scene, Theme};
 use ladder_simulator::{Simulation, value_text};
 use ladder_workspace::shown;
@@ -34,6 +35,8 @@ Examples:
   ladder render motor.clad -o motor.pdf --paper letter --landscape --title Pumps
   ladder render motor.clad --theme dark > motor.svg
   ladder render motor.clad --format text           with characters
+  ladder render motor.clad --format text --style ascii
+                                                   with those of ASCII alone
   ladder render motor.clad -o motor.svg --scans 3 --set start=1
                                                    with power, after 3 scans
 
@@ -63,6 +66,10 @@ pub(crate) struct Arguments {
     /// What is written; without it the file's name decides
     #[arg(long, value_enum)]
     format: Option<Format>,
+
+    /// The characters that a text is drawn with [default: unicode]
+    #[arg(long, value_enum)]
+    style: Option<Characters>,
 
     /// The colours
     #[arg(long, value_enum, default_value_t = Colours::Auto)]
@@ -103,6 +110,15 @@ enum Format {
     Pdf,
     /// Characters, for a terminal or a comment
     Text,
+}
+
+/// What a drawing with characters is made of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Characters {
+    /// Box-drawing characters
+    Unicode,
+    /// - | + ( ), and = for a wire with power: for where nothing else is shown
+    Ascii,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -164,10 +180,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 
 /// The diagram drawn with characters, at rest or after this many scans.
 fn characters(arguments: &Arguments, source: &Source) -> Result<Outcome, Failure> {
+    let style = match arguments.style {
+        None | Some(Characters::Unicode) => Style::Unicode,
+        Some(Characters::Ascii) => Style::Ascii,
+    };
     let (drawn, outcome) = match arguments.scans {
-        None => (text::drawn(source, None), rest(source)),
+        None => (text::drawn(source, None, style), rest(source)),
         Some(scans) => match simulated(arguments, source, scans)? {
-            Some(run) => (text::drawn(source, Some(&run.simulation)), run.outcome()),
+            Some(run) => (text::drawn(source, Some(&run.simulation), style), run.outcome()),
             None => return Ok(Outcome::Findings),
         },
     };
@@ -208,6 +228,11 @@ fn check(arguments: &Arguments, format: Format) -> Result<(), Failure> {
     if pages && format != Format::Pdf {
         return Err(Failure::new(
             "--paper, --landscape and --title are about the pages of a PDF; end the file's name in .pdf",
+        ));
+    }
+    if arguments.style.is_some() && format != Format::Text {
+        return Err(Failure::new(
+            "--style is about a drawing with characters; add --format text, or end the file's name in .txt",
         ));
     }
     if arguments.scans.is_none() && arguments.stimulus.is_given() {

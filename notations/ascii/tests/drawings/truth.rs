@@ -8,13 +8,13 @@ use ladder_notation_ascii::Ascii;
 use ladder_simulator::Simulation;
 use ladder_syntax::parse;
 
-pub fn converted(drawing: &str) -> Converted {
+pub(crate) fn converted(drawing: &str) -> Converted {
     let source = Source::alone("test", drawing.as_bytes());
     convert(&Ascii, &source, &Options::default()).expect("it is read")
 }
 
 /// The ladder text with what there is to say about it, and what is found in it.
-pub fn read(drawing: &str) -> String {
+pub(crate) fn read(drawing: &str) -> String {
     let source = Source::alone("test", drawing.as_bytes());
     let converted = match convert(&Ascii, &source, &Options::default()) {
         Ok(converted) => converted,
@@ -38,7 +38,7 @@ fn out_of(converted: &Converted) -> String {
 /// Checks a drawing: nothing in it is left unread, and one scan from any values of some tags on makes of an output what `expected`
 /// says of them.
 #[track_caller]
-pub fn check(drawing: &str, output: &str, tags: &[&str], expected: impl Fn(&[bool]) -> bool) {
+pub(crate) fn check(drawing: &str, output: &str, tags: &[&str], expected: impl Fn(&[bool]) -> bool) {
     assert!(Ascii.recognises(drawing.as_bytes()), "it is not recognised:\n{drawing}");
     let converted = converted(drawing);
     let unread = |outcome: &Outcome| matches!(outcome, Outcome::Refused(_));
@@ -48,7 +48,7 @@ pub fn check(drawing: &str, output: &str, tags: &[&str], expected: impl Fn(&[boo
 }
 
 #[track_caller]
-pub fn assert_runs(text: &str, output: &str, tags: &[&str], expected: impl Fn(&[bool]) -> bool) {
+pub(crate) fn assert_runs(text: &str, output: &str, tags: &[&str], expected: impl Fn(&[bool]) -> bool) {
     let analysis = analyze(&parse(text).into(), "test");
     let program = analysis.program().cloned();
     let program = program.unwrap_or_else(|| panic!("{text}{:#?}", analysis.errors().collect::<Vec<_>>()));
