@@ -250,11 +250,12 @@ pub(crate) struct Boxed {
 pub(crate) fn boxed(edge: &str, inside: &[String]) -> Result<Boxed, String> {
     let titles = std::iter::once(edge).chain(inside.iter().map(String::as_str));
     let found = titles.zip(0..).find_map(|(title, number)| {
-        let words: Vec<&str> = title.split_whitespace().collect();
-        // A word alone, as in `TON`, or before words that say the same: `TON Timer on delay`.
-        let row = words.first().and_then(|word| row(word)).filter(|row| row.mnemonic.len() > 1)?;
-        let is_pin = number > 0 && words.len() > 1;
-        (!is_pin || row.state().is_some()).then_some((row, number))
+        // A word alone, one before others that say the same (`TON Timer on delay`), or one between pins (`IN TON Q`).
+        let is_shown = |word: &&str| SHOWN.iter().any(|shown| shown.eq_ignore_ascii_case(word));
+        let mut words = title.split_whitespace().filter(|word| !is_shown(word));
+        let word = words.next()?;
+        let row = row(word).filter(|row| row.mnemonic.len() > 1)?;
+        (number == 0 || words.next().is_none() || row.state().is_some()).then_some((row, number))
     });
     let Some((row, title)) = found else {
         let pins = inside.iter().flat_map(|line| line.split_whitespace());

@@ -69,11 +69,11 @@ fn found(text: &str, range: TextRange) -> Diagnostic {
     let found = Diagnostic::new(super::unexpected_character::RULE, range, MESSAGE);
     if read.is_complete() {
         return found
-            .help("`ladder convert --from ascii` reads such files; the fix draws these lines as ladder text")
+            .help("convert it with `ladder convert --from ascii`, or draw these lines as ladder text with the fix")
             .with(fix(drawing, range, read));
     }
     let index = LineIndex::new(drawing);
-    let mut found = found.help("convert it with `ladder convert --from ascii`: what cannot be read stays there as a comment");
+    let mut found = found.help("convert it with `ladder convert --from ascii`: what cannot be read stays as a comment");
     for problem in read.problems.iter().take(SHOWN) {
         let at = index.offset(drawing, problem.place);
         let rest = drawing[usize::from(at)..].lines().next().unwrap_or_default();

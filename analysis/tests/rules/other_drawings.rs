@@ -1,4 +1,4 @@
-//! Branches drawn as other tools draw them: from bar to bar, and with box-drawing characters.
+//! Branches drawn as other tools draw them, from bar to bar, and whole drawings as people paste them.
 
 use crate::check::check;
 use expect_test::expect;
@@ -83,29 +83,8 @@ fn a_drawing_of_boxes() {
         "├──┬──[ ]( a )──┬──( )( y )──┤\n│  ├──[ ]( b )──┤            │\n│  └──[ ]( c )──┘            │\n",
         expect![[r#"
             > ├──┬──[ ]( a )──┬──( )( y )──┤
-              ^^^^^^ error[unexpected-character]: `├──┬──` means nothing on a rung
-                help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
-                fix: Draw it with - + | \ / and blocks
-                  +--\--[ ]( a )--------\----------------------------------------------( )( y )--+
-                  |  /--\--[ ]( b )--\--/                                                        |
-                  |     /--[ ]( c )--/                                                           |
-            > ├──┬──[ ]( a )──┬──( )( y )──┤
-                                         ^^^ error[unexpected-character]: `──┤` means nothing on a rung
-                help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
-                fix: Draw it with - + | \ / and blocks
-                  +--\--[ ]( a )--------\----------------------------------------------( )( y )--+
-                  |  /--\--[ ]( b )--\--/                                                        |
-                  |     /--[ ]( c )--/                                                           |
-            > │  ├──[ ]( b )──┤            │
-              ^^^^^^ error[unexpected-character]: `│  ├──` means nothing on a rung
-                help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
-                fix: Draw it with - + | \ / and blocks
-                  +--\--[ ]( a )--------\----------------------------------------------( )( y )--+
-                  |  /--\--[ ]( b )--\--/                                                        |
-                  |     /--[ ]( c )--/                                                           |
-            > │  └──[ ]( c )──┘            │
-              ^^^^^^ error[unexpected-character]: `│  └──` means nothing on a rung
-                help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
+              ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: this looks like a ladder diagram that is drawn with characters
+                help: convert it with `ladder convert --from ascii`, or draw these lines as ladder text with the fix
                 fix: Draw it with - + | \ / and blocks
                   +--\--[ ]( a )--------\----------------------------------------------( )( y )--+
                   |  /--\--[ ]( b )--\--/                                                        |
@@ -158,5 +137,68 @@ fn names_above_a_drawing_of_boxes() {
                   |  |                |                                                          |
                   |  /--[ ]( run )----/                                                          |
         "#]],
+    );
+}
+
+#[test]
+fn a_joint_between_two_others_is_no_rail() {
+    check(
+        "│  Go       Halt            Fan\n├──┤ ├───┬──┤/├─────────────( )──┤\n│  Jog   │\n├──┤ ├───┤\n│  Fan   │\n├──┤ ├───┘\n",
+        expect![[r#""#]],
+    );
+}
+
+#[test]
+fn a_box_that_does_not_say_what_it_is_stays() {
+    check(
+        "│  Go      ┌─────────┐     Fan\n├──┤ ├─────┤IN      Q├─────( )──┤\n│    5s────┤PT     ET│\n│          └─────────┘\n",
+        expect![[r#"
+            > │  Go      ┌─────────┐     Fan
+              ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: this looks like a ladder diagram that is drawn with characters
+                help: convert it with `ladder convert --from ascii`: what cannot be read stays as a comment
+                at 2:12 `┤IN      Q├`: this cannot be read: the box does not say which block it is: TON, TOF and TP have these pins
+        "#]],
+    );
+}
+
+#[test]
+fn contacts_without_names_stay() {
+    check("# from a forum #\n---| |---|/|---+---( )---\n", expect![[r#""#]]);
+}
+
+#[test]
+fn a_drawing_among_ladder_text() {
+    check(
+        r"
+VAR
+    warmup : TON;
+END_VAR
+# from the forum #
+  start      stop            run
+|--| |---+---|/|------------( )--|
+|  run   |                       |
+|--| |---+                       |
+
+Rung 2: the timer
+              warmup
+  run       +--------+      ready
+|--| |------|IN TON Q|-------( )--|
+|     T#5s--|PT    ET|            |
+            +--------+
+
++--[ ]( ready )--( )( lamp )--+
++--[ ]( lamp )--[XYZ]--( )( bell )--+
+",
+        expect![[r#""#]],
+    );
+}
+
+#[test]
+fn ladder_text_with_an_error_is_no_drawing() {
+    check("+--[ ]( go )--[stop]--( )( fan )--+\n", expect![[r#""#]]);
+    check("+--[start]--(run)--+\n", expect![[r#""#]]);
+    check(
+        "# --| |--( )-- #\n+--[ ]( a )--( )( b )--+\n+--[ ]( b )--[XYZ]( c )--+\n",
+        expect![[r#""#]],
     );
 }
