@@ -44,9 +44,9 @@ const NAMES_END: [char; 4] = [':', '=', '←', ' '];
 fn is_called(operand: &str, written: &str) -> bool {
     let operand = if operand == "c" { "t" } else { operand };
     operand.eq_ignore_ascii_case(written)
-        || CALLED
-            .iter()
-            .any(|(own, others)| *own == operand && others.iter().any(|other| other.eq_ignore_ascii_case(written)))
+        || CALLED.iter().any(|(own, others)| {
+            *own == operand && others.iter().any(|other| other.eq_ignore_ascii_case(written))
+        })
 }
 
 /// A block with the operands that were found. `name` is what is written above it.
@@ -60,13 +60,19 @@ pub(crate) fn written(
     mut given: Vec<Given>,
     operands: &mut Operands,
 ) -> Result<String, String> {
-    let time_base = given.iter().position(|it| it.name.eq_ignore_ascii_case("TIME BASE"));
+    // Nothing is next to a pin without a value.
+    given.retain(|it| !it.value.is_empty());
+    let time_base = given
+        .iter()
+        .position(|it| it.name.eq_ignore_ascii_case("TIME BASE"));
     let time_base = time_base.map(|at| given.remove(at).value);
     let mut texts = Vec::new();
     for (number, operand) in row.operands.iter().enumerate() {
         let is_state = matches!(operand.accepts, Accepts::State(_));
         let found = given.iter().position(|it| is_called(operand.name, &it.name));
-        let by_place = || (operand.presence != Presence::Named).then(|| given.iter().position(|it| it.name.is_empty()))?;
+        let by_place = || {
+            (operand.presence != Presence::Named).then(|| given.iter().position(|it| it.name.is_empty()))?
+        };
         let value = match name {
             Some(name) if is_state => {
                 if let Some(at) = found {
@@ -75,10 +81,13 @@ pub(crate) fn written(
                 Some(name.to_owned())
             }
             // What is above a comparison or calculation is its first operand, if that is not inside.
-            _ => found.or_else(by_place).map(|at| given.remove(at).value).or_else(|| {
-                let first = number == 0 && operand.presence != Presence::Named;
-                name.filter(|_| first).map(str::to_owned)
-            }),
+            _ => found
+                .or_else(by_place)
+                .map(|at| given.remove(at).value)
+                .or_else(|| {
+                    let first = number == 0 && operand.presence != Presence::Named;
+                    name.filter(|_| first).map(str::to_owned)
+                }),
         };
         let Some(value) = value else {
             match operand.presence {
@@ -103,7 +112,11 @@ pub(crate) fn written(
     }
     given.retain(|it| !is_shown(it));
     if let Some(more) = given.first() {
-        let what = if more.name.is_empty() { &more.value } else { &more.name };
+        let what = if more.name.is_empty() {
+            &more.value
+        } else {
+            &more.name
+        };
         return Err(format!("[{}] has no operand `{what}`", row.mnemonic));
     }
     match texts[..] {
@@ -116,7 +129,7 @@ pub(crate) fn written(
 fn is_shown(given: &Given) -> bool {
     let known = |name: &str| SHOWN.iter().any(|shown| shown.eq_ignore_ascii_case(name));
     match given.value.as_str() {
-        "" | "0" | "0.0" => known(&given.name),
+        "0" | "0.0" => known(&given.name),
         _ => false,
     }
 }
@@ -126,7 +139,9 @@ fn with_base(preset: &str, base: Option<&str>) -> Option<String> {
     let preset: f64 = preset.trim().parse().ok()?;
     let base: f64 = base?.trim().trim_end_matches(['s', ' ']).parse().ok()?;
     let milliseconds = (preset * base * 1000.0).round();
-    (0.0..1e15).contains(&milliseconds).then(|| format!("T#{milliseconds}ms"))
+    (0.0..1e15)
+        .contains(&milliseconds)
+        .then(|| format!("T#{milliseconds}ms"))
 }
 
 /// What is between the brackets of one line, if it is a block: `TON T1 5s`, `GEQ count 5`, `count >= 5`, `>= 5`.
@@ -139,21 +154,34 @@ pub(crate) fn in_brackets(
         let (row, given) = compared;
         return Some(written(row, None, given, operands));
     }
-    let (word, rest) = inside.trim().split_once([' ', ',', ':']).unwrap_or((inside.trim(), ""));
+    let (word, rest) = inside
+        .trim()
+        .split_once([' ', ',', ':'])
+        .unwrap_or((inside.trim(), ""));
     let row = row(word).filter(|row| row.mnemonic.len() > 1)?;
     let mut given: Vec<Given> = values(rest);
     // `TON T1 5s` has the timer, `TON 5s` has it above.
     let wanted = row.required();
     let name = name.filter(|_| given.len() < wanted);
     if name.is_none() && given.len() + 1 == wanted && row.state().is_some() {
-        given.iter_mut().filter(|it| it.name.is_empty()).take(1).for_each(|it| "PRE".clone_into(&mut it.name));
+        given
+            .iter_mut()
+            .filter(|it| it.name.is_empty())
+            .take(1)
+            .for_each(|it| "PRE".clone_into(&mut it.name));
     }
     if row.state().is_none() && row.role == ladder_instructions::Role::Acting && !given.is_empty() {
         let why = "where its result goes is not the same in all systems";
-        return Some(Err(format!("{why}: write [{}]( result, operands )", row.mnemonic)));
+        return Some(Err(format!(
+            "{why}: write [{}]( result, operands )",
+            row.mnemonic
+        )));
     }
     if wanted == 0 && name.is_some() && given.is_empty() {
-        return Some(Err(format!("[{}] has no operand, and a name is above it", row.mnemonic)));
+        return Some(Err(format!(
+            "[{}] has no operand, and a name is above it",
+            row.mnemonic
+        )));
     }
     Some(written(row, name, given, operands))
 }
@@ -270,7 +298,13 @@ pub(crate) fn boxed(edge: &str, inside: &[String]) -> Result<Boxed, String> {
     let lines = inside.iter().zip(1..);
     let says_more = |line: &str| TITLES.iter().any(|title| title.eq_ignore_ascii_case(line.trim()));
     let is_title = |line: &str, number: usize| number == title || says_more(line);
-    let given = lines.map(|(line, number)| if is_title(line, number) { Vec::new() } else { labelled(line) });
+    let given = lines.map(|(line, number)| {
+        if is_title(line, number) {
+            Vec::new()
+        } else {
+            labelled(line)
+        }
+    });
     Ok(Boxed {
         row,
         given: given.collect(),
@@ -292,12 +326,16 @@ fn labelled(line: &str) -> Vec<Given> {
         let called = CALLED.iter().any(|(own, others)| {
             own.eq_ignore_ascii_case(text) || others.iter().any(|other| other.eq_ignore_ascii_case(text))
         });
-        called || text.eq_ignore_ascii_case("TIME BASE") || SHOWN.iter().any(|shown| shown.eq_ignore_ascii_case(text))
+        called
+            || text.eq_ignore_ascii_case("TIME BASE")
+            || SHOWN.iter().any(|shown| shown.eq_ignore_ascii_case(text))
     };
     if known(line) {
         return vec![given(line, "")];
     }
-    let cuts = line.char_indices().filter(|(_, c)| c.is_whitespace() || NAMES_END.contains(c));
+    let cuts = line
+        .char_indices()
+        .filter(|(_, c)| c.is_whitespace() || NAMES_END.contains(c));
     let cuts: Vec<usize> = cuts.map(|(at, c)| at + c.len_utf8()).collect();
     let cut = cuts.into_iter().rev().find(|&at| known(&line[..at]));
     match cut {

@@ -68,21 +68,40 @@ pub fn read(text: &str) -> Read {
         }
     }
     reader.read.renamed = reader.operands.changed();
+    reader.read.problems.sort_by_key(|problem| problem.place);
     reader.read
 }
 
-/// Whether lines look like a drawing, and not like ladder text with an error. `lines` has no blank one.
-pub fn looks_drawn(lines: &[&str]) -> bool {
+/// What lines look like.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Look {
+    /// Nothing is on a wire.
+    Text,
+    /// Ladder text, perhaps with an error.
+    Ladder,
+    /// A ladder diagram as other programs and people draw it.
+    Drawn,
+}
+
+/// What lines look like, of which none is blank.
+pub fn look(lines: &[&str]) -> Look {
     let sheet = Sheet::of(lines.iter().copied());
     let part = part::read(&sheet, &mut Operands::default());
     let count = |form: Form| part.symbols.iter().filter(|symbol| symbol.form == form).count();
     let (own, inside, drawn) = (count(Form::Own), count(Form::Inside), count(Form::Drawn));
-    let has_boxes = lines.iter().any(|line| line.chars().any(|c| !c.is_ascii() && arms(c).is_some()));
+    let has_boxes = lines
+        .iter()
+        .any(|line| line.chars().any(|c| !c.is_ascii() && arms(c).is_some()));
     // Ladder text begins a rung with `+`.
     let begins_otherwise = || lines.iter().all(|line| !line.trim_start().starts_with('+'));
-    (has_boxes && own + inside + drawn > 0)
+    let is_drawn = (has_boxes && own + inside + drawn > 0)
         || (drawn > 0 && drawn + inside > own)
-        || (inside > 1 && own == 0 && begins_otherwise())
+        || (inside > 1 && own == 0 && begins_otherwise());
+    match is_drawn {
+        true => Look::Drawn,
+        false if part.networks.is_empty() => Look::Text,
+        false => Look::Ladder,
+    }
 }
 
 /// The fences of code in a forum or a mail are no part of what is between them.
@@ -125,8 +144,20 @@ impl Reader {
                             why: why.clone(),
                         });
                     }
+                    for symbol in drawn.network.symbols().map(|symbol| &part.symbols[symbol]) {
+                        if let Err(why) = &symbol.written {
+                            self.read.problems.push(Problem {
+                                place: place(symbol.line, symbol.column),
+                                text: symbol.shown.clone(),
+                                why: why.clone(),
+                            });
+                        }
+                    }
                     let stays = lines[top..=drawn.end].iter();
-                    self.read.program.items.extend(stays.map(|line| Item::Comment((*line).to_owned())));
+                    self.read
+                        .program
+                        .items
+                        .extend(stays.map(|line| Item::Comment((*line).to_owned())));
                 }
             }
             top = drawn.end + 1;
@@ -177,10 +208,16 @@ fn said(texts: &[Phrase]) -> Vec<String> {
     }
     let without_signs = |text: &str| {
         let text = text.trim();
-        let text = ["(*", "//", ";", "!!", "/*"].iter().fold(text, |text, sign| text.strip_prefix(sign).unwrap_or(text));
-        let text = ["*)", "!!", "*/"].iter().fold(text, |text, sign| text.strip_suffix(sign).unwrap_or(text));
+        let text = ["(*", "//", ";", "!!", "/*"]
+            .iter()
+            .fold(text, |text, sign| text.strip_prefix(sign).unwrap_or(text));
+        let text = ["*)", "!!", "*/"]
+            .iter()
+            .fold(text, |text, sign| text.strip_suffix(sign).unwrap_or(text));
         text.trim().to_owned()
     };
-    let lines = lines.into_values().map(|phrases| without_signs(&phrases.join("  ")));
+    let lines = lines
+        .into_values()
+        .map(|phrases| without_signs(&phrases.join("  ")));
     lines.filter(|text| !text.is_empty()).collect()
 }

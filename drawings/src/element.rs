@@ -123,7 +123,8 @@ pub(crate) fn coil(inside: &str, labels: Labels<'_>, operands: &mut Operands) ->
 fn prefixed<'t>(text: &'t str, prefixes: &[&str]) -> Option<&'t str> {
     prefixes.iter().find_map(|prefix| {
         let head = text.get(..prefix.len())?;
-        head.eq_ignore_ascii_case(prefix).then(|| text[prefix.len()..].trim())
+        head.eq_ignore_ascii_case(prefix)
+            .then(|| text[prefix.len()..].trim())
     })
 }
 
@@ -165,8 +166,16 @@ mod tests {
             ("== 20", "level", "[EQ]( level, 20 )"),
             ("OSR", "", "[OSR]"),
             (" ", "", "no name is above this contact or inside it"),
-            ("P", "", "no name is above this contact, and `P` inside tells only its kind"),
-            ("MOV 5 n", "", "where its result goes is not the same in all systems: write [MOV]( result, operands )"),
+            (
+                "P",
+                "",
+                "no name is above this contact, and `P` inside tells only its kind",
+            ),
+            (
+                "MOV 5 n",
+                "",
+                "where its result goes is not the same in all systems: write [MOV]( result, operands )",
+            ),
             ("TON", "", "its operand PT is not in the drawing"),
             ("???", "", "`???` is no name of a tag"),
         ] {
@@ -190,7 +199,11 @@ mod tests {
             ("RES", "T4:0", "(RES)( T4_0 )"),
             ("JMP end", "", "<JMP>( end )"),
             ("TON T1 2s", "", "[TON]( T1, T#2s )"),
-            ("S", "", "no name is above this coil, and `S` inside tells only its kind"),
+            (
+                "S",
+                "",
+                "no name is above this coil, and `S` inside tells only its kind",
+            ),
         ] {
             let found = coil(inside, labels(above), &mut operands);
             assert_eq!(found.unwrap_or_else(|why| why), expected, "({inside}) {above}");
@@ -200,7 +213,11 @@ mod tests {
     #[test]
     fn comparisons_with_their_operands_around_them() {
         let mut operands = Operands::default();
-        for (inside, expected) in [(" > ", "[GT]( level, 300 )"), ("≥", "[GE]( level, 300 )"), ("EQU", "[EQ]( level, 300 )")] {
+        for (inside, expected) in [
+            (" > ", "[GT]( level, 300 )"),
+            ("≥", "[GE]( level, 300 )"),
+            ("EQU", "[EQ]( level, 300 )"),
+        ] {
             let labels = Labels {
                 above: Some("level"),
                 below: Some("300"),

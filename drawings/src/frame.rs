@@ -52,8 +52,10 @@ fn frame(sheet: &Sheet, top: usize, left: usize) -> Option<Frame> {
     corner(top, right).filter(|arms| arms.left && arms.down)?;
     let edge: Vec<char> = (left + 1..right).map(|column| sheet.at(top, column)).collect();
     let in_edge = |c: &char| is_wire(*c) || c.is_alphanumeric() || " _$./:".contains(*c);
-    let is_edge = |edge: &[char]| edge.len() > 1 && edge.iter().all(in_edge) && edge.iter().any(|c| is_wire(*c));
-    if !is_edge(&edge) {
+    let is_edge = |edge: &[char]| edge.len() > 1 && edge.iter().all(in_edge);
+    let has_wire = |edge: &[char]| edge.iter().any(|c| is_wire(*c));
+    // A name may take the whole upper edge.
+    if !is_edge(&edge) || !edge.iter().any(|c| is_wire(*c) || c.is_alphabetic()) {
         return None;
     }
     let side = |line: usize, column: usize| arms(sheet.at(line, column)).is_some_and(|arms| arms.up);
@@ -64,7 +66,8 @@ fn frame(sheet: &Sheet, top: usize, left: usize) -> Option<Frame> {
         let lower: Vec<char> = (left + 1..right).map(|column| sheet.at(bottom, column)).collect();
         let closes = corner(bottom, left).is_some_and(|arms| arms.right)
             && corner(bottom, right).is_some_and(|arms| arms.left)
-            && is_edge(&lower);
+            && is_edge(&lower)
+            && has_wire(&lower);
         if closes {
             let inside = (top + 1..bottom).map(|line| sheet.text(line, left + 1, right));
             let frame = Frame {

@@ -34,4 +34,4 @@ mod symbol;
 mod text;
 mod wires;
 
-pub use drawing::{Problem, Read, Shown, looks_drawn, read};
+pub use drawing::{Look, Problem, Read, Shown, look, read};

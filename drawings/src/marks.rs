@@ -29,7 +29,9 @@ impl Marks {
 
     pub(crate) fn at(&self, line: usize, column: usize) -> Mark {
         let line = self.0.get(line);
-        line.and_then(|line| line.get(column)).copied().unwrap_or_default()
+        line.and_then(|line| line.get(column))
+            .copied()
+            .unwrap_or_default()
     }
 
     pub(crate) fn set(&mut self, line: usize, columns: Range<usize>, mark: Mark) {

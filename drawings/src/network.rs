@@ -28,6 +28,16 @@ pub(crate) struct Network {
     pub(crate) rungs: Vec<Vec<Piece>>,
 }
 
+impl Network {
+    /// Its elements.
+    pub(crate) fn symbols(&self) -> impl Iterator<Item = usize> {
+        self.rungs.iter().flatten().filter_map(|piece| match *piece {
+            Piece::Symbol(symbol) => Some(symbol),
+            _ => None,
+        })
+    }
+}
+
 /// Something that cannot be read: line and column, and why.
 pub(crate) type Problem = ((usize, usize), String);
 
@@ -146,17 +156,24 @@ impl Plan<'_> {
                 let why = "nothing joins this to a line above or below";
                 problems.push((place(first), why.to_owned()));
             }
-            for end in [first, last] {
-                if is_bare(end) {
-                    problems.push((place(end), "this line leads to nothing".to_owned()));
+            if is_bare(first) || is_bare(last) {
+                for joint in joints.iter().filter(|joint| !is_bare(joint)) {
+                    let why = "the line that leads up or down from here ends at nothing";
+                    problems.push((place(joint), why.to_owned()));
                 }
             }
-            let crosses = |joint: &&Joint| joint.is_bar && joint.enters && joint.leaves && joint.up && joint.down;
+            let crosses =
+                |joint: &&Joint| joint.is_bar && joint.enters && joint.leaves && joint.up && joint.down;
             for joint in joints.iter().filter(crosses) {
-                let why = "whether the two lines meet here or only cross cannot be seen: draw + where they meet";
+                let why =
+                    "whether the two lines meet here or only cross cannot be seen: draw + where they meet";
                 problems.push((place(joint), why.to_owned()));
             }
-        } else if joints.iter().all(is_bare) && !joints.iter().any(|joint| self.is_left(joint.column) || self.is_right(joint.column)) {
+        } else if joints.iter().all(is_bare)
+            && !joints
+                .iter()
+                .any(|joint| self.is_left(joint.column) || self.is_right(joint.column))
+        {
             problems.push((place(first), "this line joins nothing".to_owned()));
         }
     }
@@ -210,7 +227,9 @@ impl Plan<'_> {
         let rows = |wanted: &dyn Fn(Joint) -> bool| -> Vec<usize> {
             let joints = vertical.joints.iter().map(|&joint| self.joint(joint));
             let lines = joints.filter(|joint| wanted(*joint)).map(|joint| joint.line);
-            lines.filter_map(|line| self.rows.binary_search(&line).ok()).collect()
+            lines
+                .filter_map(|line| self.rows.binary_search(&line).ok())
+                .collect()
         };
         let (enters, leaves) = (rows(&|joint| joint.enters), rows(&|joint| joint.leaves));
         let first_enters = enters.iter().min().copied()?;
@@ -226,7 +245,14 @@ impl Plan<'_> {
         })
     }
 
-    fn run(&self, run: &Run, row: usize, buses: &BTreeMap<usize, Bus>, acts: &dyn Fn(usize) -> bool, rung: &mut Vec<Piece>) {
+    fn run(
+        &self,
+        run: &Run,
+        row: usize,
+        buses: &BTreeMap<usize, Bus>,
+        acts: &dyn Fn(usize) -> bool,
+        rung: &mut Vec<Piece>,
+    ) {
         rung.push(Piece::Gap);
         let is_rung = run.is_rung();
         if is_rung && run.begins_bare() && self.is_left(run.from) {
@@ -245,7 +271,9 @@ impl Plan<'_> {
             match buses.get(&joint.vertical) {
                 Some(bus) => bus.pieces(row, rung),
                 // A rail: of a line that passes by nothing is drawn.
-                None if number == 0 && joint.leaves || joint.enters && !joint.leaves => rung.push(Piece::Rail),
+                None if number == 0 && joint.leaves || joint.enters && !joint.leaves => {
+                    rung.push(Piece::Rail)
+                }
                 None => {}
             }
         }

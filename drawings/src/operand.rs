@@ -67,13 +67,18 @@ impl Operands {
 fn is_path(written: &str) -> bool {
     let mut parts = written.split('.');
     let is_part = |part: &str| {
-        let (name, index) = part.split_once('[').map_or((part, None), |(name, rest)| (name, Some(rest)));
+        let (name, index) = part
+            .split_once('[')
+            .map_or((part, None), |(name, rest)| (name, Some(rest)));
         let index = index.is_none_or(|rest| {
-            rest.strip_suffix(']').is_some_and(|index| is_identifier(index) || is_number(index))
+            rest.strip_suffix(']')
+                .is_some_and(|index| is_identifier(index) || is_number(index))
         });
         index && is_identifier(name)
     };
-    parts.next().is_some_and(|first| is_part(first) && !is_reserved(first))
+    parts
+        .next()
+        .is_some_and(|first| is_part(first) && !is_reserved(first))
         && parts.all(|part| is_part(part) || part.bytes().all(|digit| digit.is_ascii_digit()))
         && !written.ends_with('.')
 }
@@ -87,7 +92,10 @@ fn address_of(address: &str) -> Option<String> {
         size @ ('X' | 'B' | 'W' | 'D' | 'L') => (size, &rest[1..]),
         _ => ('X', rest),
     };
-    let is_place = !place.is_empty() && place.split('.').all(|part| !part.is_empty() && part.bytes().all(|c| c.is_ascii_digit()));
+    let is_place = !place.is_empty()
+        && place
+            .split('.')
+            .all(|part| !part.is_empty() && part.bytes().all(|c| c.is_ascii_digit()));
     is_place.then(|| format!("%{area}{size}{place}"))
 }
 
@@ -95,7 +103,9 @@ fn is_number(written: &str) -> bool {
     let digits = written.strip_prefix(['-', '+']).unwrap_or(written);
     let is_decimal = digits.starts_with(|c: char| c.is_ascii_digit())
         && digits.ends_with(|c: char| c.is_ascii_digit())
-        && digits.bytes().all(|c| c.is_ascii_digit() || c == b'.' || c == b'_')
+        && digits
+            .bytes()
+            .all(|c| c.is_ascii_digit() || c == b'.' || c == b'_')
         && digits.matches('.').count() < 2;
     let radix = |written: &str| {
         let (radix, rest) = written.split_once('#')?;
@@ -108,13 +118,17 @@ fn is_number(written: &str) -> bool {
 /// `T#5s`, `TIME#1h30m`, `5 s`, `2.5sec`, `10 min`.
 pub(crate) fn duration(written: &str) -> Option<String> {
     let lower = written.trim().to_ascii_lowercase();
-    let bare = ["time#", "t#"].iter().find_map(|prefix| lower.strip_prefix(prefix));
+    let bare = ["time#", "t#"]
+        .iter()
+        .find_map(|prefix| lower.strip_prefix(prefix));
     let bare: String = bare.unwrap_or(&lower).chars().filter(|c| *c != ' ').collect();
     let mut out = String::new();
     let mut rest = bare.as_str();
     while !rest.is_empty() {
         let number = rest.find(|c: char| !c.is_ascii_digit() && c != '.' && c != '_')?;
-        let unit = rest[number..].find(|c: char| !c.is_ascii_alphabetic()).map_or(rest.len(), |at| number + at);
+        let unit = rest[number..]
+            .find(|c: char| !c.is_ascii_alphabetic())
+            .map_or(rest.len(), |at| number + at);
         let known = match &rest[number..unit] {
             "d" | "h" | "m" | "s" | "ms" | "us" | "ns" => &rest[number..unit],
             "sec" | "second" | "seconds" => "s",

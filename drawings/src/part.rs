@@ -4,12 +4,12 @@ use crate::block;
 use crate::element::{self, Labels};
 use crate::frame::{self, Frame};
 use crate::marks::{Mark, Marks};
-use crate::network::{self, Network, Piece};
+use crate::network::{self, Network};
 use crate::operand::Operands;
-use crate::sheet::{Sheet, is_wire};
+use crate::sheet::{Sheet, WIDEST, is_wire};
 use crate::symbol::{self, Symbol, SymbolKind};
 use crate::text::{self, Phrase};
-use crate::wires;
+use crate::wires::{self, Wires};
 
 /// What was made of the lines.
 #[derive(Debug, Default)]
@@ -60,25 +60,32 @@ pub(crate) struct Drawn {
 pub(crate) fn read(sheet: &Sheet, operands: &mut Operands) -> Part {
     let mut marks = Marks::new(sheet.len());
     let frames = frame::find(sheet, &mut marks);
-    let sides: Vec<Sides> = frames.iter().map(|frame| Sides::of(sheet, &mut marks, frame)).collect();
+    let mut sides: Vec<Sides> = frames
+        .iter()
+        .map(|frame| Sides::of(sheet, &mut marks, frame))
+        .collect();
     let mut symbols = symbol::find(sheet, &mut marks);
     let power: Vec<Option<(usize, usize)>> = sides
         .iter()
-        .map(|sides| sides.power.map(|(line, _)| line))
         .zip(symbols.len()..)
-        .map(|(line, symbol)| line.map(|line| (line, symbol)))
+        .map(|(sides, symbol)| sides.power.map(|line| (line, symbol)))
         .collect();
     for (number, frame) in frames.iter().enumerate() {
         symbols.push(Symbol {
-            line: sides[number].power.map_or(frame.top, |(line, _)| line),
+            line: sides[number].power.unwrap_or(frame.top),
             from: frame.left,
             to: frame.right + 1,
             kind: SymbolKind::Frame(number),
         });
     }
-    let wires = wires::find(sheet, &marks, &power);
-    let is_drawn = wires.runs.iter().any(|run| run.things.iter().any(|thing| !thing.is_joint()));
-    let mut phrases: Vec<Vec<Phrase>> = (0..sheet.len()).map(|line| text::phrases(sheet, &marks, line)).collect();
+    let mut wires = wires::find(sheet, &marks, &power);
+    let is_drawn = wires
+        .runs
+        .iter()
+        .any(|run| run.things.iter().any(|thing| !thing.is_joint()));
+    let mut phrases: Vec<Vec<Phrase>> = (0..sheet.len())
+        .map(|line| text::phrases(sheet, &marks, line))
+        .collect();
     if !is_drawn {
         let whole = |line: usize| Phrase {
             line,
@@ -92,15 +99,37 @@ pub(crate) fn read(sheet: &Sheet, operands: &mut Operands) -> Part {
         };
     }
     let labels = labels(&symbols, &frames, &mut phrases, &marks);
+    for (frame, sides) in frames.iter().zip(&mut sides) {
+        sides.take_contacts(frame, &mut wires, |symbol| {
+            let SymbolKind::Contact(inside) = &symbols[symbol].kind else {
+                return None;
+            };
+            let name = match (inside.trim(), &labels[symbol].0) {
+                ("", Some(name)) => name.text.as_str(),
+                (name, None) => name,
+                _ => return None,
+            };
+            name.starts_with(|c: char| c.is_alphabetic() || c == '%')
+                .then(|| name.to_owned())
+        });
+    }
     let acts = |symbol: usize| match &symbols[symbol].kind {
         SymbolKind::Contact(inside) => block::row(inside.split(' ').next().unwrap_or("")).is_some_and(acts),
         SymbolKind::Coil(_) | SymbolKind::Frame(_) => true,
-        SymbolKind::Own => sheet.at(symbols[symbol].line, symbols[symbol].from) != '[' || {
-            let text = sheet.text(symbols[symbol].line, symbols[symbol].from + 1, symbols[symbol].to);
-            block::row(text.split(']').next().unwrap_or("")).is_some_and(acts)
-        },
+        SymbolKind::Own => {
+            sheet.at(symbols[symbol].line, symbols[symbol].from) != '[' || {
+                let text = sheet.text(symbols[symbol].line, symbols[symbol].from + 1, symbols[symbol].to);
+                block::row(text.split(']').next().unwrap_or("")).is_some_and(acts)
+            }
+        }
     };
     let (networks, mut problems) = network::networks(&wires, &acts);
+    problems.extend(sheet.cut().map(|line| {
+        (
+            (line, WIDEST - 1),
+            format!("a line is read up to column {WIDEST}"),
+        )
+    }));
     for phrase in phrases.iter().flatten() {
         let touches = |run: &wires::Run| {
             let before = phrase.to == run.from && is_wire(sheet.at(run.line, run.from));
@@ -108,7 +137,10 @@ pub(crate) fn read(sheet: &Sheet, operands: &mut Operands) -> Part {
             run.is_rung() && (before || after)
         };
         if wires.next_to(phrase.line, phrase.from).any(touches) {
-            let why = format!("`{}` is in the wire: a name belongs above its contact, or inside it", phrase.text);
+            let why = format!(
+                "`{}` is in the wire: a name belongs above its contact, or inside it",
+                phrase.text
+            );
             problems.push(((phrase.line, phrase.from), why));
         }
     }
@@ -127,7 +159,10 @@ pub(crate) fn read(sheet: &Sheet, operands: &mut Operands) -> Part {
         Element {
             line: symbol.line,
             column: symbol.from,
-            form: form(&symbol.kind, label.above.is_some() || sheet.at(symbol.line, symbol.from) != '['),
+            form: form(
+                &symbol.kind,
+                label.above.is_some() || sheet.at(symbol.line, symbol.from) != '[',
+            ),
             shown: match label.above {
                 Some(above) => format!("{} {above}", drawn.trim()),
                 None => drawn.trim().to_owned(),
@@ -150,7 +185,11 @@ fn form(kind: &SymbolKind, is_drawn: bool) -> Form {
         SymbolKind::Frame(_) => Form::Drawn,
         SymbolKind::Contact(_) if is_drawn => Form::Drawn,
         SymbolKind::Contact(inside) | SymbolKind::Coil(inside) => {
-            if inside.trim().is_empty() { Form::Own } else { Form::Inside }
+            if inside.trim().is_empty() {
+                Form::Own
+            } else {
+                Form::Inside
+            }
         }
     }
 }
@@ -181,7 +220,10 @@ fn labels(symbols: &[Symbol], frames: &[Frame], phrases: &mut [Vec<Phrase>], mar
         named.sort_by_key(|&number| symbols[number].from);
         // The lines of a box may be between a contact and its name.
         for above in (0..line).rev().take(HIGHEST) {
-            let spans: Vec<(usize, usize)> = named.iter().map(|&number| (symbols[number].from, symbols[number].to)).collect();
+            let spans: Vec<(usize, usize)> = named
+                .iter()
+                .map(|&number| (symbols[number].from, symbols[number].to))
+                .collect();
             let about = text::about(&spans, &phrases[above]);
             let taken = about.iter().flatten().cloned().collect();
             take(&mut phrases[above], taken);
@@ -196,7 +238,9 @@ fn labels(symbols: &[Symbol], frames: &[Frame], phrases: &mut [Vec<Phrase>], mar
     }
     // What is above another symbol is not below this one.
     for (number, symbol) in symbols.iter().enumerate() {
-        let SymbolKind::Contact(inside) = &symbol.kind else { continue };
+        let SymbolKind::Contact(inside) = &symbol.kind else {
+            continue;
+        };
         if !element::wants_below(inside, found[number].0.is_some()) || symbol.line + 1 >= phrases.len() {
             continue;
         }
@@ -212,12 +256,20 @@ fn labels(symbols: &[Symbol], frames: &[Frame], phrases: &mut [Vec<Phrase>], mar
 /// Takes phrases out of those of a line; of one that was taken apart the rest stays.
 fn take(phrases: &mut Vec<Phrase>, taken: Vec<Phrase>) {
     for taken in taken {
-        let Some(at) = phrases.iter().position(|phrase| phrase.from <= taken.from && taken.to <= phrase.to) else {
+        let Some(at) = phrases
+            .iter()
+            .position(|phrase| phrase.from <= taken.from && taken.to <= phrase.to)
+        else {
             continue;
         };
         let whole = phrases.remove(at);
         let rest = |from: usize, to: usize| {
-            let text: String = whole.text.chars().skip(from - whole.from).take(to - from).collect();
+            let text: String = whole
+                .text
+                .chars()
+                .skip(from - whole.from)
+                .take(to - from)
+                .collect();
             let blanks = text.len() - text.trim_start().len();
             Phrase {
                 line: whole.line,
@@ -232,7 +284,12 @@ fn take(phrases: &mut Vec<Phrase>, taken: Vec<Phrase>) {
 }
 
 /// Gives each network the lines up to its last rung, and what is written and wrong there; the last one has the rest.
-fn shared(networks: Vec<Network>, phrases: Vec<Vec<Phrase>>, problems: Vec<network::Problem>, lines: usize) -> Vec<Drawn> {
+fn shared(
+    networks: Vec<Network>,
+    phrases: Vec<Vec<Phrase>>,
+    problems: Vec<network::Problem>,
+    lines: usize,
+) -> Vec<Drawn> {
     let mut phrases = phrases.into_iter().flatten().peekable();
     let mut problems = problems;
     problems.sort_unstable();
@@ -243,7 +300,11 @@ fn shared(networks: Vec<Network>, phrases: Vec<Vec<Phrase>>, problems: Vec<netwo
     for (number, network) in networks.into_iter().enumerate() {
         let is_last = number + 1 == count;
         let last_rung = network.lines.last().copied().unwrap_or(0);
-        let end = if is_last { lines.saturating_sub(1) } else { last_rung };
+        let end = if is_last {
+            lines.saturating_sub(1)
+        } else {
+            last_rung
+        };
         drawn.push(Drawn {
             network,
             end,
@@ -255,15 +316,16 @@ fn shared(networks: Vec<Network>, phrases: Vec<Vec<Phrase>>, problems: Vec<netwo
 }
 
 fn has_symbol(network: &Network) -> bool {
-    let mut pieces = network.rungs.iter().flatten();
-    pieces.any(|piece| matches!(piece, Piece::Symbol(_)))
+    network.symbols().next().is_some()
 }
 
 /// What is next to a box.
 #[derive(Debug, Default)]
 struct Sides {
-    /// The line on which power comes to it, and on which it leaves.
-    power: Option<(usize, Option<usize>)>,
+    /// The line on which power comes to it.
+    power: Option<usize>,
+    /// Other lines on which a wire comes to it.
+    wired: Vec<usize>,
     /// Why it cannot be read, apart from what it says.
     problem: Option<String>,
     /// What is written left and right of it, line by line from its upper edge on.
@@ -282,23 +344,24 @@ impl Sides {
         let mut leaves = Vec::new();
         for line in frame.top..=frame.bottom {
             let left = value_before(sheet, marks, line, frame.left);
-            if left.is_none() && frame.left.checked_sub(1).is_some_and(|before| comes(sheet, line, before)) {
+            if left.is_none()
+                && frame
+                    .left
+                    .checked_sub(1)
+                    .is_some_and(|before| comes(sheet, line, before))
+            {
                 match sides.power {
-                    None => sides.power = Some((line, None)),
-                    Some(_) => {
-                        sides.problem.get_or_insert_with(|| {
-                            "wires lead to more than one pin of the box: write a tag at all but the first".to_owned()
-                        });
-                    }
+                    None => sides.power = Some(line),
+                    Some(_) => sides.wired.push(line),
                 }
             }
-            let right = value_after(sheet, marks, line, frame.right, sides.power.is_some_and(|(at, _)| at == line));
+            let right = value_after(sheet, marks, line, frame.right, sides.power == Some(line));
             if right.is_none() && comes(sheet, line, frame.right + 1) {
                 leaves.push(line);
             }
             sides.values.push((left, right.filter(|value| !value.is_empty())));
         }
-        if let Some((line, _)) = sides.power
+        if let Some(line) = sides.power
             && leaves.iter().any(|leaving| *leaving != line)
         {
             sides.problem = Some("the wire leaves the box on another line than it comes on".to_owned());
@@ -306,10 +369,34 @@ impl Sides {
         sides
     }
 
+    /// Takes the wires that bring a pin nothing but the contact of one tag from the left rail: the tag is given to it then.
+    fn take_contacts(&mut self, frame: &Frame, wires: &mut Wires, tag: impl Fn(usize) -> Option<String>) {
+        if self.wired.is_empty() {
+            return;
+        }
+        let left = wires.left();
+        self.wired.retain(|&line| {
+            let mut runs = wires.on(line).iter_mut();
+            let run = runs.find(|run| run.to == frame.left && Some(run.from) == left);
+            let contact = run.as_ref().and_then(|run| run.only_symbol());
+            let (Some(run), Some(tag)) = (run, contact.and_then(&tag)) else {
+                return true;
+            };
+            run.things.clear();
+            self.values[line - frame.top].0 = Some(tag);
+            false
+        });
+    }
+
     /// The block that a box is.
     fn written(&self, frame: &Frame, name: Option<&str>, operands: &mut Operands) -> Result<String, String> {
         if let Some(problem) = &self.problem {
             return Err(problem.clone());
+        }
+        if !self.wired.is_empty() {
+            return Err(
+                "wires lead to more than one pin of the box: write a tag at all but the first".to_owned(),
+            );
         }
         // A type above the box, where the box itself has none.
         let boxed = block::boxed(&frame.edge, &frame.inside);
@@ -329,7 +416,10 @@ impl Sides {
                 };
                 if let Some(value) = next_to {
                     if !pin.value.is_empty() {
-                        return Err(format!("`{value}` is next to the box where it has `{}` already", pin.value));
+                        return Err(format!(
+                            "`{value}` is next to the box where it has `{}` already",
+                            pin.value
+                        ));
                     }
                     pin.value.clone_from(value);
                 }
@@ -351,11 +441,20 @@ fn is_value(c: char) -> bool {
 
 /// The value at the left of a box, with its wire: `5s──┤PT`.
 fn value_before(sheet: &Sheet, marks: &mut Marks, line: usize, left: usize) -> Option<String> {
-    let wire = (0..left).rev().take_while(|&column| is_wire(sheet.at(line, column))).count();
+    let wire = (0..left)
+        .rev()
+        .take_while(|&column| is_wire(sheet.at(line, column)))
+        .count();
     let end = left - wire;
-    let long = (0..end).rev().take(LONGEST).take_while(|&column| is_value(sheet.at(line, column))).count();
+    let long = (0..end)
+        .rev()
+        .take(LONGEST)
+        .take_while(|&column| is_value(sheet.at(line, column)))
+        .count();
     let from = end - long;
-    let is_free = from.checked_sub(1).is_none_or(|before| !is_wire(sheet.at(line, before)) && !"([])".contains(sheet.at(line, before)));
+    let is_free = from
+        .checked_sub(1)
+        .is_none_or(|before| !is_wire(sheet.at(line, before)) && !"([])".contains(sheet.at(line, before)));
     if long == 0 || !is_free {
         return None;
     }
@@ -364,23 +463,46 @@ fn value_before(sheet: &Sheet, marks: &mut Marks, line: usize, left: usize) -> O
 }
 
 /// The value at the right of a box; or one of its bits, `(DN)`, which is passed by.
-fn value_after(sheet: &Sheet, marks: &mut Marks, line: usize, right: usize, is_power: bool) -> Option<String> {
-    let wire = (right + 1..sheet.width(line)).take_while(|&column| is_wire(sheet.at(line, column))).count();
+fn value_after(
+    sheet: &Sheet,
+    marks: &mut Marks,
+    line: usize,
+    right: usize,
+    is_power: bool,
+) -> Option<String> {
+    let wire = (right + 1..sheet.width(line))
+        .take_while(|&column| is_wire(sheet.at(line, column)))
+        .count();
     let from = right + 1 + wire;
-    let bits = BITS.iter().find(|bit| sheet.text(line, from, from + bit.len() + 2) == format!("({bit})"));
+    let bits = BITS
+        .iter()
+        .find(|bit| sheet.text(line, from, from + bit.len() + 2) == format!("({bit})"));
     if let Some(bit) = bits {
         let to = from + bit.len() + 2;
-        marks.set(line, right + 1..to, if is_power { Mark::Wire } else { Mark::Read });
+        marks.set(
+            line,
+            right + 1..to,
+            if is_power { Mark::Wire } else { Mark::Read },
+        );
         // The wire from there to the rail shows nothing either.
         if !is_power {
-            let more = (to..sheet.width(line)).take_while(|&column| is_wire(sheet.at(line, column))).count();
+            let more = (to..sheet.width(line))
+                .take_while(|&column| is_wire(sheet.at(line, column)))
+                .count();
             marks.set(line, to..to + more, Mark::Read);
             return Some(String::new());
         }
         return None;
     }
-    let long = (from..sheet.width(line)).take(LONGEST).take_while(|&column| is_value(sheet.at(line, column))).count();
-    if long == 0 || wire == 0 || is_wire(sheet.at(line, from + long)) || "([".contains(sheet.at(line, from + long)) {
+    let long = (from..sheet.width(line))
+        .take(LONGEST)
+        .take_while(|&column| is_value(sheet.at(line, column)))
+        .count();
+    if long == 0
+        || wire == 0
+        || is_wire(sheet.at(line, from + long))
+        || "([".contains(sheet.at(line, from + long))
+    {
         return None;
     }
     marks.set(line, right + 1..from + long, Mark::Read);

@@ -32,7 +32,10 @@ impl Sheet {
 
     /// `!` is a vertical line where no `|` is anywhere.
     fn use_other_bars(&mut self) {
-        let has_bars = self.lines.iter().any(|line| line.cells.iter().any(|&c| is_bar(c)));
+        let has_bars = self
+            .lines
+            .iter()
+            .any(|line| line.cells.iter().any(|&c| is_bar(c)));
         if !has_bars {
             for cell in self.lines.iter_mut().flat_map(|line| &mut line.cells) {
                 if *cell == '!' {
@@ -46,6 +49,11 @@ impl Sheet {
         self.lines.len()
     }
 
+    /// The lines that were cut off.
+    pub(crate) fn cut(&self) -> impl Iterator<Item = usize> {
+        (0..self.len()).filter(|&line| self.width(line) == WIDEST)
+    }
+
     /// How many columns a line has.
     pub(crate) fn width(&self, line: usize) -> usize {
         self.lines.get(line).map_or(0, |line| line.cells.len())
@@ -54,7 +62,9 @@ impl Sheet {
     /// The character at a place; a blank where there is none.
     pub(crate) fn at(&self, line: usize, column: usize) -> char {
         let line = self.lines.get(line);
-        line.and_then(|line| line.cells.get(column)).copied().unwrap_or(' ')
+        line.and_then(|line| line.cells.get(column))
+            .copied()
+            .unwrap_or(' ')
     }
 
     /// What is between two columns.
@@ -106,7 +116,8 @@ impl Line {
     fn one_rail_for_two(&mut self) {
         for at in 1..self.cells.len() {
             if is_bar(self.cells[at - 1]) && is_bar(self.cells[at]) {
-                let comes = at > 1 && (is_wire(self.cells[at - 2]) || matches!(self.cells[at - 2], ')' | ']'));
+                let comes =
+                    at > 1 && (is_wire(self.cells[at - 2]) || matches!(self.cells[at - 2], ')' | ']'));
                 self.cells[if comes { at } else { at - 1 }] = ' ';
             }
         }
@@ -117,7 +128,22 @@ impl Line {
 pub(crate) fn is_wire(c: char) -> bool {
     matches!(
         c,
-        '-' | '\u{2010}'..='\u{2015}' | '\u{2212}' | '─' | '━' | '═' | '╌' | '┄' | '╍' | '┅' | '╴' | '╶' | '╸' | '╺' | '╼' | '╾'
+        '-' | '\u{2010}'
+            ..='\u{2015}'
+                | '\u{2212}'
+                | '─'
+                | '━'
+                | '═'
+                | '╌'
+                | '┄'
+                | '╍'
+                | '┅'
+                | '╴'
+                | '╶'
+                | '╸'
+                | '╺'
+                | '╼'
+                | '╾'
     )
 }
 

@@ -93,7 +93,9 @@ fn bracketed(sheet: &Sheet, line: usize, at: usize) -> Option<Symbol> {
         _ => return None,
     };
     let inside = sheet.text(line, at + 1, end);
-    let comes = at.checked_sub(1).is_some_and(|before| leads_on(sheet.at(line, before)));
+    let comes = at
+        .checked_sub(1)
+        .is_some_and(|before| leads_on(sheet.at(line, before)));
     let symbol = |to, kind| Symbol {
         line,
         from: at,
@@ -190,10 +192,19 @@ fn between_bars(
         let below = (line + 1..=line + STACKED).map(|line| (line, sheet.at(line, column)));
         let mut above = above.skip_while(|(line, _)| candidates.contains(&(*line, column)));
         let mut below = below.skip_while(|(line, _)| candidates.contains(&(*line, column)));
-        above.next().and_then(|(_, c)| arms(c)).is_some_and(|arms| arms.down)
-            || below.next().and_then(|(_, c)| arms(c)).is_some_and(|arms| arms.up)
+        above
+            .next()
+            .and_then(|(_, c)| arms(c))
+            .is_some_and(|arms| arms.down)
+            || below
+                .next()
+                .and_then(|(_, c)| arms(c))
+                .is_some_and(|arms| arms.up)
     };
-    if inside.trim().is_empty() && is_bar(sheet.at(line, at)) == is_bar(sheet.at(line, end)) && (goes_on(at) || goes_on(end)) {
+    if inside.trim().is_empty()
+        && is_bar(sheet.at(line, at)) == is_bar(sheet.at(line, end))
+        && (goes_on(at) || goes_on(end))
+    {
         return None;
     }
     Some(Symbol {

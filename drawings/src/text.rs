@@ -26,7 +26,8 @@ pub(crate) fn is_text(sheet: &Sheet, marks: &Marks, line: usize, column: usize) 
 
 /// A dash between two letters or digits.
 pub(crate) fn is_hyphen(sheet: &Sheet, line: usize, column: usize) -> bool {
-    let is_letter = |column: Option<usize>| column.is_some_and(|column| sheet.at(line, column).is_alphanumeric());
+    let is_letter =
+        |column: Option<usize>| column.is_some_and(|column| sheet.at(line, column).is_alphanumeric());
     sheet.at(line, column) == '-' && is_letter(column.checked_sub(1)) && is_letter(Some(column + 1))
 }
 
@@ -72,7 +73,13 @@ pub(crate) fn about(things: &[(usize, usize)], phrases: &[Phrase]) -> Vec<Option
     };
     let pieces: Vec<Phrase> = phrases
         .iter()
-        .flat_map(|phrase| if over(phrase) > 1 { words(phrase) } else { vec![phrase.clone()] })
+        .flat_map(|phrase| {
+            if over(phrase) > 1 {
+                words(phrase)
+            } else {
+                vec![phrase.clone()]
+            }
+        })
         .collect();
     let mut pairs = Vec::new();
     for (number, &(from, to)) in things.iter().enumerate() {

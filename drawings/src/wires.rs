@@ -32,13 +32,34 @@ pub(crate) struct Run {
 }
 
 impl Run {
+    /// The one element on it; none if there are more, or lines from above or below meet it after its first column.
+    pub(crate) fn only_symbol(&self) -> Option<usize> {
+        let things = match &self.things[..] {
+            [first, rest @ ..] if first.is_joint() && first.from == self.from => rest,
+            all => all,
+        };
+        match things {
+            [
+                Thing {
+                    kind: ThingKind::Symbol(symbol),
+                    ..
+                },
+            ] => Some(*symbol),
+            _ => None,
+        }
+    }
+
     /// Whether wire leads from nothing to its first thing, and from its last to nothing.
     pub(crate) fn begins_bare(&self) -> bool {
-        self.things.first().is_none_or(|first| first.from > self.from || !first.is_joint())
+        self.things
+            .first()
+            .is_none_or(|first| first.from > self.from || !first.is_joint())
     }
 
     pub(crate) fn ends_bare(&self) -> bool {
-        self.things.last().is_none_or(|last| last.to < self.to || !last.is_joint())
+        self.things
+            .last()
+            .is_none_or(|last| last.to < self.to || !last.is_joint())
     }
 
     /// Whether it is part of a rung: a line from top to bottom is none by itself, nor is a dash in a text.
@@ -80,9 +101,27 @@ pub(crate) struct Wires {
 }
 
 impl Wires {
+    /// The column of the leftmost wire.
+    pub(crate) fn left(&self) -> Option<usize> {
+        self.runs
+            .iter()
+            .filter(|run| run.is_rung())
+            .map(|run| run.from)
+            .min()
+    }
+
+    /// The wires of a line.
+    pub(crate) fn on(&mut self, line: usize) -> &mut [Run] {
+        let first = self.runs.partition_point(|run| run.line < line);
+        let after = self.runs.partition_point(|run| run.line <= line);
+        &mut self.runs[first..after]
+    }
+
     /// The wires left and right of a place that has none.
     pub(crate) fn next_to(&self, line: usize, column: usize) -> impl Iterator<Item = &Run> {
-        let right = self.runs.partition_point(|run| (run.line, run.from) < (line, column));
+        let right = self
+            .runs
+            .partition_point(|run| (run.line, run.from) < (line, column));
         let both = self.runs[right.saturating_sub(1)..].iter().take(2);
         both.filter(move |run| run.line == line)
     }
@@ -163,7 +202,9 @@ impl Reader<'_> {
                     let end = (column..width).find(|&next| self.marks.at(line, next) != Mark::Frame(frame));
                     let end = end.unwrap_or(width);
                     match self.power[frame] {
-                        Some((at, symbol)) if at == line => (end, Some(ThingKind::Symbol(symbol)), true, true),
+                        Some((at, symbol)) if at == line => {
+                            (end, Some(ThingKind::Symbol(symbol)), true, true)
+                        }
                         _ => {
                             self.end(&mut run);
                             column = end;
@@ -245,7 +286,9 @@ impl Reader<'_> {
         }
         let leads = |line: usize, column: usize, up: bool| {
             let met = self.met.contains(&(line, column));
-            met || self.arms(line, column).is_some_and(|arms| if up { arms.up } else { arms.down })
+            met || self
+                .arms(line, column)
+                .is_some_and(|arms| if up { arms.up } else { arms.down })
         };
         let mut pairs = Vec::new();
         for line in 1..columns.len() {

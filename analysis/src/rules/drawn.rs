@@ -1,10 +1,10 @@
 //! `unexpected-character`, for a ladder diagram that was pasted as other programs and people draw it: reported once for each drawing, with the
 //! fix that draws it as ladder text, where all of it can be read.
 
+use crate::findings::Finding;
 use crate::findings::diagnostic::{Applicability, Diagnostic, Fix};
 use crate::findings::rule::Severity;
-use crate::findings::Finding;
-use ladder_drawings::Read;
+use ladder_drawings::{Look, Read};
 use ladder_format::{Edit, Options};
 use ladder_syntax::{LineIndex, LineKind, Parse, TextRange, TextSize};
 
@@ -24,7 +24,10 @@ struct Part<'t> {
 
 /// Puts one finding in the place of all that is found in a drawing.
 pub(crate) fn hide_all_else(parse: &Parse, all: &mut Vec<Finding>) {
-    let mut errors = all.iter().filter(|found| found.severity == Severity::Error).peekable();
+    let mut errors = all
+        .iter()
+        .filter(|found| found.severity == Severity::Error)
+        .peekable();
     if errors.peek().is_none() || u32::from(parse.text_len()) as usize > MOST_BYTES {
         return;
     }
@@ -35,22 +38,22 @@ pub(crate) fn hide_all_else(parse: &Parse, all: &mut Vec<Finding>) {
         let has_error = places.iter().any(|&place| part.range.contains_inclusive(place));
         has_error || open.is_some_and(|open| open < part.range.start())
     };
-    let mut drawings: Vec<(TextRange, bool)> = Vec::new();
+    let mut drawings: Vec<TextRange> = Vec::new();
+    // What may be the title of a drawing below.
+    let mut titles: Option<TextRange> = None;
     for part in parts(parse, &text).into_iter().filter(is_wrong) {
-        let is_drawn = ladder_drawings::looks_drawn(&part.lines);
-        match drawings.last_mut() {
-            // Titles between drawings belong to them.
-            Some((range, _)) if follows(&text, *range, part.range) => {
-                *range = range.cover(part.range);
-                if let Some((_, drawn)) = drawings.last_mut() {
-                    *drawn |= is_drawn;
-                }
-            }
-            _ => drawings.push((part.range, is_drawn)),
+        let above = titles.take().filter(|titles| follows(&text, *titles, part.range));
+        let range = above.map_or(part.range, |titles| titles.cover(part.range));
+        match ladder_drawings::look(&part.lines) {
+            Look::Text => titles = Some(range),
+            Look::Ladder => {}
+            Look::Drawn => match drawings.last_mut() {
+                Some(drawing) if follows(&text, *drawing, range) => *drawing = drawing.cover(range),
+                _ => drawings.push(range),
+            },
         }
     }
-    let drawings = drawings.into_iter().filter(|(_, is_drawn)| *is_drawn);
-    for (range, _) in drawings {
+    for range in drawings {
         all.retain(|found| !range.contains_inclusive(found.range.start()));
         all.push(Finding::from(found(&text, range)));
     }
@@ -73,12 +76,17 @@ fn found(text: &str, range: TextRange) -> Diagnostic {
             .with(fix(drawing, range, read));
     }
     let index = LineIndex::new(drawing);
-    let mut found = found.help("convert it with `ladder convert --from ascii`: what cannot be read stays as a comment");
+    let mut found =
+        found.help("convert it with `ladder convert --from ascii`: what cannot be read stays as a comment");
     for problem in read.problems.iter().take(SHOWN) {
         let at = index.offset(drawing, problem.place);
         let rest = drawing[usize::from(at)..].lines().next().unwrap_or_default();
         let word = rest.split("  ").next().unwrap_or_default();
-        let word = if rest.starts_with(&problem.text) { &problem.text } else { word };
+        let word = if rest.starts_with(&problem.text) {
+            &problem.text
+        } else {
+            word
+        };
         let place = TextRange::at(range.start() + at, TextSize::of(word));
         found = found.related(place, format!("this cannot be read: {}", problem.why));
     }
@@ -92,7 +100,11 @@ fn fix(drawing: &str, range: TextRange, read: Read) -> Fix {
         range,
         text: written.trim_end().replace('\n', line_end),
     };
-    Fix::new(Applicability::Unsafe, "Draw it with - + | \\ / and blocks", vec![edit])
+    Fix::new(
+        Applicability::Unsafe,
+        "Draw it with - + | \\ / and blocks",
+        vec![edit],
+    )
 }
 
 /// The lines of a text, without their ends.

@@ -99,42 +99,10 @@ fn names_above_a_drawing_of_boxes() {
         "     start         stop            run\n├─┬──┤ ├───┬────────┤/├────────────( )──┤\n│ │  run   │                            │\n│ └──┤ ├───┘                            │\n",
         expect![[r#"
             >      start         stop            run
-                   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: `start         stop...` means nothing on a rung
-                help: a rung is drawn with - + | \ / and blocks; text is in # comments #
-            > ├─┬──┤ ├───┬────────┤/├────────────( )──┤
-              ^^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: `├─┬──┤ ├───┬────────┤` means nothing on a rung
-                help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
+              ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: this looks like a ladder diagram that is drawn with characters
+                help: convert it with `ladder convert --from ascii`, or draw these lines as ladder text with the fix
                 fix: Draw it with - + | \ / and blocks
                   +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
-                  |  |                |                                                          |
-                  |  /--[ ]( run )----/                                                          |
-            > ├─┬──┤ ├───┬────────┤/├────────────( )──┤
-                                    ^^^^^^^^^^^^^ error[unexpected-character]: `├────────────` means nothing on a rung
-                help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
-                fix: Draw it with - + | \ / and blocks
-                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
-                  |  |                |                                                          |
-                  |  /--[ ]( run )----/                                                          |
-            > ├─┬──┤ ├───┬────────┤/├────────────( )──┤
-                                                    ^^^ error[unexpected-character]: `──┤` means nothing on a rung
-                help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
-                fix: Draw it with - + | \ / and blocks
-                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
-                  |  |                |                                                          |
-                  |  /--[ ]( run )----/                                                          |
-            > │ │  run   │                            │
-              ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: `│ │  run   │...` means nothing on a rung
-                help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
-                fix: Draw it with - + | \ / and blocks
-                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
-                  |  |                |                                                          |
-                  |  /--[ ]( run )----/                                                          |
-            > │ └──┤ ├───┘                            │
-              ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: `│ └──┤ ├───┘...` means nothing on a rung
-                help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
-                fix: Draw it with - + | \ / and blocks
-                  +--\--[ ]( start )--\--[/]( stop )---------------------------------( )( run )--+
-                  |  |                |                                                          |
                   |  /--[ ]( run )----/                                                          |
         "#]],
     );
@@ -144,7 +112,15 @@ fn names_above_a_drawing_of_boxes() {
 fn a_joint_between_two_others_is_no_rail() {
     check(
         "│  Go       Halt            Fan\n├──┤ ├───┬──┤/├─────────────( )──┤\n│  Jog   │\n├──┤ ├───┤\n│  Fan   │\n├──┤ ├───┘\n",
-        expect![[r#""#]],
+        expect![[r#"
+            > │  Go       Halt            Fan
+              ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: this looks like a ladder diagram that is drawn with characters
+                help: convert it with `ladder convert --from ascii`, or draw these lines as ladder text with the fix
+                fix: Draw it with - + | \ / and blocks
+                  +--[ ]( Go )------\--[/]( Halt )-----------------------------------( )( Fan )--+
+                  +--[ ]( Jog )--\--/                                                            |
+                  +--[ ]( Fan )--/                                                               |
+        "#]],
     );
 }
 
@@ -163,7 +139,18 @@ fn a_box_that_does_not_say_what_it_is_stays() {
 
 #[test]
 fn contacts_without_names_stay() {
-    check("# from a forum #\n---| |---|/|---+---( )---\n", expect![[r#""#]]);
+    check(
+        "# from a forum #\n---| |---|/|---+---( )---\n",
+        expect![[r#"
+            > ---| |---|/|---+---( )---
+              ^^^^^^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: this looks like a ladder diagram that is drawn with characters
+                help: convert it with `ladder convert --from ascii`: what cannot be read stays as a comment
+                at 2:4 `| |`: this cannot be read: no name is above this contact or inside it
+                at 2:10 `|/|`: this cannot be read: no name is above this contact, and `/` inside tells only its kind
+                at 2:16 `+---( )---`: this cannot be read: nothing joins this to a line above or below
+                at 2:20 `( )`: this cannot be read: no name is above this coil or inside it
+        "#]],
+    );
 }
 
 #[test]
@@ -189,16 +176,53 @@ Rung 2: the timer
 +--[ ]( ready )--( )( lamp )--+
 +--[ ]( lamp )--[XYZ]--( )( bell )--+
 ",
-        expect![[r#""#]],
+        expect![[r#"
+            >   start      stop            run
+              ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: this looks like a ladder diagram that is drawn with characters
+                help: convert it with `ladder convert --from ascii`, or draw these lines as ladder text with the fix
+                fix: Draw it with - + | \ / and blocks
+                  +--[ ]( start )--\--[/]( stop )------------------------------------( )( run )--+
+                  +--[ ]( run )----/                                                             |
+
+                  # Rung 2: the timer #
+                  +--[ ]( run )-----------------------------[TON]( warmup, T#5s )--( )( ready )--+
+        "#]],
     );
 }
 
 #[test]
 fn ladder_text_with_an_error_is_no_drawing() {
-    check("+--[ ]( go )--[stop]--( )( fan )--+\n", expect![[r#""#]]);
-    check("+--[start]--(run)--+\n", expect![[r#""#]]);
+    check(
+        "+--[ ]( go )--[stop]--( )( fan )--+\n",
+        expect![[r#"
+        > +--[ ]( go )--[stop]--( )( fan )--+
+                        ^^^^^^ error[unknown-instruction]: there is no instruction [stop]
+            help: a contact of the tag `stop` is written [ ]( stop )
+            fix: Write [ ]( stop )
+              +--[ ]( go )--[ ]( stop )------------------------------------------( )( fan )--+
+    "#]],
+    );
+    check(
+        "+--[start]--(run)--+\n",
+        expect![[r#"
+        > +--[start]--(run)--+
+             ^^^^^^^ error[unknown-instruction]: there is no instruction [start]
+            help: a contact of the tag `start` is written [ ]( start )
+            fix: Write [ ]( start )
+              +--[ ]( start )---------------------------------------------------------(run)--+
+        > +--[start]--(run)--+
+                      ^^^^^ error[unknown-instruction]: there is no instruction (run)
+            help: a coil of the tag `run` is written ( )( run )
+            fix: Write ( )( run )
+              +---------------------------------------------------------[start]--( )( run )--+
+    "#]],
+    );
     check(
         "# --| |--( )-- #\n+--[ ]( a )--( )( b )--+\n+--[ ]( b )--[XYZ]( c )--+\n",
-        expect![[r#""#]],
+        expect![[r#"
+            > +--[ ]( b )--[XYZ]( c )--+
+                           ^^^^^ error[unknown-instruction]: there is no instruction [XYZ]
+                help: contacts are [ ] and [/]; the language reference lists all instructions
+        "#]],
     );
 }

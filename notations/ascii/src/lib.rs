@@ -10,9 +10,11 @@
 //! `ladder-drawings` reads them. What is written is what `ladder render --format text` shows, in plain characters.
 
 use ladder_analysis::Analysis;
-use ladder_drawings::{looks_drawn, read};
-use ladder_notation::{Finding, LineColumn, Notation, ReadError, Reading, Report, Source, WriteError, Writing};
 use ladder_analysis::Severity;
+use ladder_drawings::{Look, look, read};
+use ladder_notation::{
+    Finding, LineColumn, Notation, ReadError, Reading, Report, Source, WriteError, Writing,
+};
 use ladder_picture::letters::{self, Style};
 use ladder_syntax::TextRange;
 
@@ -46,14 +48,22 @@ impl Notation for Ascii {
         };
         let lines: Vec<&str> = text.trim_start_matches('\u{feff}').lines().take(LINES).collect();
         // Ladder text draws contacts on wires too.
-        let is_ladder = !ladder_syntax::parse(&lines.join("\n")).lines().iter().any(|line| !line.errors.is_empty());
-        !is_ladder && lines.split(|line| line.trim().is_empty()).any(|part| !part.is_empty() && looks_drawn(part))
+        let is_ladder = !ladder_syntax::parse(&lines.join("\n"))
+            .lines()
+            .iter()
+            .any(|line| !line.errors.is_empty());
+        !is_ladder
+            && lines
+                .split(|line| line.trim().is_empty())
+                .any(|part| !part.is_empty() && look(part) == Look::Drawn)
     }
 
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
         let read = read(source.text()?);
         if read.shown.is_empty() && read.problems.is_empty() {
-            return Err(ReadError::whole("there is no drawing in the file: no contact or coil is on a wire"));
+            return Err(ReadError::whole(
+                "there is no drawing in the file: no contact or coil is on a wire",
+            ));
         }
         let mut reading = Reading {
             program: read.program,

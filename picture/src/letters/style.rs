@@ -20,7 +20,10 @@ pub fn text(pieces: &[Piece], style: Style) -> String {
             Style::Unicode => piece.lines.iter().map(|line| line.text.clone()).collect(),
             Style::Ascii => plain(&piece.lines),
         };
-        lines.iter().map(|line| format!("{}\n", line.trim_end())).collect()
+        lines
+            .iter()
+            .map(|line| format!("{}\n", line.trim_end()))
+            .collect()
     });
     drawn.collect::<Vec<String>>().join("\n")
 }
@@ -81,7 +84,10 @@ fn cells(line: &Line) -> Vec<Cell> {
     let mut marks = line.marks.iter().peekable();
     let cells = line.text.chars().enumerate().map(|(at, letter)| {
         while marks.next_if(|mark| mark.characters.end <= at).is_some() {}
-        let ink = marks.peek().filter(|mark| mark.characters.contains(&at)).map(|mark| mark.ink);
+        let ink = marks
+            .peek()
+            .filter(|mark| mark.characters.contains(&at))
+            .map(|mark| mark.ink);
         let cell = Cell {
             letter,
             column,

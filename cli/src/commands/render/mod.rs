@@ -18,9 +18,9 @@ use crate::run::{Run, Stimulus, number_of_scans, place, program, show_errors};
 use crate::terminal::{self, Stdout};
 use clap::{Args, ValueEnum};
 use ladder_analysis::values::types::Scalar;
+use ladder_picture::letters::Style;
 #[cfg(feature = "pdf")]
 use ladder_picture::sheet;
-use ladder_picture::letters::Style;
 use ladder_picture::{Options, Scene, Theme};
 use ladder_simulator::{Simulation, value_text};
 use ladder_workspace::shown;

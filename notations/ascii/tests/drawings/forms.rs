@@ -132,7 +132,9 @@ fn latch_and_unlatch_of_a_controller_family() {
         I:0/2   I:0/3               O:2/3
 0001 |---]/[-----] [----------------(U)---|
 ";
-    check(drawing, "O_2_3", &["I_0_1", "I_0_2", "I_0_3", "O_2_3"], |v| (v[3] || v[0]) && !(!v[1] && v[2]));
+    check(drawing, "O_2_3", &["I_0_1", "I_0_2", "I_0_3", "O_2_3"], |v| {
+        (v[3] || v[0]) && !(!v[1] && v[2])
+    });
 }
 
 #[test]
@@ -196,6 +198,23 @@ fn a_counter_in_a_box_of_box_characters() {
 │   1────────┤PV     CV│         │
 │   empty────┤R        │         │
 │            └─────────┘         │
+",
+        "full",
+        &["part", "empty"],
+        |v| v[0] && !v[1],
+    );
+}
+
+#[test]
+fn a_counter_whose_reset_is_a_contact() {
+    check(
+        "
+|  part          +------+     full  |
+|--| |-----------|CU  Q |------( )--|
+|  empty         | CTU  |           |
+|--| |-----------|R     |           |
+|        1-------|PV    |           |
+|                +------+           |
 ",
         "full",
         &["part", "empty"],

@@ -22,7 +22,10 @@ pub(crate) fn read(drawing: &str) -> String {
     };
     let mut out = converted.written.text.clone();
     for remark in remarks(&converted.report, &converted.findings) {
-        out.push_str(&format!("{} {} {}: {}\n", remark.place, remark.outcome, remark.element, remark.reason));
+        out.push_str(&format!(
+            "{} {} {}: {}\n",
+            remark.place, remark.outcome, remark.element, remark.reason
+        ));
     }
     for found in analyze(&parse(&out_of(&converted)).into(), "test").errors() {
         let place = converted.place_of(found.range.start());
@@ -39,10 +42,18 @@ fn out_of(converted: &Converted) -> String {
 /// says of them.
 #[track_caller]
 pub(crate) fn check(drawing: &str, output: &str, tags: &[&str], expected: impl Fn(&[bool]) -> bool) {
-    assert!(Ascii.recognises(drawing.as_bytes()), "it is not recognised:\n{drawing}");
+    assert!(
+        Ascii.recognises(drawing.as_bytes()),
+        "it is not recognised:\n{drawing}"
+    );
     let converted = converted(drawing);
     let unread = |outcome: &Outcome| matches!(outcome, Outcome::Refused(_));
-    let unread: Vec<_> = converted.report.entries.iter().filter(|entry| unread(&entry.outcome)).collect();
+    let unread: Vec<_> = converted
+        .report
+        .entries
+        .iter()
+        .filter(|entry| unread(&entry.outcome))
+        .collect();
     assert!(unread.is_empty(), "{drawing}{unread:#?}");
     assert_runs(&converted.written.text, output, tags, expected);
 }
@@ -57,12 +68,20 @@ pub(crate) fn assert_runs(text: &str, output: &str, tags: &[&str], expected: imp
         let mut simulation =
             Simulation::new(program.clone(), ladder_simulator::Options::default()).expect("it compiles");
         for (tag, value) in tags.iter().zip(&values) {
-            let point = simulation.resolve(tag).unwrap_or_else(|_| panic!("{tag} in\n{text}"));
+            let point = simulation
+                .resolve(tag)
+                .unwrap_or_else(|_| panic!("{tag} in\n{text}"));
             simulation.set(&point, Value::Bool(*value)).expect("it is a BOOL");
         }
         simulation.scan();
-        let point = simulation.resolve(output).unwrap_or_else(|_| panic!("{output} in\n{text}"));
+        let point = simulation
+            .resolve(output)
+            .unwrap_or_else(|_| panic!("{output} in\n{text}"));
         let found = simulation.value(&point) == Value::Bool(true);
-        assert_eq!(found, expected(&values), "{output} of {tags:?} = {values:?} in\n{text}");
+        assert_eq!(
+            found,
+            expected(&values),
+            "{output} of {tags:?} = {values:?} in\n{text}"
+        );
     }
 }

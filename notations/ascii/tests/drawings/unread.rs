@@ -22,6 +22,7 @@ fn elements_that_stay_as_comments_in_the_wire() {
             # |--| |---| |---{FIFO}-----( )--| #
 
             +--[ ]( b )--# [MOV 5 n] #--[ ]( PID )-------------------------------( )( z )--+
+            3:10 refused | |: no name is above this contact or inside it
             3:15 refused |--| |---| |---{FIFO}-----( )--|: the wire ends here, and no line leads on from it
             3:16 refused |--| |---| |---{FIFO}-----( )--|: `{FIFO}` is in the wire: a name belongs above its contact, or inside it
             3:22 refused |--| |---| |---{FIFO}-----( )--|: no wire leads here from the left, and no line from above or below
@@ -40,7 +41,15 @@ fn wires_that_cannot_be_followed() {
    b       |
 |--| |--+
 ",
-        expect![[r#""#]],
+        expect![[r#"
+            # a              y #
+            # |--| |-----+------( )--| #
+
+            # b       | #
+            # |--| |--+ #
+            3:12 refused |--| |-----+------( )--|: the line that leads up or down from here ends at nothing
+            5:9 refused |--| |--+: the wire ends here, and no line leads on from it
+        "#]],
     );
     // Lines that cross, or meet.
     check(
@@ -52,7 +61,18 @@ fn wires_that_cannot_be_followed() {
    c      |
 |--| |----+
 ",
-        expect![[r#""#]],
+        expect![[r#"
+            # a      |    y #
+            # |--| |----|----( )--| #
+            # b      |    z #
+            # |--| |----+----( )--| #
+            # c      | #
+            # |--| |----+ #
+            3:11 refused |--| |----|----( )--|: the line that leads up or down from here ends at nothing
+            3:11 refused |--| |----|----( )--|: whether the two lines meet here or only cross cannot be seen: draw + where they meet
+            5:11 refused |--| |----+----( )--|: the line that leads up or down from here ends at nothing
+            7:11 refused |--| |----+: the line that leads up or down from here ends at nothing
+        "#]],
     );
     // A hole in the wire, and a word in it.
     check(
@@ -63,7 +83,18 @@ fn wires_that_cannot_be_followed() {
    b               z
 |--| |--wire-------( )--|
 ",
-        expect![[r#""#]],
+        expect![[r#"
+            # a               y #
+            # |--| |--  ---------( )--| #
+
+            # b               z #
+            # |--| |--wire-------( )--| #
+            3:8 refused |--| |--  ---------( )--|: the wire ends here, and no line leads on from it
+            3:11 refused |--| |--  ---------( )--|: no wire leads here from the left, and no line from above or below
+            6:8 refused |--| |--wire-------( )--|: the wire ends here, and no line leads on from it
+            6:9 refused |--| |--wire-------( )--|: `wire` is in the wire: a name belongs above its contact, or inside it
+            6:13 refused |--| |--wire-------( )--|: no wire leads here from the left, and no line from above or below
+        "#]],
     );
 }
 
@@ -86,23 +117,28 @@ fn boxes() {
         expect![[r#"
             +--[ ]( a )--# |IN   Q| #--------------------------------------------( )( y )--+
 
+            # TON #
             +--[ ]( a )--# |IN   Q| t2 #-----------------------------------------( )( y )--+
-
-            # |  TON    | TP   |        | #
-            # |   b     | PT   |        | #
-            # +--| |----|R     |        | #
-            # |         +------+        | #
             3:11 refused |IN   Q|: the box does not say which block it is: TON, TOF and TP have these pins
-            8:11 refused |IN   Q| t2: wires lead to more than one pin of the box: write a tag at all but the first
-            11:10 refused +--| |----|R     |        |: the wire ends here, and no line leads on from it
+            8:11 refused |IN   Q| t2: its operand PT is not in the drawing
         "#]],
     );
 }
 
 #[test]
 fn what_is_no_drawing() {
-    check("Dear all,\n\nwhat is a rung?\n", expect![[r#""#]]);
-    check("| a | b |\n|---|---|\n| 1 | 2 |\n", expect![[r#""#]]);
+    check(
+        "Dear all,\n\nwhat is a rung?\n",
+        expect![[r#"
+        there is no drawing in the file: no contact or coil is on a wire
+    "#]],
+    );
+    check(
+        "| a | b |\n|---|---|\n| 1 | 2 |\n",
+        expect![[r#"
+        there is no drawing in the file: no contact or coil is on a wire
+    "#]],
+    );
 }
 
 #[test]
@@ -112,7 +148,12 @@ fn names_that_ladder_text_cannot_hold() {
   Stop button   I:0/1        Pump on
 |----|/|--------| |------------( )-----|
 ",
-        expect![[r#""#]],
+        expect![[r#"
+            +--[/]( Stop_button )--[ ]( I_0_1 )----------------------------( )( Pump_on )--+
+            1:1 approximated I:0/1: this is not a name of its own in ladder text; it is `I_0_1` here
+            1:1 approximated Pump on: this is not a name of its own in ladder text; it is `Pump_on` here
+            1:1 approximated Stop button: this is not a name of its own in ladder text; it is `Stop_button` here
+        "#]],
     );
 }
 
@@ -128,7 +169,15 @@ Rung 1: seal-in
        |    Motor  |                          |
        |-----] [---+                          |   ; holds itself
 ",
-        expect![[r#""#]],
+        expect![[r#"
+            # From a friend; works on his controller. #
+
+            # Rung 1: seal-in #
+            # 1  main drive #
+            # holds itself #
+            +--[ ]( Start )--\--[/]( Stop )----------------------------------( )( Motor )--+
+            +--[ ]( Motor )--/                                                             |
+        "#]],
     );
 }
 
@@ -136,7 +185,11 @@ Rung 1: seal-in
 fn a_large_drawing_takes_little_time() {
     let mut drawing = String::new();
     for rung in 0..3_000 {
-        drawing.push_str(&format!("|   a{rung}              y{rung}   |\n|--| |---+-------( )---|\n"));
+        drawing.push_str(&format!(
+            "|  {:<13} {:<5} |\n|--| |-----------( )---|\n",
+            format!("a{rung}"),
+            format!("y{rung}")
+        ));
     }
     assert!(read(&drawing).contains("( )( y2999 )"));
     assert!(!read(&"|-+-".repeat(2_000)).is_empty());

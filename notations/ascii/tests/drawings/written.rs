@@ -30,7 +30,9 @@ fn branches() {
 |  /--\--[ ]( b )--\--/            |
 |     /--[P]( c )--/               |
 ";
-    check(ladder, expect![[r#"
+    check(
+        ladder,
+        expect![[r#"
         Seal-in
 
         |     start     stop                                                    run   |
@@ -53,9 +55,12 @@ fn branches() {
         +--\--[ ]( a )--------\----------------------------------------------(S)( y )--+
         |  /--\--[ ]( b )--\--/                                                        |
         |     /--[P]( c )--/                                                           |
-    "#]]);
+    "#]],
+    );
     for text in [ladder, &read(&drawn(ladder))] {
-        assert_runs(text, "run", &["start", "run", "stop"], |v| (v[0] || v[1]) && !v[2]);
+        assert_runs(text, "run", &["start", "run", "stop"], |v| {
+            (v[0] || v[1]) && !v[2]
+        });
     }
 }
 
@@ -92,19 +97,11 @@ fn boxes() {
 
             +--[ ]( a )----------------------------------------[TON]( t, T#5s )--( )( y )--+
 
-            # |                                                                c            | #
-            # |    b                                                        + CTU +    z    | #
-            # +--|   |------------------------------------------------------+CU  Q+--( S )--+ #
-            # |                                                             |PV 5 |         | #
-            # |                                                             |R  a |         | #
-            # |                                                             +-----+         | #
+            +--[ ]( b )-------------------------------------------[CTU]( c, 5 )--(S)( z )--+
 
             +--[GE]( n, 3 )----------------------------------------------[ADD]( n, n, 1 )--+
 
             +--[ ]( a )-----------------------------------------[MOV]( n, 5 )--(RES)( c )--+
-            8:63 refused |    b                                                        + CTU +    z    |: this line leads to nothing
-            8:69 refused |    b                                                        + CTU +    z    |: this line leads to nothing
-            22:70 bad-operand: the tag of a timer or counter is expected here
         "#]],
     );
 }
