@@ -339,7 +339,7 @@ fn labelled(line: &str) -> Vec<Given> {
     let cuts: Vec<usize> = cuts.map(|(at, c)| at + c.len_utf8()).collect();
     let cut = cuts.into_iter().rev().find(|&at| known(&line[..at]));
     match cut {
-        Some(at) if known(&line[at..]) => vec![given(&line[..at], ""), given(&line[at..], "")],
+        Some(at) if SHOWN.contains(&line[at..].trim()) || line[at..].trim() == "OUT" => vec![given(&line[..at], ""), given(&line[at..], "")],
         Some(at) => vec![given(&line[..at], &line[at..])],
         None => vec![given("", line)],
     }

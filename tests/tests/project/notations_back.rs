@@ -329,6 +329,46 @@ const CPLC_DRAFT: Says = Says {
     always: &[],
 };
 
+/// A drawing has no declarations: those of the program are put before it.
+const ASCII: Says = Says {
+    notation: "ascii",
+    profile: None,
+    rungs: Rungs::Any,
+    inputs: &["start", "stop", "level"],
+    outputs: &["run", "lamp"],
+    others: &[("held", "BOOL"), ("n", "DINT"), ("long_name", "DINT")],
+    conditions: &[
+        "[ ]( {} )",
+        "[/]( {} )",
+        "[P]( {} )",
+        "[N]( {} )",
+        "[OSR]",
+        "[NOT]",
+        "[EQ]( {n}, {#} )",
+        "[GE]( {n}, {n} )",
+        "[LT]( {#}, {n} )",
+    ],
+    actions: &[
+        "( )( {y} )",
+        "(/)( {y} )",
+        "(S)( {y} )",
+        "(R)( {y} )",
+        "(P)( {y} )",
+        "[MOV]( {n}, {#} )",
+        "[ADD]( {n}, {n}, {#} )",
+        "[SUB]( {n}, {#}, {n} )",
+    ],
+    states: &[
+        ("t", "TON", "[TON]( {t}, T#{#}0ms )"),
+        ("t", "TOF", "[TOF]( {t}, T#{#}0ms, R := stop )"),
+        ("c", "CTU", "[CTU]( {t}, {#} )"),
+        ("c", "CTU", "[CTU]( {t}, {n}, R := level )"),
+    ],
+    bits: &["start", "stop", "level", "run", "lamp", "held"],
+    numbers: &["n", "long_name"],
+    always: &[],
+};
+
 impl Says {
     fn program(&self, dice: &mut Dice) -> String {
         let mut maker = Maker {
@@ -590,4 +630,25 @@ fn textbook() {
 #[test]
 fn cplc_draft() {
     check(&CPLC_DRAFT);
+}
+
+#[test]
+fn ascii() {
+    let notation = by_name(ASCII.notation).expect("the notation is registered");
+    for seed in 0..120 {
+        let text = ASCII.program(&mut Dice::new(seed));
+        let analysis = analyze(&Arc::new(parse(&text)), "test.clad");
+        let writing = notation
+            .write(&analysis)
+            .unwrap_or_else(|error| panic!("{error}\n{text}"));
+        let shown = String::from_utf8_lossy(&writing.bytes);
+        assert!(notation.recognises(&writing.bytes), "{shown}");
+        let back = convert(notation, &Source::alone("test", &writing.bytes), &Options::default());
+        let back = back.unwrap_or_else(|error| panic!("{error}\n{shown}\nof\n{text}"));
+        assert!(back.findings.is_empty(), "{:?}\n{shown}", back.findings);
+        let end = text.rfind("END_VAR").expect("there are declarations") + "END_VAR\n".len();
+        let ladder = format!("{}\n{}", &text[..end], back.written.text);
+        let different = next_to(&ladder, &text, Stimulus { seed, scans: 60 });
+        assert_eq!(different, None, "{ladder}\nof\n{shown}\nof\n{text}");
+    }
 }
