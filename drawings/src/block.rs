@@ -144,6 +144,18 @@ fn with_base(preset: &str, base: Option<&str>) -> Option<String> {
         .then(|| format!("T#{milliseconds}ms"))
 }
 
+/// Whether what is between the brackets is a block without one of its operands, which is above it then.
+pub(crate) fn wants_name(inside: &str) -> bool {
+    let (word, rest) = inside
+        .trim()
+        .split_once([' ', ',', ':'])
+        .unwrap_or((inside.trim(), ""));
+    let is_comparison = SIGNS
+        .iter()
+        .any(|(sign, _)| inside.trim_start().starts_with(sign));
+    is_comparison || row(word).is_some_and(|row| values(rest).len() < row.required())
+}
+
 /// What is between the brackets of one line, if it is a block: `TON T1 5s`, `GEQ count 5`, `count >= 5`, `>= 5`.
 pub(crate) fn in_brackets(
     inside: &str,
@@ -163,23 +175,17 @@ pub(crate) fn in_brackets(
     // `TON T1 5s` has the timer, `TON 5s` has it above.
     let wanted = row.required();
     let name = name.filter(|_| given.len() < wanted);
-    if name.is_none() && given.len() + 1 == wanted && row.state().is_some() {
-        given
-            .iter_mut()
-            .filter(|it| it.name.is_empty())
-            .take(1)
-            .for_each(|it| "PRE".clone_into(&mut it.name));
+    let is_number = |it: &Given| it.name.is_empty() && it.value.starts_with(|c: char| c.is_ascii_digit());
+    if let [preset] = &mut given[..]
+        && row.state().is_some()
+        && is_number(preset)
+    {
+        "PRE".clone_into(&mut preset.name);
     }
     if row.state().is_none() && row.role == ladder_instructions::Role::Acting && !given.is_empty() {
         let why = "where its result goes is not the same in all systems";
         return Some(Err(format!(
             "{why}: write [{}]( result, operands )",
-            row.mnemonic
-        )));
-    }
-    if wanted == 0 && name.is_some() && given.is_empty() {
-        return Some(Err(format!(
-            "[{}] has no operand, and a name is above it",
             row.mnemonic
         )));
     }
@@ -339,7 +345,9 @@ fn labelled(line: &str) -> Vec<Given> {
     let cuts: Vec<usize> = cuts.map(|(at, c)| at + c.len_utf8()).collect();
     let cut = cuts.into_iter().rev().find(|&at| known(&line[..at]));
     match cut {
-        Some(at) if SHOWN.contains(&line[at..].trim()) || line[at..].trim() == "OUT" => vec![given(&line[..at], ""), given(&line[at..], "")],
+        Some(at) if SHOWN.contains(&line[at..].trim()) || line[at..].trim() == "OUT" => {
+            vec![given(&line[..at], ""), given(&line[at..], "")]
+        }
         Some(at) => vec![given(&line[..at], &line[at..])],
         None => vec![given("", line)],
     }

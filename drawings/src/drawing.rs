@@ -202,10 +202,6 @@ impl Reader {
 
 /// What is written, line by line, without the signs of comments in other languages.
 fn said(texts: &[Phrase]) -> Vec<String> {
-    let mut lines: BTreeMap<usize, Vec<&str>> = BTreeMap::new();
-    for phrase in texts {
-        lines.entry(phrase.line).or_default().push(&phrase.text);
-    }
     let without_signs = |text: &str| {
         let text = text.trim();
         let text = ["(*", "//", ";", "!!", "/*"]
@@ -216,8 +212,14 @@ fn said(texts: &[Phrase]) -> Vec<String> {
             .fold(text, |text, sign| text.strip_suffix(sign).unwrap_or(text));
         text.trim().to_owned()
     };
-    let lines = lines
-        .into_values()
-        .map(|phrases| without_signs(&phrases.join("  ")));
+    let mut lines: BTreeMap<usize, Vec<String>> = BTreeMap::new();
+    for phrase in texts {
+        let text = without_signs(&phrase.text);
+        lines
+            .entry(phrase.line)
+            .or_default()
+            .extend((!text.is_empty()).then_some(text));
+    }
+    let lines = lines.into_values().map(|phrases| phrases.join("  "));
     lines.filter(|text| !text.is_empty()).collect()
 }

@@ -73,6 +73,16 @@ fn is_sign(says: &str) -> bool {
     !says.is_empty() && (says.chars().all(|c| "<>=!≤≥≠".contains(c)) || is_word())
 }
 
+/// Whether the name of a contact, or an operand of the block in its place, is above it: what is inside does not say it.
+pub(crate) fn contact_wants_name(inside: &str) -> bool {
+    contact_mark(inside.trim()).is_some() || is_sign(inside.trim()) || block::wants_name(inside)
+}
+
+/// As [`contact_wants_name`], of a coil.
+pub(crate) fn coil_wants_name(inside: &str) -> bool {
+    coil_mark(inside.trim()).is_some() || block::wants_name(inside)
+}
+
 /// Whether one of a contact's operands may be below it.
 pub(crate) fn wants_below(inside: &str, has_above: bool) -> bool {
     has_above && is_sign(inside.trim())
@@ -128,8 +138,12 @@ fn prefixed<'t>(text: &'t str, prefixes: &[&str]) -> Option<&'t str> {
     })
 }
 
+/// A name has no more words: `Stop button`. Three are an instruction that is not known, with its operands.
+const WORDS: usize = 2;
+
 fn named(mark: &str, name: &str, operands: &mut Operands) -> Result<String, String> {
-    let tag = operands.tag(name);
+    let is_short = name.split_whitespace().count() <= WORDS;
+    let tag = operands.tag(name).filter(|_| is_short);
     let tag = tag.ok_or_else(|| format!("`{}` is no name of a tag", name.trim()))?;
     Ok(format!("{mark}( {tag} )"))
 }
@@ -178,6 +192,8 @@ mod tests {
             ),
             ("TON", "", "its operand PT is not in the drawing"),
             ("???", "", "`???` is no name of a tag"),
+            ("PID x y", "", "`PID x y` is no name of a tag"),
+            ("TON T1", "", "its operand PT is not in the drawing"),
         ] {
             let found = contact(inside, labels(above), &mut operands);
             assert_eq!(found.unwrap_or_else(|why| why), expected, "[{inside}] {above}");

@@ -210,9 +210,10 @@ fn labels(symbols: &[Symbol], frames: &[Frame], phrases: &mut [Vec<Phrase>], mar
     let mut over: Vec<Vec<usize>> = vec![Vec::new(); phrases.len() + 1];
     for (number, symbol) in symbols.iter().enumerate() {
         let top = match &symbol.kind {
-            SymbolKind::Own => continue,
             SymbolKind::Frame(frame) => frames[*frame].top,
-            SymbolKind::Contact(_) | SymbolKind::Coil(_) => symbol.line,
+            SymbolKind::Contact(inside) if element::contact_wants_name(inside) => symbol.line,
+            SymbolKind::Coil(inside) if element::coil_wants_name(inside) => symbol.line,
+            _ => continue,
         };
         over[top].push(number);
     }

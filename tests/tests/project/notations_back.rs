@@ -643,7 +643,11 @@ fn ascii() {
             .unwrap_or_else(|error| panic!("{error}\n{text}"));
         let shown = String::from_utf8_lossy(&writing.bytes);
         assert!(notation.recognises(&writing.bytes), "{shown}");
-        let back = convert(notation, &Source::alone("test", &writing.bytes), &Options::default());
+        let back = convert(
+            notation,
+            &Source::alone("test", &writing.bytes),
+            &Options::default(),
+        );
         let back = back.unwrap_or_else(|error| panic!("{error}\n{shown}\nof\n{text}"));
         assert!(back.findings.is_empty(), "{:?}\n{shown}", back.findings);
         let end = text.rfind("END_VAR").expect("there are declarations") + "END_VAR\n".len();
