@@ -4,7 +4,7 @@ use crate::network::Piece;
 use crate::operand::Operands;
 use crate::part::{self, Drawn, Form, Part};
 use crate::sheet::{Sheet, arms};
-use crate::text::Phrase;
+use crate::text::{COMMENTS, Phrase};
 use ladder_format::program::{self, Item, ProgramSketch, RungPiece};
 use ladder_syntax::LineColumn;
 use std::collections::BTreeMap;
@@ -204,10 +204,10 @@ impl Reader {
 fn said(texts: &[Phrase]) -> Vec<String> {
     let without_signs = |text: &str| {
         let text = text.trim();
-        let text = ["(*", "//", ";", "!!", "/*"]
+        let text = COMMENTS
             .iter()
             .fold(text, |text, sign| text.strip_prefix(sign).unwrap_or(text));
-        let text = ["*)", "!!", "*/"]
+        let text = ["*)", "!!", "*/", "#"]
             .iter()
             .fold(text, |text, sign| text.strip_suffix(sign).unwrap_or(text));
         text.trim().to_owned()

@@ -2,7 +2,7 @@
 
 use crate::block;
 use crate::operand::Operands;
-use ladder_instructions::Role;
+use ladder_instructions::{Role, Shape, lookup};
 
 /// What is written next to an element: above it, and below it.
 #[derive(Debug, Clone, Copy, Default)]
@@ -54,6 +54,9 @@ pub(crate) fn contact(inside: &str, labels: Labels<'_>, operands: &mut Operands)
             });
         };
         return named(mark, name, operands);
+    }
+    if let Some(label) = says.strip_suffix(':') {
+        return named("<LBL>", label, operands);
     }
     if let Some(name) = prefixed(says, &["/", "!", "NOT ", "XIO "]) {
         return named("[/]", name, operands);
@@ -128,6 +131,29 @@ pub(crate) fn coil(inside: &str, labels: Labels<'_>, operands: &mut Operands) ->
         Some(name) => named("(/)", name, operands),
         None => named("( )", says, operands),
     }
+}
+
+/// A change of the program flow: `CALL mix`, `RETURN`.
+///
+/// # Errors
+///
+/// If it is not known.
+pub(crate) fn flow(inside: &str, operands: &mut Operands) -> Result<String, String> {
+    let says = inside.trim();
+    let (word, rest) = says.split_once(' ').unwrap_or((says, ""));
+    let word = if word.eq_ignore_ascii_case("RETURN") {
+        "RET"
+    } else {
+        word
+    };
+    let row = lookup(Shape::Function, word).next();
+    let row = row.ok_or_else(|| format!("`<{says}>` is not known"))?;
+    if rest.trim().is_empty() {
+        return Ok(row.block());
+    }
+    let operand = operands.value(rest);
+    let operand = operand.ok_or_else(|| format!("`{}` is no name and no value", rest.trim()))?;
+    Ok(format!("{}( {operand} )", row.block()))
 }
 
 fn prefixed<'t>(text: &'t str, prefixes: &[&str]) -> Option<&'t str> {

@@ -115,7 +115,7 @@ pub(crate) fn read(sheet: &Sheet, operands: &mut Operands) -> Part {
     }
     let acts = |symbol: usize| match &symbols[symbol].kind {
         SymbolKind::Contact(inside) => block::row(inside.split(' ').next().unwrap_or("")).is_some_and(acts),
-        SymbolKind::Coil(_) | SymbolKind::Frame(_) => true,
+        SymbolKind::Coil(_) | SymbolKind::Flow(_) | SymbolKind::Frame(_) => true,
         SymbolKind::Own => {
             sheet.at(symbols[symbol].line, symbols[symbol].from) != '[' || {
                 let text = sheet.text(symbols[symbol].line, symbols[symbol].from + 1, symbols[symbol].to);
@@ -153,6 +153,7 @@ pub(crate) fn read(sheet: &Sheet, operands: &mut Operands) -> Part {
         let written = match &symbol.kind {
             SymbolKind::Contact(inside) => element::contact(inside, label, operands),
             SymbolKind::Coil(inside) => element::coil(inside, label, operands),
+            SymbolKind::Flow(inside) => element::flow(inside, operands),
             SymbolKind::Own => Ok(drawn.clone()),
             SymbolKind::Frame(number) => sides[*number].written(&frames[*number], label.above, operands),
         };
@@ -167,7 +168,7 @@ pub(crate) fn read(sheet: &Sheet, operands: &mut Operands) -> Part {
                 Some(above) => format!("{} {above}", drawn.trim()),
                 None => drawn.trim().to_owned(),
             },
-            written,
+            written: written.and_then(whole),
         }
     });
     let elements = elements.collect();
@@ -178,10 +179,21 @@ pub(crate) fn read(sheet: &Sheet, operands: &mut Operands) -> Part {
     }
 }
 
+/// A block that has no error on a rung.
+fn whole(block: String) -> Result<String, String> {
+    match ladder_syntax::parse(&format!("+--{block}--+"))
+        .errors()
+        .is_empty()
+    {
+        true => Ok(block),
+        false => Err("what is between its brackets is not known".to_owned()),
+    }
+}
+
 /// `is_drawn`: its name is above it, or it has no bracket that opens to the right.
 fn form(kind: &SymbolKind, is_drawn: bool) -> Form {
     match kind {
-        SymbolKind::Own => Form::Own,
+        SymbolKind::Own | SymbolKind::Flow(_) => Form::Own,
         SymbolKind::Frame(_) => Form::Drawn,
         SymbolKind::Contact(_) if is_drawn => Form::Drawn,
         SymbolKind::Contact(inside) | SymbolKind::Coil(inside) => {

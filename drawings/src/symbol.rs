@@ -31,6 +31,8 @@ pub(crate) enum SymbolKind {
     Coil(String),
     /// A block as this language has it, with its operands.
     Own,
+    /// A change of the program flow, as it is between `<` and `>`: `CALL mix`. A jump too, `>>there`.
+    Flow(String),
     /// A box, by its number.
     Frame(usize),
 }
@@ -89,6 +91,7 @@ fn bracketed(sheet: &Sheet, line: usize, at: usize) -> Option<Symbol> {
         '[' => closing(sheet, line, at, ']')?,
         '(' => closing(sheet, line, at, ')')?,
         '<' => closing(sheet, line, at, '>')?,
+        '>' if sheet.at(line, at + 1) == '>' => return jump(sheet, line, at),
         ']' => (at + 1..at + LONGEST).find(|&column| sheet.at(line, column) == '[')?,
         _ => return None,
     };
@@ -115,10 +118,12 @@ fn bracketed(sheet: &Sheet, line: usize, at: usize) -> Option<Symbol> {
     let to = end + 1;
     let goes = leads_on(sheet.at(line, to));
     match sheet.at(line, at) {
-        '<' if !inside.trim().is_empty() && is_row(Shape::Function) => {
-            Some(symbol(list().unwrap_or(to), SymbolKind::Own))
+        '<' => {
+            let list = list().filter(|_| is_row(Shape::Function));
+            let flow = |_| symbol(to, SymbolKind::Flow(inside.clone()));
+            let own = list.map(|to| symbol(to, SymbolKind::Own));
+            own.or_else(|| (comes || goes).then_some(()).map(flow))
         }
-        '<' => None,
         ']' => {
             let plain = !inside.contains(is_wire) && inside.chars().all(|c| arms(c).is_none());
             (comes && goes && plain).then(|| symbol(to, SymbolKind::Contact(inside)))
@@ -133,6 +138,24 @@ fn bracketed(sheet: &Sheet, line: usize, at: usize) -> Option<Symbol> {
             None => symbol(to, SymbolKind::Coil(inside)),
         }),
     }
+}
+
+/// `>>there`, `>> there`
+fn jump(sheet: &Sheet, line: usize, at: usize) -> Option<Symbol> {
+    let comes = at
+        .checked_sub(1)
+        .is_some_and(|before| leads_on(sheet.at(line, before)));
+    let from = at + 2 + usize::from(sheet.at(line, at + 2) == ' ');
+    let is_name =
+        |column: &usize| sheet.at(line, *column).is_alphanumeric() || sheet.at(line, *column) == '_';
+    let to = from + (from..sheet.width(line)).take_while(is_name).count();
+    let label = sheet.text(line, from, to);
+    (comes && !label.is_empty()).then(|| Symbol {
+        line,
+        from: at,
+        to,
+        kind: SymbolKind::Flow(format!("JMP {label}")),
+    })
 }
 
 /// Where the contact ends that the bar at a place may open, by its own line alone.

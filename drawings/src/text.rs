@@ -60,26 +60,32 @@ pub(crate) fn phrases(sheet: &Sheet, marks: &Marks, line: usize) -> Vec<Phrase> 
     phrases
 }
 
+/// The signs of comments in other languages, and in ladder text.
+pub(crate) const COMMENTS: [&str; 6] = ["(*", "//", "/*", ";", "!!", "#"];
+
+/// Whether a text says of itself that it is a comment.
+fn is_comment(text: &str) -> bool {
+    COMMENTS.iter().any(|sign| text.starts_with(sign))
+}
+
 /// A phrase may be this far left or right of what it is about.
 const NEAR: usize = 2;
 
 /// For each thing, given by its columns from left to right, the phrase that is about it. A phrase that reaches over several things is
 /// taken apart at its blanks.
 pub(crate) fn about(things: &[(usize, usize)], phrases: &[Phrase]) -> Vec<Option<Phrase>> {
-    let over = |phrase: &Phrase| {
+    // A phrase over several things is a list of names only if it has one word for each.
+    let pieces = |phrase: &Phrase| {
         let from = things.partition_point(|(_, to)| *to <= phrase.from);
         let until = things.partition_point(|(from, _)| *from < phrase.to);
-        until.saturating_sub(from)
+        let words = words(phrase);
+        let is_list = until > from + 1 && words.len() == until - from;
+        if is_list { words } else { vec![phrase.clone()] }
     };
     let pieces: Vec<Phrase> = phrases
         .iter()
-        .flat_map(|phrase| {
-            if over(phrase) > 1 {
-                words(phrase)
-            } else {
-                vec![phrase.clone()]
-            }
-        })
+        .filter(|phrase| !is_comment(&phrase.text))
+        .flat_map(pieces)
         .collect();
     let mut pairs = Vec::new();
     for (number, &(from, to)) in things.iter().enumerate() {

@@ -95,6 +95,10 @@ impl Notation for Ascii {
         if analysis.has_errors() {
             return Err(WriteError::new("the program has errors"));
         }
+        let networks = &analysis.context.networks;
+        if (0..networks.len()).all(|network| networks.at(network).blocks().next().is_none()) {
+            return Err(WriteError::new("nothing is drawn in the program"));
+        }
         let all = TextRange::up_to(analysis.context.parse.text_len());
         let pieces = letters::pieces(&analysis.context, all, RAIL, None);
         Ok(Writing {
