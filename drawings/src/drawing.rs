@@ -154,10 +154,8 @@ impl Reader {
                         }
                     }
                     let stays = lines[top..=drawn.end].iter();
-                    self.read
-                        .program
-                        .items
-                        .extend(stays.map(|line| Item::Comment((*line).to_owned())));
+                    let stays = stays.map(|line| Item::Comment(without_hashes(line).to_owned()));
+                    self.read.program.items.extend(stays);
                 }
             }
             top = drawn.end + 1;
@@ -198,6 +196,15 @@ impl Reader {
             drawing: program::Drawing::Rungs(rungs),
         }));
     }
+}
+
+/// A comment of ladder text without its signs; any other line as it is.
+fn without_hashes(line: &str) -> &str {
+    let inside = line
+        .trim()
+        .strip_prefix('#')
+        .and_then(|line| line.strip_suffix('#'));
+    inside.unwrap_or(line)
 }
 
 /// What is written, line by line, without the signs of comments in other languages.

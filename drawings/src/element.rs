@@ -169,7 +169,7 @@ const WORDS: usize = 2;
 
 fn named(mark: &str, name: &str, operands: &mut Operands) -> Result<String, String> {
     let is_short = name.split_whitespace().count() <= WORDS;
-    let tag = operands.tag(name).filter(|_| is_short);
+    let tag = is_short.then(|| operands.tag(name)).flatten();
     let tag = tag.ok_or_else(|| format!("`{}` is no name of a tag", name.trim()))?;
     Ok(format!("{mark}( {tag} )"))
 }

@@ -222,7 +222,7 @@ fn labels(symbols: &[Symbol], frames: &[Frame], phrases: &mut [Vec<Phrase>], mar
     let mut over: Vec<Vec<usize>> = vec![Vec::new(); phrases.len() + 1];
     for (number, symbol) in symbols.iter().enumerate() {
         let top = match &symbol.kind {
-            SymbolKind::Frame(frame) => frames[*frame].top,
+            SymbolKind::Frame(frame) if wants_name(&frames[*frame]) => frames[*frame].top,
             SymbolKind::Contact(inside) if element::contact_wants_name(inside) => symbol.line,
             SymbolKind::Coil(inside) if element::coil_wants_name(inside) => symbol.line,
             _ => continue,
@@ -233,10 +233,7 @@ fn labels(symbols: &[Symbol], frames: &[Frame], phrases: &mut [Vec<Phrase>], mar
         named.sort_by_key(|&number| symbols[number].from);
         // The lines of a box may be between a contact and its name.
         for above in (0..line).rev().take(HIGHEST) {
-            let spans: Vec<(usize, usize)> = named
-                .iter()
-                .map(|&number| (symbols[number].from, symbols[number].to))
-                .collect();
+            let spans: Vec<(usize, usize)> = named.iter().map(|&number| span(&symbols[number])).collect();
             let about = text::about(&spans, &phrases[above]);
             let taken = about.iter().flatten().cloned().collect();
             take(&mut phrases[above], taken);
@@ -264,6 +261,20 @@ fn labels(symbols: &[Symbol], frames: &[Frame], phrases: &mut [Vec<Phrase>], mar
         }
     }
     found
+}
+
+/// Whether what is above a box is its instance, or which block it is.
+fn wants_name(frame: &Frame) -> bool {
+    let boxed = block::boxed(&frame.edge, &frame.inside);
+    boxed.map_or(true, |boxed| boxed.row.state().is_some())
+}
+
+/// The columns over which a name may begin or end. That of a box is over the box itself.
+fn span(symbol: &Symbol) -> (usize, usize) {
+    match symbol.kind {
+        SymbolKind::Frame(_) => (symbol.from + text::NEAR, symbol.to - text::NEAR),
+        _ => (symbol.from, symbol.to),
+    }
 }
 
 /// Takes phrases out of those of a line; of one that was taken apart the rest stays.

@@ -69,7 +69,7 @@ fn is_comment(text: &str) -> bool {
 }
 
 /// A phrase may be this far left or right of what it is about.
-const NEAR: usize = 2;
+pub(crate) const NEAR: usize = 2;
 
 /// For each thing, given by its columns from left to right, the phrase that is about it. A phrase that reaches over several things is
 /// taken apart at its blanks.

@@ -24,18 +24,17 @@ struct Part<'t> {
 
 /// Puts one finding in the place of all that is found in a drawing.
 pub(crate) fn hide_all_else(parse: &Parse, all: &mut Vec<Finding>) {
-    let mut errors = all
-        .iter()
-        .filter(|found| found.severity == Severity::Error)
-        .peekable();
-    if errors.peek().is_none() || u32::from(parse.text_len()) as usize > MOST_BYTES {
+    let errors = all.iter().filter(|found| found.severity == Severity::Error);
+    let mut places: Vec<TextSize> = errors.map(|found| found.range.start()).collect();
+    if places.is_empty() || u32::from(parse.text_len()) as usize > MOST_BYTES {
         return;
     }
-    let places: Vec<TextSize> = errors.map(|found| found.range.start()).collect();
+    places.sort_unstable();
     let text = parse.to_string();
     let open = parse.unclosed_comment().map(TextRange::start);
     let is_wrong = |part: &Part<'_>| {
-        let has_error = places.iter().any(|&place| part.range.contains_inclusive(place));
+        let first = places.partition_point(|place| *place < part.range.start());
+        let has_error = places.get(first).is_some_and(|place| *place <= part.range.end());
         has_error || open.is_some_and(|open| open < part.range.start())
     };
     let mut drawings: Vec<TextRange> = Vec::new();
@@ -53,10 +52,19 @@ pub(crate) fn hide_all_else(parse: &Parse, all: &mut Vec<Finding>) {
             },
         }
     }
-    for range in drawings {
-        all.retain(|found| !range.contains_inclusive(found.range.start()));
-        all.push(Finding::from(found(&text, range)));
+    if drawings.is_empty() {
+        return;
     }
+    all.retain(|other| {
+        let place = other.range.start();
+        let first = drawings.partition_point(|drawing| drawing.end() < place);
+        drawings.get(first).is_none_or(|drawing| place < drawing.start())
+    });
+    all.extend(
+        drawings
+            .into_iter()
+            .map(|range| Finding::from(found(&text, range))),
+    );
     all.sort_by_key(|found| found.range.start());
 }
 

@@ -152,6 +152,8 @@ fn sound() -> &'static [Sound] {
         programs.extend(textbook.lines().map(|line| line.as_bytes().to_vec()));
         programs.push(textbook.into_bytes());
         programs.push(DRAFT.as_bytes().to_vec());
+        let drawing = own.join("../../fuzz/seeds/notations/ascii");
+        programs.push(std::fs::read(drawing).expect("the seeds are whole"));
         let recognised = |bytes: Vec<u8>| {
             let notation = NOTATIONS
                 .iter()

@@ -93,6 +93,10 @@ fn a_long_line_of_short_words() {
         ("textbook", "start open contact I0.1 ", "& open contact I0.1 "),
         ("cplc-draft", "+", "--[ ]<a>"),
         ("cplc-draft", "IN = { ", "DI a, "),
+        ("ascii", "|--| |--", "[(|"),
+        ("ascii", "|--| |--\n", "+-|\n"),
+        ("ascii", "", "+--+\n|a |-( )\n+--+\n"),
+        ("ascii", "", "  a  b\n-| |-+-( )-+\n"),
         ("iot", "NO I1 ", "; NO I1 "),
         ("ldmicro", "LDmicro0.1\nPROGRAM\nRUNG\n", "CONTACTS "),
     ] {

@@ -5,6 +5,7 @@ mod blocks;
 mod branches;
 mod latches;
 mod networks;
+mod pasted;
 mod redraw;
 mod suggestions;
 mod toggles;

@@ -34,7 +34,7 @@ fn a_box_that_does_not_say_what_it_is() {
 fn contacts_without_names_are_not_taken_away() {
     let nameless = include_str!("../../../../tests/corpus/field/paste_nc_contact_is_deleted/whole.clad");
     expect![[r#"
-        # \x23 from a forum \x23 #
+        # from a forum #
         # ---| |---|/|---+---( )--- #
         2:4 refused | |: no name is above this contact or inside it
         2:10 refused |/|: no name is above this contact, and `/` inside tells only its kind

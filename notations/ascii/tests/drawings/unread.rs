@@ -198,18 +198,20 @@ fn a_large_drawing_takes_little_time() {
 
 #[test]
 fn a_title_right_above_a_rung_is_no_name() {
-    check("# of a forum #\n|--| |-----| |------( )--|\n", expect![[r#"
+    check(
+        "# of a forum #\n|--| |-----| |------( )--|\n",
+        expect![[r#"
         # of a forum #
         +--# | | #--# | | #--# ( ) #---------------------------------------------------+
         2:4 refused | |: no name is above this contact or inside it
         2:12 refused | |: no name is above this contact or inside it
         2:21 refused ( ): no name is above this coil or inside it
-    "#]]);
+    "#]],
+    );
     check(
         "This starts the whole pump\n|--| |----------------------| |------( )--|\n",
         expect![[r#"
             +--# | | This starts the whole pump #--# | | #--# ( ) #------------------------+
-            1:1 approximated This starts the whole pump: this is not a name of its own in ladder text; it is `This_starts_the_whole_pump` here
             2:4 refused | | This starts the whole pump: `This starts the whole pump` is no name of a tag
             2:29 refused | |: no name is above this contact or inside it
             2:38 refused ( ): no name is above this coil or inside it

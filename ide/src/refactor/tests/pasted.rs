@@ -1,0 +1,42 @@
+//! Drawings that were pasted from elsewhere: drawn as ladder text wherever in them the cursor is.
+
+use super::fixture;
+use crate::refactor::quick_fixes;
+use expect_test::{Expect, expect};
+use ladder_analysis::analyze;
+use ladder_format::{Options, apply};
+use ladder_syntax::parse;
+use std::sync::Arc;
+
+#[track_caller]
+fn check(marked: &str, expected: Expect) {
+    let (text, range) = fixture(marked);
+    let analysis = analyze(&Arc::new(parse(&text)), "test.clad");
+    let offered = quick_fixes(&analysis, range);
+    let drawing = offered.iter().find(|action| action.title.starts_with("Draw it"));
+    let shown = match drawing {
+        None => "not offered\n".to_owned(),
+        Some(action) => {
+            assert!(!action.preferred, "nobody but a person knows what was meant");
+            apply(&text, &action.aligned(&analysis, &text, &Options::default()))
+        }
+    };
+    expected.assert_eq(&shown);
+}
+
+#[test]
+fn a_whole_drawing() {
+    check(
+        "+--[ ]( a )--( )( b )--+\n\n  start      stop      run\n|--| |---+---|/|-------( )--|\n|  $0run   |                  |\n|--| |---+                  |\n\n+--[ ]( run )--( )( lamp )--+\n",
+        expect![[r#""#]],
+    );
+    check(
+        "│  Go   T1 ┌─ TON ─┐  Fan\r\n├──┤ ├─────┤IN    Q├──(S)──┤\r\n│      T#5s┤PT   ET│$0\r\n           └───────┘\r\n",
+        expect![[r#""#]],
+    );
+}
+
+#[test]
+fn one_with_something_unread() {
+    check("  start\n|--|$0 |---{PID}---( )--|\n", expect![[r#""#]]);
+}
