@@ -88,15 +88,16 @@ pub fn look(lines: &[&str]) -> Look {
     let sheet = Sheet::of(lines.iter().copied());
     let part = part::read(&sheet, &mut Operands::default());
     let count = |form: Form| part.symbols.iter().filter(|symbol| symbol.form == form).count();
-    let (own, inside, drawn) = (count(Form::Own), count(Form::Inside), count(Form::Drawn));
+    let (own, bare) = (count(Form::Own), count(Form::Bare));
+    let (inside, drawn) = (count(Form::Inside), count(Form::Drawn));
     let has_boxes = lines
         .iter()
         .any(|line| line.chars().any(|c| !c.is_ascii() && arms(c).is_some()));
     // Ladder text begins a rung with `+`.
     let begins_otherwise = || lines.iter().all(|line| !line.trim_start().starts_with('+'));
-    let is_drawn = (has_boxes && own + inside + drawn > 0)
-        || (drawn > 0 && drawn + inside > own)
-        || (inside > 1 && own == 0 && begins_otherwise());
+    let is_drawn = (has_boxes && !part.symbols.is_empty())
+        || (drawn > 0 && drawn + inside + bare > own)
+        || (inside.max(bare) > 1 && own == 0 && begins_otherwise());
     match is_drawn {
         true => Look::Drawn,
         false if part.networks.is_empty() => Look::Text,

@@ -15,7 +15,7 @@ pub(crate) struct Labels<'l> {
 fn contact_mark(inside: &str) -> Option<&'static str> {
     Some(match inside {
         "" | "─" | "━" => "[ ]",
-        "/" | "\\" => "[/]",
+        "/" => "[/]",
         "P" | "↑" | "^" => "[P]",
         "N" | "↓" => "[N]",
         _ => return None,
@@ -26,7 +26,7 @@ fn contact_mark(inside: &str) -> Option<&'static str> {
 fn coil_mark(inside: &str) -> Option<&'static str> {
     Some(match inside.to_ascii_uppercase().as_str() {
         "" | "OTE" => "( )",
-        "/" | "\\" => "(/)",
+        "/" => "(/)",
         "S" | "L" | "SET" | "OTL" => "(S)",
         "R" | "U" | "RST" | "RESET" | "OTU" => "(R)",
         "P" | "↑" => "(P)",

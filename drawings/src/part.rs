@@ -38,9 +38,13 @@ pub(crate) struct Element {
 pub(crate) enum Form {
     /// As ladder text has it too.
     Own,
+    /// With brackets and no name: it may be either.
+    Nameless,
+    /// With bars or inverse brackets and no name. `|/|` may be a slip in ladder text.
+    Bare,
     /// With its name inside its brackets.
     Inside,
-    /// With bars, with its name above it, or as a box.
+    /// With its name above it or between bars, or as a box.
     Drawn,
 }
 
@@ -162,7 +166,8 @@ pub(crate) fn read(sheet: &Sheet, operands: &mut Operands) -> Part {
             column: symbol.from,
             form: form(
                 &symbol.kind,
-                label.above.is_some() || sheet.at(symbol.line, symbol.from) != '[',
+                label.above.is_some(),
+                "[(".contains(sheet.at(symbol.line, symbol.from)),
             ),
             shown: match label.above {
                 Some(above) => format!("{} {above}", drawn.trim()),
@@ -190,17 +195,19 @@ fn whole(block: String) -> Result<String, String> {
     }
 }
 
-/// `is_drawn`: its name is above it, or it has no bracket that opens to the right.
-fn form(kind: &SymbolKind, is_drawn: bool) -> Form {
+fn form(kind: &SymbolKind, has_name_above: bool, has_bracket: bool) -> Form {
     match kind {
         SymbolKind::Own | SymbolKind::Flow(_) => Form::Own,
         SymbolKind::Frame(_) => Form::Drawn,
-        SymbolKind::Contact(_) if is_drawn => Form::Drawn,
+        _ if has_name_above => Form::Drawn,
         SymbolKind::Contact(inside) | SymbolKind::Coil(inside) => {
-            if inside.trim().is_empty() {
-                Form::Own
-            } else {
-                Form::Inside
+            let letters: String = inside.chars().filter(|c| c.is_alphanumeric()).collect();
+            let says = letters.len() > 1 || (!letters.is_empty() && !"PNSRLUM".contains(&letters));
+            match (says, has_bracket) {
+                (true, true) => Form::Inside,
+                (true, false) => Form::Drawn,
+                (false, true) => Form::Nameless,
+                (false, false) => Form::Bare,
             }
         }
     }

@@ -113,7 +113,7 @@ fn bracketed(sheet: &Sheet, line: usize, at: usize) -> Option<Symbol> {
     };
     let is_row = |shape| {
         let word = inside.trim();
-        word.is_empty() || lookup(shape, word).next().is_some()
+        word.is_empty() || word.starts_with('$') || lookup(shape, word).next().is_some()
     };
     let to = end + 1;
     let goes = leads_on(sheet.at(line, to));

@@ -587,3 +587,132 @@ fn programs_from_the_field_run() {
         assert_eq!(run.stdout, format!("scan,time_ms,{coil}\n{row}"), "{file}");
     }
 }
+
+/// As people post it.
+const DRAWING: &str = "\
+Rung 1: seal-in
+   start      stop       run
+ |--] [---+---]/[--------( )--|  main drive
+ |  run   |                   |
+ |--] [---+                   |
+
+            ?
+ |--] [---{PID}----------(S)--|
+";
+
+#[test]
+fn a_drawing_in_characters() {
+    let folder = Folder::with(&[("forum.txt", DRAWING), ("pasted.clad", DRAWING)]);
+    expect![[r#"
+        exit status 1
+        -- stdout
+        # Rung 1: seal-in #
+        # main drive #
+        +--[ ]( start )--\--[/]( stop )------------------------------------( )( run )--+
+        +--[ ]( run )----/                                                             |
+
+        # ? #
+        # |--] [---{PID}----------(S)--| #
+        -- stderr
+        forum.txt:8:5: refused: ] [: no name is above this contact or inside it
+        forum.txt:8:10: refused: |--] [---{PID}----------(S)--|: the wire ends here, and no line leads on from it
+        forum.txt:8:11: refused: |--] [---{PID}----------(S)--|: `{PID}` is in the wire: a name belongs above its contact, or inside it
+        forum.txt:8:16: refused: |--] [---{PID}----------(S)--|: no wire leads here from the left, and no line from above or below
+        forum.txt:8:26: refused: (S): no name is above this coil, and `S` inside tells only its kind
+        forum.txt: 4 translated, 0 approximated, 5 refused
+    "#]].assert_eq(&folder.ladder(&["convert", "forum.txt"]).to_string());
+    expect![[r#"
+        exit status 1
+        -- stdout
+        error[ascii-unread]: `] [` stays as a comment: no name is above this contact or inside it
+         --> forum.txt:8:5
+          |
+        8 |  |--] [---{PID}----------(S)--|
+          |     ^^^
+
+        error[ascii-unread]: `|--] [---{PID}----------(S)--|` stays as a comment: the wire ends here, and no line leads on from it
+         --> forum.txt:8:10
+          |
+        8 |  |--] [---{PID}----------(S)--|
+          |          ^
+
+        error[ascii-unread]: `|--] [---{PID}----------(S)--|` stays as a comment: `{PID}` is in the wire: a name belongs above its contact, or inside it
+         --> forum.txt:8:11
+          |
+        8 |  |--] [---{PID}----------(S)--|
+          |           ^
+
+        error[ascii-unread]: `|--] [---{PID}----------(S)--|` stays as a comment: no wire leads here from the left, and no line from above or below
+         --> forum.txt:8:16
+          |
+        8 |  |--] [---{PID}----------(S)--|
+          |                ^^^^^^^^^^
+
+        error[ascii-unread]: `(S)` stays as a comment: no name is above this coil, and `S` inside tells only its kind
+         --> forum.txt:8:26
+          |
+        8 |  |--] [---{PID}----------(S)--|
+          |                          ^^^
+
+        Checked 1 file: 5 errors.
+    "#]].assert_eq(&folder.ladder(&["check", "forum.txt"]).to_string());
+    expect![[r#"
+        exit status 1
+        -- stdout
+        error[unexpected-character]: this looks like a ladder diagram that is drawn with characters
+         --> pasted.clad:1:1
+          |
+        1 | / Rung 1: seal-in
+        2 | |    start      stop       run
+        3 | |  |--] [---+---]/[--------( )--|  main drive
+        4 | |  |  run   |                   |
+        ... |
+        7 | |             ?
+        8 | |  |--] [---{PID}----------(S)--|
+          | |_____---__---------------------^
+          |       |    ||    |         |
+          |       |    ||    |         this cannot be read: no name is above this coil, and `S` inside tells only its kind
+          |       |    ||    this cannot be read: no wire leads here from the left, and no line from above or below
+          |       |    |this cannot be read: `{PID}` is in the wire: a name belongs above its contact, or inside it
+          |       |    this cannot be read: the wire ends here, and no line leads on from it
+          |       this cannot be read: no name is above this contact or inside it
+          |
+          = help: convert it with `ladder convert --from ascii`: what cannot be read stays as a comment
+
+        Checked 1 file: 1 error.
+    "#]].assert_eq(&folder.ladder(&["check", "pasted.clad"]).to_string());
+    // Only what is read whole is drawn.
+    let (whole, _) = DRAWING.split_once("\n\n").expect("there are two rungs");
+    let folder = Folder::with(&[("pasted.clad", whole)]);
+    expect![[r#"
+        exit status 1
+        -- stdout
+        error[unexpected-character]: this looks like a ladder diagram that is drawn with characters
+         --> pasted.clad:1:1
+          |
+        1 | / Rung 1: seal-in
+        2 | |    start      stop       run
+        3 | |  |--] [---+---]/[--------( )--|  main drive
+        4 | |  |  run   |                   |
+        5 | |  |--] [---+                   |
+          | |_______________________________^
+          |
+          = help: convert it with `ladder convert --from ascii`, or draw these lines as ladder text with the fix
+        help: Draw it with - + | \ / and blocks
+          |
+        1 + # Rung 1: seal-in #
+        2 + # main drive #
+        3 + +--[ ]( start )--\--[/]( stop )------------------------------------( )( run )--+
+        4 ~ +--[ ]( run )----/                                                             |
+          |
+
+        Checked 1 file: 1 error.
+    "#]].assert_eq(&folder.ladder(&["check", "--fix", "pasted.clad"]).to_string());
+    folder.ladder(&["check", "--fix", "--unsafe-fixes", "pasted.clad"]);
+    expect![[r#"
+        # Rung 1: seal-in #
+        # main drive #
+        +--[ ]( start )--\--[/]( stop )------------------------------------( )( run )--+
+        +--[ ]( run )----/                                                             |"#]]
+    .assert_eq(&folder.read("pasted.clad"));
+}

@@ -84,6 +84,46 @@ fn characters_at_rest_and_with_power() {
     assert!(forced.stdout.contains("stop!"), "{forced}");
 }
 
+#[test]
+fn characters_of_ascii() {
+    let folder = Folder::with(&[("motor.clad", MOTOR)]);
+    let drawn = |more: &[&str]| {
+        let arguments = ["render", "motor.clad", "--format", "text", "--style", "ascii"];
+        folder.ladder(&[&arguments, more].concat())
+    };
+    expect![[r#"
+        exit status 0
+        -- stdout
+        |     start     stop                                                    run   |
+        +--+--|   |--+--| / |--------------------------------------------------(   )--+
+        |  |   run   |                                                                |
+        |  +--|   |--+                                                                |
+    "#]]
+    .assert_eq(&drawn(&[]).to_string());
+    expect![[r#"
+        exit status 0
+        -- stdout
+        |     start     stop                                                    run   |
+        +==+==|===|==+==|=/=|==================================================(===)==+
+        |  |   run   |                                                                |
+        |  +==|===|==+                                                                |
+    "#]]
+    .assert_eq(&drawn(&["--scans", "2", "--set", "start=1"]).to_string());
+    let unicode = folder.ladder(&["render", "motor.clad", "--format", "text", "--style", "unicode"]);
+    let plain = folder.ladder(&["render", "motor.clad", "--format", "text"]);
+    assert_eq!(unicode.stdout, plain.stdout);
+    expect![[r#"
+        exit status 2
+        -- stderr
+        error: --style is about a drawing with characters; add --format text, or end the file's name in .txt
+    "#]]
+    .assert_eq(
+        &folder
+            .ladder(&["render", "motor.clad", "--style", "ascii"])
+            .to_string(),
+    );
+}
+
 /// The texts of a picture.
 fn texts(picture: &str) -> Vec<&str> {
     let texts = picture.lines().filter(|line| line.starts_with("<text"));
