@@ -22,6 +22,8 @@ pub struct Read {
     pub problems: Vec<Problem>,
     /// The names that ladder text cannot hold, each with its spelling there.
     pub renamed: Vec<(String, String)>,
+    /// The names of timers and counters that have none in the drawing.
+    pub made: Vec<String>,
 }
 
 /// An element of a drawing.
@@ -68,6 +70,7 @@ pub fn read(text: &str) -> Read {
         }
     }
     reader.read.renamed = reader.operands.changed();
+    reader.read.made = reader.operands.made();
     reader.read.problems.sort_by_key(|problem| problem.place);
     reader.read
 }

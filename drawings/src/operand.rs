@@ -10,6 +10,7 @@ const MEMBERS: [&str; 10] = ["EN", "TT", "DN", "CU", "CD", "ACC", "PRE", "Q", "E
 #[derive(Debug, Default)]
 pub(crate) struct Operands {
     names: Names,
+    made: Vec<String>,
 }
 
 impl Operands {
@@ -53,7 +54,14 @@ impl Operands {
 
     /// A name of the reader's own.
     pub(crate) fn fresh(&mut self, like: &str) -> String {
-        self.names.fresh(like)
+        let name = self.names.fresh(like);
+        self.made.push(name.clone());
+        name
+    }
+
+    /// The names that the drawing does not have.
+    pub(crate) fn made(self) -> Vec<String> {
+        self.made
     }
 
     /// The names that are written otherwise than they were, each with its spelling.

@@ -87,6 +87,10 @@ impl Notation for Ascii {
             let why = format!("this is not a name of its own in ladder text; it is `{spelling}` here");
             report.approximated(LineColumn::START, name, why);
         }
+        for name in read.made {
+            let why = "a timer or counter of the drawing has no name; it has this one here";
+            report.approximated(LineColumn::START, name, why);
+        }
         report.entries.sort_by_key(|entry| entry.place);
         Ok(reading)
     }

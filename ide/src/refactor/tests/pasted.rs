@@ -18,7 +18,10 @@ fn check(marked: &str, expected: Expect) {
         None => "not offered\n".to_owned(),
         Some(action) => {
             assert!(!action.preferred, "nobody but a person knows what was meant");
-            apply(&text, &action.aligned(&analysis, &text, &Options::default()))
+            let after = apply(&text, &action.aligned(&analysis, &text, &Options::default()));
+            let is_crlf = text.contains("\r\n");
+            assert!(!is_crlf || !after.replace("\r\n", "").contains('\n'), "{after:?}");
+            after.replace("\r\n", "\n")
         }
     };
     expected.assert_eq(&shown);
@@ -28,15 +31,29 @@ fn check(marked: &str, expected: Expect) {
 fn a_whole_drawing() {
     check(
         "+--[ ]( a )--( )( b )--+\n\n  start      stop      run\n|--| |---+---|/|-------( )--|\n|  $0run   |                  |\n|--| |---+                  |\n\n+--[ ]( run )--( )( lamp )--+\n",
-        expect![[r#""#]],
+        expect![[r#"
+            +--[ ]( a )--( )( b )--+
+
+            +--[ ]( start )--\--[/]( stop )------------------------------------( )( run )--+
+            +--[ ]( run )----/                                                             |
+
+            +--[ ]( run )--( )( lamp )--+
+        "#]],
     );
     check(
-        "│  Go   T1 ┌─ TON ─┐  Fan\r\n├──┤ ├─────┤IN    Q├──(S)──┤\r\n│      T#5s┤PT   ET│$0\r\n           └───────┘\r\n",
-        expect![[r#""#]],
+        "│            T1\r\n│  Go      ┌─ TON ─┐  Fan\r\n├──┤ ├─────┤IN    Q├──(S)──┤\r\n│      T#5s┤PT   ET│$0\r\n           └───────┘\r\n",
+        expect![[r#"
+            +--[ ]( Go )------------------------------------[TON]( T1, T#5s )--(S)( Fan )--+
+        "#]],
     );
 }
 
 #[test]
 fn one_with_something_unread() {
-    check("  start\n|--|$0 |---{PID}---( )--|\n", expect![[r#""#]]);
+    check(
+        "  start\n|--|$0 |---{PID}---( )--|\n",
+        expect![[r#"
+        not offered
+    "#]],
+    );
 }

@@ -126,6 +126,22 @@ fn boxes() {
 }
 
 #[test]
+fn a_timer_without_a_name_gets_one() {
+    check(
+        "
+|   a    +-TON--+    y   |
++--[ ]---|IN   Q|---( )--+
+|    5s--|PT    |        |
+|        +------+        |
+",
+        expect![[r#"
+            +--[ ]( a )------------------------------------[TON]( ton_1, T#5s )--( )( y )--+
+            1:1 approximated ton_1: a timer or counter of the drawing has no name; it has this one here
+        "#]],
+    );
+}
+
+#[test]
 fn what_is_no_drawing() {
     check(
         "Dear all,\n\nwhat is a rung?\n",
