@@ -93,9 +93,10 @@ pub fn look(lines: &[&str]) -> Look {
     let count = |form: Form| part.symbols.iter().filter(|symbol| symbol.form == form).count();
     let (own, bare) = (count(Form::Own), count(Form::Bare));
     let (inside, drawn) = (count(Form::Inside), count(Form::Drawn));
-    let has_boxes = lines
-        .iter()
-        .any(|line| line.chars().any(|c| !c.is_ascii() && arms(c).is_some()));
+    let is_box = |c: char| !c.is_ascii() && arms(c).is_some();
+    // What is in a comment of ladder text is not drawn.
+    let drawn_part = |line: &&str| line.split('#').next().is_some_and(|line| line.contains(is_box));
+    let has_boxes = lines.iter().any(drawn_part);
     // Ladder text begins a rung with `+`.
     let begins_otherwise = || lines.iter().all(|line| !line.trim_start().starts_with('+'));
     let is_drawn = (has_boxes && !part.symbols.is_empty())

@@ -12,7 +12,8 @@
 //! text --drawing--> parts: runs of lines without a blank one
 //!      --sheet----> columns
 //!      --frame----> boxes of blocks
-//!      --symbol---> contacts and coils; --element, block--> blocks of ladder text, named by --text
+//!      --sides----> the values next to boxes
+//!      --symbol---> contacts and coils; --element, block--> blocks of ladder text, named by --label
 //!      --wires----> what is joined, from left to right and from line to line
 //!      --network--> rungs with connectors
 //! ```
@@ -25,11 +26,13 @@ mod block;
 mod drawing;
 mod element;
 mod frame;
+mod label;
 mod marks;
 mod network;
 mod operand;
 mod part;
 mod sheet;
+mod sides;
 mod symbol;
 mod text;
 mod wires;

@@ -218,6 +218,10 @@ fn ladder_text_with_an_error_is_no_drawing() {
     "#]],
     );
     check(
+        "+--[ ]( b )--[XYZ]( c )--+  # ├──┤ ├──( )──┤ #\n",
+        expect![[r#""#]],
+    );
+    check(
         "# --| |--( )-- #\n+--[ ]( a )--( )( b )--+\n+--[ ]( b )--[XYZ]( c )--+\n",
         expect![[r#"
             > +--[ ]( b )--[XYZ]( c )--+

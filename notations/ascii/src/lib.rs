@@ -9,14 +9,13 @@
 //!
 //! `ladder-drawings` reads them. What is written is what `ladder render --format text` shows, in plain characters.
 
-use ladder_analysis::Analysis;
-use ladder_analysis::Severity;
+use ladder_analysis::{Analysis, Severity, analyze};
 use ladder_drawings::{Look, look, read};
 use ladder_notation::{
     Finding, LineColumn, Notation, ReadError, Reading, Report, Source, WriteError, Writing,
 };
 use ladder_picture::letters::{self, Style};
-use ladder_syntax::TextRange;
+use ladder_syntax::{TextRange, parse};
 
 /// See the module.
 #[derive(Debug)]
@@ -47,15 +46,11 @@ impl Notation for Ascii {
             return false;
         };
         let lines: Vec<&str> = text.trim_start_matches('\u{feff}').lines().take(LINES).collect();
+        let parts = lines.split(|line| line.trim().is_empty());
+        let is_drawn = |part: &[&str]| !part.is_empty() && look(part) == Look::Drawn;
         // Ladder text draws contacts on wires too.
-        let is_ladder = !ladder_syntax::parse(&lines.join("\n"))
-            .lines()
-            .iter()
-            .any(|line| !line.errors.is_empty());
-        !is_ladder
-            && lines
-                .split(|line| line.trim().is_empty())
-                .any(|part| !part.is_empty() && look(part) == Look::Drawn)
+        let has_errors = || analyze(&parse(&lines.join("\n")).into(), "").has_errors();
+        parts.into_iter().any(is_drawn) && has_errors()
     }
 
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {

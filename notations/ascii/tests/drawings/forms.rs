@@ -261,7 +261,7 @@ fn branches_with_outputs_and_a_line_between_all() {
 }
 
 #[test]
-fn a_branch_that_passes_behind_a_rung() {
+fn a_branch_that_passes_a_rung() {
     // The left line passes the second rung on its way to the third, and a bridge leads from one branch to another.
     check(
         "
@@ -299,6 +299,17 @@ fn blocks_on_one_line() {
         &["halt"],
         |v| !v[0],
     );
+}
+
+#[test]
+fn names_inside_without_anything_else() {
+    check(
+        "|--[auto]--[/full]--(pump)--|\n",
+        "pump",
+        &["auto", "full"],
+        |v| v[0] && !v[1],
+    );
+    check("|--[auto]--(pump)--|\n", "pump", &["auto"], |v| v[0]);
 }
 
 #[test]
