@@ -98,7 +98,11 @@ pub fn look(lines: &[&str]) -> Look {
     let drawn_part = |line: &&str| line.split('#').next().is_some_and(|line| line.contains(is_box));
     let has_boxes = lines.iter().any(drawn_part);
     // Ladder text begins a rung with `+`.
-    let begins_otherwise = || lines.iter().all(|line| !line.trim_start().starts_with('+'));
+    let begins_otherwise = || {
+        lines
+            .iter()
+            .all(|line| !line.trim_start_matches([' ', '\t', '|']).starts_with('+'))
+    };
     let is_drawn = (has_boxes && !part.symbols.is_empty())
         || (drawn > 0 && drawn + inside + bare > own)
         || (inside.max(bare) > 1 && own == 0 && begins_otherwise());

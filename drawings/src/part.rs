@@ -42,11 +42,11 @@ pub(crate) enum Form {
     Own,
     /// With brackets and no name: it may be either.
     Nameless,
-    /// With bars or inverse brackets and no name. `|/|` may be a slip in ladder text.
+    /// With bars and no name. `|/|` may be a slip in ladder text.
     Bare,
     /// With its name inside its brackets.
     Inside,
-    /// With its name above it or between bars, or as a box.
+    /// With its name above it or between bars, with inverse brackets, or as a box.
     Drawn,
 }
 
@@ -169,7 +169,7 @@ pub(crate) fn read(sheet: &Sheet, operands: &mut Operands) -> Part {
             form: form(
                 &symbol.kind,
                 label.above.is_some(),
-                "[(".contains(sheet.at(symbol.line, symbol.from)),
+                sheet.at(symbol.line, symbol.from),
             ),
             shown: match label.above {
                 Some(above) => format!("{} {above}", drawn.trim()),
@@ -197,11 +197,15 @@ fn whole(block: String) -> Result<String, String> {
     }
 }
 
-fn form(kind: &SymbolKind, has_name_above: bool, has_bracket: bool) -> Form {
+fn form(kind: &SymbolKind, has_name_above: bool, first: char) -> Form {
+    let has_bracket = matches!(first, '[' | '(');
     match kind {
         SymbolKind::Own | SymbolKind::Flow(_) => Form::Own,
         SymbolKind::Frame(_) => Form::Drawn,
-        _ if has_name_above => Form::Drawn,
+        // Ladder text has no `] [`.
+        _ if has_name_above || first == ']' => Form::Drawn,
+        // A block without operands: `[OSR]`.
+        SymbolKind::Contact(inside) if block::row(inside).is_some_and(|row| row.required() == 0) => Form::Own,
         SymbolKind::Contact(inside) | SymbolKind::Coil(inside) => {
             let letters: String = inside.chars().filter(|c| c.is_alphanumeric()).collect();
             let says = letters.len() > 1 || (!letters.is_empty() && !"PNSRLUM".contains(&letters));
