@@ -143,31 +143,41 @@ impl Reader {
             if number > 0 {
                 self.read.program.items.push(Item::Blank);
             }
-            match drawn.problems.is_empty() {
-                true => self.network(&part, drawn, &place),
-                false => {
-                    for ((line, column), why) in &drawn.problems {
-                        self.read.problems.push(Problem {
-                            place: place(*line, *column),
-                            text: lines[*line].trim().to_owned(),
-                            why: why.clone(),
-                        });
-                    }
-                    for symbol in drawn.network.symbols().map(|symbol| &part.symbols[symbol]) {
-                        if let Err(why) = &symbol.written {
-                            self.read.problems.push(Problem {
-                                place: place(symbol.line, symbol.column),
-                                text: symbol.shown.clone(),
-                                why: why.clone(),
-                            });
-                        }
-                    }
-                    let stays = lines[top..=drawn.end].iter();
-                    let stays = stays.map(|line| Item::Comment(without_hashes(line).to_owned()));
-                    self.read.program.items.extend(stays);
-                }
+            if drawn.problems.is_empty() {
+                self.network(&part, drawn, &place);
+            } else {
+                self.stays(&part, drawn, lines, &place);
+                let stays = lines[top..=drawn.end].iter();
+                let stays = stays.map(|line| Item::Comment(without_hashes(line).to_owned()));
+                self.read.program.items.extend(stays);
             }
             top = drawn.end + 1;
+        }
+    }
+
+    /// Notes why a network stays as it is.
+    fn stays(
+        &mut self,
+        part: &Part,
+        drawn: &Drawn,
+        lines: &[&str],
+        place: &dyn Fn(usize, usize) -> LineColumn,
+    ) {
+        for ((line, column), why) in &drawn.problems {
+            self.read.problems.push(Problem {
+                place: place(*line, *column),
+                text: lines[*line].trim().to_owned(),
+                why: why.clone(),
+            });
+        }
+        for symbol in drawn.network.symbols().map(|symbol| &part.symbols[symbol]) {
+            if let Err(why) = &symbol.written {
+                self.read.problems.push(Problem {
+                    place: place(symbol.line, symbol.column),
+                    text: symbol.shown.clone(),
+                    why: why.clone(),
+                });
+            }
         }
     }
 

@@ -213,11 +213,10 @@ impl Plan<'_> {
             while let Some(run) = runs.next_if(|run| run.line == line) {
                 self.run(run, row, &buses, acts, &mut rung);
             }
-            let network = networks.last_mut();
-            network.into_iter().for_each(|network| {
+            if let Some(network) = networks.last_mut() {
                 network.lines.push(line);
                 network.rungs.push(tidied(&rung));
-            });
+            }
         }
         networks
     }
@@ -272,7 +271,7 @@ impl Plan<'_> {
                 Some(bus) => bus.pieces(row, rung),
                 // A rail: of a line that passes by nothing is drawn.
                 None if number == 0 && joint.leaves || joint.enters && !joint.leaves => {
-                    rung.push(Piece::Rail)
+                    rung.push(Piece::Rail);
                 }
                 None => {}
             }

@@ -188,13 +188,11 @@ pub(crate) fn read(sheet: &Sheet, operands: &mut Operands) -> Part {
 
 /// A block that has no error on a rung.
 fn whole(block: String) -> Result<String, String> {
-    match ladder_syntax::parse(&format!("+--{block}--+"))
-        .errors()
-        .is_empty()
-    {
-        true => Ok(block),
-        false => Err("what is between its brackets is not known".to_owned()),
+    let errors = ladder_syntax::parse(&format!("+--{block}--+")).errors();
+    if errors.is_empty() {
+        return Ok(block);
     }
+    Err("what is between its brackets is not known".to_owned())
 }
 
 fn form(kind: &SymbolKind, has_name_above: bool, first: char) -> Form {

@@ -120,9 +120,8 @@ fn bracketed(sheet: &Sheet, line: usize, at: usize) -> Option<Symbol> {
     match sheet.at(line, at) {
         '<' => {
             let list = list().filter(|_| is_row(Shape::Function));
-            let flow = |_| symbol(to, SymbolKind::Flow(inside.clone()));
             let own = list.map(|to| symbol(to, SymbolKind::Own));
-            own.or_else(|| (comes || goes).then_some(()).map(flow))
+            own.or_else(|| (comes || goes).then(|| symbol(to, SymbolKind::Flow(inside))))
         }
         ']' => {
             let plain = !inside.contains(is_wire) && inside.chars().all(|c| arms(c).is_none());

@@ -20,10 +20,12 @@ pub fn text(pieces: &[Piece], style: Style) -> String {
             Style::Unicode => piece.lines.iter().map(|line| line.text.clone()).collect(),
             Style::Ascii => plain(&piece.lines),
         };
-        lines
-            .iter()
-            .map(|line| format!("{}\n", line.trim_end()))
-            .collect()
+        let mut text = String::new();
+        for line in &lines {
+            text.push_str(line.trim_end());
+            text.push('\n');
+        }
+        text
     });
     drawn.collect::<Vec<String>>().join("\n")
 }
