@@ -219,7 +219,11 @@ fn ladder_text_with_an_error_is_no_drawing() {
     );
     check(
         "+--[ ]( b )--[XYZ]( c )--+  # ├──┤ ├──( )──┤ #\n",
-        expect![[r#""#]],
+        expect![[r##"
+            > +--[ ]( b )--[XYZ]( c )--+  # ├──┤ ├──( )──┤ #
+                           ^^^^^ error[unknown-instruction]: there is no instruction [XYZ]
+                help: contacts are [ ] and [/]; the language reference lists all instructions
+        "##]],
     );
     check(
         "# --| |--( )-- #\n+--[ ]( a )--( )( b )--+\n+--[ ]( b )--[XYZ]( c )--+\n",
