@@ -9,7 +9,7 @@
 
 ;; The major mode for ladder diagrams (.clad) and their scenarios (.ladder-test).  The language server `ladder lsp'
 ;; comes through Eglot: errors, completion, explanations, references, renaming and alignment.  The simulation, with
-;; the power flow drawn into the text, is in `ladder-simulation'.
+;; the power flow drawn into the text, is in `ladder-simulation'; what works without a server, in `ladder-treesit'.
 ;;
 ;;   (add-to-list 'load-path "/path/to/ladder/editors/emacs")
 ;;   (require 'ladder-mode)
@@ -18,6 +18,7 @@
 ;;; Code:
 
 (require 'eglot)
+(require 'ladder-treesit)
 
 (defgroup ladder nil
   "Ladder diagrams as plain text."
@@ -215,7 +216,8 @@ A comment ends at the very next one."
               electric-indent-inhibit t
               require-final-newline t)
   (auto-fill-mode -1)
-  (add-hook 'before-save-hook #'ladder--format-before-save nil t))
+  (add-hook 'before-save-hook #'ladder--format-before-save nil t)
+  (ladder-treesit-setup))
 
 (defconst ladder--test-keywords
   '(("^[ \t]*\\(scenario\\|program\\|step\\|interval\\|tolerance\\)\\_>" 1 font-lock-keyword-face)

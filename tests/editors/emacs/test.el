@@ -94,6 +94,14 @@
     (same "a literal" '("" "             T#5s" "") (faced 'font-lock-constant-face))
     (same "a coil" '("" "                     ( )(" "") (faced 'font-lock-builtin-face))))
 
+(step "each colour of the Tree-sitter grammar has a face"
+  (let* ((ladder-treesit--colours (expand-file-name "editors/tree-sitter/queries/highlights.scm" (getenv "LADDER_ROOT")))
+         (query (ladder-treesit--query)))
+    ;; Versions of Emacs differ in how they are written.
+    (same "predicates" nil (string-match "(#" query))
+    (unless (string-match-p "\"END_VAR\"" query)
+      (error "The query is empty"))))
+
 (step "the server knows the language, and finds nothing wrong with a good program"
   (open "motor.clad")
   (same "the mode" 'ladder-mode major-mode)
