@@ -16,9 +16,11 @@ const list = (item) => seq(item, repeat(seq(',', item)));
 
 const DATES = ['D', 'DATE', 'TOD', 'TIME_OF_DAY', 'DT', 'DATE_AND_TIME'];
 const DURATIONS = ['T', 'TIME', 'LTIME'];
-const NUMBERS = ['BOOL', 'BYTE', 'WORD', 'DWORD', 'LWORD', 'SINT', 'INT', 'DINT', 'LINT', 'USINT', 'UINT', 'UDINT', 'ULINT', 'REAL', 'LREAL'];
+const NUMBERS = [
+  ...['BOOL', 'BYTE', 'WORD', 'DWORD', 'LWORD', 'SINT', 'INT', 'DINT', 'LINT', 'USINT', 'UINT', 'UDINT', 'ULINT'],
+  ...['REAL', 'LREAL'],
+];
 const BLOCKS = ['TON', 'TOF', 'TP', 'RTO', 'RTOF', 'CTU', 'CTD', 'CTUD', 'CTC', 'SR', 'RS'];
-
 const TYPES = [...NUMBERS, ...BLOCKS, 'TIME', 'DATE', 'TOD', 'DT', 'TIME_OF_DAY', 'DATE_AND_TIME', 'STRING'];
 const SECTIONS = ['VAR', 'VAR_INPUT', 'VAR_OUTPUT', 'VAR_IN_OUT', 'VAR_GLOBAL', 'VAR_EXTERNAL'];
 
@@ -43,8 +45,9 @@ const operator = (text) => (/[A-Z]/.test(text) ? word(text) : text);
 module.exports = grammar({
   name: 'clad',
 
-  // A line end counts only where one may end a line of the drawing; there the scanner takes it.
-  externals: ($) => [$._line_end, $._never],
+  // A line end counts only where one may end a line of the drawing; there the scanner takes it. One that comes before the
+  // `)` of a list ends the list as well: so a rung that is being typed takes nothing from the next.
+  externals: ($) => [$._line_end, $._unclosed, $._never],
 
   extras: ($) => [/[ \t\r\n]/, $.comment],
 
@@ -77,7 +80,12 @@ module.exports = grammar({
     rung: ($) => seq($._before_down, $._line_end),
 
     _rung_that_goes_on: ($) =>
-      seq(optional(choice($._rails, $._before_down)), $.down_connector, repeat(choice($.rail, $._element, $.down_connector)), $._line_end),
+      seq(
+        optional(choice($._rails, $._before_down)),
+        $.down_connector,
+        repeat(choice($.rail, $._element, $.down_connector)),
+        $._line_end,
+      ),
 
     _before_down: ($) => seq(optional($._rails), $._element, repeat(choice($.rail, $._element))),
 
@@ -111,8 +119,9 @@ module.exports = grammar({
 
     block_name: () => /\$[\p{XID_Start}_]\p{XID_Continue}*/,
 
-    operand_list: ($) => seq('(', optional(list(choice($.expression, $.named_operand))), ')'),
-    _label_list: ($) => seq('(', alias($.identifier, $.label), ')'),
+    operand_list: ($) =>
+      seq('(', optional(list(choice($.expression, $.named_operand))), choice(')', seq(optional(','), $._unclosed))),
+    _label_list: ($) => seq('(', alias($.identifier, $.label), choice(')', $._unclosed)),
 
     named_operand: ($) =>
       seq(field('name', alias($.identifier, $.parameter)), choice(':=', '=>'), field('value', $.expression)),
@@ -178,7 +187,7 @@ module.exports = grammar({
     // `%IX0.3`
     address: () => /%[A-Za-z][A-Za-z0-9]*(\.[0-9]+)*/,
 
-    // The `#` of a literal stands after a number or the name of a type, and is followed by a value. Any other opens a comment.
+    // The `#` of a literal stands after a number or the name of a type, and a value follows. Any other opens a comment.
     number: () =>
       token(
         choice(

@@ -2,7 +2,7 @@
 
 #include "tree_sitter/parser.h"
 
-enum { LINE_END, NEVER };
+enum { LINE_END, UNCLOSED, NEVER };
 
 void *tree_sitter_clad_external_scanner_create(void) { return NULL; }
 void tree_sitter_clad_external_scanner_destroy(void *state) { (void)state; }
@@ -21,27 +21,32 @@ void tree_sitter_clad_external_scanner_deserialize(void *state, const char *buff
 
 bool tree_sitter_clad_external_scanner_scan(void *state, TSLexer *lexer, const bool *valid) {
     (void)state;
-    if (!valid[LINE_END]) {
+    // No rule asks for NEVER, so it is valid only while the parser recovers: there a token without text is endless.
+    bool recovers = valid[NEVER];
+    if (!valid[LINE_END] && !valid[UNCLOSED]) {
         return false;
     }
+    lexer->mark_end(lexer);
     while (lexer->lookahead == ' ' || lexer->lookahead == '\t') {
         lexer->advance(lexer, true);
     }
+    bool at_end = lexer->eof(lexer);
+    if (!at_end && lexer->lookahead != '\n' && lexer->lookahead != '\r') {
+        return false;
+    }
+    if (valid[UNCLOSED] && !recovers) {
+        lexer->result_symbol = UNCLOSED;
+        return true;
+    }
     lexer->result_symbol = LINE_END;
-    if (lexer->eof(lexer)) {
-        // No rule asks for NEVER, so it is valid only while the parser recovers: there a token without text is endless.
-        return !valid[NEVER];
+    if (at_end) {
+        return !recovers;
     }
-    if (lexer->lookahead == '\r') {
+    bool is_return = lexer->lookahead == '\r';
+    lexer->advance(lexer, false);
+    if (is_return && lexer->lookahead == '\n') {
         lexer->advance(lexer, false);
-        if (lexer->lookahead == '\n') {
-            lexer->advance(lexer, false);
-        }
-        return true;
     }
-    if (lexer->lookahead == '\n') {
-        lexer->advance(lexer, false);
-        return true;
-    }
-    return false;
+    lexer->mark_end(lexer);
+    return true;
 }
