@@ -26,9 +26,12 @@ Examples:
 
 Exit status: 0 fine, 1 findings, 2 the command could not do its work.";
 
+/// What `--version` prints: the version, and of which commit and for which target the program is. `-V` is the version alone.
+const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), " (", env!("LADDER_BUILT_FROM"), ")");
+
 /// Ladder logic as plain text: check it, align it, run it.
 #[derive(Debug, Parser)]
-#[command(name = "ladder", version, after_help = EXAMPLES)]
+#[command(name = "ladder", version, long_version = VERSION, after_help = EXAMPLES)]
 pub(crate) struct Ladder {
     #[command(subcommand)]
     command: Command,
@@ -96,7 +99,7 @@ fn described(program: pages::Program) -> clap::Command {
 
 /// The formatter alone.
 #[derive(Debug, Parser)]
-#[command(name = "ldfmt", version)]
+#[command(name = "ldfmt", version, long_version = VERSION)]
 pub(crate) struct Ldfmt {
     #[command(flatten)]
     arguments: fmt::Arguments,

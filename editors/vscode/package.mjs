@@ -2,6 +2,7 @@
 //
 //   npm run package                       builds the server, optimised, and packs it
 //   npm run package -- --server PROGRAM   packs a program that is built already
+//   npm run package -- --target alpine-x64 --server PROGRAM    for another platform that can start it here: a static program
 //   npm run package -- --no-server        packs none: ladder.vsix, for every platform; it looks for one on the PATH
 import { execFileSync } from 'node:child_process';
 import { chmodSync, copyFileSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
@@ -9,7 +10,7 @@ import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 
-import { licencesOf } from './serverLicences.mjs';
+import { licences } from '../../packages/licences.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const root = join(here, '../..');
@@ -48,7 +49,8 @@ function checkVersion(program) {
     } catch (error) {
         fail(`${program} does not start: ${error.message}`);
     }
-    if (said !== `ladder ${version}`) {
+    // What is after the number says which build it is.
+    if (said.split(' (')[0] !== `ladder ${version}`) {
         fail(`${program} says "${said}", and this is the extension ${version}: they must be of one version.`);
     }
 }
@@ -59,26 +61,29 @@ function vsce(...options) {
     execFileSync(process.execPath, [program, 'package', ...quiet, ...options], { cwd: here, stdio: 'inherit' });
 }
 
-const { values } = parseArgs({ options: { server: { type: 'string' }, 'no-server': { type: 'boolean' }, out: { type: 'string' } } });
+const { values } = parseArgs({ options: { server: { type: 'string' }, target: { type: 'string' }, 'no-server': { type: 'boolean' }, out: { type: 'string' } } });
 const folder = join(here, 'server');
 // What an earlier call left there is of an earlier version.
 rmSync(folder, { recursive: true, force: true });
 if (values['no-server']) {
     vsce('--out', values.out ?? 'ladder.vsix');
 } else {
-    const target = platform();
+    const target = values.target ?? platform();
+    if (!TARGETS.includes(target)) {
+        fail(`VS Code has no packages for ${target}; it has them for ${TARGETS.join(', ')}.`);
+    }
     const program = values.server ?? build();
     if (!statSync(program, { throwIfNoEntry: false })?.isFile()) {
         fail(`there is no program ${program}.`);
     }
     checkVersion(program);
-    const copy = join(folder, process.platform === 'win32' ? 'ladder.exe' : 'ladder');
+    const copy = join(folder, target.startsWith('win32') ? 'ladder.exe' : 'ladder');
     mkdirSync(folder);
     try {
         copyFileSync(program, copy);
         chmodSync(copy, 0o755);
         // The licences of what the server is built from ask to go with every copy of it.
-        writeFileSync(join(folder, 'LICENSES-OF-SERVER.txt'), licencesOf(root));
+        writeFileSync(join(folder, 'LICENSES-OF-SERVER.txt'), licences());
         vsce('--target', target, '--out', values.out ?? `ladder-${target}.vsix`);
     } finally {
         // Else the next package without a server would have this one.

@@ -118,9 +118,13 @@ fn bad_arguments_exit_with_2() {
 fn versions() {
     let folder = Folder::with(&[]);
     let version = env!("CARGO_PKG_VERSION");
-    assert_eq!(
-        folder.ladder(&["--version"]).stdout,
-        format!("ladder {version}\n")
-    );
-    assert_eq!(folder.ldfmt(&["--version"]).stdout, format!("ldfmt {version}\n"));
+    assert_eq!(folder.ladder(&["-V"]).stdout, format!("ladder {version}\n"));
+    assert_eq!(folder.ldfmt(&["-V"]).stdout, format!("ldfmt {version}\n"));
+    // The commit is not known everywhere: a copy of the source may come without git.
+    let built_from = env!("LADDER_BUILT_FROM");
+    let target = built_from.split(", ").last().expect("a target");
+    assert!(target.contains(std::env::consts::ARCH), "{target}");
+    let whole = format!("ladder {version} ({built_from})\n");
+    assert_eq!(folder.ladder(&["--version"]).stdout, whole);
+    assert_eq!(folder.ldfmt(&["--version"]).stdout, whole.replace("ladder", "ldfmt"));
 }

@@ -15,11 +15,11 @@ function numbers(version: string): readonly [number, number, number] | undefined
 /**
  * Compares versions as Cargo does: what is not to be broken is the first number that is not 0.
  *
- * @param printed what `ladder --version` prints: `ladder 0.1.0`
+ * @param printed what `ladder --version` prints: `ladder 0.1.0 (afd4a9480, x86_64-unknown-linux-gnu)`, or the numbers alone
  * @param extension the extension's own version
  */
 export function fit(printed: string, extension: string): Fit {
-    const server = /^ladder (\S+)\s*$/.exec(printed)?.[1];
+    const server = /^ladder (\S+)(?: \(.*\))?\s*$/.exec(printed)?.[1];
     const [theirs, ours] = [numbers(server ?? ''), numbers(extension)];
     if (server === undefined || theirs === undefined || ours === undefined) {
         return { fits: false, why: 'other-program', printed: printed.trim().split('\n')[0] ?? '' };

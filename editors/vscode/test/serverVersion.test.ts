@@ -43,6 +43,7 @@ test('the message says what to update', () => {
     assert.match(misfit(fit('ladder 0.0.9', '0.1.0'), '/x'), /"\/x" has version 0\.0\.9, this extension 0\.1\.0\..*until the server is updated/);
     assert.match(misfit(fit('ladder 0.2.0', '0.1.0'), '/x'), /until the extension is updated/);
     assert.equal(misfit(fit('ladder 0.1.0', '0.1.0'), '/x'), '');
+    assert.equal(misfit(fit('ladder 0.1.0 (afd4a9480, x86_64-unknown-linux-gnu)', '0.1.0'), '/x'), '');
 });
 
 test('the extension has the version of the server that it is released with', () => {

@@ -31,7 +31,7 @@ local function check_server()
   if not printed then
     return health.error(('The language server "%s" does not start'):format(command[1]), advice)
   end
-  local misfit = versions.misfit(printed:match('^ladder (%S+)$') or printed)
+  local misfit = versions.misfit(printed:match('^ladder (%S+)$') or printed:match('^ladder (%S+) %(.*%)$') or printed)
   if misfit then
     return health.warn(('%s (%s)'):format(misfit, command[1]), advice)
   end
