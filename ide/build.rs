@@ -12,7 +12,7 @@ fn main() -> io::Result<()> {
         .find(|folder| folder.is_dir());
     let folder = folder.expect("the book has pages of rules");
     println!("cargo::rerun-if-changed={}", folder.display());
-    let mut pages: Vec<_> = fs::read_dir(&folder)?
+    let mut pages: Vec<_> = fs::read_dir(folder)?
         .map(|entry| Ok(entry?.path()))
         .collect::<io::Result<_>>()?;
     pages.sort();

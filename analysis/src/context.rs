@@ -123,7 +123,7 @@ impl Context {
         let own = u32::from(text.ends_with(['\n', '\r']));
         if found.line_ends > own {
             let within = usize::from(offset - self.parse.line_start(line));
-            number += LineIndex::new(&text).line(TextSize::new(within as u32));
+            number += LineIndex::new(text).line(TextSize::new(within as u32));
         }
         number
     }

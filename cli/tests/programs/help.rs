@@ -126,5 +126,8 @@ fn versions() {
     assert!(target.contains(std::env::consts::ARCH), "{target}");
     let whole = format!("ladder {version} ({built_from})\n");
     assert_eq!(folder.ladder(&["--version"]).stdout, whole);
-    assert_eq!(folder.ldfmt(&["--version"]).stdout, whole.replace("ladder", "ldfmt"));
+    assert_eq!(
+        folder.ldfmt(&["--version"]).stdout,
+        whole.replace("ladder", "ldfmt")
+    );
 }
