@@ -4,7 +4,7 @@ use crate::harness::{Folder, MOTOR};
 use expect_test::expect;
 
 /// An error with related places and a fix, and a warning with a fix.
-const WRONG: &str = "+--[ ]( a )( )( y )--+\n\n+--[TOM]( t, T#5s )--( )( z )--+\n";
+const WRONG: &str = "+--[ ]( a )( )( y )--+\n\n+--[TNO]( t, T#5s )--( )( z )--+\n";
 
 fn wrong() -> Folder {
     Folder::with(&[("wrong.clad", WRONG)])
@@ -16,7 +16,7 @@ fn concise() {
         exit status 1
         -- stdout
         wrong.clad:1:11: warning[missing-wire] two blocks touch without a wire between them
-        wrong.clad:3:4: error[unknown-instruction] there is no instruction [TOM]
+        wrong.clad:3:4: error[unknown-instruction] there is no instruction [TNO]
         Checked 1 file: 1 error, 1 warning.
     "#]]
     .assert_eq(
@@ -32,7 +32,7 @@ fn github() {
         exit status 1
         -- stdout
         ::warning file=wrong.clad,line=1,col=11,endColumn=13,title=missing-wire::two blocks touch without a wire between them%0Adraw a `-` between them
-        ::error file=wrong.clad,line=3,col=4,endColumn=9,title=unknown-instruction::there is no instruction [TOM]%0Adid you mean [TON] (on-delay timer)?
+        ::error file=wrong.clad,line=3,col=4,endColumn=9,title=unknown-instruction::there is no instruction [TNO]%0Adid you mean [TON] (on-delay timer)?
     "#]].assert_eq(
         &wrong()
             .ladder(&["check", "--format", "github", "wrong.clad"])
@@ -88,7 +88,7 @@ fn statistics() {
         exit status 1
         -- stdout
         wrong.clad:1:11: warning[missing-wire] two blocks touch without a wire between them
-        wrong.clad:3:4: error[unknown-instruction] there is no instruction [TOM]
+        wrong.clad:3:4: error[unknown-instruction] there is no instruction [TNO]
              1 * missing-wire
              1   unknown-instruction
         Checked 1 file: 1 error, 1 warning.
@@ -132,14 +132,14 @@ fn only_safe_fixes_are_made_unasked() {
         exit status 1
         -- stdout
         fixed wrong.clad:1:11 missing-wire: Insert wire
-        wrong.clad:3:4: error[unknown-instruction] there is no instruction [TOM]
+        wrong.clad:3:4: error[unknown-instruction] there is no instruction [TNO]
         Checked 1 file: 1 error. Fixed 1 finding.
     "#]]
     .assert_eq(&run.to_string());
     expect![[r#"
         +--[ ]( a )----------------------------------------------------------( )( y )--+
 
-        +--[TOM]( t, T#5s )--( )( z )--+
+        +--[TNO]( t, T#5s )--( )( z )--+
     "#]]
     .assert_eq(&folder.read("wrong.clad"));
 }
@@ -196,7 +196,7 @@ fn diff_shows_what_would_be_fixed() {
         -+--[ ]( a )( )( y )--+
         ++--[ ]( a )----------------------------------------------------------( )( y )--+
 
-         +--[TOM]( t, T#5s )--( )( z )--+
+         +--[TNO]( t, T#5s )--( )( z )--+
         Checked 1 file: 1 error. 1 finding would be fixed.
     "#]]
     .assert_eq(&without_blanks(&run));
@@ -212,7 +212,7 @@ fn diff_shows_what_would_be_fixed() {
         -+--[ ]( a )( )( y )--+
         ++--[ ]( a )----------------------------------------------------------( )( y )--+
 
-        -+--[TOM]( t, T#5s )--( )( z )--+
+        -+--[TNO]( t, T#5s )--( )( z )--+
         ++--------------------------------------------------[TON]( t, T#5s )--( )( z )--+
         Checked 1 file: no errors found. 2 findings would be fixed.
     "#]]

@@ -235,22 +235,22 @@ fn a_program_that_is_missing_or_has_errors() {
     check(
         &[
             ("a.ladder-test", &PASSES.replace("motor.clad", "pump.clad")),
-            ("pump.clad", "+--[ ]( start )--[TOM]( t, 5s )--( )( run )--+\n"),
+            ("pump.clad", "+--[ ]( start )--[TNO]( t, 5s )--( )( run )--+\n"),
         ],
         &["test", "a.ladder-test"],
         expect![[r#"
             exit status 1
             -- stdout
-            error[unknown-instruction]: there is no instruction [TOM]
+            error[unknown-instruction]: there is no instruction [TNO]
              --> pump.clad:1:18
               |
-            1 | +--[ ]( start )--[TOM]( t, 5s )--( )( run )--+
+            1 | +--[ ]( start )--[TNO]( t, 5s )--( )( run )--+
               |                  ^^^^^
               |
               = help: did you mean [TON] (on-delay timer)?
             help: Replace with [TON]
               |
-            1 - +--[ ]( start )--[TOM]( t, 5s )--( )( run )--+
+            1 - +--[ ]( start )--[TNO]( t, 5s )--( )( run )--+
             1 + +--[ ]( start )------------------------------------[TON]( t, 5s )--( )( run )--+
               |
 

@@ -32,7 +32,7 @@ fn fixes_are_laid_out_as_the_workspace_asks() {
         ("ladder.toml", "[format]\nspacing = 1\n"),
         (
             "sub/a.clad",
-            "+-[ ]( a )-[TOM]( t, 5s )--------------( )( y )-+\n",
+            "+-[ ]( a )-[TNO]( t, 5s )--------------( )( y )-+\n",
         ),
     ]);
     let laid_out = "+-[ ]( a )---------------------------------------------[TON]( t, 5s )-( )( y )-+\n";

@@ -128,23 +128,23 @@ fn related_places_in_other_files_are_shown() {
 fn errors_in_a_file_that_is_used_keep_the_program_from_running() {
     let folder = Folder::with(&[
         ("main.clad", "+--<CALL>( f )--+\n"),
-        ("lib.clad", "+--[TOM]( t, 3 )--+\n+--<FUN>( f )--( )( z )--+\n"),
-        ("other.clad", "+--[TOM]( t, 3 )--+\n"),
+        ("lib.clad", "+--[TNO]( t, 3s )--+\n+--<FUN>( f )--( )( z )--+\n"),
+        ("other.clad", "+--[TNO]( t, 3s )--+\n"),
     ]);
     expect![[r#"
         exit status 1
         -- stderr
-        error[unknown-instruction]: there is no instruction [TOM]
+        error[unknown-instruction]: there is no instruction [TNO]
          --> lib.clad:1:4
           |
-        1 | +--[TOM]( t, 3 )--+
+        1 | +--[TNO]( t, 3s )--+
           |    ^^^^^
           |
           = help: did you mean [TON] (on-delay timer)?
         help: Replace with [TON]
           |
-        1 - +--[TOM]( t, 3 )--+
-        1 + +---------------------------------------------------------------[TON]( t, 3 )--+
+        1 - +--[TNO]( t, 3s )--+
+        1 + +---------------------------------------------------------------[TON]( t, 3s )--+
           |
 
         error: main.clad: this program uses lib.clad; a program with errors is not run

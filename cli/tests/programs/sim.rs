@@ -231,21 +231,21 @@ fn end_ends_the_run() {
 
 #[test]
 fn a_program_with_errors_is_not_run() {
-    let folder = Folder::with(&[("a.clad", "+--[TOM]( t, T#5s )--( )( run )--+\n")]);
+    let folder = Folder::with(&[("a.clad", "+--[TNO]( t, T#5s )--( )( run )--+\n")]);
     let run = folder.ladder(&["sim", "a.clad", "--scans", "1", "-o", "out.csv"]);
     expect![[r#"
         exit status 1
         -- stderr
-        error[unknown-instruction]: there is no instruction [TOM]
+        error[unknown-instruction]: there is no instruction [TNO]
          --> a.clad:1:4
           |
-        1 | +--[TOM]( t, T#5s )--( )( run )--+
+        1 | +--[TNO]( t, T#5s )--( )( run )--+
           |    ^^^^^
           |
           = help: did you mean [TON] (on-delay timer)?
         help: Replace with [TON]
           |
-        1 - +--[TOM]( t, T#5s )--( )( run )--+
+        1 - +--[TNO]( t, T#5s )--( )( run )--+
         1 + +------------------------------------------------[TON]( t, T#5s )--( )( run )--+
           |
 
