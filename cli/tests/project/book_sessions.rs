@@ -68,7 +68,10 @@ fn sessions(text: &str, programs: &Path) -> Vec<Session> {
     let mut sessions = Vec::new();
     for fence in markdown::read(text).fences {
         if let Some(name) = fence.words.iter().find_map(|word| word.strip_prefix("file=")) {
-            std::fs::write(folder.path().join(name), &fence.text).expect("a file in the temporary folder");
+            let file = folder.path().join(name);
+            let parent = file.parent().expect("the file is in a folder");
+            std::fs::create_dir_all(parent).expect("a folder in the temporary folder");
+            std::fs::write(file, &fence.text).expect("a file in the temporary folder");
         }
         if fence.language() == Some("console") {
             sessions.push(Session {
