@@ -24,7 +24,7 @@ fn check(expected: Expect) {
             .expect("a name")
     });
     let mut names: Vec<String> = names
-        .filter(|name| name.starts_with("click_") && name.ends_with(".py"))
+        .filter(|name| name.starts_with("click_") && Path::new(name).extension().is_some_and(|it| it == "py"))
         .collect();
     names.sort_unstable();
     let mut said = String::new();

@@ -17,7 +17,7 @@ pub(super) fn math(tags: &mut Tags<'_>, math: &Math) -> Result<Chain, String> {
         MathKind::Decimal => decimal(&math.formula, target)?,
         MathKind::Hex => Kind::Hex,
     };
-    let expression = expression(tags, &mut chain, &math.formula, constants)?;
+    let expression = expression(tags, &mut chain, &math.formula, constants);
     let place = chain.place(tags, &math.target);
     chain.push(format!("[CALC]( {place}, {expression} )"));
     Ok(chain)
@@ -68,7 +68,7 @@ fn is_real(formula: &Formula) -> bool {
 }
 
 /// A formula as the expression of a `[CALC]`. What must be ready before it goes into the chain.
-fn expression(tags: &mut Tags<'_>, chain: &mut Chain, formula: &Formula, ty: Kind) -> Result<String, String> {
+fn expression(tags: &mut Tags<'_>, chain: &mut Chain, formula: &Formula, ty: Kind) -> String {
     let formula = without_rotates(formula);
     let both = RefCell::new((tags, chain));
     let operand = |operand: &Operand| {
@@ -83,7 +83,7 @@ fn expression(tags: &mut Tags<'_>, chain: &mut Chain, formula: &Formula, ty: Kin
         sum: &|span| format!("SUM({})", super::ranges::range(span)),
         binary: None,
     };
-    Ok(formula::write(&formula, spelling))
+    formula::write(&formula, spelling)
 }
 
 /// A rotate by a number of places is two shifts.

@@ -47,7 +47,9 @@ pub(super) fn late<'p>(tags: &Tags<'_>, rungs: &'p [Rung]) -> Vec<(&'p Condition
                 Instruction::Shift(shift) => [shift.clock.as_ref(), None],
                 _ => [None, None],
             };
-            pins.into_iter().for_each(|pin| check(pin, Part::Pin, &written));
+            for pin in pins {
+                check(pin, Part::Pin, &written);
+            }
             let writes = uses::of_instruction(&action.what).into_iter();
             written.extend(
                 writes
