@@ -42,6 +42,13 @@ fn the_guide_tells_of_every_option() {
         "--name-only",
         "--no-textconv",
         "--word-diff",
+        // Of package managers.
+        "--global",
+        "--package",
+        "--repo",
+        "--rm",
+        "--save-dev",
+        "--version",
     ]
     .map(str::to_owned);
     let wrong: Vec<&String> = described

@@ -20,7 +20,7 @@ local function check_server()
     return health.info('The language server is started by a function of your own')
   end
   local advice = {
-    'Install it: "cargo install --path cli" in the folder of the project; it needs Rust, https://rustup.rs',
+    'Install it: "pip install ladder-logic", "npm install --global ladder-logic" or "cargo install ladder-cli"',
     'It is looked for on your PATH and in ~/.cargo/bin, but never in the current folder.',
     "Or name its place: vim.lsp.config('ladder', { cmd = { '/path/to/ladder', 'lsp' } })",
   }
