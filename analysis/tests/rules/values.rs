@@ -448,11 +448,7 @@ fn ranges_that_cannot_fit() {
             > +--[PACK]( w, bits[0..16] )--[PACK]( d, a[1..3] )--[PACK]( w, wide[1..i] )--[PACK]( r, bits[0..3] )--[PACK]( w, i )--+
                                                                             ^^^^^^^^^^ error[type-mismatch]: a DWORD does not fit into a WORD
             > +--[PACK]( w, bits[0..16] )--[PACK]( d, a[1..3] )--[PACK]( w, wide[1..i] )--[PACK]( r, bits[0..3] )--[PACK]( w, i )--+
-                                                                                                     ^^^^^^^^^^ error[type-mismatch]: BOOL cannot be packed into REAL
-            > +--[PACK]( w, bits[0..16] )--[PACK]( d, a[1..3] )--[PACK]( w, wide[1..i] )--[PACK]( r, bits[0..3] )--[PACK]( w, i )--+
                                                                                                                               ^ error[type-mismatch]: a range or a STRING is packed, this is an INT
-            > +--[UNPACK]( bits[0..40], r )--[UNPACK]( i, w )--+
-                                        ^ error[type-mismatch]: REAL cannot be unpacked into BOOL
             > +--[UNPACK]( bits[0..40], r )--[UNPACK]( i, w )--+
                                                        ^ error[type-mismatch]: a value is unpacked into a range or a STRING, this is an INT
             > +--[SEARCH]( s, EQ, 't', texts[1..200] )--[SEARCH]( u, EQ, 't', texts[i..255] )--[SEARCH]( u, EQ, 't', texts[2] )--+

@@ -144,7 +144,7 @@ fn errors_in_a_file_that_is_used_keep_the_program_from_running() {
         help: Replace with [TON]
           |
         1 - +--[TNO]( t, 3s )--+
-        1 + +---------------------------------------------------------------[TON]( t, 3s )--+
+        1 + +--------------------------------------------------------------[TON]( t, 3s )--+
           |
 
         error: main.clad: this program uses lib.clad; a program with errors is not run
