@@ -6,7 +6,7 @@ use crate::part::{self, Drawn, Form, Part};
 use crate::sheet::{Sheet, arms};
 use crate::text::{COMMENTS, Phrase};
 use ladder_format::program::{self, Item, ProgramSketch, RungPiece};
-use ladder_syntax::LineColumn;
+use ladder_syntax::{LineColumn, NodeOrToken, SyntaxKind, SyntaxNode};
 use std::collections::BTreeMap;
 
 /// What was read.
@@ -88,15 +88,19 @@ pub enum Look {
 
 /// What lines look like, of which none is blank.
 pub fn look(lines: &[&str]) -> Look {
+    let text = without_comments(lines);
+    let lines: Vec<&str> = text.lines().collect();
     let sheet = Sheet::of(lines.iter().copied());
     let part = part::read(&sheet, &mut Operands::default());
     let count = |form: Form| part.symbols.iter().filter(|symbol| symbol.form == form).count();
     let (own, bare) = (count(Form::Own), count(Form::Bare));
     let (inside, drawn) = (count(Form::Inside), count(Form::Drawn));
     let is_box = |c: char| !c.is_ascii() && arms(c).is_some();
-    // What is in a comment of ladder text is not drawn.
-    let drawn_part = |line: &&str| line.split('#').next().is_some_and(|line| line.contains(is_box));
-    let has_boxes = lines.iter().any(drawn_part);
+    let has_boxes = lines.iter().any(|line| line.contains(is_box));
+    // No other drawing has connectors of this kind in its wires.
+    let has_connectors = lines
+        .iter()
+        .any(|line| line.contains("-\\") || line.contains("\\-"));
     // Ladder text begins a rung with `+`.
     let begins_otherwise = || {
         lines
@@ -104,13 +108,27 @@ pub fn look(lines: &[&str]) -> Look {
             .all(|line| !line.trim_start_matches([' ', '\t', '|']).starts_with('+'))
     };
     let is_drawn = (has_boxes && !part.symbols.is_empty())
-        || (drawn > 0 && drawn + inside + bare > own)
+        || (drawn > 0 && drawn + inside + bare > own && !has_connectors)
         || (inside.max(bare) > 1 && own == 0 && begins_otherwise());
     match is_drawn {
         true => Look::Drawn,
         false if part.networks.is_empty() => Look::Text,
         false => Look::Ladder,
     }
+}
+
+/// Lines without what is a comment if they are ladder text: that is neither drawn nor a name.
+fn without_comments(lines: &[&str]) -> String {
+    let tree = SyntaxNode::new_root(ladder_syntax::tree(&lines.join("\n")));
+    let tokens = tree.descendants_with_tokens().filter_map(NodeOrToken::into_token);
+    let shown = tokens.map(|token| match token.kind() {
+        SyntaxKind::COMMENT => {
+            let blank = |c| if c == '\n' { c } else { ' ' };
+            token.text().chars().map(blank).collect()
+        }
+        _ => token.text().to_owned(),
+    });
+    shown.collect()
 }
 
 /// The fences of code in a forum or a mail are no part of what is between them.

@@ -64,7 +64,19 @@ pub(crate) fn contact(inside: &str, labels: Labels<'_>, operands: &mut Operands)
     if let Some(written) = block::in_brackets(&compared_below(says, labels), labels.above, operands) {
         return written;
     }
+    no_flow(says)?;
     named("[ ]", prefixed(says, &["XIC "]).unwrap_or(says), operands)
+}
+
+/// A word of the program flow is no name: what it does elsewhere is not what `<END>` or `<RET>` does here.
+fn no_flow(says: &str) -> Result<(), String> {
+    match lookup(Shape::Function, says).next() {
+        Some(row) => Err(format!(
+            "`{says}` is a word of the program flow: draw what is meant with {}, or leave it out",
+            row.block()
+        )),
+        None => Ok(()),
+    }
 }
 
 /// Whether what is between the bars is a comparison and nothing else: one operand is above then, and one below.
@@ -127,6 +139,7 @@ pub(crate) fn coil(inside: &str, labels: Labels<'_>, operands: &mut Operands) ->
     if let Some(written) = block::in_brackets(says, labels.above, operands) {
         return written;
     }
+    no_flow(says)?;
     match prefixed(says, &["/", "!", "NOT "]) {
         Some(name) => named("(/)", name, operands),
         None => named("( )", says, operands),

@@ -168,7 +168,9 @@ pub(crate) fn read(sheet: &Sheet, operands: &mut Operands) -> Part {
             column: symbol.from,
             form: form(
                 &symbol.kind,
-                label.above.is_some(),
+                label
+                    .above
+                    .is_some_and(|above| above.contains(char::is_alphanumeric)),
                 sheet.at(symbol.line, symbol.from),
             ),
             shown: match label.above {

@@ -111,9 +111,11 @@ fn bracketed(sheet: &Sheet, line: usize, at: usize) -> Option<Symbol> {
         let says = !sheet.text(line, open + 1, close).trim().is_empty();
         says.then_some(close + 1)
     };
+    // With parentheses directly after it, it is a block of this language, if perhaps none that is known.
     let is_row = |shape| {
         let word = inside.trim();
-        word.is_empty() || word.starts_with('$') || lookup(shape, word).next().is_some()
+        let touches = sheet.at(line, end + 1) == '(';
+        touches || word.is_empty() || word.starts_with('$') || lookup(shape, word).next().is_some()
     };
     let to = end + 1;
     let goes = leads_on(sheet.at(line, to));
