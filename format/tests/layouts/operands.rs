@@ -67,7 +67,7 @@ fn letters() {
 
 #[test]
 fn comments() {
-    becomes("[ ]( a# behind a tag #)", "[ ]( a # behind a tag # )");
+    becomes("[ ]( a# after a tag #)", "[ ]( a # after a tag # )");
     becomes("[ ](a # c #)", "[ ]( a # c # )");
     becomes("[ ](# c #a)", "[ ]( # c # a )");
     becomes("[ADD](y # c # , a,# d #b)", "[ADD]( y # c #, a, # d # b )");

@@ -69,7 +69,7 @@ fn is_one_of(words: &[&str], word: &str) -> bool {
 }
 
 /// Whether the `#` at `at` belongs to a literal, which would have begun at `start`: it is directly after a whole number or a
-/// word that begins a typed literal, which are behind no point, and has no other before it. Two has only `WORD#16#00FF`.
+/// word that begins a typed literal, which come after no point, and has no other before it. Two has only `WORD#16#00FF`.
 /// Any other `#` opens a comment, also directly after a tag.
 pub(crate) fn takes_hash(text: &str, start: usize, at: usize) -> bool {
     let (before, word) = split_word(&text[start..at]);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-/// What a contact, a timer or a block on the way says of the power behind it.
+/// What a contact, a timer or a block on the way says of the power after it.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Says {
     /// A contact: its tag, and whether it is a closed one.
