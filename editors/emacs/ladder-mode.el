@@ -125,7 +125,7 @@ A comment cannot hold a `#': what is to be written the server knows."
           (regexp-opt '("T" "TIME" "LTIME" "D" "DATE" "TOD" "TIME_OF_DAY" "DT" "DATE_AND_TIME" "BOOL" "BYTE" "WORD" "DWORD"
                         "LWORD" "SINT" "INT" "DINT" "LINT" "USINT" "UINT" "UDINT" "ULINT" "REAL" "LREAL" "STRING"))
           "\\)")
-  "What is directly before the `#' of a literal: a whole number, or the word of a type.")
+  "What is before the `#' of a literal: a whole number or the word of a type.")
 
 (defun ladder--literal-p (position)
   "Whether the `#' at POSITION is part of a literal, as in T#5s.
