@@ -129,7 +129,8 @@ A comment cannot hold a `#': what is to be written the server knows."
 
 (defun ladder--literal-p (position)
   "Whether the `#' at POSITION is part of a literal, as in T#5s.
-That is so after a number or the word of a type, in parentheses and in declarations."
+That is so after a number or the word of a type, in parentheses and
+in declarations."
   (save-excursion
     (goto-char position)
     (and (let ((case-fold-search t))
