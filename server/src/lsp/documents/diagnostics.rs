@@ -152,6 +152,8 @@ pub(crate) fn neighbour_closed(shared: &Arc<Shared>, uri: String, path: PathBuf)
             refresh_others(shared, &[&path], None);
         }
         simulate_with(shared, &path, None);
+        // What was typed into it and not saved counts no longer.
+        companions::refresh_scenarios(shared);
     });
 }
 
