@@ -2,6 +2,7 @@
 import * as vscode from 'vscode';
 import type { ClientCapabilities, Location, Position, ProvideCodeLensesSignature, StaticFeature } from 'vscode-languageclient/node';
 
+import { placeOfName } from './placeOfName.ts';
 import type { Server } from './server.ts';
 import type { Simulation } from './simulation.ts';
 
@@ -60,7 +61,7 @@ const toLocation = ({ uri, range }: Location) =>
 /** Asks for another name in the place of one that a code action has made up. */
 export async function renameMadeUp(uri: string, name: string): Promise<void> {
     const editor = vscode.window.visibleTextEditors.find(({ document }) => document.uri.toString() === vscode.Uri.parse(uri).toString());
-    const at = editor?.document.getText().indexOf(name) ?? -1;
+    const at = editor ? placeOfName(editor.document.getText(), name) : -1;
     if (editor && at >= 0) {
         const place = editor.document.positionAt(at);
         editor.selection = new vscode.Selection(place, place);

@@ -1,5 +1,6 @@
 //! What a simulation shows: tags and power, and of those what a client looks at.
 
+use std::cell::LazyCell;
 use std::collections::HashSet;
 
 use ladder_analysis::program::Role;
@@ -78,7 +79,7 @@ impl Engine {
     /// What each name means: one value, or what opens.
     fn named(&self, names: &[String]) -> Vec<Entry> {
         let simulation = self.session.simulation();
-        let groups = simulation.entries();
+        let groups = LazyCell::new(|| simulation.entries());
         let entry = |name: &String| {
             let of_name = |entry: &&Entry| matches!(entry, Entry::Group(group) if group.name.eq_ignore_ascii_case(name));
             let value = simulation.resolve(name).ok().map(Entry::Value);

@@ -228,7 +228,10 @@ return function(t)
 
   t.step('a name that an extraction makes up can be typed at once', function()
     local bufnr = t.open('motor.clad')
-    vim.api.nvim_win_set_cursor(0, { 6, 4 })
+    -- Another name that begins alike is above.
+    vim.api.nvim_buf_set_lines(bufnr, 0, 0, false, { '+--<CALL>( function_10 )--+' })
+    vim.api.nvim_buf_set_lines(bufnr, -1, -1, false, { '', '+--<FUN>( function_10 )--( )( other )--+' })
+    vim.api.nvim_win_set_cursor(0, { 7, 4 })
     local input, asked = vim.ui.input, nil
     vim.ui.input = function(options, done)
       asked = options.default
