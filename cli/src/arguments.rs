@@ -1,6 +1,6 @@
 //! What is on the command line.
 
-use crate::commands::{check, convert, dap, explain, fmt, lsp, render, sim, tags, test, tree};
+use crate::commands::{check, convert, dap, explain, fmt, lsp, new, render, sim, tags, test, tree};
 #[cfg(feature = "pages")]
 use crate::commands::{completions, man, pages};
 #[cfg(not(feature = "pages"))]
@@ -13,6 +13,7 @@ use std::process::ExitCode;
 
 const EXAMPLES: &str = "\
 Examples:
+  ladder new press                make a folder to begin in
   ladder check motor.clad         look for errors
   ladder fmt .                    align all diagrams in this folder
   ladder sim motor.clad           run it, live, on this terminal
@@ -39,6 +40,7 @@ pub(crate) struct Ladder {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    New(new::Arguments),
     Check(check::Arguments),
     Fmt(fmt::Arguments),
     Sim(sim::Arguments),
@@ -68,6 +70,7 @@ impl Ladder {
             // They have exit statuses of their own.
             Command::Lsp(arguments) => return lsp::run(&arguments),
             Command::Dap(arguments) => return dap::run(&arguments),
+            Command::New(arguments) => new::run(&arguments),
             Command::Check(arguments) => check::run(&arguments),
             Command::Fmt(arguments) => fmt::run(&arguments),
             Command::Sim(arguments) => sim::run(&arguments),

@@ -10,6 +10,7 @@ pub(crate) mod fmt;
 pub(crate) mod lsp;
 #[cfg(feature = "pages")]
 pub(crate) mod man;
+pub(crate) mod new;
 #[cfg(feature = "pages")]
 pub(crate) mod pages;
 pub(crate) mod render;

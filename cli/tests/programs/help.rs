@@ -4,7 +4,8 @@ use crate::harness::Folder;
 use expect_test::expect_file;
 
 /// Every command of `ladder`.
-const COMMANDS: [&str; 11] = [
+const COMMANDS: [&str; 12] = [
+    "new",
     "check",
     "fmt",
     "sim",

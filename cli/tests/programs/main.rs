@@ -18,6 +18,7 @@ mod help;
 mod lsp;
 mod lsp_ending;
 mod lsp_recording;
+mod new;
 mod outside;
 mod pages;
 mod render;

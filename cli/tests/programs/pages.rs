@@ -81,6 +81,7 @@ fn manual_pages() {
         ladder-fmt.1
         ladder-lsp.1
         ladder-man.1
+        ladder-new.1
         ladder-render.1
         ladder-sim.1
         ladder-tags.1
