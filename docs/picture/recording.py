@@ -1,4 +1,4 @@
-"""Somebody types a program into Neovim and runs it: keys are sent to a tmux, and its screens become a picture that moves.
+"""A program is typed into Neovim, corrected and run: keys are sent to a tmux, and its screens become a picture that moves.
 
     docs/picture/recording.py SOCKET >recording.svg
 
@@ -12,7 +12,7 @@ import time
 
 from svg import CELL_WIDTH, DARK, LINE_HEIGHT, MARGIN, draw_rows, opening
 
-# Seconds that a moment is shown: behind a key, behind the end of a line, and where there is something to see.
+# Seconds that a moment is shown: after a key, after the end of a line, and where there is something to see.
 KEY, LINE, LOOK, END = 0.07, 0.5, 1.2, 4.0
 
 # What is typed, and how long what comes of it is looked at. Names of keys are those of tmux.
@@ -24,15 +24,19 @@ SCRIPT = [
     ("/", LOOK),
     ("Enter", LINE),
     ("Enter", LINE),
-    *((key, KEY) for key in "[ ]( run )--[TON]( warmup, 2s )--( )( ready )--+"),
+    *((key, KEY) for key in "[ ]( run )--[TNO]( warmup, 3s )--( )( ready )--+"),
     ("Escape", LOOK),
+    # The finding is read, and its fix is taken.
+    *((key, KEY) for key in "0fTgr"),
+    ("a", LOOK),
+    ("1", LINE),
+    ("Enter", LOOK),
     *((key, KEY) for key in ":Ladder start"),
     ("Enter", LOOK),
-    *((key, KEY) for key in ":Ladder set start 1"),
-    ("Enter", LINE),
-    *((key, KEY) for key in ":Ladder run"),
-    ("Enter", 0),
-    *(("", 0.25) for _ in range(9)),
+    # On the contact `start` F4 is a finger on the button.
+    *((key, KEY) for key in "gg0fs"),
+    ("F4", 0),
+    *(("", 0.4) for _ in range(9)),
     ("F6", END),
 ]
 
@@ -98,7 +102,7 @@ def main():
     for elements, name in rows.items():
         print(f'<g id="{name}">{elements}</g>')
     print("</defs>")
-    # All moments are side by side, and the window moves from one to the next.
+    # All moments are next to each other, and the window moves from one to the next.
     width = columns * CELL_WIDTH + 2 * MARGIN
     steps, begun = [], 0.0
     for number, (_, seconds) in enumerate(frames):
