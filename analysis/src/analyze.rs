@@ -102,7 +102,7 @@ impl Analysis {
 
 /// Analyses a file that is alone. `name` is how messages of a running program call it.
 pub fn analyze(parse: &Arc<Parse>, name: &str) -> Analysis {
-    analyze_in(parse, name, &Others::default())
+    analyze_in(parse, name, &Others::alone())
 }
 
 /// Analyses a file among the others of its workspace, whose [`Exports`](crate::Exports) go by the same names.

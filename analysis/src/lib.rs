@@ -20,7 +20,7 @@
 //! | `other_files` | what files show to each other, and programs of several files |
 //!
 //! A file shows the others of its workspace its [`Exports`], which follow from its text alone; [`Others`] is what it sees of
-//! theirs, and [`link()`] puts the program together that uses functions and blocks of several files.
+//! theirs, the blocks of the [`library`] among them, and [`link()`] puts the program together that uses functions and blocks of several files.
 //!
 //! [`analyze()`] does all of it for one file that is alone, [`analyze_in()`] for one among others. [`Context`](context::Context) is what rules and the editor's features
 //! read; [`Program`](program::Program) is what runs. A file with errors has no program.
@@ -33,6 +33,7 @@ pub mod context;
 mod cplc_draft;
 mod cross_reference;
 pub mod findings;
+pub mod library;
 pub mod names;
 pub mod networks;
 pub mod other_files;

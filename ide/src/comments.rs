@@ -1,6 +1,7 @@
 //! The comments that belong to what is below them.
 
 use ladder_analysis::context::Context;
+use ladder_analysis::names::scope::TagFacts;
 use ladder_syntax::rowan::GreenNodeData;
 use ladder_syntax::{LineKind, NodeOrToken, Parse, SyntaxKind, TextRange, TextSize};
 
@@ -42,6 +43,36 @@ pub(crate) fn words(comment: &str) -> Option<&str> {
     let mut lines = inner.lines().map(|line| line.trim_matches(decoration));
     let first = lines.find(|line| !line.is_empty())?;
     (!first.starts_with("ladder:")).then_some(first)
+}
+
+/// All that a comment says, the lines of a paragraph as one; a blank line parts paragraphs. None as for [`words`].
+pub(crate) fn whole(comment: &str) -> Option<String> {
+    words(comment)?;
+    let inner = comment.trim_matches('#');
+    let mut paragraphs = vec![String::new()];
+    for line in inner.lines().map(str::trim) {
+        let last = paragraphs.len() - 1;
+        match (line.is_empty(), paragraphs[last].is_empty()) {
+            (true, true) => {}
+            (true, false) => paragraphs.push(String::new()),
+            (false, true) => paragraphs[last].push_str(line),
+            (false, false) => {
+                paragraphs[last].push(' ');
+                paragraphs[last].push_str(line);
+            }
+        }
+    }
+    Some(paragraphs.join("\n\n").trim_end().to_owned())
+}
+
+/// What the comment on the line of a tag's declaration says.
+pub(crate) fn of_declaration(context: &Context, tag: &TagFacts) -> Option<String> {
+    if !tag.is_declared() {
+        return None;
+    }
+    let parse = &context.parse;
+    let found = of_line(parse, parse.line_at(context.place_of(tag).start())?);
+    first_words(&found)
 }
 
 /// The run of comment lines that ends right above a line: the first and the last of them.

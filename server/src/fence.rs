@@ -63,7 +63,7 @@ pub(crate) fn draw(fence: &Fence) -> Option<DrawnFence> {
         return None;
     }
     let parse = Arc::new(ladder_syntax::parse(text));
-    let context = context(&parse, "fence.clad", &Others::default());
+    let context = context(&parse, "fence.clad", &Others::alone());
     let mut words = Vec::new();
     let mut at = 0;
     let mut piece = |range: std::ops::Range<usize>, kind: &str| {

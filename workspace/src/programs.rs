@@ -101,7 +101,7 @@ impl Workspace {
     pub fn analysis(&self, source: &Source) -> Arc<Analysis> {
         let analysis = source.analysis.get_or_init(|| {
             let others = match self.programs_seen_by_others() {
-                [] => Others::default(),
+                [] => Others::alone(),
                 _ => self.exported().others_of(&source.name),
             };
             let rules = self.settings.rules_for(&source.path);

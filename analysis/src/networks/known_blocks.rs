@@ -1,12 +1,10 @@
 //! The user-defined blocks that a file can use: its own, then those of other files that it does use.
 
 use crate::networks::user_block::UserBlockFacts;
-use crate::other_files::import::Import;
 use crate::other_files::others::Others;
 use ladder_instructions::Shape;
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;
-use std::sync::Arc;
 
 /// Blocks by name. What other files define is taken in when it is first asked for.
 pub(crate) struct KnownBlocks<'o> {
@@ -41,13 +39,7 @@ impl<'o> KnownBlocks<'o> {
         }
         let (file, block) = self.others.blocks(&key).next()?;
         let index = self.list.len();
-        self.list.push(UserBlockFacts {
-            import: Some(Import {
-                file: Arc::clone(&file.file),
-                item: block.item,
-            }),
-            ..block.facts.clone()
-        });
+        self.list.push(block.imported_from(file));
         self.first.insert(key, index);
         (block.facts.shape == shape).then_some(index)
     }

@@ -2,6 +2,7 @@
 //! tags. It follows from the file's own text alone, so that an edit which leaves it as it was concerns no other
 //! file.
 
+use super::import::Import;
 use super::outward::Outward;
 use crate::networks::user_block::UserBlockFacts;
 use crate::program::Role;
@@ -54,6 +55,19 @@ pub struct ExportedBlock {
     pub labels: Vec<(Name, TextRange)>,
     /// The labels that its body has.
     pub own_labels: Vec<Name>,
+}
+
+impl ExportedBlock {
+    /// As a file knows it that uses it.
+    pub fn imported_from(&self, file: &Exports) -> UserBlockFacts {
+        UserBlockFacts {
+            import: Some(Import {
+                file: Arc::clone(&file.file),
+                item: self.item,
+            }),
+            ..self.facts.clone()
+        }
+    }
 }
 
 /// A VAR_GLOBAL tag as other files see it.

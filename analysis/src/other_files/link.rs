@@ -2,6 +2,7 @@
 
 use crate::analyze::Analysis;
 use crate::context::{Body, Callee, Context};
+use crate::library;
 use crate::networks::facts::NodeKind;
 use crate::networks::network::Meaning;
 use crate::other_files::import::Import;
@@ -112,7 +113,8 @@ impl Reached {
         if let Some(&file) = self.by_name.get(name) {
             return Ok(file);
         }
-        let found = analysis(name).ok_or_else(|| NotWhole::Missing(Arc::clone(name)))?;
+        let found = library::analysis(name).or_else(|| analysis(name));
+        let found = found.ok_or_else(|| NotWhole::Missing(Arc::clone(name)))?;
         if found.has_errors() {
             return Err(NotWhole::Errors(Arc::clone(name)));
         }

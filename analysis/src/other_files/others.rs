@@ -18,12 +18,19 @@ pub struct Exported {
     uses: FxHashMap<Name, Vec<(u32, TagUse)>>,
     /// The files that call a function.
     calls: FxHashMap<Name, Vec<u32>>,
+    library: Option<Library>,
 }
 
+/// What the library offers to all of them. It is read when it is first asked for.
+pub(crate) type Library = fn() -> &'static Arc<Exported>;
+
 impl Exported {
-    /// Of all files of a workspace. Where several files offer one name the first of them stands for all.
-    pub fn new(files: Vec<Arc<Exports>>) -> Exported {
-        let mut exported = Exported::default();
+    /// Of files and, it may be, a library. Where several files offer one name the first of them stands for all.
+    pub(crate) fn with(files: Vec<Arc<Exports>>, library: Option<Library>) -> Exported {
+        let mut exported = Exported {
+            library,
+            ..Exported::default()
+        };
         for (file, exports) in files.iter().enumerate() {
             let enter = |map: &mut FxHashMap<Name, Vec<(u32, u32)>>, key: &Name, item: usize| {
                 map.entry(key.clone())
@@ -112,12 +119,27 @@ impl Others {
             .map(|(file, item)| (file, &file.functions[item]))
     }
 
-    /// The blocks of a name, at most one of each file.
+    /// The blocks of a name, at most one of each file; that of the library where no file defines it.
     pub fn blocks(&self, name: &Name) -> impl Iterator<Item = (&Exports, &ExportedBlock)> {
         let mut last: *const Exports = std::ptr::null();
-        self.find(name, |exported| &exported.blocks)
+        let mut others = self
+            .find(name, |exported| &exported.blocks)
             .filter(move |(file, _)| !std::ptr::eq(std::mem::replace(&mut last, *file), *file))
             .map(|(file, item)| (file, &file.blocks[item]))
+            .peekable();
+        let is_defined = others.peek().is_some();
+        let library = (!is_defined).then(|| self.library()).flatten();
+        let of_library = library.and_then(|library| {
+            let &(file, item) = library.blocks.get(name)?.first()?;
+            let file = &library.files[file as usize];
+            Some((&**file, &file.blocks[item as usize]))
+        });
+        others.chain(of_library)
+    }
+
+    fn library(&self) -> Option<&'static Exported> {
+        let library = self.exported.as_deref()?.library?;
+        Some(&**library())
     }
 
     /// The VAR_GLOBAL tags of a name, at most one of each file.
@@ -187,9 +209,11 @@ impl Others {
             .flat_map(|file| file.globals.iter().map(move |global| (file, global)))
     }
 
-    /// All blocks of the others.
-    pub fn all_blocks(&self) -> impl Iterator<Item = &ExportedBlock> {
-        self.files().flat_map(|file| &file.blocks)
+    /// All blocks of the others, and after them those of the library.
+    pub fn all_blocks(&self) -> impl Iterator<Item = (&Exports, &ExportedBlock)> {
+        let library = self.library().into_iter().flat_map(|library| &library.files);
+        let files = self.files().chain(library.map(|file| &**file));
+        files.flat_map(|file| file.blocks.iter().map(move |block| (file, block)))
     }
 
     fn files(&self) -> impl Iterator<Item = &Exports> {

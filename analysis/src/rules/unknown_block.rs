@@ -46,7 +46,7 @@ fn unknown(context: &Context, bound: BlockAt<'_>) -> Diagnostic {
         .fix(Applicability::Safe, format!("Replace with {right}"), range, right);
     }
     let found = Diagnostic::new(RULE, range, format!("there is no block {written}"));
-    let others = context.others.all_blocks().map(|block| &block.facts);
+    let others = context.others.all_blocks().map(|(_, block)| &block.facts);
     let same_shape = context
         .user_blocks
         .iter()

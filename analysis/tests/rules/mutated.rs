@@ -3,7 +3,7 @@
 
 use ladder_analysis::findings::fix;
 use ladder_analysis::program::Step;
-use ladder_analysis::{Analysis, analyze};
+use ladder_analysis::{Analysis, analyze, link};
 use ladder_format::{Options, apply};
 use ladder_syntax::parse;
 use std::sync::Arc;
@@ -51,7 +51,7 @@ const PIECES: [&str; 24] = [
 ];
 
 fn check(text: &str) {
-    let analysis = analyze(&Arc::new(parse(text)), "test.clad");
+    let analysis = Arc::new(analyze(&Arc::new(parse(text)), "test.clad"));
     for found in analysis.diagnostics() {
         assert!(
             text.get(std::ops::Range::<usize>::from(found.range)).is_some(),
@@ -83,10 +83,11 @@ fn check(text: &str) {
     whole(text, &analysis);
 }
 
-/// A program that has no errors has every block of its networks.
-fn whole(text: &str, analysis: &Analysis) {
-    assert_eq!(analysis.program().is_some(), !analysis.has_errors());
-    let Some(program) = analysis.program() else { return };
+/// A program that has no errors has every block of its networks, and those of the library that it uses.
+fn whole(text: &str, analysis: &Arc<Analysis>) {
+    let program = link(analysis, &|_| None);
+    assert_eq!(program.is_ok(), !analysis.has_errors());
+    let Ok(program) = program else { return };
     for network in &program.networks {
         let steps = network
             .steps

@@ -5,6 +5,7 @@ use super::item::{Completion, CompletionKind, Snippet, Topic};
 use super::proposals::Proposals;
 use crate::typing::{Head, Operand, Typing};
 use crate::wanted::Called;
+use ladder_analysis::library;
 use ladder_analysis::networks::user_block::UserBlockFacts;
 use ladder_instructions::{
     Accepts, Group, Instruction, Op, Presence, Profile, Purpose, Shape, TABLE, purpose,
@@ -23,9 +24,9 @@ pub(super) fn in_head(typing: &Typing<'_>, head: &Head, out: &mut Proposals<'_>)
             propose_row(typing, row, Around::Head(head), out);
         }
     }
-    each_user_block(typing, |block| {
+    each_user_block(typing, |block, file| {
         if block.shape == head.shape {
-            propose_user(typing, block, Around::Head(head), out);
+            propose_user(typing, block, file, Around::Head(head), out);
         }
     });
 }
@@ -35,7 +36,9 @@ pub(super) fn on_wire(typing: &Typing<'_>, out: &mut Proposals<'_>) {
     for row in TABLE.iter().filter(|row| is_offered(row, typing.context.profile)) {
         propose_row(typing, row, Around::Wire, out);
     }
-    each_user_block(typing, |block| propose_user(typing, block, Around::Wire, out));
+    each_user_block(typing, |block, file| {
+        propose_user(typing, block, file, Around::Wire, out)
+    });
 }
 
 /// What is there already of the block that is written.
@@ -50,22 +53,23 @@ fn is_offered(row: &Instruction, profile: Profile) -> bool {
     row.profiles.contain(profile)
 }
 
-fn each_user_block(typing: &Typing<'_>, mut give: impl FnMut(&UserBlockFacts)) {
+/// Each block that can be used here, with the file that defines it if that is another one.
+fn each_user_block(typing: &Typing<'_>, mut give: impl FnMut(&UserBlockFacts, Option<&str>)) {
     let context = typing.context;
     // A block is not in its own body.
     let own_body = typing.scope.checked_sub(1);
     let mut seen = FxHashSet::default();
     for (index, block) in context.user_blocks.iter().enumerate() {
         if Some(index) != own_body && block.name.len() > 1 && seen.insert(block.key.clone()) {
-            give(block);
+            give(block, block.file().map(|file| &**file));
         }
     }
     if let Some(own) = own_body.and_then(|own| context.user_blocks.get(own)) {
         seen.insert(own.key.clone());
     }
-    for block in context.others.all_blocks() {
+    for (file, block) in context.others.all_blocks() {
         if seen.insert(block.facts.key.clone()) {
-            give(&block.facts);
+            give(&block.facts, Some(&file.file));
         }
     }
 }
@@ -115,16 +119,23 @@ fn propose_row(typing: &Typing<'_>, row: &'static Instruction, around: Around<'_
     );
 }
 
-fn propose_user(typing: &Typing<'_>, block: &UserBlockFacts, around: Around<'_>, out: &mut Proposals<'_>) {
+fn propose_user(
+    typing: &Typing<'_>,
+    block: &UserBlockFacts,
+    file: Option<&str>,
+    around: Around<'_>,
+    out: &mut Proposals<'_>,
+) {
     let operands = operands_of_user(block);
     let (range, text) = written(typing, block.shape, &block.name, Some(&operands), false, around);
     let (open, close) = block.shape.brackets();
     out.add(Completion {
         label: format!("{open}{}{close}", block.name),
-        detail: block.file().map_or_else(
-            || "User-defined block".to_owned(),
-            |file| format!("User-defined block in {file}"),
-        ),
+        detail: match file {
+            None => "User-defined block".to_owned(),
+            Some(file) if library::source(file).is_some() => "Block of the library".to_owned(),
+            Some(file) => format!("User-defined block in {file}"),
+        },
         kind: CompletionKind::UserBlock,
         range: typing.absolute(range),
         filter: block.name.clone(),

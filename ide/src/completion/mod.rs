@@ -134,9 +134,14 @@ pub fn documentation(context: &Context, topic: &Topic) -> Option<String> {
     match topic {
         Topic::UserBlock(name) => {
             let key = Name::new(name);
-            let own = context.user_blocks.iter().find(|block| block.key == key);
-            let block = own.or_else(|| context.others.blocks(&key).map(|(_, block)| &block.facts).next())?;
-            Some(hover::user_block_card(block))
+            let known = context.user_blocks.iter().find(|block| block.key == key);
+            Some(match known {
+                Some(block) => hover::user_block_card(context, block),
+                None => {
+                    let (file, block) = context.others.blocks(&key).next()?;
+                    hover::user_block_card(context, &block.imported_from(file))
+                }
+            })
         }
         Topic::Tag(scope, name) => Some(hover::tag_card(context, tag_of(context, *scope, name)?, None)),
         other => card(other),

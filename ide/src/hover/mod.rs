@@ -6,14 +6,16 @@ mod declaration;
 mod keyword;
 mod operand;
 mod other_files;
+mod user_block;
 mod uses;
 mod wire;
 
 pub use other_files::used_in_other_files;
 
-pub(crate) use block::{instruction as instruction_card, user_block_card};
+pub(crate) use block::instruction as instruction_card;
 pub(crate) use keyword::card as keyword_card;
 pub(crate) use operand::tag_card;
+pub(crate) use user_block::user_block_card;
 
 use crate::locate::on_rung;
 use ladder_analysis::context::Context;

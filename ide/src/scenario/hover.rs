@@ -6,8 +6,6 @@ use super::row::{Named, named, value_type};
 use crate::comments;
 use crate::hover::{Hover, tag_card};
 use crate::markdown::{code, escaped};
-use ladder_analysis::context::Context;
-use ladder_analysis::names::scope::TagFacts;
 use ladder_simulator::scenario::{Cell, Direction, Row, Scenario};
 use ladder_simulator::value_text;
 use ladder_syntax::numeral::counted;
@@ -157,26 +155,14 @@ fn of_value(scenarios: &Scenarios<'_>, row: &Row) -> Option<String> {
 
 fn of_tag(scenarios: &Scenarios<'_>, row: &Row, named: &Named<'_>) -> String {
     let mut card = tag_card(&named.file, named.tag(), None);
-    if let Some(said) = declared_comment(&named.file, named.tag()) {
-        card = format!("{said}\n\n{card}");
+    if let Some(said) = comments::of_declaration(&named.file, named.file.shared(named.tag())) {
+        // A comment is not Markdown.
+        card = format!("{}\n\n{card}", escaped(&said));
     }
     if let Some(ty) = value_type(scenarios, &row.name).filter(|_| named.name.len() < row.name.len()) {
         card = format!("`{}` : {}, of\n\n{card}", row.name, ty.name());
     }
     format!("{card}\n\n---\n\n{}", does(row))
-}
-
-/// The comment after a tag's declaration.
-fn declared_comment(program: &Context, tag: &TagFacts) -> Option<String> {
-    let tag = program.shared(tag);
-    if !tag.is_declared() {
-        return None;
-    }
-    let parse = &program.parse;
-    let found = comments::of_line(parse, parse.line_at(program.place_of(tag).start())?);
-    let said = found.iter().find_map(|(_, comment)| comments::words(comment))?;
-    // A comment is not Markdown.
-    Some(escaped(said).into_owned())
 }
 
 fn of_step(scenarios: &Scenarios<'_>, scenario: &Scenario, row: &Row, number: usize) -> String {

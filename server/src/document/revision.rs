@@ -181,7 +181,7 @@ impl Revision {
                 let (name, others) = place.view();
                 Names::of(&parse, known, &name, &others, wanted)?
             }
-            None => Names::of(&parse, known, self.name(), &Others::default(), wanted)?,
+            None => Names::of(&parse, known, self.name(), &Others::alone(), wanted)?,
         };
         let mut latest = self.latest();
         if latest

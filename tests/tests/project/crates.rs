@@ -4,15 +4,26 @@ use ladder_tests::project;
 use std::collections::BTreeSet;
 
 /// The crates of the language itself.
-const LANGUAGE: [&str; 5] = ["syntax", "instructions", "format", "drawings", "analysis"];
+const LANGUAGE: [&str; 6] = [
+    "syntax",
+    "instructions",
+    "format",
+    "drawings",
+    "library",
+    "analysis",
+];
 
 /// What a crate may use: those of the language only what is here, the others also all of the language.
-const RULES: [(&str, &[&str]); 12] = [
+const RULES: [(&str, &[&str]); 13] = [
     ("syntax", &[]),
     ("instructions", &[]),
+    ("library", &[]),
     ("format", &["syntax", "instructions"]),
     ("drawings", &["syntax", "instructions", "format"]),
-    ("analysis", &["syntax", "instructions", "format", "drawings"]),
+    (
+        "analysis",
+        &["syntax", "instructions", "format", "drawings", "library"],
+    ),
     ("simulator", &[]),
     ("picture", &[]),
     ("notation", &[]),

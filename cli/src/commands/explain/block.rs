@@ -1,11 +1,12 @@
-//! The page of a user-defined block: of a program that is named, or of those in the current folder.
+//! The page of a user-defined block: of a program that is named, or of those in the current folder; else of the library.
 
 use super::look::Look;
 use super::markdown;
 use crate::outcome::Failure;
-use ladder_analysis::Analysis;
+use ladder_analysis::library::SOURCES;
+use ladder_analysis::{Analysis, analyze};
 use ladder_ide::{Topic, documentation};
-use ladder_syntax::Name;
+use ladder_syntax::{Name, parse};
 use ladder_workspace::{Workspace, find_programs};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -44,6 +45,11 @@ pub(super) fn page(name: &str, program: Option<&Path>) -> Result<String, Failure
         let own = context.user_blocks[..context.own_blocks].iter();
         blocks.extend(own.map(|block| block.name.clone()));
     }
+    let alone = analyze(&Arc::new(parse("")), "");
+    if let Some(page) = documentation(&alone.context, &Topic::UserBlock(name.to_owned())) {
+        return Ok(page);
+    }
+    blocks.extend(SOURCES.iter().map(|block| block.name.to_owned()));
     blocks.sort_by_key(|block| Name::new(block));
     blocks.dedup();
     let near = blocks.iter().map(|block| {

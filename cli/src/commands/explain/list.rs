@@ -4,6 +4,7 @@ use super::look::Look;
 use super::wrap::wrap;
 use super::{markdown, rule};
 use ladder_analysis::RuleGroup;
+use ladder_analysis::library::SOURCES;
 use ladder_instructions::{Group, Instruction, TABLE};
 use std::io::{self, Write};
 
@@ -16,6 +17,12 @@ pub(super) fn print(look: &Look, out: &mut impl Write) -> io::Result<()> {
         markdown::print_table(&rows.collect::<Vec<_>>(), look.columns, out)?;
         writeln!(out)?;
     }
+    writeln!(out, "{heading}Blocks of the library{heading:#}\n")?;
+    let blocks = SOURCES
+        .iter()
+        .map(|block| (block.name.to_owned(), block.summary()));
+    markdown::print_table(&blocks.collect::<Vec<_>>(), look.columns, out)?;
+    writeln!(out)?;
     for group in RuleGroup::ALL {
         writeln!(out, "{heading}Rules: {}{heading:#}\n", group.title())?;
         let rules = ladder_analysis::rules::ALL

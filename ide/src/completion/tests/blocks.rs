@@ -28,22 +28,22 @@ fn what_is_used_more_comes_first() {
     check(
         "+--[C$0",
         expect![[r#"
-        [CTU]          Up counter
-        [CTD]          Down counter
-        [CTUD]         Up-down counter
-        [CTC]          Circular counter
-        [COS]          Cosine
-        [CALC]         Calculate
-        [CONCAT]       Join strings
-        [TRUNC]        Truncate
-        [ACOS]         Arc cosine
-        [REPLACE]      Replace in a string
-        [PACK]         Pack a range
-        [UNPACK]       Unpack into a range
-        [SEARCH]       Search a range
-        [ADC]          Read analog input
-        ... 16 in all
-    "#]],
+            [CTU]          Up counter
+            [CTD]          Down counter
+            [CTUD]         Up-down counter
+            [CTC]          Circular counter
+            [COS]          Cosine
+            [CALC]         Calculate
+            [CONCAT]       Join strings
+            [$Debounce]    Block of the library
+            [TRUNC]        Truncate
+            [ACOS]         Arc cosine
+            [REPLACE]      Replace in a string
+            [PACK]         Pack a range
+            [UNPACK]       Unpack into a range
+            [SEARCH]       Search a range
+            ... 17 in all
+        "#]],
     );
 }
 
@@ -59,14 +59,14 @@ fn mnemonics_by_the_brackets() {
             [NOT]          Inverter
             [OSR]          One shot rising
             [OSF]          One shot falling
+            [$Blink]       Block of the library
+            [$Debounce]    Block of the library
             [TON]          On-delay timer
             [TOF]          Off-delay timer
             [TP]           Pulse timer
             [RTO]          Retentive on-delay timer
             [RTOF]         Retentive off-delay timer
-            [CTU]          Up counter
-            [CTD]          Down counter
-            ... 85 in all
+            ... 87 in all
         "#]],
     );
     check(
@@ -317,14 +317,14 @@ fn an_empty_rung() {
             [NOT]          Inverter
             [OSR]          One shot rising
             [OSF]          One shot falling
+            [$Blink]       Block of the library
+            [$Debounce]    Block of the library
             ( )            Coil
             (/)            Negated coil
             (S)            Set coil
             (R)            Reset coil
             (P)            Rising-edge coil
-            (N)            Falling-edge coil
-            (M)            Retentive coil
-            ... 104 in all
+            ... 106 in all
         "#]],
     );
     accept(
@@ -442,8 +442,9 @@ fn user_defined_blocks() {
     check(
         &HOLD.replace("[ ]( raw )", "[$$0"),
         expect![[r#"
-        nothing
-    "#]],
+            [$Blink]       Block of the library
+            [$Debounce]    Block of the library
+        "#]],
     );
 }
 

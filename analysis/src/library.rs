@@ -1,0 +1,68 @@
+//! The blocks of the library (LANGUAGE §5.7), as files that every other file sees. They are read when a file first names a
+//! block that its workspace does not define.
+
+use crate::analyze::{Analysis, analyze_in};
+use crate::other_files::exporting::exports;
+use crate::other_files::exports::Exports;
+use crate::other_files::others::{Exported, Others};
+pub use ladder_library::{SOURCES, Source};
+use ladder_syntax::parse;
+use std::sync::{Arc, OnceLock};
+
+/// What the names of the library's files begin with. No file of a workspace has such a name: two slashes stand next to each
+/// other in no path that was taken apart.
+const PLACE: &str = "library://";
+
+impl Exported {
+    /// Of all files of a workspace, which sees the library too. Where several files offer one name the first of them stands
+    /// for all.
+    pub fn new(files: Vec<Arc<Exports>>) -> Exported {
+        Exported::with(files, Some(offered))
+    }
+}
+
+impl Others {
+    /// As a file sees them that is alone: the library.
+    pub fn alone() -> Others {
+        static NOTHING_ELSE: OnceLock<Arc<Exported>> = OnceLock::new();
+        let exported = NOTHING_ELSE.get_or_init(|| Arc::new(Exported::new(Vec::new())));
+        exported.others_of("")
+    }
+}
+
+/// The name of a block's file.
+fn file_of(source: &Source) -> String {
+    format!("{PLACE}{}.clad", source.name.trim_start_matches('$'))
+}
+
+/// What the library offers.
+fn offered() -> &'static Arc<Exported> {
+    static OFFERED: OnceLock<Arc<Exported>> = OnceLock::new();
+    OFFERED.get_or_init(|| {
+        let files = SOURCES
+            .iter()
+            .map(|source| Arc::new(exports(&Arc::new(parse(source.text)), &file_of(source))));
+        Arc::new(Exported::with(files.collect(), None))
+    })
+}
+
+/// The block whose file has a name, if it is one of the library's.
+pub fn source(file: &str) -> Option<&'static Source> {
+    let name = file.strip_prefix(PLACE)?.strip_suffix(".clad")?;
+    SOURCES.iter().find(|source| source.name[1..] == *name)
+}
+
+/// The analysis of a file of the library.
+pub fn analysis(file: &str) -> Option<Arc<Analysis>> {
+    static ANALYSES: [OnceLock<Arc<Analysis>>; SOURCES.len()] = [const { OnceLock::new() }; SOURCES.len()];
+    let source = source(file)?;
+    let number = SOURCES.iter().position(|other| other == source)?;
+    let analyse = || {
+        Arc::new(analyze_in(
+            &Arc::new(parse(source.text)),
+            file,
+            &offered().others_of(file),
+        ))
+    };
+    Some(Arc::clone(ANALYSES[number].get_or_init(analyse)))
+}
