@@ -2,7 +2,7 @@
 
 use crate::body;
 use crate::definition::defined;
-use crate::neighbour::Workspace;
+use crate::neighbour::{Workspace, named};
 use crate::symbol::{Found, Symbol, Usage, everywhere, find};
 use crate::target::Target;
 use ladder_analysis::context::{Body, Context};
@@ -204,7 +204,7 @@ fn with_file(context: &Context, name: &str, workspace: &dyn Workspace, act: impl
     if own.is_called(name) {
         return act(own);
     }
-    if let Some(neighbour) = workspace.file(name) {
+    if let Some(neighbour) = named(workspace, name) {
         act(&neighbour);
     }
 }

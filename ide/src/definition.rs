@@ -12,7 +12,7 @@
 //! | a user-defined block | its first line | as definition | its first line | its body |
 
 use crate::body;
-use crate::neighbour::Workspace;
+use crate::neighbour::{Workspace, named};
 use crate::symbol::{Found, Occurrence, Symbol, Usage, declared_names, find, in_files_of, occurrences};
 use crate::target::Target;
 use ladder_analysis::context::{Body, Context};
@@ -235,7 +235,7 @@ fn body_of(
     let file = if own.is_called(&target.file) {
         own
     } else {
-        neighbour = workspace.file(&target.file)?;
+        neighbour = named(workspace, &target.file)?;
         &neighbour
     };
     let context = file;

@@ -83,6 +83,9 @@ impl Fixture {
         if let Some((_, text)) = files.find(|(analysis, _)| *analysis.context.name == *file) {
             return text;
         }
+        if let Some(source) = ladder_analysis::library::source(file) {
+            return source.text;
+        }
         let mut scenarios = self.scenarios.iter();
         &scenarios.find(|(name, _)| name == file).unwrap().1
     }

@@ -140,3 +140,38 @@ fn nothing_to_go_to() {
     check("+--<CALL>( nothing$0 )--+\n", expect![[""]]);
     check("+--[$None$0]( a )--+\n", expect![[""]]);
 }
+
+#[test]
+fn blocks_of_the_library() {
+    check(
+        "+--[$Deb$0ounce]( button )--( )( y )--+\n",
+        expect![[r#"
+        definition: library://Debounce.clad:3:17 $Debounce in library://Debounce.clad:3:1 FUNCTION_BLOCK [$Debounce] ... END_FUNCTION_BLOCK
+        declaration: library://Debounce.clad:3:17 $Debounce in library://Debounce.clad:3:1 FUNCTION_BLOCK [$Debounce] ... END_FUNCTION_BLOCK
+        type: library://Debounce.clad:3:17 $Debounce in library://Debounce.clad:3:1 FUNCTION_BLOCK [$Debounce] ... END_FUNCTION_BLOCK
+        implementation: library://Debounce.clad:14:1 +--[ ]( EN )--[ ]( raw )--------------------[TON]( high, wait )--(S)( clean )--+ ... +--[ ]( clean )----------------------------------------------------( )( ENO )--+ in library://Debounce.clad:3:1 FUNCTION_BLOCK [$Debounce] ... END_FUNCTION_BLOCK
+    "#]],
+    );
+    check(
+        "+--[$Debounce]( button, wa$0it := 5ms )--( )( y )--+\n",
+        expect![[r#"
+        definition: library://Debounce.clad:6:5 wait in library://Debounce.clad:6:5 wait : TIME := T#20ms;
+        declaration: library://Debounce.clad:6:5 wait in library://Debounce.clad:6:5 wait : TIME := T#20ms;
+        implementation: main.clad:1:25 wait
+    "#]],
+    );
+}
+
+/// A block of the workspace's own takes the place of the library's.
+#[test]
+fn an_own_block_comes_first() {
+    check(
+        "+--[$Deb$0ounce]( button )--( )( y )--+\n%% own.clad\nFUNCTION_BLOCK [$DEBOUNCE]\nVAR_INPUT a : BOOL; END_VAR\nEND_FUNCTION_BLOCK\n",
+        expect![[r#"
+            definition: own.clad:1:17 $DEBOUNCE in own.clad:1:1 FUNCTION_BLOCK [$DEBOUNCE] ... END_FUNCTION_BLOCK
+            declaration: own.clad:1:17 $DEBOUNCE in own.clad:1:1 FUNCTION_BLOCK [$DEBOUNCE] ... END_FUNCTION_BLOCK
+            type: own.clad:1:17 $DEBOUNCE in own.clad:1:1 FUNCTION_BLOCK [$DEBOUNCE] ... END_FUNCTION_BLOCK
+            implementation: own.clad:1:17 $DEBOUNCE in own.clad:1:1 FUNCTION_BLOCK [$DEBOUNCE] ... END_FUNCTION_BLOCK
+        "#]],
+    );
+}

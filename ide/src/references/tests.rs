@@ -212,3 +212,16 @@ fn half_written_text() {
     check("+--[ ]( $0 )--+\n", expect![[""]]);
     check("$0", expect![[""]]);
 }
+
+/// The library's own file is among them.
+#[test]
+fn of_a_block_of_the_library() {
+    check(
+        "+--[$Deb$0ounce]( button )--( )( y )--+\n%% other.clad\n+--[$Debounce]( b )--( )( z )--+\n",
+        expect![[r#"
+            main.clad:1:5 $Debounce Mention
+            other.clad:1:5 $Debounce Mention
+            library://Debounce.clad:3:17 $Debounce Definition
+        "#]],
+    );
+}

@@ -15,6 +15,7 @@ use crate::neighbour::Workspace;
 use crate::outline::text_of;
 use crate::symbol::{Found, Occurrence, Symbol, find, in_files_of, occurrences, tag_of};
 use ladder_analysis::context::Context;
+use ladder_analysis::library;
 use ladder_analysis::names::join::context;
 use ladder_analysis::names::scope::Origin;
 use ladder_analysis::with_article;
@@ -182,6 +183,11 @@ fn hides(file: &Context, symbol: &Symbol, name: &Name) -> bool {
 
 /// Names that are not the program's to choose.
 fn fixed(file: &Context, symbol: &Symbol) -> Result<(), RenameRefused> {
+    if symbol.file().is_some_and(|file| library::source(file).is_some()) {
+        return Err(RenameRefused(
+            "the blocks of the library and their operands keep their names".to_owned(),
+        ));
+    }
     let why = match symbol {
         Symbol::Tag { scope, name, .. } => {
             let tags = &file.scopes.get(*scope).filter(|_| *scope > 0);

@@ -574,3 +574,16 @@ fn an_address_stays_where_it_is_written() {
     "#]],
     );
 }
+
+#[test]
+fn the_library_keeps_its_names() {
+    for text in [
+        "+--[$Deb$0ounce]( button )--( )( y )--+\n",
+        "+--[$Debounce]( button, w$0ait := 5ms )--( )( y )--+\n",
+    ] {
+        assert_eq!(
+            renamed(text, "$Other"),
+            "refused: the blocks of the library and their operands keep their names\n"
+        );
+    }
+}

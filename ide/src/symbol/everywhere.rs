@@ -1,8 +1,9 @@
 //! From a symbol to its places in the whole workspace.
 
 use super::{Occurrence, Symbol, occurrences};
-use crate::neighbour::{Which, Workspace, in_each};
+use crate::neighbour::{Which, Workspace, in_each, named};
 use ladder_analysis::context::Context;
+use ladder_analysis::library;
 use ladder_syntax::Name;
 use std::sync::Arc;
 
@@ -19,12 +20,19 @@ pub(crate) fn in_files_of<T: Send>(
         at_home.retain(|file| context.name != **file);
         at_home.sort_unstable();
         at_home.dedup();
-        let files = at_home.into_iter().filter_map(|file| workspace.file(file));
+        let files = at_home.into_iter().filter_map(|file| named(workspace, file));
         return files.map(|file| look(&file)).collect();
     }
     let names: Option<Vec<Name>> = symbols.iter().map(|symbol| symbol.name().cloned()).collect();
     let which = names.as_deref().map_or(Which::All, Which::Mentioning);
-    in_each(workspace, which, look)
+    let mut found = in_each(workspace, which, &look);
+    // What is the library's is in its file too, which is none of the workspace.
+    let of_library = symbols
+        .iter()
+        .filter_map(Symbol::file)
+        .find_map(|file| library::analysis(file));
+    found.extend(of_library.map(|analysis| look(&analysis.context)));
+    found
 }
 
 /// The file that has all places of a symbol, where only one does.

@@ -101,4 +101,16 @@ impl Symbol {
             Symbol::System(_) | Symbol::Instruction(_) => None,
         }
     }
+
+    /// The file that it belongs to; none if to the workspace, or to the language.
+    pub(crate) fn file(&self) -> Option<&Arc<str>> {
+        match self {
+            Symbol::Tag { file, .. }
+            | Symbol::Label { file, .. }
+            | Symbol::Function { file, .. }
+            | Symbol::Block { file, .. } => Some(file),
+            Symbol::Member { of, .. } => of.file(),
+            Symbol::Global(_) | Symbol::Address(_) | Symbol::System(_) | Symbol::Instruction(_) => None,
+        }
+    }
 }
