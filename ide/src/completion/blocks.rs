@@ -37,7 +37,7 @@ pub(super) fn on_wire(typing: &Typing<'_>, out: &mut Proposals<'_>) {
         propose_row(typing, row, Around::Wire, out);
     }
     each_user_block(typing, |block, file| {
-        propose_user(typing, block, file, Around::Wire, out)
+        propose_user(typing, block, file, Around::Wire, out);
     });
 }
 
