@@ -3,6 +3,8 @@
 use super::address::{Span, Tag};
 use super::bank::{Bank, Kind};
 use super::calc;
+use super::convert;
+use super::drum;
 use super::model::{
     Bits, Coil, Condition, Constant, Counter, CounterKind, Instruction, Operand, Search, Timer, TimerKind,
     Unit,
@@ -44,10 +46,28 @@ pub(super) fn acts(tags: &mut Tags<'_>, what: &Instruction, oneshot: bool) -> Re
         Instruction::Reset(target) => coil(tags, chain, "(R)", target)?,
         Instruction::Timer(timer) => self::timer(tags, &mut acts, timer)?,
         Instruction::Counter(counter) => self::counter(tags, &mut acts, counter)?,
-        Instruction::Copy { source, target, .. } => copy(tags, chain, source, target)?,
-        Instruction::BlockCopy { source, target, .. } => ranges::block_copy(tags, chain, source, target)?,
+        Instruction::Copy {
+            source,
+            target,
+            options,
+        } => match options.convert {
+            Some(convert) => convert::copy(tags, chain, (source, target), convert)?,
+            None => copy(tags, chain, source, target)?,
+        },
+        Instruction::BlockCopy {
+            source,
+            target,
+            options,
+        } => match options.convert {
+            Some(convert) => convert::block(tags, chain, (source, target), convert)?,
+            None => ranges::block_copy(tags, chain, source, target)?,
+        },
         Instruction::Fill { source, target, .. } => ranges::fill(tags, chain, source, target)?,
-        Instruction::Pack { source, target, .. } => pack(tags, chain, source, target)?,
+        Instruction::Pack {
+            source,
+            target,
+            options,
+        } => pack(tags, chain, (source, target), options.allow_whitespace)?,
         Instruction::Unpack { source, target, .. } => {
             array(target)?;
             let source = chain.value(tags, &Operand::Tag(source.clone()), None);
@@ -61,6 +81,7 @@ pub(super) fn acts(tags: &mut Tags<'_>, what: &Instruction, oneshot: bool) -> Re
             self::shift(tags, &mut acts, shift);
         }
         Instruction::Search(search) => self::search(tags, chain, search)?,
+        Instruction::Drum(drum) => drum::acts(tags, &mut acts, drum)?,
         Instruction::Math(math) => {
             let mut before = Chain::default();
             ranges::bring_formula(tags, &mut before, &math.formula)?;
@@ -112,7 +133,13 @@ fn coil(tags: &Tags<'_>, chain: &mut Chain, head: &str, coil: &Coil) -> Result<(
 }
 
 /// A pin as an operand: its contact if it is one, else the result of a rung above.
-fn pin(tags: &mut Tags<'_>, acts: &mut Acts, of: &str, word: &str, condition: &Condition) -> String {
+pub(super) fn pin(
+    tags: &mut Tags<'_>,
+    acts: &mut Acts,
+    of: &str,
+    word: &str,
+    condition: &Condition,
+) -> String {
     use super::model::ContactKind;
     if let Some(seen) = tags.seen(condition) {
         return seen;
@@ -245,7 +272,12 @@ fn texts(tags: &Tags<'_>, chain: &mut Chain, text: &str, first: &Tag) -> Result<
     Ok(())
 }
 
-fn pack(tags: &mut Tags<'_>, chain: &mut Chain, source: &Span, target: &Tag) -> Result<(), Refusal> {
+fn pack(
+    tags: &mut Tags<'_>,
+    chain: &mut Chain,
+    (source, target): (&Span, &Tag),
+    allow_whitespace: bool,
+) -> Result<(), Refusal> {
     ranges::bring(tags, chain, source)?;
     written(target)?;
     let place = tags.text(target);
@@ -259,11 +291,18 @@ fn pack(tags: &mut Tags<'_>, chain: &mut Chain, source: &Span, target: &Tag) -> 
         return Err("a number of more than 32 characters is not read".to_owned());
     }
     let characters: Vec<String> = (first..=last).map(|number| format!("TXT[{number}]")).collect();
-    chain.push(match &characters[..] {
+    let is_hex = target.bank.kind() == Kind::Hex;
+    if is_hex && allow_whitespace {
+        return Err("blanks around hexadecimal digits are not passed over here".to_owned());
+    }
+    let base = is_hex.then(|| "'16#'".to_owned());
+    let parts: Vec<String> = base.into_iter().chain(characters).collect();
+    chain.push(match &parts[..] {
         [one] => format!("[MOV]( {text}, {one} )"),
         all => format!("[CONCAT]( {text}, {} )", all.join(", ")),
     });
-    chain.push(format!("[PACK]( {place}, {text} )"));
+    let head = if allow_whitespace { "[TYP]" } else { "[PACK]" };
+    chain.push(format!("{head}( {place}, {text} )"));
     Ok(())
 }
 

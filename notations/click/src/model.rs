@@ -2,6 +2,7 @@
 
 use super::address::{Address, Span, Tag};
 use super::bank::Bank;
+use super::convert::Convert;
 use ladder_notation::LineColumn;
 
 /// A whole program.
@@ -270,6 +271,7 @@ pub(super) enum Instruction {
     Shift(Shift),
     Search(Search),
     Math(Math),
+    Drum(Box<Drum>),
     Call(String),
     /// The rungs after it, up to that of [`Instruction::Next`], run so often in one scan.
     For(Operand),
@@ -278,7 +280,7 @@ pub(super) enum Instruction {
     Return,
     /// Nothing: `pass`.
     Nop,
-    /// What ladder text has no counterpart for: a drum, a message. It stays a comment.
+    /// What ladder text has no counterpart for, such as a message. It stays a comment.
     Kept {
         /// As the notation writes it.
         text: String,
@@ -348,6 +350,13 @@ impl Unit {
         Unit::ALL[self as usize].2
     }
 
+    /// The one that is so many nanoseconds long.
+    pub(super) fn lasting(nanoseconds: i64) -> Option<Unit> {
+        let mut all = Unit::ALL.iter();
+        let row = all.find(|(.., milliseconds)| *milliseconds * 1_000_000 == nanoseconds)?;
+        Some(row.0)
+    }
+
     pub(super) fn named(name: &str) -> Option<Unit> {
         let row = Unit::ALL.iter().find(|(_, own, ..)| *own == name)?;
         Some(row.0)
@@ -379,6 +388,66 @@ pub(super) struct Shift {
     /// Shifts on its rise. None: the notation does not say.
     pub(super) clock: Option<Condition>,
     pub(super) reset: Option<Condition>,
+}
+
+/// Goes through steps, in each of which its outputs have a pattern.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Drum {
+    /// What ends each step.
+    pub(super) steps: Steps,
+    /// The bits that it writes.
+    pub(super) outputs: Vec<Tag>,
+    /// For each step, which of the outputs are on: the first is bit 0.
+    pub(super) pattern: Vec<u16>,
+    /// Holds the number of the step, from 1.
+    pub(super) current_step: Tag,
+    /// On once the last step has ended.
+    pub(super) completion_flag: Tag,
+    /// Back to the first step.
+    pub(super) reset: Option<Condition>,
+    /// To the step that [`Drum::jump_step`] says, on its rise.
+    pub(super) jump: Option<Condition>,
+    pub(super) jump_step: Option<Operand>,
+    /// To the next step, on its rise.
+    pub(super) jog: Option<Condition>,
+}
+
+impl Drum {
+    /// No more steps, and no more outputs.
+    pub(super) const MOST: usize = 16;
+
+    /// What it looks at before it acts: its pins and its events.
+    pub(super) fn conditions(&self) -> impl Iterator<Item = &Condition> {
+        let events = match &self.steps {
+            Steps::Events(events) => &events[..],
+            Steps::Times { .. } => &[],
+        };
+        let pins = [&self.reset, &self.jump, &self.jog];
+        pins.into_iter().flatten().chain(events)
+    }
+}
+
+/// What ends the steps of a drum.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Steps {
+    /// One for each step, on its rise.
+    Events(Vec<Condition>),
+    /// A time for each step.
+    Times {
+        presets: Vec<Operand>,
+        unit: Unit,
+        /// The time in the step, in bank TD.
+        accumulator: Tag,
+    },
+}
+
+impl Steps {
+    pub(super) const fn len(&self) -> usize {
+        match self {
+            Steps::Events(events) => events.len(),
+            Steps::Times { presets, .. } => presets.len(),
+        }
+    }
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -457,6 +526,10 @@ pub(super) enum Function {
 /// How a copy turns one kind of value into another. All false: as Click does when nothing is chosen.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct CopyOptions {
-    /// What the notation says, by name and value, as it writes them: `("suppress_zero", "True")`.
+    /// Numbers into characters, or the reverse.
+    pub(super) convert: Option<Convert>,
+    /// Blanks around a number that is packed of characters are passed over.
+    pub(super) allow_whitespace: bool,
+    /// What else the notation says, by name and value, as it writes them: `("suppress_zero", "True")`.
     pub(super) named: Vec<(String, String)>,
 }

@@ -41,14 +41,15 @@ pub(super) fn late<'p>(tags: &Tags<'_>, rungs: &'p [Rung]) -> Vec<(&'p Condition
                 }
             };
             check(Some(&action.condition), Part::Branch, &written);
-            let pins = match &action.what {
-                Instruction::Timer(timer) => [timer.reset.as_ref(), None],
-                Instruction::Counter(counter) => [counter.count_down.as_ref(), counter.reset.as_ref()],
-                Instruction::Shift(shift) => [shift.clock.as_ref(), None],
-                _ => [None, None],
+            let pins: Vec<_> = match &action.what {
+                Instruction::Timer(timer) => timer.reset.iter().collect(),
+                Instruction::Counter(counter) => counter.count_down.iter().chain(&counter.reset).collect(),
+                Instruction::Shift(shift) => shift.clock.iter().collect(),
+                Instruction::Drum(drum) => drum.conditions().collect(),
+                _ => Vec::new(),
             };
             for pin in pins {
-                check(pin, Part::Pin, &written);
+                check(Some(pin), Part::Pin, &written);
             }
             let writes = uses::of_instruction(&action.what).into_iter();
             written.extend(

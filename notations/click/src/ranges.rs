@@ -13,7 +13,7 @@ use super::operand::{Chain, fits, kind, literal, passes};
 use super::tags::Tags;
 
 /// A block between kinds of more addresses is not copied: each takes a block of its own.
-const MOST_CONVERTED: usize = 200;
+pub(super) const MOST_CONVERTED: usize = 200;
 
 /// A range as ladder text writes it.
 pub(super) fn range(span: &Span) -> String {

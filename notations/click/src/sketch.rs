@@ -4,8 +4,9 @@ mod contacts;
 
 use super::act::{self, Above};
 use super::bank::{Bank, Writer};
+use super::drum::Shape;
 use super::dsl::spell;
-use super::model::{Action, Instruction, Program, Routine, Rung};
+use super::model::{Action, CopyOptions, Instruction, Program, Routine, Rung};
 use super::order::{self, Part};
 use super::tags::Tags;
 use super::uses::{Access, What, uses};
@@ -13,7 +14,7 @@ use ladder_format::Circuit;
 use ladder_format::program::{Drawing, Element, Item, Network};
 use ladder_notation::names::Names;
 use ladder_notation::{LineColumn, Reading};
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 /// The whole program.
 pub(super) fn sketch(program: &Program) -> Reading {
@@ -80,6 +81,10 @@ impl Sketcher<'_> {
         items.push(Item::Blank);
         for section in self.tags.sections() {
             items.push(Item::Section(section));
+        }
+        let drums: BTreeSet<Shape> = self.tags.drums.iter().copied().collect();
+        for shape in drums {
+            items.extend([Item::Blank, shape.definition()]);
         }
         items.append(&mut self.items);
         self.reading.program.items = items;
@@ -354,11 +359,13 @@ fn before_is_bare(circuit: &Circuit<Element>) -> bool {
 
 fn has_options(what: &Instruction) -> bool {
     match what {
-        Instruction::Copy { options, .. }
-        | Instruction::BlockCopy { options, .. }
-        | Instruction::Fill { options, .. }
-        | Instruction::Pack { options, .. }
-        | Instruction::Unpack { options, .. } => !options.named.is_empty(),
+        Instruction::Copy { options, .. } | Instruction::BlockCopy { options, .. } => {
+            !options.named.is_empty() || options.allow_whitespace
+        }
+        Instruction::Pack { options, .. } => !options.named.is_empty() || options.convert.is_some(),
+        Instruction::Fill { options, .. } | Instruction::Unpack { options, .. } => {
+            *options != CopyOptions::default()
+        }
         _ => false,
     }
 }

@@ -2,6 +2,7 @@
 
 use super::address::{Address, Span, Tag, Which};
 use super::bank::{Bank, Writer};
+use super::drum::Shape;
 use super::model::{Condition, Constant, CounterKind, Instruction, Nickname, Program, TimerKind};
 use super::ranges::is_of_blocks;
 use super::uses::{Access, Use, What, uses};
@@ -15,6 +16,16 @@ use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 pub(super) struct State {
     pub(super) name: String,
     op: Op,
+}
+
+/// A tag that the importer makes.
+#[derive(Debug)]
+struct Helper {
+    name: String,
+    ty: String,
+    /// What it is for.
+    what: String,
+    initial: Option<String>,
 }
 
 /// The tags of a program.
@@ -31,8 +42,8 @@ pub(super) struct Tags<'p> {
     /// By their bits: those in banks T and CT.
     states: HashMap<Tag, State>,
     state_order: Vec<Tag>,
-    /// Tags that the importer makes: name, type, what it is.
-    helpers: Vec<(String, String, String)>,
+    /// Tags that the importer makes.
+    helpers: Vec<Helper>,
     helper_names: HashMap<(String, String), String>,
     /// Addresses that lie in ranges.
     ranged: HashMap<Bank, Vec<bool>>,
@@ -44,6 +55,8 @@ pub(super) struct Tags<'p> {
     copies: usize,
     /// Banks of the controller that the program writes.
     written: HashSet<Bank>,
+    /// The drums so far.
+    pub(super) drums: Vec<Shape>,
 }
 
 /// More copies of what timers and counters hold are not made.
@@ -366,7 +379,21 @@ impl<'p> Tags<'p> {
         }
         let name = self.names.fresh(like);
         self.helper_names.insert(key, name.clone());
-        self.helpers.push((name.clone(), ty.to_owned(), what));
+        self.helpers.push(Helper {
+            name: name.clone(),
+            ty: ty.to_owned(),
+            what,
+            initial: None,
+        });
+        name
+    }
+
+    /// As [`Tags::helper`], with a value that stays.
+    pub(super) fn constant(&mut self, like: &str, ty: &str, what: &str, value: String) -> String {
+        let name = self.helper(like, ty, what);
+        let own = self.helpers.iter_mut().find(|helper| helper.name == name);
+        own.into_iter()
+            .for_each(|helper| helper.initial = Some(value.clone()));
         name
     }
 
@@ -412,9 +439,10 @@ impl<'p> Tags<'p> {
             let declaration = Declaration::new(name, tag.bank.kind().iec());
             self.declare(&mut sections, tag, declaration);
         }
-        for (name, ty, what) in &self.helpers {
-            let mut declaration = Declaration::new(name, ty);
-            declaration.comment = Some(format!("helper: {what}"));
+        for helper in &self.helpers {
+            let mut declaration = Declaration::new(&helper.name, &helper.ty);
+            declaration.comment = Some(format!("helper: {}", helper.what));
+            declaration.initial.clone_from(&helper.initial);
             sections.push(Bank::C, false, declaration, self);
         }
         sections.all()

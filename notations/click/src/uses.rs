@@ -3,7 +3,7 @@
 use super::address::{Span, Tag};
 use super::formula;
 use super::model::{
-    Bits, Condition, Constant, Contact, Instruction, Operand, Pointer, Program, Rung, Search,
+    Bits, Condition, Constant, Contact, Instruction, Operand, Pointer, Program, Rung, Search, Steps,
 };
 use ladder_notation::LineColumn;
 
@@ -145,9 +145,20 @@ impl<'p> Uses<'p> {
                 self.pin(counter.count_down.as_ref());
                 self.pin(counter.reset.as_ref());
             }
-            Instruction::Copy { source, target, .. } => {
+            Instruction::Copy {
+                source,
+                target,
+                options,
+            } => {
                 self.operand(source, Access::Read);
                 match (source, target) {
+                    (_, Operand::Tag(tag)) if options.convert.is_some() => {
+                        let left = tag.address().map_or(1, |address| {
+                            usize::from(address.bank.last().saturating_sub(address.number)) + 1
+                        });
+                        let most = options.convert.map_or(1, |convert| convert.most(source));
+                        self.push(What::From(tag, most.min(left)), Access::Write);
+                    }
                     (Operand::Constant(Constant::Text(text)), Operand::Tag(tag)) => {
                         self.push(What::From(tag, text.chars().count().max(1)), Access::Write);
                     }
@@ -198,6 +209,29 @@ impl<'p> Uses<'p> {
                     self.push(What::Many(*span), Access::Read);
                 }
                 self.operand(&math.target, Access::Write);
+            }
+            Instruction::Drum(drum) => {
+                drum.conditions().for_each(|condition| self.pin(Some(condition)));
+                drum.jump_step
+                    .iter()
+                    .for_each(|step| self.operand(step, Access::Read));
+                if let Steps::Times {
+                    presets, accumulator, ..
+                } = &drum.steps
+                {
+                    presets
+                        .iter()
+                        .for_each(|preset| self.operand(preset, Access::Read));
+                    self.push(What::One(accumulator), Access::Write);
+                }
+                self.push(What::One(&drum.current_step), Access::Read);
+                for written in drum
+                    .outputs
+                    .iter()
+                    .chain([&drum.current_step, &drum.completion_flag])
+                {
+                    self.push(What::One(written), Access::Write);
+                }
             }
             Instruction::For(count) => self.operand(count, Access::Read),
             Instruction::Call(_)

@@ -110,10 +110,8 @@ fn every_instruction() {
         expect![[r#"
             2:3 immediate(X001): approximated: it reads the input itself; here all inputs are read before the scan
             25:68 send(target=plc1,remote_start="DS1",source=DS3,count=1): refused: ladder text has no counterpart for `send`
-            26:68 event_drum(outputs=[Y001],events=[X001],pattern=[[1]],current_step=DS10,completion_flag=C10): refused: ladder text has no counterpart for `event_drum`
             23:65 click-c0107: Click itself wants a contact before this instruction: SC1 always conducts
             25:68 click-element: `send(target=plc1,remote_start="DS1",source=DS3,count=1)` stays as a comment: ladder text has no counterpart for `send`
-            26:68 click-grid: the rung stays as a comment, for `event_drum(outputs=[Y001],events=[X001],pattern=[[1]],curren`: ladder text has no counterpart for `event_drum`
         "#]],
     );
 }
@@ -389,11 +387,8 @@ fn real_grids_become_ladder_text() {
         branch_Or_two_outputs.csv: Tally { translated: 7, approximated: 0, refused: 0 }
         branch_Or_with_following_Rung_output.csv: Tally { translated: 8, approximated: 0, refused: 0 }
         click_or_topology.csv: Tally { translated: 49, approximated: 0, refused: 0 }
-        main.csv: Tally { translated: 67, approximated: 0, refused: 6 }
+        main.csv: Tally { translated: 82, approximated: 0, refused: 3 }
         20:68 search("==","AB",TXT1..TXT8,DS4,C1): refused: [SEARCH] looks for one character, not for a text
-        24:68 event_drum(outputs=[Y011,C11,C12],events=[X011,X012,X013,X014],pattern=[[1,0,0],[0,1,0],[0,0,1],[1,1,0]],current_step=DS10,completion_flag=C10): refused: ladder text has no counterpart for `event_drum`
-        28:68 time_drum(outputs=[Y011,C11,C12],presets=[50,100,75,200],unit=Tms,pattern=[[1,0,0],[0,1,0],[0,0,1],[1,1,0]],current_step=DS10,accumulator=TD10,completion_flag=C10): refused: ladder text has no counterpart for `time_drum`
-        34:63 pack_text(TXT1..TXT8,DD1,allow_whitespace=1): refused: its options have no counterpart here
         45:65 send(target=ModbusTcpTarget(name="plc1",ip="10.0.0.1",port=502,device_id=1),remote_start="DS1",source=DS3,sending=C20,success=C21,error=C22,exception_response=DS20,count=1): refused: ladder text has no counterpart for `send`
         46:65 receive(target=ModbusTcpTarget(name="plc1",ip="10.0.0.1",port=502,device_id=1),remote_start="DS10",dest=DS22,receiving=C23,success=C24,error=C25,exception_response=DS23,count=1): refused: ladder text has no counterpart for `receive`
         multiple_pins_separate.csv: Tally { translated: 6, approximated: 0, refused: 0 }

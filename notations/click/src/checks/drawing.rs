@@ -62,10 +62,11 @@ fn size_of(condition: &Condition) -> Size {
 
 fn pins(what: &Instruction) -> impl Iterator<Item = &Condition> {
     let pins = match what {
-        Instruction::Timer(timer) => [timer.reset.as_ref(), None],
-        Instruction::Counter(counter) => [counter.count_down.as_ref(), counter.reset.as_ref()],
-        Instruction::Shift(shift) => [shift.clock.as_ref(), shift.reset.as_ref()],
-        _ => [None, None],
+        Instruction::Timer(timer) => [&timer.reset, &None, &None],
+        Instruction::Counter(counter) => [&counter.count_down, &counter.reset, &None],
+        Instruction::Shift(shift) => [&shift.clock, &shift.reset, &None],
+        Instruction::Drum(drum) => [&drum.reset, &drum.jump, &drum.jog],
+        _ => [&None, &None, &None],
     };
     pins.into_iter().flatten()
 }
@@ -126,7 +127,10 @@ fn contact(rung: &Rung, action: &Action, out: &mut Found) {
         ) => {}
         (Words::Grid, _) => out.warning(action.place, "click-c0107", says),
         // `if True:` is a word of the DSL; what goes by the rise of its rung never sees one there.
-        (Words::Dsl, Instruction::Timer(_) | Instruction::Counter(_) | Instruction::Shift(_)) => {
+        (
+            Words::Dsl,
+            Instruction::Timer(_) | Instruction::Counter(_) | Instruction::Shift(_) | Instruction::Drum(_),
+        ) => {
             out.info(action.place, "click-c0107", says);
         }
         (Words::Dsl, _) => {}

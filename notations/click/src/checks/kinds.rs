@@ -180,6 +180,9 @@ pub(super) fn action(action: &Action, out: &mut Found) {
             counter.reset.iter().for_each(|pin| condition(pin, out));
             counter.count_down.iter().for_each(|pin| condition(pin, out));
         }
+        // What a conversion takes is refused where it is translated.
+        Instruction::Copy { options, .. } | Instruction::BlockCopy { options, .. }
+            if options.convert.is_some() => {}
         Instruction::Copy { source, target, .. } => match kind(target) {
             Some(to) => copies::copied(place, source, to, out),
             None => out.error(
@@ -213,6 +216,7 @@ pub(super) fn action(action: &Action, out: &mut Found) {
         }
         Instruction::Search(search) => self::search(place, search, out),
         Instruction::Math(math) => mathematics::check(place, math, out),
+        Instruction::Drum(drum) => drum.conditions().for_each(|pin| condition(pin, out)),
         Instruction::For(count) => setpoint(place, "number of loops", count, Kind::Int, &[Bank::Ds], out),
         Instruction::Call(_)
         | Instruction::Next

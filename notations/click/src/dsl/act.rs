@@ -3,10 +3,11 @@
 use super::super::address::Span;
 use super::super::formula;
 use super::super::model::{
-    Coil, Counter, CounterKind, Instruction, Math, MathKind, Relation, Search, Shift, Timer, TimerKind, Unit,
+    Coil, Counter, CounterKind, Instruction, Math, MathKind, Relation, Search, Shift, Timer, TimerKind,
 };
 use super::arguments::Arguments;
 use super::condition::{bits, operand, shown};
+use super::drum;
 use super::problems::{Problems, Unread, expression, statement};
 use ruff_python_ast::{Expr, ExprCall, Stmt, StmtFor};
 use ruff_text_size::Ranged;
@@ -133,6 +134,8 @@ fn called(problems: &mut Problems<'_>, call: &ExprCall) -> Result<Read, Unread> 
             reset: arguments.pin(problems, "reset")?,
         }),
         "search" => search(problems, &arguments, call)?,
+        "event_drum" => drum::read(problems, &arguments, false)?,
+        "time_drum" => drum::read(problems, &arguments, true)?,
         "calc" => math(problems, &arguments, MathKind::Decimal, call)?,
         "math_hex" => math(problems, &arguments, MathKind::Hex, call)?,
         "call" => match arguments.must(problems, "subroutine_name")? {
@@ -150,14 +153,7 @@ fn timer(
     arguments: &Arguments<'_>,
     kind: TimerKind,
 ) -> Result<Instruction, Unread> {
-    let unit = arguments.must(problems, "unit")?;
-    let found = match unit {
-        Expr::Name(name) => Unit::named(&name.id),
-        _ => None,
-    };
-    let Some(unit) = found else {
-        return Err(problems.note(unit, "a timer's unit is Tms, Ts, Tm, Th or Td"));
-    };
+    let unit = drum::unit(problems, arguments)?;
     Ok(Instruction::Timer(Timer {
         kind,
         tag: arguments.tag(problems, "timer")?,

@@ -1,7 +1,8 @@
 //! The instructions of the DSL, and the arguments of their calls by name.
 
 use super::super::address::{Span, Tag};
-use super::super::model::{Condition, CopyOptions, Operand};
+use super::super::convert::Convert;
+use super::super::model::{Condition, Constant, CopyOptions, Operand};
 use super::condition::{self, operand, shown, span, tag};
 use super::problems::{Problems, Unread, expression};
 use ruff_python_ast::{Expr, ExprCall};
@@ -19,11 +20,21 @@ const SIGNATURES: &[(&str, usize, &[&str])] = &[
     ("ctu", 2, &["counter", "setpoint", "reset"]),
     ("ctd", 2, &["counter", "setpoint", "reset"]),
     ("ctud", 2, &["counter", "setpoint", "count_down", "reset"]),
-    ("copy", 2, &["source", "destination", "oneshot", "options"]),
+    (
+        "copy",
+        2,
+        &["source", "destination", "oneshot", "options", "convert"],
+    ),
     (
         "copy_block",
         2,
-        &["source_range", "destination_start", "oneshot", "options"],
+        &[
+            "source_range",
+            "destination_start",
+            "oneshot",
+            "options",
+            "convert",
+        ],
     ),
     (
         "copy_fill",
@@ -33,7 +44,13 @@ const SIGNATURES: &[(&str, usize, &[&str])] = &[
     (
         "copy_pack",
         2,
-        &["source_range", "destination", "oneshot", "options"],
+        &[
+            "source_range",
+            "destination",
+            "oneshot",
+            "options",
+            "allow_whitespace",
+        ],
     ),
     (
         "copy_unpack",
@@ -53,6 +70,38 @@ const SIGNATURES: &[(&str, usize, &[&str])] = &[
             "result_flag",
             "continuous",
             "oneshot",
+        ],
+    ),
+    (
+        "event_drum",
+        5,
+        &[
+            "outputs",
+            "events",
+            "pattern",
+            "current_step",
+            "completion_flag",
+            "reset",
+            "jump",
+            "jump_step",
+            "jog",
+        ],
+    ),
+    (
+        "time_drum",
+        7,
+        &[
+            "outputs",
+            "presets",
+            "unit",
+            "pattern",
+            "current_step",
+            "accumulator",
+            "completion_flag",
+            "reset",
+            "jump",
+            "jump_step",
+            "jog",
         ],
     ),
     ("calc", 2, &["formula", "result_destination", "one_shot"]),
@@ -170,8 +219,13 @@ impl<'e> Arguments<'e> {
     }
 
     pub(super) fn options(&self, problems: &mut Problems<'_>) -> Result<CopyOptions, Unread> {
+        let own = CopyOptions {
+            convert: self.convert(problems)?,
+            allow_whitespace: self.flag(problems, "allow_whitespace")?,
+            named: Vec::new(),
+        };
         match self.get("options") {
-            None | Some(Expr::NoneLiteral(_)) => Ok(CopyOptions::default()),
+            None | Some(Expr::NoneLiteral(_)) => Ok(own),
             Some(Expr::StringLiteral(literal)) => {
                 let parts = literal
                     .value
@@ -185,10 +239,50 @@ impl<'e> Arguments<'e> {
                 });
                 Ok(CopyOptions {
                     named: named.collect(),
+                    ..own
                 })
             }
             Some(other) => Err(problems.note(other, "`options` is None or a text")),
         }
+    }
+
+    /// `to_value`, `to_text(suppress_zero=False)`
+    fn convert(&self, problems: &mut Problems<'_>) -> Result<Option<Convert>, Unread> {
+        let Some(given) = self.get("convert") else {
+            return Ok(None);
+        };
+        let (name, call) = match given {
+            Expr::NoneLiteral(_) => return Ok(None),
+            Expr::Call(call) => (&*call.func, Some(call)),
+            other => (other, None),
+        };
+        let found = match name {
+            Expr::Name(name) => Convert::named(&name.id),
+            _ => None,
+        };
+        let Some(mut convert) = found else {
+            let message = "a copy converts with to_value, to_ascii, to_binary or to_text(..)";
+            return Err(problems.note(given, message));
+        };
+        let Some(call) = call else {
+            return Ok(Some(convert));
+        };
+        if let Some(argument) = call.arguments.args.first() {
+            return Err(problems.note(argument, "the options of a conversion are given by name"));
+        }
+        for keyword in &call.arguments.keywords {
+            let name = keyword.arg.as_ref().map_or("**", |name| name.as_str());
+            let value = match operand(problems, &keyword.value)? {
+                Operand::Constant(Constant::Bit(on)) => u8::from(on).to_string(),
+                Operand::Constant(Constant::Text(text)) => text,
+                Operand::Constant(Constant::Int(number)) => number.to_string(),
+                _ => return Err(problems.note(&keyword.value, "an option of a conversion is fixed")),
+            };
+            convert
+                .set(name, &value)
+                .map_err(|why| problems.note(keyword, why))?;
+        }
+        Ok(Some(convert))
     }
 
     /// A text that Python does not put together itself.

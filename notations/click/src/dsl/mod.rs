@@ -5,6 +5,7 @@ mod arguments;
 mod comments;
 mod condition;
 mod depth;
+mod drum;
 mod problems;
 mod program;
 mod recognise;

@@ -4,7 +4,7 @@ use super::super::address::Tag;
 use super::super::formula::{self, Spelling};
 use super::super::model::{
     Action, Bits, Condition, Constant, ContactKind, CopyOptions, CounterKind, Formula, Instruction, MathKind,
-    Operand, TimerKind,
+    Operand, Steps, TimerKind,
 };
 
 /// A condition: `all(x[1], nc(c.Stop))`.
@@ -189,6 +189,15 @@ pub(in super::super) fn action(action: &Action) -> String {
                 call.named("continuous", "True".to_owned());
             }
         }
+        Instruction::Drum(drum) => {
+            call.word(match drum.steps {
+                Steps::Events(_) => "event_drum",
+                Steps::Times { .. } => "time_drum",
+            });
+            for (name, value) in super::drum::arguments(drum) {
+                call.named(name, value);
+            }
+        }
         Instruction::Math(math) => {
             let word = match math.kind {
                 MathKind::Decimal => "calc",
@@ -243,6 +252,12 @@ impl Call {
     }
 
     fn options(&mut self, options: &CopyOptions) {
+        if let Some(convert) = options.convert {
+            self.named("convert", convert.dsl());
+        }
+        if options.allow_whitespace {
+            self.named("allow_whitespace", "True".to_owned());
+        }
         if !options.named.is_empty() {
             let spelled = |(name, value): &(String, String)| match value.as_str() {
                 "True" => name.clone(),

@@ -2,6 +2,7 @@
 
 use super::super::address::{Address, Span, Tag};
 use super::super::bank::Bank;
+use super::super::convert::Convert;
 use super::super::model::{
     Bits, Coil, Condition, Constant, CopyOptions, Counter, CounterKind, Instruction, Math, MathKind, Operand,
     Relation, Search, Shift, Timer, TimerKind, Unit,
@@ -39,7 +40,7 @@ pub(super) fn read(text: &str) -> Result<Read, String> {
 }
 
 /// The names of the outputs that are known.
-const OUTPUTS: [&str; 24] = [
+const OUTPUTS: [&str; 26] = [
     "out",
     "latch",
     "reset",
@@ -57,6 +58,8 @@ const OUTPUTS: [&str; 24] = [
     "unpack_to_words",
     "shift",
     "search",
+    "event_drum",
+    "time_drum",
     "calc",
     "math",
     "call",
@@ -79,23 +82,23 @@ fn instruction(token: &mut Token<'_>) -> Result<Instruction, String> {
         ("copy", [source, target]) => Instruction::Copy {
             source: operand(source)?,
             target: place(target)?,
-            options: options(token),
+            options: options(token)?,
         },
-        ("blockcopy", [source, target]) => block_copy(source, target, options(token))?,
+        ("blockcopy", [source, target]) => block_copy(source, target, options(token)?)?,
         ("fill", [source, target]) => Instruction::Fill {
             source: operand(source)?,
             target: span(target)?,
-            options: options(token),
+            options: options(token)?,
         },
         ("pack_bits" | "pack_words" | "pack_text", [source, target]) => Instruction::Pack {
             source: span(source)?,
             target: tag(target)?,
-            options: options(token),
+            options: options(token)?,
         },
         ("unpack_to_bits" | "unpack_to_words", [source, target]) => Instruction::Unpack {
             source: tag(source)?,
             target: span(target)?,
-            options: options(token),
+            options: options(token)?,
         },
         ("shift", [bits]) => Instruction::Shift(Shift {
             bits: span(bits)?,
@@ -128,6 +131,8 @@ fn instruction(token: &mut Token<'_>) -> Result<Instruction, String> {
                 target: place(target)?,
             })
         }
+        ("event_drum", []) => super::drum::read(token, false)?,
+        ("time_drum", []) => super::drum::read(token, true)?,
         ("call", [name]) => match constant(name) {
             Some(Constant::Text(name)) => Instruction::Call(name),
             _ => return Err("`call` names a subroutine in quotes".to_owned()),
@@ -212,13 +217,35 @@ fn counter(
     }))
 }
 
-fn options(token: &mut Token<'_>) -> CopyOptions {
+fn options(token: &mut Token<'_>) -> Result<CopyOptions, String> {
+    let convert = token.take("convert").map(convert).transpose()?;
+    let allow_whitespace = token.switch("allow_whitespace")?;
     let named = std::mem::take(&mut token.named).into_iter();
-    CopyOptions {
+    Ok(CopyOptions {
+        convert,
+        allow_whitespace,
         named: named
             .map(|(name, value)| (name.to_owned(), value.to_owned()))
             .collect(),
+    })
+}
+
+/// `to_value`, `to_text(suppress_zero=1)`
+pub(in super::super) fn convert(text: &str) -> Result<Convert, String> {
+    let unknown =
+        || format!("`{text}` is not a conversion: to_value, to_ascii, to_binary and to_text(..) are");
+    let token = match text.contains('(') {
+        true => Token::read(text)?,
+        false => Token::named(text),
+    };
+    let mut convert = Convert::named(token.name).ok_or_else(unknown)?;
+    if !token.values.is_empty() {
+        return Err(unknown());
     }
+    for (name, value) in token.named {
+        convert.set(name, value)?;
+    }
+    Ok(convert)
 }
 
 /// The grid names both ranges whole.
@@ -256,8 +283,15 @@ fn search(
 ///
 /// Why it has no such pin.
 pub(super) fn pin(what: &mut Instruction, text: &str, condition: Condition) -> Result<(), String> {
-    let token = Token::read(text)?;
+    let mut token = Token::read(text)?;
     let pin = match (what, token.name) {
+        (Instruction::Drum(drum), ".jump") => {
+            let step = token.values.pop().ok_or("`.jump(..)` says to which step")?;
+            drum.jump_step = Some(operand(step)?);
+            &mut drum.jump
+        }
+        (Instruction::Drum(drum), ".reset") => &mut drum.reset,
+        (Instruction::Drum(drum), ".jog") => &mut drum.jog,
         (Instruction::Timer(timer), ".reset") => {
             timer.kind = match timer.kind {
                 TimerKind::On | TimerKind::RetentiveOn => TimerKind::RetentiveOn,

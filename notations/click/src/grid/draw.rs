@@ -28,7 +28,7 @@ pub(super) struct Drawn<'m> {
     /// What it has for itself.
     pub(super) condition: &'m Condition,
     /// Its pins, with their conditions.
-    pub(super) pins: Vec<(&'static str, &'m Condition)>,
+    pub(super) pins: Vec<(String, &'m Condition)>,
 }
 
 /// The condition of what has none.

@@ -21,6 +21,7 @@ mod addresses;
 mod cell;
 mod contact;
 mod draw;
+mod drum;
 mod file;
 mod formula;
 mod netlist;
@@ -37,6 +38,7 @@ mod write;
 use super::model::Operand;
 use addresses::Addresses;
 
+pub(super) use action::convert;
 pub(super) use cell::COLUMNS;
 pub(super) use file::is_grid;
 pub(super) use read::{SUBROUTINES, is_subroutine_of, read};

@@ -3,7 +3,8 @@
 use super::super::address::{Span, Tag};
 use super::super::bank::{Bank, Kind};
 use super::super::model::{
-    Bits, Coil, Condition, Counter, CounterKind, Instruction, Math, MathKind, Search, Shift, Timer, TimerKind,
+    Bits, Coil, Condition, CopyOptions, Counter, CounterKind, Instruction, Math, MathKind, Search, Shift,
+    Timer, TimerKind,
 };
 use super::addresses::Addresses;
 use super::operand::operand_text;
@@ -12,13 +13,14 @@ use super::token::Token;
 /// An output and the pins below it, each with its condition.
 pub(super) struct Written<'i> {
     pub(super) output: String,
-    pub(super) pins: Vec<(&'static str, &'i Condition)>,
+    pub(super) pins: Vec<(String, &'i Condition)>,
 }
 
 /// An instruction as the grid writes it. None: it has an address by its nickname alone, or something that the grid
 /// cannot say.
 pub(super) fn write<'i>(what: &'i Instruction, oneshot: bool, addresses: &Addresses) -> Option<Written<'i>> {
-    let mut pins = Vec::new();
+    let mut pins: Vec<(&str, &Condition)> = Vec::new();
+    let jump;
     let mut named: Vec<(String, String)> = Vec::new();
     let (name, values) = match what {
         Instruction::Out(coil) => ("out", vec![coil_text(coil, addresses)?]),
@@ -61,7 +63,7 @@ pub(super) fn write<'i>(what: &'i Instruction, oneshot: bool, addresses: &Addres
             target,
             options,
         } => {
-            named.extend(options.named.iter().cloned());
+            named.extend(option_list(options));
             (
                 "copy",
                 vec![operand_text(source, addresses)?, operand_text(target, addresses)?],
@@ -72,7 +74,7 @@ pub(super) fn write<'i>(what: &'i Instruction, oneshot: bool, addresses: &Addres
             target,
             options,
         } => {
-            named.extend(options.named.iter().cloned());
+            named.extend(option_list(options));
             let first = addresses.of_tag(target)?;
             let to = Span {
                 bank: first.bank,
@@ -86,7 +88,7 @@ pub(super) fn write<'i>(what: &'i Instruction, oneshot: bool, addresses: &Addres
             target,
             options,
         } => {
-            named.extend(options.named.iter().cloned());
+            named.extend(option_list(options));
             ("fill", vec![operand_text(source, addresses)?, target.to_string()])
         }
         Instruction::Pack {
@@ -94,7 +96,7 @@ pub(super) fn write<'i>(what: &'i Instruction, oneshot: bool, addresses: &Addres
             target,
             options,
         } => {
-            named.extend(options.named.iter().cloned());
+            named.extend(option_list(options));
             let name = match source.bank.kind() {
                 Kind::Bit => "pack_bits",
                 Kind::Text => "pack_text",
@@ -107,7 +109,7 @@ pub(super) fn write<'i>(what: &'i Instruction, oneshot: bool, addresses: &Addres
             target,
             options,
         } => {
-            named.extend(options.named.iter().cloned());
+            named.extend(option_list(options));
             let name = match target.bank.kind() {
                 Kind::Bit => "unpack_to_bits",
                 _ => "unpack_to_words",
@@ -153,6 +155,23 @@ pub(super) fn write<'i>(what: &'i Instruction, oneshot: bool, addresses: &Addres
                 ],
             )
         }
+        Instruction::Drum(drum) => {
+            let (name, all) = super::drum::write(drum, addresses)?;
+            named = all;
+            let step = match &drum.jump_step {
+                Some(step) => operand_text(step, addresses)?,
+                None => String::new(),
+            };
+            jump = format!(".jump({step})");
+            for (pin, condition) in [
+                (".reset()", &drum.reset),
+                (&*jump, &drum.jump),
+                (".jog()", &drum.jog),
+            ] {
+                pins.extend(condition.as_ref().map(|condition| (pin, condition)));
+            }
+            (name, Vec::new())
+        }
         Instruction::Call(name) => ("call", vec![format!("\"{}\"", name.replace('"', "\"\""))]),
         Instruction::For(count) => ("for", vec![operand_text(count, addresses)?]),
         Instruction::Next => ("next", Vec::new()),
@@ -160,12 +179,14 @@ pub(super) fn write<'i>(what: &'i Instruction, oneshot: bool, addresses: &Addres
         Instruction::Return => ("return", Vec::new()),
         Instruction::Nop => {
             let output = "NOP".to_owned();
+            let pins = Vec::new();
             return Some(Written { output, pins });
         }
         // What is not an output would not be read again, and a pin would be taken for one of the output above.
         Instruction::Kept { text, .. } if text.starts_with('.') || Token::read(text).is_err() => return None,
         Instruction::Kept { text, .. } => {
             let output = text.clone();
+            let pins = Vec::new();
             return Some(Written { output, pins });
         }
     };
@@ -175,7 +196,25 @@ pub(super) fn write<'i>(what: &'i Instruction, oneshot: bool, addresses: &Addres
     let named = named.into_iter().map(|(name, value)| format!("{name}={value}"));
     let inside: Vec<String> = values.into_iter().chain(named).collect();
     let output = format!("{name}({})", inside.join(","));
+    let pins = pins
+        .into_iter()
+        .map(|(pin, condition)| (pin.to_owned(), condition))
+        .collect();
     Some(Written { output, pins })
+}
+
+/// The options of a copy by name.
+fn option_list(options: &CopyOptions) -> impl Iterator<Item = (String, String)> {
+    let convert = options
+        .convert
+        .map(|convert| ("convert".to_owned(), convert.grid()));
+    let blanks = options
+        .allow_whitespace
+        .then(|| ("allow_whitespace".to_owned(), "1".to_owned()));
+    convert
+        .into_iter()
+        .chain(blanks)
+        .chain(options.named.iter().cloned())
 }
 
 /// The bit of a timer or counter and its current value.

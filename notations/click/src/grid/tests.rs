@@ -246,7 +246,7 @@ fn a_bridge_becomes_its_paths() {
 #[test]
 fn what_cannot_be_read_stays() {
     check(
-        r#"R,X001,..,"event_drum(a,b)"
+        r#"R,X001,..,"send(a,b)"
 ,X002,..,.reset()
 R,X001,Z9,..,out(Y001)
 R,X001,T,..,out(Y001)
@@ -255,7 +255,7 @@ R,X001,,-,..,out(Y001)
 R,X001,..,"send(target=1)"
 #,At the end."#,
         expect![[r##"
-            # click: grid R,X001,..,"event_drum(a,b)"
+            # click: grid R,X001,..,"send(a,b)"
             # click: grid ,X002,..,.reset()
             # click: grid R,X001,Z9,..,out(Y001)
             # click: without effect in the grid: X002
@@ -265,16 +265,16 @@ R,X001,..,"send(target=1)"
             X001
                 () send(target=1)
             # At the end.
-            2:68 event_drum(a,b): Refused("ladder text has no counterpart for `event_drum`")
+            2:68 send(a,b): Refused("ladder text has no counterpart for `send`")
             4:8 Z9: Refused("`Z9` is not a cell of the grid: `X001`, `~X001`, `rise(X001)`, `fall(X001)`, `DS1==5`, `-`, `T`, `|` and `T:X001` are")
             6:3 X002: Refused("no output depends on it: what it lets through leads nowhere, or a wire leads round it")
             7:67 out(Y001): Refused("nothing joins it to the left rail")
-            2:68 click-grid: the rung stays as a comment, for `event_drum(a,b)`: ladder text has no counterpart for `event_drum`
+            2:68 click-grid: the rung stays as a comment, for `send(a,b)`: ladder text has no counterpart for `send`
             4:8 click-grid: the rung stays as a comment, for `Z9`: `Z9` is not a cell of the grid: `X001`, `~X001`, `rise(X001)`, `fall(X001)`, `DS1==5`, `-`, `T`, `|` and `T:X001` are
             6:3 click-c0202: a line is missing at `X002`: no output depends on it: what it lets through leads nowhere, or a wire leads round it
             7:67 click-c0202: the rung stays as a comment, for `out(Y001)`: nothing joins it to the left rail
             ---
-            R,X001,..,"event_drum(a,b)"
+            R,X001,..,"send(a,b)"
             ,X002,..,.reset()
             R,X001,Z9,..,out(Y001)
             #,click: without effect in the grid: X002

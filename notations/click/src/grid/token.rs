@@ -15,6 +15,15 @@ pub(super) struct Token<'t> {
 }
 
 impl<'t> Token<'t> {
+    /// A name alone.
+    pub(super) const fn named(name: &'t str) -> Token<'t> {
+        Token {
+            name,
+            values: Vec::new(),
+            named: Vec::new(),
+        }
+    }
+
     /// What an output says.
     ///
     /// # Errors
@@ -35,11 +44,7 @@ impl<'t> Token<'t> {
         {
             return Err(shape());
         }
-        let mut token = Token {
-            name,
-            values: Vec::new(),
-            named: Vec::new(),
-        };
+        let mut token = Token::named(name);
         for part in parts(inside).ok_or_else(shape)? {
             match name_of(part) {
                 Some(pair) => token.named.push(pair),
@@ -83,7 +88,7 @@ fn name_of(part: &str) -> Option<(&str, &str)> {
 }
 
 /// What is between commas outside of brackets and quotes. None: they do not match.
-fn parts(text: &str) -> Option<Vec<&str>> {
+pub(super) fn parts(text: &str) -> Option<Vec<&str>> {
     if text.trim().is_empty() {
         return Some(Vec::new());
     }

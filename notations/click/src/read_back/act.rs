@@ -108,13 +108,16 @@ impl Back<'_> {
         let arguments = &block.arguments[..];
         let unknown = || format!("Click has no {} like this", self.written(block.location.range));
         let Some(op) = op(block) else {
-            return Err("Click has no blocks of one's own".to_owned());
+            return Ok((self.drum(block)?, 0));
         };
         let coil = |bits| Coil {
             bits,
             immediate: false,
         };
         let alone = |what| Ok((what, 0));
+        if let Some(converted) = self.converted(block, after) {
+            return converted;
+        }
         match (op, arguments) {
             (Op::Coil, [target]) => {
                 if let Some((tag, what)) = self.helper(Some(target))

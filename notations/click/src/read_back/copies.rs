@@ -4,8 +4,11 @@ use super::Back;
 use super::act::{helper_tag, op};
 use super::value::Refusal;
 use crate::address::{Address, Span, Tag};
-use crate::bank::Bank;
+use crate::bank::{Bank, Kind};
+use crate::convert::{self, Convert};
+use crate::grid;
 use crate::model::{Action, Constant, CopyOptions, Instruction, Operand};
+use crate::operand::kind;
 use ladder_analysis::program::{Block, Bound};
 use ladder_instructions::Op;
 
@@ -26,15 +29,24 @@ pub(super) fn blocks(actions: Vec<Action>) -> Vec<Action> {
 
 /// Whether a copy goes on with the one before it, or with a block of them, which then holds it too.
 fn grows(before: &mut Instruction, next: &Instruction) -> bool {
-    let Some((from, to)) = between_kinds(next) else {
+    let Some((from, to, options)) = between_kinds(next) else {
         return false;
     };
     let follows = |first: u16, last: u16| last.checked_sub(first).map(u32::from);
-    if let Instruction::BlockCopy { source, target, .. } = before {
+    if let (
+        Instruction::BlockCopy {
+            source,
+            target,
+            options: given,
+        },
+        options,
+    ) = (&mut *before, options)
+    {
         let Some(first) = target.address() else {
             return false;
         };
-        let is_next = source.bank == from.bank
+        let is_next = given == options
+            && source.bank == from.bank
             && first.bank == to.bank
             && source.last.checked_add(1) == Some(from.number)
             && follows(source.first, from.number) == follows(first.number, to.number);
@@ -43,10 +55,11 @@ fn grows(before: &mut Instruction, next: &Instruction) -> bool {
         }
         return is_next;
     }
-    let Some((first, target)) = between_kinds(before) else {
+    let Some((first, target, given)) = between_kinds(before) else {
         return false;
     };
-    let is_next = (first.bank, target.bank) == (from.bank, to.bank)
+    let is_next = given == options
+        && (first.bank, target.bank) == (from.bank, to.bank)
         && first.number.checked_add(1) == Some(from.number)
         && target.number.checked_add(1) == Some(to.number);
     if is_next {
@@ -57,30 +70,39 @@ fn grows(before: &mut Instruction, next: &Instruction) -> bool {
                 last: from.number,
             },
             target: target.into(),
-            options: CopyOptions::default(),
+            options: options.clone(),
         };
     }
     is_next
 }
 
-/// Where a copy of one address to one of another kind comes from and goes.
-fn between_kinds(what: &Instruction) -> Option<(Address, Address)> {
+/// Where a copy of one address to one of another kind comes from and goes, and how. A number becomes several characters,
+/// and is in no block.
+fn between_kinds(what: &Instruction) -> Option<(Address, Address, &CopyOptions)> {
     let Instruction::Copy {
         source: Operand::Tag(source),
         target: Operand::Tag(target),
-        ..
+        options,
     } = what
     else {
         return None;
     };
     let (from, to) = (source.address()?, target.address()?);
-    (from.bank.kind() != to.bank.kind()).then_some((from, to))
+    let is_block = options
+        .convert
+        .is_none_or(|convert| matches!(convert, Convert::Value | Convert::Ascii));
+    (is_block && from.bank.kind() != to.bank.kind()).then_some((from, to, options))
 }
 
 impl Back<'_> {
     /// A copy; a text goes into several addresses by as many blocks.
     pub(super) fn copy(&self, source: Operand, target: Operand, after: &[&Block]) -> (Instruction, usize) {
-        let options = CopyOptions::default();
+        let is_text = |operand| kind(operand) == Some(Kind::Text);
+        let options = CopyOptions {
+            // A digit becomes its number.
+            convert: (is_text(&source) && !is_text(&target)).then_some(Convert::Value),
+            ..CopyOptions::default()
+        };
         let copy = |source, target, used| {
             let options = options.clone();
             (
@@ -143,8 +165,12 @@ impl Back<'_> {
                     1,
                 ))
             }),
-            Op::Pack => self.characters(&arguments[1..]).and_then(|source| {
+            head @ (Op::Pack | Op::Typ) => self.characters(&arguments[1..]).and_then(|source| {
                 let target = self.tag(target)?;
+                let options = CopyOptions {
+                    allow_whitespace: head == Op::Typ,
+                    ..options
+                };
                 Ok((
                     Instruction::Pack {
                         source,
@@ -158,8 +184,56 @@ impl Back<'_> {
         })
     }
 
+    /// A copy that turns a number into characters, or a character into its code or the reverse, by a tag of the importer's
+    /// own. None: it is none.
+    pub(super) fn converted(
+        &self,
+        block: &Block,
+        after: &[&Block],
+    ) -> Option<Result<(Instruction, usize), Refusal>> {
+        let (_, what) = self.helper(block.arguments.first())?;
+        let is_own = |block: &&&Block| {
+            let mut all = block
+                .arguments
+                .iter()
+                .filter_map(|bound| self.helper(Some(bound)));
+            all.any(|(_, what)| convert::is_of_number(what))
+        };
+        let (convert, source, used) = match op(block)? {
+            Op::Typ if what.starts_with(convert::NUMBER) => {
+                let (_, said) = what.split_once(", ")?;
+                let own = after.iter().take_while(|block| op(block) != Some(Op::Typ));
+                (grid::convert(said).ok()?, 1, own.take_while(is_own).count())
+            }
+            Op::Find if what == convert::CODE => (Convert::Ascii, 2, 3),
+            Op::Mov if what == convert::TO_CODE => (Convert::Binary, 1, 4),
+            _ => return None,
+        };
+        let is_first = |block: &&&Block| {
+            op(block) == Some(Op::Mid) || convert == Convert::Ascii && op(block) == Some(Op::Mov)
+        };
+        let target = after.get(..used)?.iter().find(is_first)?.arguments.first()?;
+        let source = block.arguments.get(source)?;
+        Some(self.operand(source).and_then(|source| {
+            let copy = Instruction::Copy {
+                source,
+                target: self.operand(target)?,
+                options: CopyOptions {
+                    convert: Some(convert),
+                    ..CopyOptions::default()
+                },
+            };
+            Ok((copy, used))
+        }))
+    }
+
     /// Characters one after the other.
     fn characters(&self, arguments: &[Bound]) -> Result<Span, Refusal> {
+        // What is hexadecimal begins with its base.
+        let arguments = match arguments {
+            [base, rest @ ..] if !rest.is_empty() && self.tag(base).is_err() => rest,
+            all => all,
+        };
         let numbers = arguments.iter().map(|bound| {
             let address = self
                 .tag(bound)?

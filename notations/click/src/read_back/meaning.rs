@@ -35,7 +35,12 @@ pub(super) fn meanings(
     let mut out = Vec::with_capacity(program.tags.len());
     for (number, tag) in program.tags.iter().enumerate() {
         let comment = comments.get(&TagId(number as u32)).map_or("", String::as_str);
-        let meaning = meaning(tag, comment, &mut nicknames);
+        let meaning = match tag.block {
+            None => meaning(tag, comment, &mut nicknames),
+            Some(_) => {
+                Meaning::Nothing("it belongs to the body of a block, and Click has no blocks of one's own")
+            }
+        };
         let meaning = match meaning {
             Meaning::Address(tag_there) => {
                 let original = tag_there.dsl();

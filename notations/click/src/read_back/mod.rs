@@ -7,6 +7,7 @@ mod act;
 mod compute;
 mod condition;
 mod copies;
+mod drum;
 mod meaning;
 mod network;
 mod pins;

@@ -10,6 +10,7 @@ use ladder_analysis::program::{Block, Network};
 use ladder_format::Circuit;
 use ladder_instructions::Op;
 use ladder_notation::circuit::series_parallel;
+use std::collections::HashSet;
 
 impl Back<'_> {
     /// The main program and the subroutines, from the top to the bottom of the text.
@@ -19,10 +20,12 @@ impl Back<'_> {
         let mut at = text::head_end(self.text);
         routine.comments = text::between(&self.text[..at]).concat();
         let program = self.program;
-        let mut networks: Vec<&Network> = program
-            .networks
-            .iter()
-            .filter(|network| network.location.file == 0)
+        let bodies = program.blocks.iter().map(|block| block.networks.clone());
+        let bodies: HashSet<usize> = bodies.flatten().collect();
+        let mut networks: Vec<&Network> = (0..)
+            .zip(&program.networks)
+            .filter(|(number, network)| network.location.file == 0 && !bodies.contains(number))
+            .map(|(_, network)| network)
             .collect();
         networks.sort_by_key(|network| network.location.range.start());
         for network in networks {
@@ -290,7 +293,9 @@ impl Back<'_> {
                 Circuit::Series(_) => return Err("Click has no such branches".to_owned()),
             }
         }
-        if let Some(block) = blocks.iter().find(|block| is_condition(block)) {
+        // Copies between numbers and characters compare with tags of their own.
+        let is_late = |block: &&&Block| is_condition(block) && self.helper(block.arguments.first()).is_none();
+        if let Some(block) = blocks.iter().find(is_late) {
             let written = self.written(block.location.range);
             return Err(format!(
                 "in Click the contact {written} is before all instructions of its rung"

@@ -42,17 +42,14 @@ impl Back<'_> {
 
     /// A set point where the timer names its unit.
     fn setpoint_in(&self, bound: &Bound, unit: &Bound) -> Result<(Operand, Unit), Refusal> {
-        let unit = time(unit).and_then(|size| {
-            let mut all = Unit::ALL.iter();
-            all.find(|(.., milliseconds)| *milliseconds * MILLISECOND == size)
-        });
-        let (unit, .., size) =
-            unit.ok_or("Click's timers count milliseconds, seconds, minutes, hours or days")?;
+        let size = time(unit).unwrap_or(0);
+        let unit = Unit::lasting(size)
+            .ok_or("Click's timers count milliseconds, seconds, minutes, hours or days")?;
         let setpoint = match time(bound) {
-            Some(time) => Operand::Constant(Constant::Int(time / (size * MILLISECOND))),
+            Some(time) => Operand::Constant(Constant::Int(time / size)),
             None => self.operand(bound)?,
         };
-        Ok((setpoint, *unit))
+        Ok((setpoint, unit))
     }
 
     fn setpoint(&self, bound: &Bound) -> Result<(Operand, Unit), Refusal> {
@@ -154,7 +151,7 @@ fn duration(written: &str, nanoseconds: i64) -> Option<(Operand, Unit)> {
 }
 
 /// The value of an operand that is a fixed time, in nanoseconds.
-fn time(bound: &Bound) -> Option<i64> {
+pub(super) fn time(bound: &Bound) -> Option<i64> {
     let Argument::Value(expr) = &bound.argument else {
         return None;
     };

@@ -91,6 +91,7 @@ fn inside(comment: &str) -> Option<String> {
 pub(super) fn between(text: &str) -> Vec<Vec<String>> {
     let mut groups: Vec<Vec<String>> = vec![Vec::new()];
     let mut in_section = false;
+    let mut in_block = false;
     let mut open: Option<String> = None;
     for line in text.lines().map(str::trim) {
         if let Some(before) = &mut open {
@@ -103,6 +104,10 @@ pub(super) fn between(text: &str) -> Vec<Vec<String>> {
             }
             continue;
         }
+        if in_block {
+            in_block = !line.to_ascii_uppercase().starts_with("END_FUNCTION_BLOCK");
+            continue;
+        }
         if in_section {
             in_section = !line.to_ascii_uppercase().starts_with("END_VAR");
             if !in_section {
@@ -110,7 +115,10 @@ pub(super) fn between(text: &str) -> Vec<Vec<String>> {
             }
             continue;
         }
-        if line.to_ascii_uppercase().starts_with("VAR") {
+        if line.to_ascii_uppercase().starts_with("FUNCTION_BLOCK") {
+            in_block = true;
+            groups.push(Vec::new());
+        } else if line.to_ascii_uppercase().starts_with("VAR") {
             in_section = !line.to_ascii_uppercase().contains("END_VAR");
             groups.push(Vec::new());
         } else if line.is_empty() || line == "|" {

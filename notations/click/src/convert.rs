@@ -1,0 +1,365 @@
+//! Copies between numbers and characters, and how a copy says which: `convert=to_text(..)`.
+
+use super::act::{Refusal, written};
+use super::address::Tag;
+use super::bank::{Bank, Kind};
+use super::model::{Constant, Operand};
+use super::operand::{Chain, kind, string};
+use super::ranges::{bring_pointed, take_pointed};
+use super::tags::Tags;
+
+/// What turns into what.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Convert {
+    /// A digit into its number.
+    Value,
+    /// A character into its code.
+    Ascii,
+    /// A code into its character.
+    Binary,
+    /// A number into characters, one address for each.
+    Text {
+        /// Without zeros in front.
+        suppress_zero: bool,
+        /// Reals with an exponent.
+        exponential: bool,
+        /// The code of a character after the last one.
+        termination: Option<u8>,
+    },
+}
+
+impl Convert {
+    /// A number as characters when nothing else is said.
+    pub(super) const TEXT: Convert = Convert::Text {
+        suppress_zero: true,
+        exponential: false,
+        termination: None,
+    };
+
+    /// By its name, `to_value`.
+    pub(super) fn named(name: &str) -> Option<Convert> {
+        Some(match name {
+            "to_value" => Convert::Value,
+            "to_ascii" => Convert::Ascii,
+            "to_binary" => Convert::Binary,
+            "to_text" => Convert::TEXT,
+            _ => return None,
+        })
+    }
+
+    pub(super) const fn name(self) -> &'static str {
+        match self {
+            Convert::Value => "to_value",
+            Convert::Ascii => "to_ascii",
+            Convert::Binary => "to_binary",
+            Convert::Text { .. } => "to_text",
+        }
+    }
+
+    /// Sets an option of [`Convert::Text`] by its name.
+    ///
+    /// # Errors
+    ///
+    /// What it takes instead.
+    pub(super) fn set(&mut self, option: &str, value: &str) -> Result<(), String> {
+        let Convert::Text {
+            suppress_zero,
+            exponential,
+            termination,
+        } = self
+        else {
+            return Err(format!("`{}` has no options", self.name()));
+        };
+        let switch = || match value {
+            "1" | "True" => Ok(true),
+            "0" | "False" => Ok(false),
+            other => Err(format!("`{option}` is on or off, not `{other}`")),
+        };
+        match option {
+            "suppress_zero" => *suppress_zero = switch()?,
+            "exponential" => *exponential = switch()?,
+            "termination_code" => {
+                *termination = code(value).ok_or_else(|| {
+                    format!("`{value}` is not the code of a character: `$0D` and `none` are")
+                })?;
+            }
+            _ => return Err(format!("`to_text` has no option `{option}`")),
+        }
+        Ok(())
+    }
+
+    /// As the grid writes it.
+    pub(super) fn grid(self) -> String {
+        match self {
+            Convert::Text {
+                suppress_zero,
+                exponential,
+                termination,
+            } => format!(
+                "to_text(suppress_zero={},exponential={},termination_code={})",
+                u8::from(suppress_zero),
+                u8::from(exponential),
+                termination.map_or("none".to_owned(), |code| format!("${code:02X}"))
+            ),
+            other => other.name().to_owned(),
+        }
+    }
+
+    /// As Python writes it: without what goes without saying.
+    pub(super) fn dsl(self) -> String {
+        let Convert::Text {
+            suppress_zero,
+            exponential,
+            termination,
+        } = self
+        else {
+            return self.name().to_owned();
+        };
+        let mut options = Vec::new();
+        if !suppress_zero {
+            options.push("suppress_zero=False".to_owned());
+        }
+        if exponential {
+            options.push("exponential=True".to_owned());
+        }
+        if let Some(code) = termination {
+            options.push(format!("termination_code=\"${code:02X}\""));
+        }
+        format!("to_text({})", options.join(", "))
+    }
+
+    /// How many addresses of its target a copy may write.
+    pub(super) fn most(self, source: &Operand) -> usize {
+        match self {
+            Convert::Text { termination, .. } => {
+                let is_wide = kind(source).is_none_or(|kind| kind == Kind::Int2);
+                (if is_wide { 11 } else { 6 }) + usize::from(termination.is_some())
+            }
+            _ => 1,
+        }
+    }
+}
+
+/// `$0D`, `13`, a character in itself, or `none`.
+fn code(value: &str) -> Option<Option<u8>> {
+    let code = match value {
+        "none" | "None" => return Some(None),
+        value => match (
+            value.strip_prefix('$').filter(|hex| !hex.is_empty()),
+            value.as_bytes(),
+        ) {
+            (Some(hex), _) => u8::from_str_radix(hex, 16).ok()?,
+            (None, [one]) if !one.is_ascii_digit() => *one,
+            _ => value.parse().ok()?,
+        },
+    };
+    code.is_ascii().then_some(Some(code))
+}
+
+/// What the tags are for that a copy of a number into characters needs.
+pub(super) const NUMBER: &str = "number as text";
+const SIGN: &str = "sign of a number as text";
+const LENGTH: &str = "length of a number as text";
+/// What the tag is for that holds the code of a character which is read.
+pub(super) const CODE: &str = "code of a character";
+/// The same, of one that is written.
+pub(super) const TO_CODE: &str = "character with a code";
+/// All characters, each at its code and one.
+pub(super) const CHARACTERS: &str = "the characters of ASCII by their codes";
+
+/// Whether a tag of the importer's own, by what it is for, belongs to a number that becomes characters.
+pub(super) fn is_of_number(what: &str) -> bool {
+    what.contains(NUMBER)
+}
+
+/// A copy that converts.
+///
+/// # Errors
+///
+/// Ladder text has no counterpart for it, or Click has no such copy.
+pub(super) fn copy(
+    tags: &mut Tags<'_>,
+    chain: &mut Chain,
+    (source, target): (&Operand, &Operand),
+    convert: Convert,
+) -> Result<(), Refusal> {
+    let from = kind(source).or(match source {
+        Operand::Constant(Constant::Int(_)) => Some(Kind::Int2),
+        Operand::Constant(Constant::Text(text)) if text.chars().count() == 1 => Some(Kind::Text),
+        _ => None,
+    });
+    let (Some(from), Some(to)) = (from, kind(target)) else {
+        return Err("this value does not turn into anything at that place".to_owned());
+    };
+    let is_number = |kind| !matches!(kind, Kind::Bit | Kind::Text);
+    let goes = match convert {
+        Convert::Value | Convert::Ascii => from == Kind::Text && is_number(to),
+        Convert::Binary | Convert::Text { .. } => to == Kind::Text && is_number(from),
+    };
+    if !goes {
+        return Err(format!("{} does not copy such values", convert.name()));
+    }
+    if let Operand::Tag(tag) = target {
+        written(tag)?;
+    }
+    bring_pointed(tags, chain, source)?;
+    bring_pointed(tags, chain, target)?;
+    let value = chain.value(tags, source, Some(from));
+    match convert {
+        Convert::Value => {
+            let place = chain.place(tags, target);
+            chain.push(format!("[TYP]( {place}, {value} )"));
+        }
+        Convert::Ascii => {
+            let code = tags.helper("code", "INT", CODE);
+            let all = characters(tags);
+            let place = chain.place(tags, target);
+            chain.push(format!("[FIND]( {code}, {all}, {value} )"));
+            chain.push(format!("[GE]( {code}, 1 )"));
+            chain.push(format!("[SUB]( {code}, {code}, 1 )"));
+            chain.push(format!("[MOV]( {place}, {code} )"));
+        }
+        Convert::Binary => {
+            let ty = match from {
+                Kind::Int | Kind::Hex => "INT",
+                Kind::Int2 => "DINT",
+                _ => return Err("a real is no code of a character".to_owned()),
+            };
+            let code = tags.helper("character", ty, TO_CODE);
+            let all = characters(tags);
+            let place = chain.place(tags, target);
+            chain.push(format!("[MOV]( {code}, {value} )"));
+            chain.push(format!("[AND]( {code}, {code}, 255 )"));
+            chain.push(format!("[LE]( {code}, 127 )"));
+            chain.push(format!("[ADD]( {code}, {code}, 1 )"));
+            chain.push(format!("[MID]( {place}, {all}, 1, {code} )"));
+        }
+        Convert::Text { .. } => {
+            let Operand::Tag(first) = target else {
+                return Err("a number goes into several addresses, so the first must be fixed".to_owned());
+            };
+            return number(tags, chain, (&value, from), first, convert);
+        }
+    }
+    take_pointed(tags, chain, target)
+}
+
+/// The tag with all characters.
+fn characters(tags: &mut Tags<'_>) -> String {
+    let all: String = (0..=0x7F_u8).map(char::from).collect();
+    tags.constant("ascii", "STRING[128]", CHARACTERS, string(&all))
+}
+
+/// A number into as many characters as it has.
+fn number(
+    tags: &mut Tags<'_>,
+    chain: &mut Chain,
+    (value, from): (&str, Kind),
+    first: &Tag,
+    convert: Convert,
+) -> Result<(), Refusal> {
+    let Convert::Text {
+        suppress_zero,
+        termination,
+        ..
+    } = convert
+    else {
+        return Ok(());
+    };
+    let (digits, most) = match from {
+        Kind::Int => (5, 6),
+        Kind::Int2 => (10, 11),
+        _ => {
+            return Err(
+                "how Click writes reals and hexadecimal numbers is not known to the digit".to_owned(),
+            );
+        }
+    };
+    let start = tags
+        .element(first)
+        .ok_or("a number goes into several addresses, so the first must be given by its number")?;
+    let text = tags.helper(
+        "number_text",
+        "STRING[16]",
+        format!("{NUMBER}, {}", convert.grid()),
+    );
+    let length = tags.helper("number_length", "INT", LENGTH);
+    chain.push(format!("[TYP]( {text}, {value} )"));
+    if !suppress_zero {
+        let sign = tags.helper("number_sign", "STRING[1]", SIGN);
+        let zeros = "0".repeat(digits);
+        chain.push(format!("[FIND]( {length}, {text}, '-' )"));
+        chain.push(format!("[LEFT]( {sign}, {text}, {length} )"));
+        chain.push(format!("[DELETE]( {text}, {text}, {length}, 1 )"));
+        chain.push(format!("[CONCAT]( {text}, '{zeros}', {text} )"));
+        chain.push(format!("[RIGHT]( {text}, {text}, {digits} )"));
+        chain.push(format!("[CONCAT]( {text}, {sign}, {text} )"));
+    }
+    if let Some(code) = termination {
+        let character = string(&char::from(code).to_string());
+        chain.push(format!("[CONCAT]( {text}, {text}, {character} )"));
+    }
+    chain.push(format!("[LEN]( {length}, {text} )"));
+    let most = most + u16::from(termination.is_some());
+    let last = start.number.saturating_add(most - 1).min(Bank::Txt.last());
+    for (at, place) in (1..).zip(start.number..=last) {
+        if at > 1 {
+            chain.push(format!("[GE]( {length}, {at} )"));
+        }
+        chain.push(format!("[MID]( TXT[{place}], {text}, 1, {at} )"));
+    }
+    Ok(())
+}
+
+/// A block of characters into numbers, or the reverse: one after the other.
+///
+/// # Errors
+///
+/// As [`copy`], and if there are too many.
+pub(super) fn block(
+    tags: &mut Tags<'_>,
+    chain: &mut Chain,
+    (source, target): (&super::address::Span, &Tag),
+    convert: Convert,
+) -> Result<(), Refusal> {
+    if !matches!(convert, Convert::Value | Convert::Ascii) {
+        return Err("a block is copied with to_value or to_ascii alone".to_owned());
+    }
+    let first = tags.address(target).map(|address| address.number);
+    let first = first.ok_or("the first of several addresses must be given by its number")?;
+    if source.len() > super::ranges::MOST_CONVERTED || source.first > source.last {
+        return Err("no more than 200 addresses turn into another kind at once".to_owned());
+    }
+    for (from, to) in (source.first..=source.last).zip(first..) {
+        let from = Operand::Tag(Tag::number(source.bank, from));
+        let to = Operand::Tag(Tag::number(target.bank, to));
+        copy(tags, chain, (&from, &to), convert)?;
+    }
+    if source.len() > 1 {
+        let why = "what is before a character that does not turn into a number is copied all the same";
+        chain.remark = Some(why.to_owned());
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn codes_of_characters_are_read() {
+        for (text, expected) in [
+            ("none", Some(None)),
+            ("$0D", Some(Some(13))),
+            ("13", Some(Some(13))),
+            (";", Some(Some(b';'))),
+            ("$", Some(Some(b'$'))),
+            ("$80", None),
+            ("200", None),
+            ("", None),
+            ("ab", None),
+        ] {
+            assert_eq!(code(text), expected, "{text}");
+        }
+    }
+}
