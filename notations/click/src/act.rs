@@ -301,6 +301,11 @@ fn pack(
         [one] => format!("[MOV]( {text}, {one} )"),
         all => format!("[CONCAT]( {text}, {} )", all.join(", ")),
     });
+    // An address without a character is no part of a number.
+    let length = tags.helper("packed_length", "INT", "length of characters put together");
+    let whole = source.len() + if is_hex { 3 } else { 0 };
+    chain.push(format!("[LEN]( {length}, {text} )"));
+    chain.push(format!("[EQ]( {length}, {whole} )"));
     let head = if allow_whitespace { "[TYP]" } else { "[PACK]" };
     chain.push(format!("{head}( {place}, {text} )"));
     Ok(())

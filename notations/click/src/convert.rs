@@ -215,8 +215,9 @@ pub(super) fn copy(
             let all = characters(tags);
             let place = chain.place(tags, target);
             chain.push(format!("[FIND]( {code}, {all}, {value} )"));
-            chain.push(format!("[GE]( {code}, 1 )"));
+            // No character has the code of the first one, 0.
             chain.push(format!("[SUB]( {code}, {code}, 1 )"));
+            chain.push(format!("[MAX]( {code}, {code}, 0 )"));
             chain.push(format!("[MOV]( {place}, {code} )"));
         }
         Convert::Binary => {

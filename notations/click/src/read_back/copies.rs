@@ -145,7 +145,12 @@ impl Back<'_> {
         after: &[&Block],
     ) -> Option<Result<(Instruction, usize), Refusal>> {
         let (tag, _) = self.helper(arguments.first())?;
-        let next = after.first()?;
+        // Whether each address had a character is checked in between.
+        let between = match after {
+            [length, whole, ..] if op(length) == Some(Op::Len) && op(whole) == Some(Op::Eq) => 2,
+            _ => 0,
+        };
+        let next = after.get(between)?;
         let [target, source] = &next.arguments[..] else {
             return None;
         };
@@ -177,7 +182,7 @@ impl Back<'_> {
                         target,
                         options,
                     },
-                    1,
+                    between + 1,
                 ))
             }),
             _ => return None,
