@@ -94,9 +94,10 @@ pub(super) fn read(text: &str, dialect: Dialect) -> Option<Result<Read<'_>, Stri
     match text.split(' ').next()? {
         "TON" if !is_number(fields.get(1)?) => Some(timer(MadeTimer::On, &fields, dialect)),
         "TOF" if !is_number(fields.get(1)?) => Some(Err(
-            "what it begins with is not documented where its delay is a variable".to_owned(),
+            "LDmicro's fork works out from its delay what it begins with, and stops where that is a variable"
+                .to_owned(),
         )),
-        "RTO" if !is_number(fields.get(1)?) => Some(Err("its delay is not a number".to_owned())),
+        "RTO" if !is_number(fields.get(1)?) => Some(Err(NUMBER_ONLY.to_owned())),
         word @ ("CTU" | "CTD" | "CTC") if is_forks(2) => Some(counter(Count::of(word)?, &fields)),
         "COIL"
             if Coil::of(&fields) == Coil::Plain && fields.get(4).is_some_and(|toggles| *toggles != "0") =>
@@ -152,6 +153,9 @@ fn pulses<'l>(fields: &[&'l str]) -> Read<'l> {
     read
 }
 
+/// Why a delay that is a variable has no counterpart.
+const NUMBER_ONLY: &str = "its delay is not a number, and LDmicro's fork takes nothing else here";
+
 fn is_number(field: &str) -> bool {
     field.bytes().all(|byte| byte.is_ascii_digit())
 }
@@ -169,7 +173,11 @@ fn own<'l>(form: Form, fields: &[&'l str], dialect: Dialect) -> Result<Read<'l>,
             if field::is_literal(fields[0]) {
                 return Err(format!("{} is a number and has no bits to change", fields[0]));
             }
-            let bit = field::literal(fields[1]).ok_or("which bit it is, is a variable")?;
+            if !field::is_literal(fields[1]) {
+                let (made, slots) = Made::of_bit(op).ok_or("which bit it is, is a variable")?;
+                return Ok(Read::new(What::Made(made), given(fields, slots)?));
+            }
+            let bit = field::literal(fields[1]).ok_or("which bit it is, is no number")?;
             let bit = u8::try_from(bit).ok().filter(|bit| *bit < 16);
             let bit = bit.ok_or_else(|| format!("bit {} is outside of 16 bits", fields[1]))?;
             Ok(Read::new(What::Instruction(op), vec![Given::Bit(fields[0], bit)]))
@@ -182,7 +190,7 @@ fn own<'l>(form: Form, fields: &[&'l str], dialect: Dialect) -> Result<Read<'l>,
                     Some("that the sign of a number below 0 stays is what SR0 next to it suggests")
                 }
                 Made::ToBcd | Made::FromBcd => {
-                    Some("here for numbers from 0 to 9999; what LDmicro makes of others is not documented")
+                    Some("its digits are a byte each in LDmicro, and 16 bits hold two of them")
                 }
                 _ => None,
             };
@@ -250,7 +258,9 @@ fn shifted(count: &str) -> Result<Option<&'static str>, String> {
 fn timer<'l>(timer: MadeTimer, fields: &[&'l str], dialect: Dialect) -> Result<Read<'l>, String> {
     let period = if is_number(fields[1]) {
         Given::Scans(scans(fields, dialect)?)
-    } else if field::is_literal(fields[1]) || timer == MadeTimer::RetentiveLow {
+    } else if timer == MadeTimer::RetentiveLow {
+        return Err(NUMBER_ONLY.to_owned());
+    } else if field::is_literal(fields[1]) {
         return Err("its delay is not a number".to_owned());
     } else {
         Given::Value(fields[1])

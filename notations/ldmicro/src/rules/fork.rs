@@ -111,10 +111,14 @@ fn numbers(leaf: &Leaf, out: &mut Vec<Finding>) {
         }
         "BCD2BIN" => match field::literal(field(1)) {
             Some(number)
-                if format!("{:x}", number.unsigned_abs()).contains(|c: char| !c.is_ascii_digit()) =>
+                if number
+                    .unsigned_abs()
+                    .to_le_bytes()
+                    .iter()
+                    .any(|digit| digit & 0xF > 9) =>
             {
                 format!(
-                    "{} is not a number in BCD: each of its hexadecimal digits is 0 to 9",
+                    "{} is not a number in BCD: each of its bytes is a digit from 0 to 9",
                     field(1)
                 )
             }

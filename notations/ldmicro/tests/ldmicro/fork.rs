@@ -239,25 +239,25 @@ fn every_element() {
         END_FUNCTION_BLOCK
 
         FUNCTION_BLOCK [$BIN2BCD]
-        # The digits of a number, four bits each. #
+        # The last two digits of a number, a byte each. #
         VAR_IN_OUT
             y : INT;
         END_VAR
         VAR_INPUT
             a : INT;
         END_VAR
-        +--[ ]( EN )---------------[CALC]( y, a MOD 10 + a / 10 MOD 10 * 16 + a / 100 MOD 10 * 256 + a / 1000 MOD 10 * 4096 )--+
+        +--[ ]( EN )----------------------[CALC]( y, a MOD 10 + a / 10 MOD 10 * 256 )--+
         END_FUNCTION_BLOCK
 
         FUNCTION_BLOCK [$BCD2BIN]
-        # The number whose digits are given, four bits each. #
+        # The number whose two digits are given, a byte each. #
         VAR_IN_OUT
             y : INT;
         END_VAR
         VAR_INPUT
             a : INT;
         END_VAR
-        +--[ ]( EN )------[CALC]( y, (a AND 15) + (a SHR 4 AND 15) * 10 + (a SHR 8 AND 15) * 100 + (a SHR 12 AND 15) * 1000 )--+
+        +--[ ]( EN )------------------[CALC]( y, (a AND 15) + (a SHR 8 AND 15) * 10 )--+
         END_FUNCTION_BLOCK
 
         FUNCTION_BLOCK [$SWAP]
@@ -418,8 +418,8 @@ fn every_element() {
         1:1 big: approximated: it has 4 bytes in LDmicro, and 16 bits here
         25:1 SR0 n m k: approximated: where the number of bits is below 0, there is a fault here
         26:1 SHR n n 2: approximated: that the sign of a number below 0 stays is what SR0 next to it suggests
-        36:1 BIN2BCD n m: approximated: here for numbers from 0 to 9999; what LDmicro makes of others is not documented
-        37:1 BCD2BIN n m: approximated: here for numbers from 0 to 9999; what LDmicro makes of others is not documented
+        36:1 BIN2BCD n m: approximated: its digits are a byte each in LDmicro, and 16 bits hold two of them
+        37:1 BCD2BIN n m: approximated: its digits are a byte each in LDmicro, and 16 bits hold two of them
         102:1 SET_PWM n 1000 P1 16: approximated: its duty is not in percent in LDmicro; here it is
         105:1 UART_SEND n 2 0: approximated: `UART_SEND` does nothing here, and no power comes out of it: it is about several bytes, or waits for the line
         107:1 FORMATTED_STRING n a\x20\3\t: approximated: here it is also sent once at the start; the fork waits until power comes

@@ -1,9 +1,8 @@
 //! What becomes of single lines that only LDmicro's fork has, and how they come back.
 
-use crate::programs::{Numbers, converted, read, there_and_back, write};
+use crate::programs::{converted, read, there_and_back, write};
 use expect_test::{Expect, expect};
-use ladder_notation::{Notation, Outcome};
-use ladder_notation_ldmicro::{LdmicroText, resaved};
+use ladder_notation::Outcome;
 
 #[track_caller]
 fn check(text: &str, expected: Expect) {
@@ -11,7 +10,7 @@ fn check(text: &str, expected: Expect) {
 }
 
 /// A program with these rungs, each given by its elements.
-fn program(rungs: &[&str]) -> String {
+pub(crate) fn program(rungs: &[&str]) -> String {
     let mut text =
         "LDmicro0.2\nCYCLE=10000\nCRYSTAL=4000000\nBAUD=2400\n\nIO LIST\nEND\n\nPROGRAM\n".to_owned();
     for (index, rung) in rungs.iter().enumerate() {
@@ -66,6 +65,9 @@ fn one_by_one() {
         "SHL n m -1",
         "SET_BIT n 16",
         "SET_BIT n v",
+        "CLEAR_BIT n v",
+        "IF_BIT_SET n v",
+        "IF_BIT_CLEAR 5 v",
         "SET_BIT 5 1",
         "AND 5 n m",
         "MOD n m 0x1F",
@@ -112,14 +114,14 @@ fn one_by_one() {
         TON Ta 5000 0: [TON]( Ta, T#15ms )
         TON Ta v 0: [$TON]( Ta, v )
         TOF Ta v 0: # ldmicro: TOF Ta v 0 #
-            not: what it begins with is not documented where its delay is a variable
+            not: LDmicro's fork works out from its delay what it begins with, and stops where that is a variable
         RTO Ta 20000 3: [RTO]( Ta, T#60ms )--# was: RTO Ta 20000 3 #
         TCY Ta 20000: [$TCY]( Ta, 2 )--# was: TCY Ta 20000 #
         THI Ta 25000 0: [$THI]( Ta, 2 )--# was: THI Ta 25000 0 #
         TLO Ta 1000 0: # ldmicro: TLO Ta 1000 0 #
             not: its delay is 0 cycles: 1 to 32767 are possible
         RTL Ta v 0: # ldmicro: RTL Ta v 0 #
-            not: its delay is not a number
+            not: its delay is not a number, and LDmicro's fork takes nothing else here
         TIME2COUNT n 25000: [$TIME2COUNT]( n, 2 )--# was: TIME2COUNT n 25000 #
         TIME2COUNT n 50000 1: [$TIME2COUNT]( n, 6 )--# was: TIME2COUNT n 50000 1 #
         TIME2COUNT n 50000 0: [$TIME2COUNT]( n, 5 )
@@ -156,8 +158,11 @@ fn one_by_one() {
             not: -1 is not a number of bits to shift 16 bits by: 0 to 16
         SET_BIT n 16: # ldmicro: SET_BIT n 16 #
             not: bit 16 is outside of 16 bits
-        SET_BIT n v: # ldmicro: SET_BIT n v #
-            not: which bit it is, is a variable
+        SET_BIT n v: [$SETBIT]( n, v )
+        CLEAR_BIT n v: [$CLEARBIT]( n, v )
+        IF_BIT_SET n v: [$IFBITSET]( n, v )
+        IF_BIT_CLEAR 5 v: # ldmicro: IF_BIT_CLEAR 5 v #
+            not: 5 is a number and has no bits to change
         SET_BIT 5 1: # ldmicro: SET_BIT 5 1 #
             not: 5 is a number and has no bits to change
         AND 5 n m: # ldmicro: AND 5 n m #
@@ -495,149 +500,4 @@ fn a_line_says_what_it_was_only_while_it_is() {
         END
     "#]]
     .assert_eq(rungs);
-}
-
-#[test]
-fn ladder_programs_become_programs_of_the_fork() {
-    let rungs = "VAR\n    n : INT;\nEND_VAR\n+--[ ]( Xa )--[AND]( n, n, 15 )--(S)( n.3 )--<CALL>( part )--+\n\n\
-                 +--[ ]( Xa )--[TON]( Ta, T#1s )--( )( Ya )--<JMP>( over )--+\n\n+--<LBL>( over )--<RET>--+\n\n\
-                 +--<FUN>( part )--+\n+--[ ]( Xa )--<RET>--+\n";
-    let fork = write(&format!(
-        "# ldmicro: LDmicro0.2 #\n# ladder: profile ldmicro #\n{rungs}"
-    ));
-    expect![[r#"
-        LDmicro0.2
-        CYCLE=10000
-        CRYSTAL=4000000
-        BAUD=2400
-
-        IO LIST
-        END
-
-        PROGRAM
-        RUNG 1
-          CONTACTS Xa 0 0
-          AND n n 15
-          SET_BIT n 3
-          GOSUB part
-        END
-        RUNG 2
-          CONTACTS Xa 0 0
-          TON Ta 990000 0
-          COIL Ya 0 0 0 0
-          GOTO over
-        END
-        RUNG 3
-          LABEL over
-          GOTO 7
-        END
-        RUNG 4
-          SUBPROG part
-        END
-        RUNG 5
-          CONTACTS Xa 0 0
-          RETURN
-        END
-        RUNG 6
-          ENDSUB part
-        END
-    "#]]
-    .assert_eq(&fork.expect("it can be written"));
-    let older = write(&format!("# ladder: profile ldmicro #\n{rungs}")).expect("it can be written");
-    assert!(older.contains("COMMENT +--[ ]( Xa )--[AND]"), "{older}");
-}
-
-/// What is between rungs' ends; `#` is a number of a name, so that some are met twice.
-const ELEMENTS: &[&str] = &[
-    "CONTACTS Xa 0 0",
-    "CONTACTS Xa 1 1",
-    "OSL",
-    "OSC",
-    "OSR",
-    "IF_BIT_SET n# 3",
-    "IF_BIT_CLEAR n# 15",
-    "EQU n# 0x1F",
-    "TON Ta# 100000 0",
-    "TON Tb# n# 0",
-    "RTL Tc# 40000 0",
-    "TCY Td# 30000 1",
-    "THI Te# n# 0",
-    "TLO Tf# 50000 0",
-    "CTU Ca# 5 # /",
-    "CTD Ca# -5 # \\",
-    "CTC Cb# n# # -",
-    "CTR Cc# 0 n# o",
-    "GOTO here",
-    "GOTO #",
-    "GOTO 99",
-    "GOSUB part#",
-    "GOSUB no",
-    "RETURN",
-    "SWAP n# n1",
-    "PARALLEL\nCOIL Ya 0 0 0 1\nSERIES\nOSR\nSET_BIT n# 2\nEND\nGOTO #\nEND",
-    "SET_PWM n# 1000 P# 8",
-    "RES Ca#",
-    "RES P1",
-    "MOD n# n1 7",
-    "SHL n# n1 3",
-    "SHR n# n# 1",
-    "BIN2BCD n1 n#",
-    "COIL Ya# 0 0 0 0",
-    "COIL Yb 0 1 0 0",
-    "MASTER_RELAY",
-];
-
-#[test]
-fn any_program_comes_back() {
-    for seed in 0..200 {
-        let mut numbers = Numbers(seed);
-        let mut rungs: Vec<String> = Vec::new();
-        for part in 0..4 {
-            let is_sub = numbers.below(3) == 0;
-            let (begin, end) = (format!("SUBPROG part{part}"), format!("ENDSUB part{part}"));
-            rungs.extend(is_sub.then_some(begin));
-            for _ in 0..numbers.below(4) {
-                let mut elements: Vec<String> = Vec::new();
-                for _ in 0..=numbers.below(4) {
-                    let element = ELEMENTS[numbers.below(ELEMENTS.len())];
-                    elements.push(element.replace('#', &(1 + numbers.below(9)).to_string()));
-                }
-                rungs.push(elements.join("\n"));
-            }
-            rungs.extend((numbers.below(4) == 0).then(|| format!("COMMENT Part {part}.")));
-            rungs.extend(is_sub.then_some(end));
-            rungs.extend((part == numbers.below(4)).then(|| "LABEL here".to_owned()));
-        }
-        let rungs: Vec<&str> = rungs.iter().map(String::as_str).collect();
-        let text = resaved(program(&rungs).as_bytes()).expect("it can be read");
-        let shown = String::from_utf8_lossy(&text).into_owned();
-        let converted = converted(&text).expect("it can be read");
-        let ladder = converted.written.text;
-        let analysis = ladder_analysis::analyze(&ladder_syntax::parse(&ladder).into(), "test.clad");
-        let errors: Vec<String> = analysis.errors().map(|error| error.message.clone()).collect();
-        assert!(errors.is_empty(), "{errors:?}\n{ladder}");
-        assert_eq!(write(&ladder), Ok(shown), "{ladder}");
-    }
-}
-
-#[test]
-fn the_drawing_is_that_of_ldmicro_without_the_fork() {
-    let text = program(&[
-        "CONTACTS Xa 0 0\nTON Ta 100000 0\nTON Tb 100000 -1\nTCY Tc 100000 0\nCTU Ca 5 0 /\nCOIL Ya 0 0 0 1",
-    ]);
-    let ladder = converted(text.as_bytes()).expect("it can be read").written.text;
-    let analysis = ladder_analysis::analyze(&ladder_syntax::parse(&ladder).into(), "test.clad");
-    let written = LdmicroText.write(&analysis).expect("it can be written");
-    let remarks: Vec<String> = written
-        .report
-        .remarks()
-        .map(|entry| format!("{}: {:?}\n", entry.element, entry.outcome))
-        .collect();
-    expect![[r#"
-        TON Ta 100000 0: Approximated("the drawing does not hold how many cycles are added to its delay")
-        TCY Tc 100000 0: Approximated("LDmicro 2.2 has no such element")
-        CTU Ca 5 0 /: Approximated("LDmicro 2.2 has no such element")
-        COIL Ya 0 0 0 1: Approximated("LDmicro 2.2 has no such element")
-    "#]]
-    .assert_eq(&remarks.concat());
 }

@@ -2,6 +2,7 @@
 
 mod fork;
 mod fork_lines;
+mod fork_programs;
 mod heads;
 mod programs;
 mod text;

@@ -450,7 +450,7 @@ fn checks_of_the_fork() {
         17:1 ldmicro-index: index 3 is outside the table, which has 3 values, from 0 on
         17:1 ldmicro-name: Variable for 'tab' incorrectly assigned: TABLE: the name of a table can only be used for tables elsewhere.
         21:1 ldmicro-jump: GOTO 'start': there is no LABEL 'start'
-        23:1 ldmicro-index: 0x1A is not a number in BCD: each of its hexadecimal digits is 0 to 9
+        23:1 ldmicro-index: 0x1A is not a number in BCD: each of its bytes is a digit from 0 to 9
         29:1 ldmicro-jump: LABEL 'here' is there already, on line 26
         32:1 ldmicro-jump: SUBPROG 'sub': there is no ENDSUB 'sub'
         32:1 ldmicro-jump: SUBPROG must be alone in its rung

@@ -68,18 +68,18 @@ impl Made {
             )
             .inputs(&["a, n : INT"]),
             Made::ToBcd => Definition::new(
-                "The digits of a number, four bits each.",
+                "The last two digits of a number, a byte each.",
                 "y : INT",
                 &[
-                    "[ ]( EN )--[CALC]( y, a MOD 10 + a / 10 MOD 10 * 16 + a / 100 MOD 10 * 256 + a / 1000 MOD 10 * 4096 )",
+                    "[ ]( EN )--[CALC]( y, a MOD 10 + a / 10 MOD 10 * 256 )",
                 ],
             )
             .inputs(&["a : INT"]),
             Made::FromBcd => Definition::new(
-                "The number whose digits are given, four bits each.",
+                "The number whose two digits are given, a byte each.",
                 "y : INT",
                 &[
-                    "[ ]( EN )--[CALC]( y, (a AND 15) + (a SHR 4 AND 15) * 10 + (a SHR 8 AND 15) * 100 + (a SHR 12 AND 15) * 1000 )",
+                    "[ ]( EN )--[CALC]( y, (a AND 15) + (a SHR 8 AND 15) * 10 )",
                 ],
             )
             .inputs(&["a : INT"]),
@@ -97,6 +97,32 @@ impl Made {
                 ],
             )
             .inputs(&["a : INT"]),
+            Made::SetBit => Definition::new(
+                "Sets the bit of a number that another one says.",
+                "y : INT",
+                &["[ ]( EN )--[CALC]( y, y OR (1 SHL n) )"],
+            )
+            .inputs(&["n : INT"]),
+            Made::ClearBit => Definition::new(
+                "Clears the bit of a number that another one says.",
+                "y : INT",
+                &["[ ]( EN )--[CALC]( y, y AND NOT (1 SHL n) )"],
+            )
+            .inputs(&["n : INT"]),
+            Made::IfBitSet => Definition::new(
+                "Lets power through while the bit of a number that another one says is set.",
+                "",
+                &["[ ]( EN )--[CALC]( bit, a AND (1 SHL n) )--[NE]( bit, 0 )--( )( ENO )"],
+            )
+            .inputs(&["a, n : INT"])
+            .own(&["bit : INT"]),
+            Made::IfBitClear => Definition::new(
+                "Lets power through while the bit of a number that another one says is not set.",
+                "",
+                &["[ ]( EN )--[CALC]( bit, a AND (1 SHL n) )--[EQ]( bit, 0 )--( )( ENO )"],
+            )
+            .inputs(&["a, n : INT"])
+            .own(&["bit : INT"]),
             Made::TimeToCount => Definition::new(
                 "A time, counted in scans.",
                 "y : INT",

@@ -4,9 +4,11 @@
 mod definition;
 
 use super::idle::Idle;
+use crate::field::Slot;
 use crate::model::Dialect;
 use ladder_format::Circuit;
 use ladder_format::program::{Declaration, Drawing, Element, Item, Network, Section, SectionKind};
+use ladder_instructions::Op;
 
 /// An element of the fork that becomes a block of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -29,6 +31,12 @@ pub(crate) enum Made {
     Opposite,
     /// `TIME2COUNT y delay adjust`, in scans.
     TimeToCount,
+    /// `SET_BIT y n`, where `n` is a variable.
+    SetBit,
+    ClearBit,
+    /// `IF_BIT_SET a n`, where `n` is a variable.
+    IfBitSet,
+    IfBitClear,
     /// `7SEGMENTS y a C`
     Segments(Segments),
     /// An element that does nothing here, with its fields.
@@ -179,6 +187,10 @@ impl Made {
             Made::Swap,
             Made::Opposite,
             Made::TimeToCount,
+            Made::SetBit,
+            Made::ClearBit,
+            Made::IfBitSet,
+            Made::IfBitClear,
         ];
         let segments = [(false, false), (false, true), (true, false), (true, true)]
             .map(|(anode, fixed)| Made::Segments(Segments { anode, fixed }));
@@ -203,6 +215,19 @@ impl Made {
             .chain(idle)
     }
 
+    /// The block that does to a bit which a variable says what an instruction does to a fixed one, and its operands.
+    pub(super) const fn of_bit(op: Op) -> Option<(Made, &'static [Slot])> {
+        const CHANGES: &[Slot] = &[Slot::Place, Slot::Value];
+        const READS: &[Slot] = &[Slot::Value, Slot::Value];
+        Some(match op {
+            Op::SetCoil => (Made::SetBit, CHANGES),
+            Op::ResetCoil => (Made::ClearBit, CHANGES),
+            Op::Contact => (Made::IfBitSet, READS),
+            Op::NegatedContact => (Made::IfBitClear, READS),
+            _ => return None,
+        })
+    }
+
     /// The block with this name, whatever its case.
     pub(crate) fn named(name: &str) -> Option<Made> {
         Made::all().find(|made| made.name().eq_ignore_ascii_case(name))
@@ -220,6 +245,10 @@ impl Made {
             Made::Swap => "SWAP",
             Made::Opposite => "OPPOSITE",
             Made::TimeToCount => "TIME2COUNT",
+            Made::SetBit => "SETBIT",
+            Made::ClearBit => "CLEARBIT",
+            Made::IfBitSet => "IFBITSET",
+            Made::IfBitClear => "IFBITCLEAR",
             Made::Timer(timer) => timer.word(),
             Made::Idle(idle) => return format!("${}", idle.name()),
             Made::Segments(segments) => {
@@ -299,6 +328,10 @@ impl Made {
             Made::FromBcd => format!("BCD2BIN {}", given.join(" ")),
             Made::Swap => format!("SWAP {}", given.join(" ")),
             Made::Opposite => format!("OPPOSITE {}", given.join(" ")),
+            Made::SetBit => format!("SET_BIT {}", given.join(" ")),
+            Made::ClearBit => format!("CLEAR_BIT {}", given.join(" ")),
+            Made::IfBitSet => format!("IF_BIT_SET {}", given.join(" ")),
+            Made::IfBitClear => format!("IF_BIT_CLEAR {}", given.join(" ")),
             Made::Segments(segments) => {
                 let common = if segments.anode { "A" } else { "C" };
                 format!("7SEGMENTS {} {common}", given.join(" "))
