@@ -8,7 +8,7 @@ pub use conversion::{CONVERSION, conversion_of_cplc_draft};
 pub use form::Form;
 pub use ladder_notation::{
     Companion, Converted, Entry, Finding, Foreign, LineColumn, Lines, Mark, Notation, Outcome, ReadError,
-    Remark, Report, Source, Tally, WriteError, Writing, convert, has_extension, remarks,
+    Remark, Report, Source, Tally, WriteError, Writing, convert, has_extension, remarks, write_checked,
 };
 
 use std::path::Path;

@@ -23,6 +23,7 @@ mod remark;
 mod report;
 mod source;
 pub mod stand_in;
+mod written;
 
 pub use convert::{Converted, convert};
 pub use error::{ReadError, WriteError};
@@ -36,3 +37,4 @@ pub use reading::{Reading, Writing};
 pub use remark::{Remark, remarks};
 pub use report::{Entry, Outcome, Report, Tally};
 pub use source::{Companion, Source, text_of};
+pub use written::write_checked;

@@ -3,7 +3,9 @@
 pub mod messages;
 mod opened;
 
-use ladder_notations::{Finding, Form, NOTATIONS, Remark, Report, Source, Tally, convert, remarks};
+use ladder_notations::{
+    Finding, Foreign, Form, NOTATIONS, Remark, Report, Source, Tally, remarks, write_checked,
+};
 use messages::{Converted, Element, Known, Notations};
 
 pub(crate) use opened::Opened;
@@ -40,28 +42,31 @@ pub(crate) fn translate(
     analysis: Option<&ladder_analysis::Analysis>,
 ) -> Result<Converted, String> {
     let mut account = Account::default();
-    let ladder = match task.from {
+    let analyze =
+        |ladder: &str| ladder_analysis::analyze(&ladder_syntax::parse(ladder).into(), &task.source.name);
+    let (ladder, own) = match task.from {
         Form::Ladder => {
-            String::from_utf8(task.source.bytes.to_vec()).map_err(|_| "the file is not UTF-8".to_owned())?
+            let bytes = task.source.bytes.to_vec();
+            let ladder = String::from_utf8(bytes).map_err(|_| "the file is not UTF-8".to_owned())?;
+            (ladder, None)
         }
         Form::Foreign(notation) => {
-            let options = ladder_format::Options::default();
-            let converted = convert(notation, task.source, &options).map_err(|error| error.to_string())?;
-            account.add(&converted.report, &converted.findings, true);
-            converted.written.text
+            let foreign = Foreign::read(notation, task.source).map_err(|error| error.to_string())?;
+            let ladder = foreign.ladder().to_owned();
+            let own = analyze(&ladder);
+            let report = foreign.report(own.errors());
+            account.add(&report, &foreign.converted().findings, true);
+            (ladder, Some(own))
         }
     };
     let text = match task.to {
         Form::Ladder => ladder,
         Form::Foreign(notation) => {
-            let own = || {
-                let parse = std::sync::Arc::new(ladder_syntax::parse(&ladder));
-                ladder_analysis::analyze(&parse, &task.source.name)
+            let own = match (analysis, own) {
+                (Some(analysis), _) => analysis,
+                (None, own) => &own.unwrap_or_else(|| analyze(&ladder)),
             };
-            let writing = match analysis {
-                Some(analysis) => notation.write(analysis),
-                None => notation.write(&own()),
-            };
+            let writing = write_checked(notation, own, &task.source.name);
             let writing = writing.map_err(|error| error.to_string())?;
             account.add(&writing.report, &[], matches!(task.from, Form::Ladder));
             let next_to = writing.companions.iter().map(|companion| {

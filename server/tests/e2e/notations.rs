@@ -60,6 +60,27 @@ async fn an_open_program_is_exported() {
     client.finish().await;
 }
 
+/// As on the command line: what the text that is made has errors in is refused.
+#[tokio::test]
+async fn a_result_with_errors_is_refused() {
+    let text = "def main():\n    if dh[1] == \"ab\":\n        out(y.A)\n    if True:\n        end()\n";
+    let plant = Plant::with(&[("compare.py", text)]);
+    let mut client = Client::new().await;
+    let argument = json!({"uri": plant.uri("compare.py")});
+    let answer = command(&mut client, "ladder.convert", argument).await.unwrap();
+    assert_eq!(
+        (&answer["translated"], &answer["refused"]),
+        (&json!(2), &json!(1)),
+        "{answer}"
+    );
+    let remark = &answer["remarks"][0];
+    assert_eq!(
+        (&remark["outcome"], &remark["line"]),
+        (&json!("refused"), &json!(2))
+    );
+    client.finish().await;
+}
+
 #[tokio::test]
 async fn what_cannot_be_converted_is_reported() {
     let plant = Plant::with(&[

@@ -9,7 +9,7 @@ use crate::outcome::{Failure, Outcome};
 use crate::output::{Existing, Output};
 use crate::terminal;
 use clap::{Args, ValueEnum};
-use ladder_notations::{Companion, Foreign, LineColumn, Notation, Writing};
+use ladder_notations::{Companion, Foreign, Notation, write_checked};
 use ladder_workspace::shown;
 use report::{Account, Side};
 use std::io::Write;
@@ -114,7 +114,9 @@ fn convert(job: &Job, existing: Existing) -> Result<(Account, Outcome), Failure>
     let (bytes, next_to) = match job.to {
         Form::Ladder => (ladder.text.into_bytes(), Vec::new()),
         Form::Foreign(notation) => {
-            let mut writing = notation.write(&ladder.analyze()).map_err(|error| {
+            let file = job.output.as_deref().unwrap_or(&job.input);
+            let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+            let writing = write_checked(notation, &ladder.analyze(), &stem).map_err(|error| {
                 Failure::new(format!(
                     "{name}: this cannot be written as {}: {error}",
                     notation.title()
@@ -124,7 +126,6 @@ fn convert(job: &Job, existing: Existing) -> Result<(Account, Outcome), Failure>
                 Form::Ladder => Side::Source,
                 Form::Foreign(_) => Side::Between,
             };
-            check(notation, job, &mut writing);
             account.add(side, &writing.report, &[]);
             (writing.bytes, writing.companions)
         }
@@ -172,31 +173,4 @@ fn write(
 fn read(notation: &'static dyn Notation, job: &Job) -> Result<Foreign, Failure> {
     let source = ladder_workspace::foreign_source(notation, &job.input, &job.bytes)?;
     Foreign::read(notation, &source).map_err(|error| Failure::broken(&job.input, &error))
-}
-
-/// Reads what is about to be written, as its notation would: what is broken then is refused.
-fn check(notation: &'static dyn Notation, job: &Job, writing: &mut Writing) {
-    let file = job.output.as_deref().unwrap_or(&job.input);
-    let source = ladder_notations::Source {
-        name: file.file_stem().unwrap_or_default().to_string_lossy(),
-        bytes: &writing.bytes,
-        companions: writing.companions.clone(),
-    };
-    let again = match Foreign::read(notation, &source) {
-        Ok(again) => again,
-        Err(error) => {
-            let why = format!("what is written cannot be read again: {error}");
-            return writing.report.refused(LineColumn::START, notation.title(), why);
-        }
-    };
-    let text = again.ladder();
-    let analysis = ladder_analysis::analyze(&ladder_syntax::parse(text).into(), &source.name);
-    for error in analysis.errors() {
-        let why = format!(
-            "at {} of what is written: {}",
-            again.place(error.range),
-            error.message
-        );
-        writing.report.refused(LineColumn::START, &text[error.range], why);
-    }
 }
