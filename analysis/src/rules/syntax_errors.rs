@@ -89,7 +89,10 @@ fn finding(parse: &Parse, error: &SyntaxError, text: &str, rest: &str) -> Diagno
         SyntaxErrorKind::UnclosedBlock { closing } => {
             let blanks = TextRange::at(range.end(), blanks_before_drawing(rest));
             let of_list = text_before(parse, range).trim_end().ends_with([']', ')', '>']);
-            unclosed_block::missing(closing, text, range, blanks, of_list)
+            match unclosed_block::drawn(text, rest, range).filter(|_| !of_list) {
+                Some(found) => found,
+                None => unclosed_block::missing(closing, text, range, blanks, of_list),
+            }
         }
         SyntaxErrorKind::WrongBracket { closing } => unclosed_block::wrong(closing, text, range),
         SyntaxErrorKind::UnclosedComment => unclosed_comment::unclosed(parse, range),

@@ -40,6 +40,32 @@ pub(crate) fn missing(
         )
 }
 
+/// What is between brackets as people draw it with wire, such as `[|]`: no bracket is missing, the sign is another one.
+/// `text` is the opening bracket, and `rest` what is on the line after it.
+pub(crate) fn drawn(text: &str, rest: &str, range: TextRange) -> Option<Diagnostic> {
+    let (sign, _) = rest.split_once(']').filter(|_| text == "[")?;
+    let is_wire = |c: char| matches!(c, '|' | '\\' | '-' | '+');
+    let mark = sign.trim();
+    if mark.is_empty() || sign.len() > MOST_DRAWN || !mark.chars().all(is_wire) {
+        return None;
+    }
+    let end = range.end() + TextSize::of(sign) + TextSize::of(']');
+    let whole = TextRange::new(range.start(), end);
+    let message = format!("`[{sign}]` is no block");
+    let found = Diagnostic::new(RULE, whole, message);
+    Some(if mark == "\\" {
+        // That is how a closed contact is drawn, the other way round.
+        found
+            .help("a contact that lets power through while its tag is low is [/]")
+            .fix(Applicability::Unsafe, "Write `[/]`".to_owned(), whole, "[/]")
+    } else {
+        found.help("a contact is [ ], or [/] where it lets power through while its tag is low")
+    })
+}
+
+/// A longer stretch of wire is not drawn between brackets.
+const MOST_DRAWN: usize = 5;
+
 /// Where the bracket belongs is certain in a block's first part, in an index that is one word, and in a list of
 /// operands without brackets in it. A wider gap after it may be one between two segments.
 fn applicability(text: &str, blanks: TextRange, of_list: bool) -> Applicability {

@@ -25,10 +25,10 @@ fn on_its_line() {
         "+--[ ]( a )--[\\]( b )--( )( y )--+\n",
         expect![[r#"
             > +--[ ]( a )--[\]( b )--( )( y )--+
-                           ^ error[unclosed-block]: `[` is not closed: `]` is missing
-                help: a block is closed on its own line
-                safe fix: Insert `]`
-                  +--[ ]( a )--[]\]( b )--( )( y )--+
+                           ^^^ error[unclosed-block]: `[\]` is no block
+                help: a contact that lets power through while its tag is low is [/]
+                fix: Write `[/]`
+                  +--[ ]( a )--[/]( b )------------------------------------------------( )( y )--+
         "#]],
     );
     check(

@@ -23,7 +23,7 @@ const PROGRAMS: [&str; 4] = [
 ];
 
 /// What a mutation puts in.
-const PIECES: [&str; 24] = [
+const PIECES: [&str; 26] = [
     "",
     "\\",
     "/",
@@ -45,6 +45,8 @@ const PIECES: [&str; 24] = [
     "'",
     "a",
     "5",
+    "[|]",
+    "[\\]",
     "END_VAR\n",
     "VAR\n",
     "é",
@@ -130,6 +132,29 @@ fn whatever_comes_of_it() {
                 }
             }
             check(&text);
+        }
+    }
+}
+
+/// Wire between brackets: fixes come to an end, and what they leave has no fix.
+#[test]
+fn fixes_of_wire_between_brackets_come_to_an_end() {
+    for sign in ["|", "\\", " | ", "\\\\", "-", "--", "||"] {
+        for contact in ["[ ]", "[/]"] {
+            let mut text = PROGRAMS[0].replacen(contact, &format!("[{sign}]"), 1);
+            let mut rounds = 0;
+            loop {
+                let analysis = analyze(&Arc::new(parse(&text)), "test.clad");
+                let errors = analysis.errors();
+                let Some(fix) = errors.flat_map(|found| &found.fixes).next() else {
+                    break;
+                };
+                text = apply(&text, &fix::aligned(&text, fix, &Options::default()));
+                rounds += 1;
+                assert!(rounds < 4, "{text}");
+            }
+            let is_sound = !analyze(&Arc::new(parse(&text)), "test.clad").has_errors();
+            assert_eq!(is_sound, sign == "\\", "{text}");
         }
     }
 }

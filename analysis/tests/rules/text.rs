@@ -92,6 +92,22 @@ fn operand_list_that_is_not_closed() {
 }
 
 #[test]
+fn wire_between_brackets() {
+    check("+--[|]( a )--[\\]( b )--( )( y )--+\n", expect![[r#"
+        > +--[|]( a )--[\]( b )--( )( y )--+
+             ^^^ error[unclosed-block]: `[|]` is no block
+            help: a contact is [ ], or [/] where it lets power through while its tag is low
+    "#]]);
+    check("+--[ ]( a )--[\\]( b )--( )( y )--+\n", expect![[r#"
+        > +--[ ]( a )--[\]( b )--( )( y )--+
+                       ^^^ error[unclosed-block]: `[\]` is no block
+            help: a contact that lets power through while its tag is low is [/]
+            fix: Write `[/]`
+              +--[ ]( a )--[/]( b )------------------------------------------------( )( y )--+
+    "#]]);
+}
+
+#[test]
 fn unclosed_block_brings_nothing_else() {
     check(
         "+--\\--[ ]( a --\\--( )( y )--+\n|  /--[ ]( b )--/            |\n",
