@@ -93,18 +93,24 @@ fn operand_list_that_is_not_closed() {
 
 #[test]
 fn wire_between_brackets() {
-    check("+--[|]( a )--[\\]( b )--( )( y )--+\n", expect![[r#"
+    check(
+        "+--[|]( a )--[\\]( b )--( )( y )--+\n",
+        expect![[r#"
         > +--[|]( a )--[\]( b )--( )( y )--+
              ^^^ error[unclosed-block]: `[|]` is no block
             help: a contact is [ ], or [/] where it lets power through while its tag is low
-    "#]]);
-    check("+--[ ]( a )--[\\]( b )--( )( y )--+\n", expect![[r#"
+    "#]],
+    );
+    check(
+        "+--[ ]( a )--[\\]( b )--( )( y )--+\n",
+        expect![[r#"
         > +--[ ]( a )--[\]( b )--( )( y )--+
                        ^^^ error[unclosed-block]: `[\]` is no block
             help: a contact that lets power through while its tag is low is [/]
             fix: Write `[/]`
               +--[ ]( a )--[/]( b )------------------------------------------------( )( y )--+
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]

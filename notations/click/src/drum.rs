@@ -324,3 +324,73 @@ fn number(tags: &mut Tags<'_>, acts: &mut Acts, value: &Operand, most: Kind) -> 
     }
     Ok(acts.chain.value(tags, value, Some(most)))
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::Click;
+    use ladder_notation::{Notation, Source};
+
+    /// Why a drum with these arguments stays as a comment.
+    fn refused(drum: &str) -> String {
+        let text = format!("def main():\n    if x[1]:\n        {drum}\n    if True:\n        end()\n");
+        match Click.read(&Source::alone("test", text.as_bytes())) {
+            Ok(reading) => {
+                let all = reading.report.entries.iter();
+                let outcomes = all.filter_map(|entry| match &entry.outcome {
+                    ladder_notation::Outcome::Refused(why) => Some(why.clone()),
+                    _ => None,
+                });
+                outcomes.collect()
+            }
+            Err(error) => error.to_string(),
+        }
+    }
+
+    #[test]
+    fn drums_that_click_has_not() {
+        let many = vec!["x[1]"; 17].join(", ");
+        let rows = vec!["[1]"; 17].join(", ");
+        let of = "current_step=ds[1], completion_flag=c[1], reset=lambda: x[2]";
+        for (drum, why) in [
+            (format!("event_drum([y[1]], [x[1]], [[1]], {of})"), ""),
+            (
+                format!("event_drum([y[1]], [x[1], x[2]], [[1]], {of})"),
+                "its pattern has not as many steps as there are events or times",
+            ),
+            (
+                format!("event_drum([y[1]], [{many}], [{rows}], {of})"),
+                "a drum has one to sixteen steps, and one to sixteen outputs",
+            ),
+            (
+                format!("event_drum([ds[1]], [x[1]], [[1]], {of})"),
+                "the outputs of a drum are addresses of Y and C, its completion flag is one of C",
+            ),
+            (
+                "event_drum([y[1]], [x[1]], [[1]], ds[1], c[1])".to_owned(),
+                "a drum needs its reset",
+            ),
+            (
+                format!("event_drum([y[1]], [x[1]], [[1]], {of}, jump=lambda: x[3])"),
+                "a jump has its contact and its step",
+            ),
+            (
+                "time_drum([y[1]], [5], Ts, [[1]], ds[1], ds[2], c[1], lambda: x[2])".to_owned(),
+                "the time of a drum is in an address of TD",
+            ),
+            (
+                format!("event_drum([y[1]], [x[1]], [[1, 0]], {of})"),
+                "3:40: each step of its pattern has a value for each of the outputs, 16 at most",
+            ),
+            (
+                format!("event_drum([y[1]], [x[1]], [[2]], {of})"),
+                "3:42: a drum's output is 0 or 1 in each step",
+            ),
+            (
+                format!("event_drum(y[1], [x[1]], [[1]], {of})"),
+                "3:20: a drum has lists here: [y[1], y[2]]",
+            ),
+        ] {
+            assert_eq!(refused(&drum), why, "{drum}");
+        }
+    }
+}

@@ -4,11 +4,12 @@
 use super::Click;
 use super::address::{Span, Tag};
 use super::bank::Bank;
+use super::convert::Convert;
 use super::dsl;
 use super::model::{
     Action, Bits, Coil, Comparison, Condition, Constant, Contact, ContactKind, CopyOptions, Counter,
-    CounterKind, Formula, Function, Instruction, Math, MathKind, Operand, Operator, Pointer, Program,
-    Relation, Routine, Rung, Search, Shift, Timer, TimerKind, Unit,
+    CounterKind, Drum, Formula, Function, Instruction, Math, MathKind, Operand, Operator, Pointer, Program,
+    Relation, Routine, Rung, Search, Shift, Steps, Timer, TimerKind, Unit,
 };
 use ladder_notation::{Converted, LineColumn, Notation, Report, Source, convert};
 use proptest::prelude::*;
@@ -268,6 +269,61 @@ fn copies() -> impl Strategy<Value = Instruction> {
     ]
 }
 
+/// Copies between numbers and characters.
+fn conversions() -> impl Strategy<Value = Instruction> {
+    let text = || tag(&[Bank::Txt]).prop_map(Operand::Tag);
+    let number = || tag(&[Bank::Ds, Bank::Dd]).prop_map(Operand::Tag);
+    let from_text = (text(), number(), select(&[Convert::Value, Convert::Ascii][..]));
+    let to_code = (number(), text(), Just(Convert::Binary));
+    let first = (1u16..99).prop_map(|number| Operand::Tag(Tag::number(Bank::Txt, number)));
+    let form =
+        (any::<bool>(), prop::option::of(0u8..0x80)).prop_map(|(suppress_zero, termination)| Convert::Text {
+            suppress_zero,
+            exponential: false,
+            termination,
+        });
+    prop_oneof![from_text, to_code, (number(), first, form)].prop_map(|(source, target, convert)| {
+        let options = CopyOptions {
+            convert: Some(convert),
+            ..CopyOptions::default()
+        };
+        Instruction::Copy {
+            source,
+            target,
+            options,
+        }
+    })
+}
+
+fn drum() -> impl Strategy<Value = Instruction> {
+    let times =
+        (prop::collection::vec(setpoint(), 1..5), 0usize..5).prop_map(|(presets, unit)| Steps::Times {
+            presets,
+            unit: Unit::ALL[unit].0,
+            accumulator: Tag::number(Bank::Td, 9),
+        });
+    let events = prop::collection::vec(contact(), 1..5).prop_map(Steps::Events);
+    let outputs = prop::collection::vec(tag(COILS), 1..5);
+    let pins = (condition(), prop::option::of((contact(), setpoint())), pin());
+    (prop_oneof![times, events], outputs, any::<u16>(), pins).prop_map(
+        |(steps, outputs, bits, (reset, jump, jog))| {
+            let lit = bits & ((1 << outputs.len()) - 1);
+            let (jump, jump_step) = jump.unzip();
+            Instruction::Drum(Box::new(Drum {
+                pattern: vec![lit; steps.len()],
+                steps,
+                outputs,
+                current_step: Tag::number(Bank::Ds, 12),
+                completion_flag: Tag::number(Bank::C, 12),
+                reset: Some(reset),
+                jump,
+                jump_step,
+                jog,
+            }))
+        },
+    )
+}
+
 fn instruction() -> impl Strategy<Value = Instruction> {
     let bits = prop_oneof![
         tag(COILS).prop_map(Bits::One),
@@ -294,6 +350,8 @@ fn instruction() -> impl Strategy<Value = Instruction> {
         timer(),
         counter(),
         copies(),
+        conversions(),
+        drum(),
         (formula(), tag(WRITTEN)).prop_map(math(MathKind::Decimal)),
         (words(), tag(&[Bank::Dh])).prop_map(math(MathKind::Hex)),
         (
@@ -333,6 +391,7 @@ fn action() -> impl Strategy<Value = Action> {
             Instruction::Timer(_)
                 | Instruction::Counter(_)
                 | Instruction::Shift(_)
+                | Instruction::Drum(_)
                 | Instruction::Call(_)
                 | Instruction::End
                 | Instruction::Nop
