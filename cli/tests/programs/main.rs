@@ -13,6 +13,7 @@ mod explain;
 mod fixed_drawings;
 mod fmt;
 mod foreign;
+mod foreign_at_hand;
 mod harness;
 mod help;
 mod lsp;

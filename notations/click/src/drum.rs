@@ -379,11 +379,11 @@ mod tests {
             ),
             (
                 format!("event_drum([y[1]], [x[1]], [[1, 0]], {of})"),
-                "3:40: each step of its pattern has a value for each of the outputs, 16 at most",
+                "3:36: each step of its pattern has a value for each of the outputs, 16 at most",
             ),
             (
                 format!("event_drum([y[1]], [x[1]], [[2]], {of})"),
-                "3:42: a drum's output is 0 or 1 in each step",
+                "3:38: a drum's output is 0 or 1 in each step",
             ),
             (
                 format!("event_drum(y[1], [x[1]], [[1]], {of})"),

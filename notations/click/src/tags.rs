@@ -1,13 +1,14 @@
 //! What the addresses of a Click program become: arrays for the banks, tags for nicknames, timers and counters.
 
+mod sections;
+
 use super::address::{Address, Span, Tag, Which};
-use super::bank::{Bank, Writer};
+use super::bank::Bank;
 use super::drum::Shape;
 use super::model::{Condition, Constant, CounterKind, Instruction, Nickname, Program, TimerKind};
 use super::ranges::is_of_blocks;
 use super::uses::{Access, Use, What, uses};
-use ladder_format::program::{Declaration, Qualifier, Section, SectionKind};
-use ladder_instructions::{Op, by_op};
+use ladder_instructions::Op;
 use ladder_notation::names::Names;
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
@@ -417,82 +418,6 @@ impl<'p> Tags<'p> {
         out
     }
 
-    /// The declarations, once everything has been met.
-    pub(super) fn sections(&self) -> Vec<Section> {
-        let mut sections = Sections::default();
-        for (bank, (first, last)) in &self.arrays {
-            let is_copy = is_of_blocks(*bank);
-            if is_copy && !self.copied.contains(bank) {
-                continue;
-            }
-            let ty = format!("ARRAY[{first}..{last}] OF {}", bank.kind().iec());
-            let mut declaration = Declaration::new(bank.array(), ty);
-            declaration.comment = is_copy.then(|| "what timers or counters hold, as an array".to_owned());
-            sections.push(*bank, bank.row().retentive, declaration, self);
-        }
-        for tag in &self.state_order {
-            let state = &self.states[tag];
-            let declaration = Declaration::new(&state.name, by_op(state.op).mnemonic);
-            self.declare(&mut sections, tag, declaration);
-        }
-        for (tag, name) in &self.own {
-            let declaration = Declaration::new(name, tag.bank.kind().iec());
-            self.declare(&mut sections, tag, declaration);
-        }
-        for helper in &self.helpers {
-            let mut declaration = Declaration::new(&helper.name, &helper.ty);
-            declaration.comment = Some(format!("helper: {}", helper.what));
-            declaration.initial.clone_from(&helper.initial);
-            sections.push(Bank::C, false, declaration, self);
-        }
-        sections.all()
-    }
-
-    fn declare(&self, sections: &mut Sections, tag: &Tag, mut declaration: Declaration) {
-        let nickname = tag.address().and_then(|address| self.numbered.get(&address));
-        let retentive = nickname.and_then(|nickname| nickname.retentive);
-        declaration.comment = self.said(tag, &declaration.names[0]);
-        let initial = nickname.and_then(|nickname| nickname.initial.as_ref());
-        if let Some(initial) = initial.filter(|initial| !is_zero(initial)) {
-            declaration.initial = Some(super::operand::literal(initial, Some(tag.bank.kind())));
-        }
-        let is_block = matches!(tag.bank, Bank::T | Bank::Ct);
-        if is_block {
-            declaration.initial = None;
-        }
-        sections.push(
-            tag.bank,
-            retentive.unwrap_or(tag.bank.row().retentive),
-            declaration,
-            self,
-        );
-    }
-
-    /// What the declaration of a tag says: its address if that is known, else its bank and nickname where they do not
-    /// follow from the type and the section.
-    fn said(&self, tag: &Tag, name: &str) -> Option<String> {
-        let nickname = match &tag.which {
-            Which::Nickname(nickname) => {
-                let usual = !matches!(tag.bank, Bank::Sc | Bank::Sd | Bank::Xd | Bank::Yd);
-                let like_number = Address::parse(nickname).is_some();
-                return (!usual || like_number || nickname != name).then(|| tag.dsl());
-            }
-            Which::Number(_) => match (self.nickname_of(tag), tag.address()) {
-                (Some(nickname), _) => nickname,
-                (None, Some(address)) if address.is_upper() => return Some(address.to_string()),
-                (None, _) => return None,
-            },
-        };
-        let mut said = nickname.address.to_string();
-        if nickname.name != name {
-            said.push_str(&format!(" {}", nickname.name));
-        }
-        if !nickname.comment.is_empty() {
-            said.push_str(&format!(": {}", nickname.comment));
-        }
-        Some(said)
-    }
-
     /// What the address picker says that declarations cannot: names and values of elements.
     pub(super) fn unsaid(&self) -> Vec<(&'p Nickname, &'static str)> {
         let mut out = Vec::new();
@@ -559,41 +484,5 @@ fn is_zero(constant: &Constant) -> bool {
         Constant::Hex(number) => *number == 0,
         Constant::Float(number) => *number == 0.0,
         Constant::Text(text) => text.is_empty(),
-    }
-}
-
-/// The sections in the order in which they are written.
-#[derive(Default)]
-struct Sections {
-    inputs: Vec<Declaration>,
-    outputs: Vec<Declaration>,
-    others: Vec<Declaration>,
-    kept: Vec<Declaration>,
-}
-
-impl Sections {
-    fn push(&mut self, bank: Bank, retentive: bool, declaration: Declaration, tags: &Tags<'_>) {
-        let section = match bank.row().writer {
-            _ if retentive => &mut self.kept,
-            Writer::System(_) if tags.written.contains(&bank) => &mut self.others,
-            Writer::World | Writer::System(_) => &mut self.inputs,
-            _ if matches!(bank, Bank::Y | Bank::Yd) => &mut self.outputs,
-            _ => &mut self.others,
-        };
-        section.push(declaration);
-    }
-
-    fn all(self) -> Vec<Section> {
-        let section = |kind, qualifier, declarations| Section {
-            kind,
-            qualifier,
-            declarations,
-        };
-        vec![
-            section(SectionKind::VarInput, None, self.inputs),
-            section(SectionKind::VarOutput, None, self.outputs),
-            section(SectionKind::Var, None, self.others),
-            section(SectionKind::Var, Some(Qualifier::Retain), self.kept),
-        ]
     }
 }
