@@ -2,7 +2,7 @@
 
 use crate::block;
 use crate::operand::Operands;
-use ladder_instructions::{Role, Shape, lookup};
+use ladder_instructions::{Role, Shape, known_elsewhere, lookup};
 
 /// What is written next to an element: above it, and below it.
 #[derive(Debug, Clone, Copy, Default)]
@@ -22,21 +22,20 @@ fn contact_mark(inside: &str) -> Option<&'static str> {
     })
 }
 
-/// What a coil does, by what is between its parentheses.
-fn coil_mark(inside: &str) -> Option<&'static str> {
-    Some(match inside.to_ascii_uppercase().as_str() {
-        "" | "OTE" => "( )",
-        "/" => "(/)",
-        "S" | "L" | "SET" | "OTL" => "(S)",
-        "R" | "U" | "RST" | "RESET" | "OTU" => "(R)",
-        "P" | "↑" => "(P)",
-        "N" | "↓" => "(N)",
-        "M" => "(M)",
-        "SM" => "(SM)",
-        "RM" => "(RM)",
-        "RES" => "(RES)",
-        _ => return None,
-    })
+/// What a coil does, by what is between its parentheses: as in ladder text, or by a name that it has elsewhere.
+fn coil_mark(inside: &str) -> Option<String> {
+    let inside = match inside {
+        "↑" => "P",
+        "↓" => "N",
+        inside => inside,
+    };
+    // Between the parentheses of a drawing that is rather the name of an output.
+    if inside.eq_ignore_ascii_case("OUT") {
+        return None;
+    }
+    let own = lookup(Shape::Coil, inside).next();
+    let row = own.or_else(|| known_elsewhere(inside).filter(|row| row.shape == Shape::Coil))?;
+    Some(row.block())
 }
 
 /// A contact with what is between its bars.
@@ -126,7 +125,7 @@ pub(crate) fn coil(inside: &str, labels: Labels<'_>, operands: &mut Operands) ->
                 _ => format!("no name is above this coil, and `{says}` inside tells only its kind"),
             });
         };
-        return named(mark, name, operands);
+        return named(&mark, name, operands);
     }
     if let Some(label) = prefixed(says, &["JMP "]) {
         return named("<JMP>", label, operands);
@@ -134,7 +133,7 @@ pub(crate) fn coil(inside: &str, labels: Labels<'_>, operands: &mut Operands) ->
     if let Some((mark, name)) = says.split_once([' ', ':'])
         && let Some(mark) = coil_mark(mark.trim())
     {
-        return named(mark, name, operands);
+        return named(&mark, name, operands);
     }
     if let Some(written) = block::in_brackets(says, labels.above, operands) {
         return written;
