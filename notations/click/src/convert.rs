@@ -78,10 +78,12 @@ impl Convert {
         match option {
             "suppress_zero" => *suppress_zero = switch()?,
             "exponential" => *exponential = switch()?,
+            "termination_code" if matches!(value, "none" | "None") => *termination = None,
             "termination_code" => {
-                *termination = code(value).ok_or_else(|| {
+                let code = code(value).ok_or_else(|| {
                     format!("`{value}` is not the code of a character: `$0D` and `none` are")
                 })?;
+                *termination = Some(code);
             }
             _ => return Err(format!("`to_text` has no option `{option}`")),
         }
@@ -140,20 +142,17 @@ impl Convert {
     }
 }
 
-/// `$0D`, `13`, a character in itself, or `none`.
-fn code(value: &str) -> Option<Option<u8>> {
-    let code = match value {
-        "none" | "None" => return Some(None),
-        value => match (
-            value.strip_prefix('$').filter(|hex| !hex.is_empty()),
-            value.as_bytes(),
-        ) {
-            (Some(hex), _) => u8::from_str_radix(hex, 16).ok()?,
-            (None, [one]) if !one.is_ascii_digit() => *one,
-            _ => value.parse().ok()?,
-        },
+/// `$0D`, `13`, or a character in itself. None: it is no character of ASCII.
+fn code(value: &str) -> Option<u8> {
+    let code = match (
+        value.strip_prefix('$').filter(|hex| !hex.is_empty()),
+        value.as_bytes(),
+    ) {
+        (Some(hex), _) => u8::from_str_radix(hex, 16).ok()?,
+        (None, [one]) if !one.is_ascii_digit() => *one,
+        _ => value.parse().ok()?,
     };
-    code.is_ascii().then_some(Some(code))
+    code.is_ascii().then_some(code)
 }
 
 /// What the tags are for that a copy of a number into characters needs.
@@ -350,11 +349,10 @@ mod tests {
     #[test]
     fn codes_of_characters_are_read() {
         for (text, expected) in [
-            ("none", Some(None)),
-            ("$0D", Some(Some(13))),
-            ("13", Some(Some(13))),
-            (";", Some(Some(b';'))),
-            ("$", Some(Some(b'$'))),
+            ("$0D", Some(13)),
+            ("13", Some(13)),
+            (";", Some(b';')),
+            ("$", Some(b'$')),
             ("$80", None),
             ("200", None),
             ("", None),

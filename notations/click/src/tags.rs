@@ -392,9 +392,9 @@ impl<'p> Tags<'p> {
     /// As [`Tags::helper`], with a value that stays.
     pub(super) fn constant(&mut self, like: &str, ty: &str, what: &str, value: String) -> String {
         let name = self.helper(like, ty, what);
-        let own = self.helpers.iter_mut().find(|helper| helper.name == name);
-        own.into_iter()
-            .for_each(|helper| helper.initial = Some(value.clone()));
+        if let Some(own) = self.helpers.iter_mut().find(|helper| helper.name == name) {
+            own.initial = Some(value);
+        }
         name
     }
 

@@ -219,9 +219,9 @@ impl<'p> Uses<'p> {
                     presets, accumulator, ..
                 } = &drum.steps
                 {
-                    presets
-                        .iter()
-                        .for_each(|preset| self.operand(preset, Access::Read));
+                    for preset in presets {
+                        self.operand(preset, Access::Read);
+                    }
                     self.push(What::One(accumulator), Access::Write);
                 }
                 self.push(What::One(&drum.current_step), Access::Read);

@@ -1,5 +1,6 @@
 //! Drums: `event_drum(outputs=[y[1]], events=[x[1]], pattern=[[1]], ..)`.
 
+use super::super::address::Tag;
 use super::super::drum::patterns;
 use super::super::model::{Drum, Instruction, Steps, Unit};
 use super::arguments::Arguments;
@@ -93,10 +94,7 @@ fn on(problems: &mut Problems<'_>, value: &Expr) -> Result<bool, Unread> {
 /// The named arguments of a drum, as they are written.
 pub(super) fn arguments(drum: &Drum) -> Vec<(&'static str, String)> {
     let bracketed = |parts: Vec<String>| format!("[{}]", parts.join(", "));
-    let mut out = vec![(
-        "outputs",
-        bracketed(drum.outputs.iter().map(|output| output.dsl()).collect()),
-    )];
+    let mut out = vec![("outputs", bracketed(drum.outputs.iter().map(Tag::dsl).collect()))];
     match &drum.steps {
         Steps::Events(events) => {
             out.push(("events", bracketed(events.iter().map(spell::condition).collect())));

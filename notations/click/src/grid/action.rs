@@ -234,9 +234,10 @@ fn options(token: &mut Token<'_>) -> Result<CopyOptions, String> {
 pub(in super::super) fn convert(text: &str) -> Result<Convert, String> {
     let unknown =
         || format!("`{text}` is not a conversion: to_value, to_ascii, to_binary and to_text(..) are");
-    let token = match text.contains('(') {
-        true => Token::read(text)?,
-        false => Token::named(text),
+    let token = if text.contains('(') {
+        Token::read(text)?
+    } else {
+        Token::named(text)
     };
     let mut convert = Convert::named(token.name).ok_or_else(unknown)?;
     if !token.values.is_empty() {

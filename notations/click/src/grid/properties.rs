@@ -122,7 +122,7 @@ fn active(routine: &Routine, relays: usize) -> Vec<(String, bool)> {
                 written
                     .pins
                     .iter()
-                    .map(|(pin, condition)| ((*pin).to_owned(), holds(condition, relays))),
+                    .map(|(pin, condition)| (pin.clone(), holds(condition, relays))),
             );
         }
     }
