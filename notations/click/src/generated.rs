@@ -4,7 +4,7 @@
 use super::Click;
 use super::address::{Span, Tag};
 use super::bank::Bank;
-use super::convert::Convert;
+use super::conversion::Convert;
 use super::dsl;
 use super::model::{
     Action, Bits, Coil, Comparison, Condition, Constant, Contact, ContactKind, CopyOptions, Counter,

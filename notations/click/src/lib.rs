@@ -20,6 +20,7 @@ mod address;
 mod bank;
 mod calc;
 mod checks;
+mod conversion;
 mod convert;
 mod csv;
 mod drum;

@@ -2,7 +2,7 @@
 
 use super::address::{Address, Span, Tag};
 use super::bank::Bank;
-use super::convert::Convert;
+use super::conversion::Convert;
 use ladder_notation::LineColumn;
 
 /// A whole program.

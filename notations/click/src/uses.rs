@@ -1,6 +1,7 @@
 //! What a program reads and writes, and where.
 
 use super::address::{Span, Tag};
+use super::convert;
 use super::formula;
 use super::model::{
     Bits, Condition, Constant, Contact, Instruction, Operand, Pointer, Program, Rung, Search, Steps,
@@ -156,7 +157,9 @@ impl<'p> Uses<'p> {
                         let left = tag.address().map_or(1, |address| {
                             usize::from(address.bank.last().saturating_sub(address.number)) + 1
                         });
-                        let most = options.convert.map_or(1, |convert| convert.most(source));
+                        let most = options
+                            .convert
+                            .map_or(1, |convert| convert::most(convert, source));
                         self.push(What::From(tag, most.min(left)), Access::Write);
                     }
                     (Operand::Constant(Constant::Text(text)), Operand::Tag(tag)) => {

@@ -1,7 +1,7 @@
 //! The instructions of the DSL, and the arguments of their calls by name.
 
 use super::super::address::{Span, Tag};
-use super::super::convert::Convert;
+use super::super::conversion::Convert;
 use super::super::model::{Condition, Constant, CopyOptions, Operand};
 use super::condition::{self, operand, shown, span, tag};
 use super::problems::{Problems, Unread, expression};

@@ -2,7 +2,7 @@
 
 use super::super::address::{Address, Span, Tag};
 use super::super::bank::Bank;
-use super::super::convert::Convert;
+use super::super::conversion::Convert;
 use super::super::model::{
     Bits, Coil, Condition, Constant, CopyOptions, Counter, CounterKind, Instruction, Math, MathKind, Operand,
     Relation, Search, Shift, Timer, TimerKind, Unit,
