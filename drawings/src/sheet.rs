@@ -27,7 +27,26 @@ impl Sheet {
             lines: lines.map(Line::of).collect(),
         };
         sheet.use_other_bars();
+        sheet.use_round_corners();
         sheet
+    }
+
+    /// `.` and `'` are corners where wire comes from the side, and a line leads down or up from them.
+    fn use_round_corners(&mut self) {
+        for line in 0..self.lines.len() {
+            for column in 0..self.width(line) {
+                let goes_on = match self.at(line, column) {
+                    '.' if line + 1 < self.len() => self.at(line + 1, column),
+                    '\'' if line > 0 => self.at(line - 1, column),
+                    _ => continue,
+                };
+                let before = column.checked_sub(1).map_or(' ', |before| self.at(line, before));
+                let is_wired = [before, self.at(line, column + 1)].contains(&'-');
+                if is_wired && (is_bar(goes_on) || matches!(goes_on, '+' | '\'')) {
+                    self.lines[line].cells[column] = '+';
+                }
+            }
+        }
     }
 
     /// `!` is a vertical line where no `|` is anywhere.

@@ -1,4 +1,4 @@
-//! Sixteen drawings, each in a form of its own, with the truth table of an output.
+//! Drawings, each in a form of its own, with the truth table of an output.
 
 use super::truth::check;
 
@@ -325,5 +325,44 @@ fn columns_that_are_off_by_one() {
         "y",
         &["a", "c", "b"],
         |v| (v[0] || !v[1]) && v[2],
+    );
+}
+
+#[test]
+fn round_corners() {
+    check(
+        "
+     a           b       y
+|----| |----.----|/|----( )---|
+            |
+     c      |
+|----| |----'
+",
+        "y",
+        &["a", "c", "b"],
+        |v| (v[0] || v[1]) && !v[2],
+    );
+    check(
+        "
+     a             c      y
+|--.-| |-.--.-----| |----( )---|
+   |     |  |
+   | b   |  |   d
+   '-| |-'  '---| |--------( z )-|
+",
+        "z",
+        &["a", "b", "d"],
+        |v| (v[0] || v[1]) && v[2],
+    );
+    check(
+        "
+|   a     .---------.    y
++--| |----| TON  T1 |---( )--+
+|         | PT 0 s  |        |
+|         '---------'        |
+",
+        "y",
+        &["a"],
+        |v| v[0],
     );
 }
