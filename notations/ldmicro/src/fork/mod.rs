@@ -206,7 +206,6 @@ fn own<'l>(form: Form, fields: &[&'l str], dialect: Dialect) -> Result<Read<'l>,
         Form::Segments => segments(fields),
         Form::Jump(_) => Err("it must be in a rung".to_owned()),
         Form::Idle(_) => Err("it does nothing here".to_owned()),
-        Form::Refused(why) => Err(why.to_owned()),
     }
 }
 

@@ -34,8 +34,6 @@ pub(super) enum Form {
     Segments,
     /// A block that does nothing; how many fields it has.
     Idle(usize),
-    /// There is no counterpart; why.
-    Refused(&'static str),
 }
 
 /// What leads on to another rung, or is a place where that leads.
@@ -93,10 +91,7 @@ pub(crate) const ROWS: &[Row] = &[
     row("OPPOSITE", Form::Made(Made::Opposite, TO_FROM)),
     row("TIME2COUNT", Form::Count),
     row("7SEGMENTS", Form::Segments),
-    row(
-        "ODR",
-        Form::Refused("no release of LDmicro's fork whose code is known reads it"),
-    ),
+    row("ODR", Form::Made(Made::OneDropRising, &[])),
     row("TIME2DELAY", Form::Idle(2)),
     row("DELAY", Form::Idle(1)),
     row("SLEEP", Form::Idle(0)),
@@ -149,7 +144,7 @@ impl Row {
             Form::Bits(_) => 3,
             Form::Segments => 3,
             Form::OneBit(_) | Form::Timer(_) | Form::Counter | Form::Count => 2,
-            Form::Jump(Jump::Return) | Form::Refused(_) => 0,
+            Form::Jump(Jump::Return) => 0,
             Form::Jump(_) => 1,
             Form::Idle(least) => least,
         }

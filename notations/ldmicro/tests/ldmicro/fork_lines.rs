@@ -74,6 +74,7 @@ fn one_by_one() {
         "NOT n 'A'",
         "OSL",
         "ODF",
+        "ODR",
         "UART_SEND n",
         "UART_SEND n 1 1",
         "UART_RECV n 1 1",
@@ -171,6 +172,7 @@ fn one_by_one() {
         NOT n 'A': [NOT]( n, 65 )--# was: NOT n 'A' #
         OSL: [$OSL]
         ODF: [$OSL]--# was: ODF #
+        ODR: [$ODR]
         UART_SEND n: [USND]( n )--# was: UART_SEND n #
         UART_SEND n 1 1: [$UARTSEND]( 'n 1 1' )
             nearly: `UART_SEND` does nothing here, and no power comes out of it: it is about several bytes, or waits for the line
@@ -294,33 +296,6 @@ fn what_is_outside_of_a_program_does_nothing() {
         [$STRING]( 's n naïve  text' )
             `STRING` does nothing here, and power passes: LDmicro writes a number into a text as C does
     "#]].assert_eq(&out);
-}
-
-#[test]
-fn what_the_fork_itself_does_not_read_stays() {
-    let text = program(&["CONTACTS Xa 0 0\nODR\nCOIL Yb 0 0 0 0"]);
-    check(
-        &text,
-        expect![[r#"
-        # ldmicro: LDmicro0.2 #
-        # ldmicro: CYCLE=10000 #
-        # ldmicro: CRYSTAL=4000000 #
-        # ldmicro: BAUD=2400 #
-        # ladder: profile ldmicro #
-
-        VAR_INPUT
-            Xa : BOOL;
-        END_VAR
-        VAR_OUTPUT
-            Yb : BOOL;
-        END_VAR
-
-        +--[ ]( Xa )--# ldmicro: ODR #--------------------------------------( )( Yb )--+
-        12:1 ODR: refused: no release of LDmicro's fork whose code is known reads it
-        12:1 ldmicro-element: `ODR` stays as a comment: no release of LDmicro's fork whose code is known reads it
-    "#]],
-    );
-    assert_eq!(there_and_back(text.as_bytes()), Ok(text));
 }
 
 /// What a hand puts into the fields of such a block is no line of its own.

@@ -61,6 +61,7 @@ const ELEMENTS: &[&str] = &[
     "CONTACTS Xa 0 0",
     "CONTACTS Xa 1 1",
     "OSL",
+    "ODR",
     "OSC",
     "OSR",
     "IF_BIT_SET n# 3",

@@ -42,6 +42,13 @@ impl Made {
                 "q : BOOL",
                 &["[ ]( EN )--[OSR]--[XOR]( q, q, TRUE )"],
             ),
+            // No loader of the fork that is known reads it; this is what its name and that of `ODF` say.
+            Made::OneDropRising => Definition::new(
+                "When power comes, its own stays away for one scan; else it is there.",
+                "",
+                &["[ ]( EN )--[OSR]--( )( rose )", "[/]( rose )--( )( ENO )"],
+            )
+            .own(&["rose : BOOL"]),
             Made::OneShotLow => Definition::new(
                 "When power goes, its own stays away for one scan.",
                 "",

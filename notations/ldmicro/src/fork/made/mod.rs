@@ -15,8 +15,10 @@ use ladder_instructions::Op;
 pub(crate) enum Made {
     /// `COIL y 0 0 0 1`: a coil that changes over.
     Toggle,
-    /// `OSL`: low for one scan.
+    /// `OSL`: low for one scan after a fall.
     OneShotLow,
+    /// `ODR`: low for one scan after a rise.
+    OneDropRising,
     /// `OSC`
     Oscillator,
     /// `SHR y a n`
@@ -180,6 +182,7 @@ impl Made {
         let plain = [
             Made::Toggle,
             Made::OneShotLow,
+            Made::OneDropRising,
             Made::Oscillator,
             Made::ShiftRight,
             Made::ToBcd,
@@ -238,6 +241,7 @@ impl Made {
         let word = match self {
             Made::Toggle => "T",
             Made::OneShotLow => "OSL",
+            Made::OneDropRising => "ODR",
             Made::Oscillator => "OSC",
             Made::ShiftRight => "SHR",
             Made::ToBcd => "BIN2BCD",
@@ -322,6 +326,7 @@ impl Made {
         match self {
             Made::Toggle => format!("COIL {first} 0 0 0 1"),
             Made::OneShotLow => "OSL".to_owned(),
+            Made::OneDropRising => "ODR".to_owned(),
             Made::Oscillator => "OSC".to_owned(),
             Made::ShiftRight => format!("SHR {}", given.join(" ")),
             Made::ToBcd => format!("BIN2BCD {}", given.join(" ")),
