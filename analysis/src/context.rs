@@ -3,6 +3,7 @@
 use crate::findings::foreign_comment::ForeignComments;
 use crate::names::at_address::AtAddress;
 use crate::names::joined::{Joined, NamedTags};
+use crate::names::named_types::NamedTypes;
 use crate::names::problem::NameProblem;
 use crate::names::scope::{Entry, Origin, Scope, TagFacts};
 use crate::networks::network::BoundBlock;
@@ -41,6 +42,8 @@ pub struct Context {
     pub user_blocks: Vec<UserBlockFacts>,
     /// How many of them are its own.
     pub own_blocks: usize,
+    /// The types that it can name.
+    pub types: NamedTypes,
     /// Stands for what callers see of its own blocks.
     pub(crate) signatures: u64,
     /// The functions in the order of the text.
@@ -106,6 +109,12 @@ pub struct LabelFacts {
 }
 
 impl Context {
+    /// Whether an operand of the file names a value of a type, as in `Phase.IDLE`.
+    pub(crate) fn names_value_of(&self, ty: &Name) -> bool {
+        let names = |network: NetworkAt<'_>| network.facts().named.iter().any(|named| named.key == *ty);
+        self.networks.iter().any(names)
+    }
+
     /// Whether messages call the file so.
     pub fn is_called(&self, name: &str) -> bool {
         *self.name == *name

@@ -139,12 +139,62 @@ pub struct Tag {
     pub constant: bool,
     /// Its value at a cold start, one for each element; empty for zero, FALSE, the empty text.
     pub initial: Vec<Value>,
+    /// Where it is one of the elementary parts of a declared tag: how elements are named and counted.
+    pub column: Option<std::sync::Arc<ColumnOf>>,
     /// The direct address that it is declared at, or that it is.
     pub address: Option<String>,
     /// The user-defined block whose body it belongs to (index into [`Program::blocks`]).
     pub block: Option<usize>,
     /// Where it is declared, or first used.
     pub location: Location,
+}
+
+/// How the elements of a tag are named that is an elementary part of a declared one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ColumnOf {
+    /// First and last index of each array around the part, the outermost first. In the tag's name each has its place: `[]`.
+    pub dimensions: Box<[(i64, i64)]>,
+}
+
+impl Tag {
+    /// The name of an element, by its index in the tag.
+    pub fn element_name(&self, index: i64) -> String {
+        match &self.column {
+            Some(column) => element_name(&self.name, &column.dimensions, index),
+            None => format!("{}[{index}]", self.name),
+        }
+    }
+}
+
+/// The name of an element of a column: each `[]` in the name of that is the place of an index.
+pub fn element_name(column: &str, dimensions: &[(i64, i64)], index: i64) -> String {
+    let mut indices = Vec::with_capacity(dimensions.len());
+    if let &[_] = dimensions {
+        indices.push(index);
+    } else {
+        let mut rest = index;
+        for (first, last) in dimensions.iter().rev() {
+            let count = last - first + 1;
+            indices.push(first + rest.rem_euclid(count));
+            rest = rest.div_euclid(count);
+        }
+        indices.reverse();
+    }
+    let mut parts = column.split("[]");
+    let mut name = parts.next().unwrap_or_default().to_owned();
+    // Two pairs of brackets in a row are one: `g[1, 2]`.
+    let mut is_after_index = false;
+    for (part, index) in parts.zip(indices) {
+        if is_after_index {
+            name.pop();
+            name.push_str(&format!(", {index}]"));
+        } else {
+            name.push_str(&format!("[{index}]"));
+        }
+        name.push_str(part);
+        is_after_index = part.is_empty();
+    }
+    name
 }
 
 /// Another name of a tag at a direct address.
@@ -290,6 +340,11 @@ impl Expr {
                 right.each_read(give);
             }
             ExprKind::Call(_, arguments) => arguments.iter().for_each(|argument| argument.each_read(give)),
+            ExprKind::Offset(subscripts) => {
+                for subscript in subscripts {
+                    subscript.index.each_read(give);
+                }
+            }
             ExprKind::Constant(_) | ExprKind::Sum(_) => {}
         }
     }
@@ -306,6 +361,18 @@ impl Place {
     }
 }
 
+impl Argument {
+    /// The tag that it lies in, if it is a place, a range or a state.
+    pub fn root(&self) -> Option<TagId> {
+        match self {
+            Argument::Place(place, _) => place.root(),
+            Argument::Range(range) => Some(range.tag),
+            Argument::State(tag) => Some(*tag),
+            _ => None,
+        }
+    }
+}
+
 /// What is given for an operand.
 #[derive(Debug, Clone)]
 pub enum Argument {
@@ -313,6 +380,8 @@ pub enum Argument {
     Value(Expr),
     /// A place that is written (or read and written), and its type.
     Place(Place, Scalar),
+    /// A whole structure or array: each of its elementary parts as a place or a range, in the order of their declaration.
+    Parts(Vec<Argument>),
     /// The state of a timer, counter or bistable.
     State(TagId),
     /// A range of an array, or (with `last` absent) the elements from an index on.
@@ -389,6 +458,21 @@ pub enum ExprKind {
     Call(Op, Vec<Expr>),
     /// `SUM(a[1..9])`
     Sum(RangeRef),
+    /// Where an element of an array of several dimensions is, counted from 0 row by row.
+    Offset(Vec<Subscript>),
+}
+
+/// One index of several.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Subscript {
+    /// Any integer.
+    pub index: Expr,
+    /// The first index of the dimension.
+    pub first: i64,
+    /// The last one.
+    pub last: i64,
+    /// How many elements are from one index to the next.
+    pub stride: i64,
 }
 
 /// Unary operators of expressions.

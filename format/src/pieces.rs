@@ -124,7 +124,7 @@ impl<'t, F: FnMut(Piece)> Pieces<'t, F> {
         let is_first = name > 0 && entries[name - 1].kind == inside;
         match inside {
             CALL_EXPR => is_first && self.in_calc,
-            NAMED_OPERAND => is_first && !self.in_user_block,
+            NAMED_OPERAND => is_first && !self.in_user_block && entries[name - 1].inside != STRUCT_EXPR,
             OPERAND_LIST => self.in_search && operands == 2,
             _ => false,
         }
@@ -156,7 +156,7 @@ impl<'t, F: FnMut(Piece)> Pieces<'t, F> {
             L_PAREN if inside == OPERAND_LIST => (Space::Tight, Space::Blank),
             R_PAREN if inside == OPERAND_LIST => (Space::Blank, Space::Free),
             L_BRACKET if inside == ARRAY_EXPR => (Space::Free, Space::Tight),
-            L_PAREN if inside == PAREN_EXPR => (Space::Free, Space::Tight),
+            L_PAREN if matches!(inside, PAREN_EXPR | STRUCT_EXPR) => (Space::Free, Space::Tight),
             L_BRACKET | L_PAREN => (Space::Tight, Space::Tight),
             R_BRACKET | R_PAREN => (Space::Tight, Space::Free),
             // `-(a)(b)`: without the blank the text would read as a wire before a coil.

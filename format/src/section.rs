@@ -9,7 +9,7 @@ use ladder_syntax::LineKind;
 use ladder_syntax::SyntaxKind::*;
 use std::ops::Range;
 
-/// How far a declaration is in.
+/// How far a declaration is in, and how much further a member of a structure.
 const INDENT: u32 = 4;
 
 /// The parts of a declaration, and with them the columns of a run.
@@ -26,6 +26,7 @@ struct Widths {
 /// Where the parts of a run of declarations begin.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 struct Columns {
+    indent: u32,
     at: u32,
     colon: u32,
     assign: u32,
@@ -35,27 +36,47 @@ struct Columns {
 pub(crate) fn write<S: Sink>(source: Source<'_>, lines: Range<usize>, pen: &mut Pen<'_, S>) {
     // The first of the blank lines after the last declaration or comment, which wait for the next one.
     let mut blank = None;
-    let mut columns = None;
-    let mut is_within = false;
+    // The columns of the run around a structure, and in one those of its members.
+    let mut runs: [Option<Columns>; 2] = [None; 2];
+    let mut level = 0;
+    let mut may_part = false;
     for line in lines.clone() {
         let kind = source.kind(line);
         if kind == LineKind::Blank {
-            columns = None;
-            blank = blank.or(is_within.then_some(line));
+            runs[level] = None;
+            blank = blank.or(may_part.then_some(line));
             continue;
         }
-        is_within = matches!(kind, LineKind::Declaration | LineKind::Comment);
-        if let Some(blank) = blank.take().filter(|_| is_within) {
+        let may_be_parted = matches!(
+            kind,
+            LineKind::Declaration | LineKind::StructHeader | LineKind::Comment
+        );
+        may_part = matches!(
+            kind,
+            LineKind::Declaration | LineKind::StructEnd | LineKind::Comment
+        );
+        if let Some(blank) = blank.take().filter(|_| may_be_parted) {
             end_line(source, blank, lines.end, pen);
         }
+        let indent = INDENT * (level as u32 + 1);
         match kind {
-            LineKind::Declaration => {
-                let columns = columns.get_or_insert_with(|| run_columns(source, line..lines.end));
-                declaration(source, line, *columns, pen);
+            LineKind::Declaration | LineKind::StructHeader => {
+                let columns =
+                    *runs[level].get_or_insert_with(|| run_columns(source, line..lines.end, indent));
+                declaration(source, line, columns, pen);
+                if kind == LineKind::StructHeader {
+                    level = 1;
+                    runs[1] = None;
+                }
+            }
+            LineKind::StructEnd => {
+                level = 0;
+                pen.blanks(INDENT);
+                words(source, line, pen);
             }
             LineKind::Comment => {
-                columns = None;
-                pen.blanks(INDENT);
+                runs[level] = None;
+                pen.blanks(indent);
                 comment_line(source, line, pen);
             }
             _ => words(source, line, pen),
@@ -129,11 +150,19 @@ pub(crate) fn write_piece<S: Sink>(pen: &mut Pen<'_, S>, piece: Piece) {
     }
 }
 
-/// The columns of the run of declarations that the first of some lines begins.
-fn run_columns(source: Source<'_>, lines: Range<usize>) -> Columns {
+/// The columns of the run of declarations that the first of some lines begins. The members of a structure do not part the run
+/// that it is in.
+fn run_columns(source: Source<'_>, lines: Range<usize>, indent: u32) -> Columns {
     let mut widest = Widths::default();
-    let is_declaration = |line: &usize| source.kind(*line) == LineKind::Declaration;
-    for line in lines.take_while(is_declaration) {
+    let mut is_in_struct = false;
+    for line in lines {
+        match source.kind(line) {
+            LineKind::StructEnd if is_in_struct => is_in_struct = false,
+            _ if is_in_struct => continue,
+            LineKind::StructHeader => is_in_struct = true,
+            LineKind::Declaration => {}
+            _ => break,
+        }
         let widths = measure(source.text, source.line(line));
         widest.names = widest.names.max(widths.names);
         widest.address = widest.address.max(widths.address);
@@ -141,13 +170,14 @@ fn run_columns(source: Source<'_>, lines: Range<usize>) -> Columns {
             widest.ty = widest.ty.max(widths.ty);
         }
     }
-    let at = INDENT + widest.names + 1;
+    let at = indent + widest.names + 1;
     let colon = if widest.address > 0 {
         at + widest.address + 1
     } else {
         at
     };
     Columns {
+        indent,
         at,
         colon,
         assign: colon + 2 + widest.ty + 1,
@@ -182,10 +212,11 @@ fn declaration<S: Sink>(source: Source<'_>, line: usize, columns: Columns, pen: 
     let mut after = node.start();
     for part in node.children() {
         let place = match part.kind() {
-            NAME_LIST => INDENT,
+            NAME_LIST => columns.indent,
             AT_CLAUSE => columns.at,
             COLON => columns.colon,
-            TYPE_REF => columns.colon + 2,
+            // `STRUCT` stands in the place of a type.
+            TYPE_REF | KEYWORD => columns.colon + 2,
             INITIAL_VALUE => columns.assign,
             SEMICOLON => column,
             _ => continue,
@@ -198,6 +229,9 @@ fn declaration<S: Sink>(source: Source<'_>, line: usize, columns: Columns, pen: 
                 write_piece(pen, piece);
             })
             .node(part);
+        } else if part.kind() == KEYWORD {
+            pen.keep_in_capitals(part.start(), part.end());
+            column += display_width(&text[part.start()..part.end()]);
         } else {
             pen.keep(part.start(), part.end());
             column += 1;

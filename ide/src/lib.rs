@@ -23,6 +23,7 @@ pub mod markdown;
 mod neighbour;
 mod on_type;
 mod outline;
+mod path;
 mod refactor;
 mod references;
 mod rename;

@@ -59,6 +59,8 @@ pub(crate) enum Kind {
     Duration,
     /// An array.
     Range,
+    /// A whole structure or array of this type.
+    Whole(Type),
     Label,
     Function,
     SearchOperator,
@@ -126,6 +128,7 @@ fn of_parameter(parameter: &Parameter) -> Wanted {
         Some(Type::Scalar(ty)) => Kind::To(ty),
         Some(Type::State(state)) => Kind::State(state),
         Some(Type::Array { .. }) => Kind::Range,
+        Some(ty @ Type::Compound(_)) => Kind::Whole(ty),
         None => Kind::Any,
     };
     Wanted {
@@ -241,15 +244,8 @@ pub(crate) fn type_of(context: &Context, scope: usize, text: &str) -> Option<Sca
 /// The type of a tag, or of an array's element.
 pub(crate) fn whole_type(context: &Context, scope: usize, text: &str) -> Option<Type> {
     let text = text.trim();
-    if let Some(array) = text
-        .strip_suffix(']')
-        .and_then(|t| t.split_once('['))
-        .map(|(array, _)| array)
-    {
-        return match tag_of(context, scope, array.trim())?.ty? {
-            Type::Array { element, .. } => Some(Type::Scalar(element)),
-            _ => None,
-        };
+    if text.contains(['[', '.']) {
+        return crate::path::type_of(context, scope, text);
     }
     match tag_of(context, scope, text) {
         Some(tag) => tag.ty,
@@ -260,6 +256,23 @@ pub(crate) fn whole_type(context: &Context, scope: usize, text: &str) -> Option<
 /// How well a tag of a type fits, in a profile with these differences: 0 as it is, 1 it passes, 2 an element or member
 /// of it does. None: not at all.
 pub(crate) fn rank(semantics: &Semantics, wanted: &Wanted, ty: Type) -> Option<u8> {
+    const COLUMNS: usize = 32;
+    match (wanted.kind, ty) {
+        (Kind::Whole(whole), _) if whole == ty => return Some(0),
+        (Kind::Whole(_), _) => return None,
+        (Kind::Any, Type::Compound(_)) => return Some(1),
+        (_, Type::Compound(_)) => {
+            let columns = ty.column_list();
+            let mut parts = columns
+                .iter()
+                .take(COLUMNS)
+                .filter(|column| !matches!(column.ty, Type::Compound(_)));
+            return parts
+                .any(|column| rank(semantics, wanted, column.ty).is_some())
+                .then_some(2);
+        }
+        _ => {}
+    }
     let bits = |ty: Scalar| ty.is_bits() || ty.is_integer();
     match (wanted.kind, ty) {
         (Kind::Bool | Kind::BoolOrRange | Kind::BoolRangeOrState, _) => match ty {
@@ -286,7 +299,8 @@ pub(crate) fn rank(semantics: &Semantics, wanted: &Wanted, ty: Type) -> Option<u
         (Kind::State(_) | Kind::TimerOrCounter, _) => None,
         (Kind::Range, Type::Array { .. }) => Some(0),
         (Kind::Range, _) => None,
-        (Kind::Label | Kind::Function | Kind::SearchOperator, _) => None,
+        (Kind::Label | Kind::Function | Kind::SearchOperator | Kind::Whole(_), _)
+        | (_, Type::Compound(_)) => None,
         (Kind::Any, Type::Scalar(_)) => Some(0),
         (Kind::Any, Type::Array { .. } | Type::State(_)) => Some(1),
         (_, Type::Scalar(ty)) => scalar_rank(wanted, ty),

@@ -76,7 +76,7 @@ pub(crate) fn parts<'p>(
         Type::Array { first, last, .. } => (first, last),
         // Read as an array of one.
         Type::Scalar(_) => (0, 0),
-        Type::State(_) => (0, -1),
+        Type::State(_) | Type::Compound(_) => (0, -1),
     };
     let members = match (home, tag.ty) {
         (Home::State { state, .. }, _) => shown(state),
@@ -109,7 +109,7 @@ pub(crate) fn element(tag: &Tag, home: Home, index: i64) -> Option<Point> {
     let (name, ty, offset) = match tag.ty {
         Type::Scalar(ty) => (tag.name.clone(), ty, 0),
         Type::Array { first, last, element } if (first..=last).contains(&index) => {
-            (format!("{}[{index}]", tag.name), element, (index - first) as u32)
+            (tag.element_name(index), element, (index - first) as u32)
         }
         _ => return None,
     };

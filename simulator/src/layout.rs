@@ -235,6 +235,12 @@ impl Layout {
                 let len = (i128::from(last) - i128::from(first) + 1).max(0);
                 (first, usize::try_from(len).map_err(|_| too_large())?, element)
             }
+            Type::Compound(_) => {
+                return Err(CompileError {
+                    message: format!("{} cannot be simulated yet: it is the state of a block", tag.name),
+                    location: tag.location,
+                });
+            }
             Type::State(state) => {
                 let (bits, words) = state_size(state);
                 let home = Home::State {

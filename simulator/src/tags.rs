@@ -6,7 +6,7 @@ use crate::layout::{self, Home, MemberSlot};
 use crate::members::{member_of, members};
 use crate::memory::{Bit, Memory, TextSlot, Word};
 use crate::system::{self, SystemSlot};
-use ladder_analysis::program::{Program, Role, SystemTag, TagId};
+use ladder_analysis::program::{Program, Role, SystemTag, Tag, TagId};
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::values::value::Value;
 use ladder_analysis::with_article;
@@ -178,8 +178,13 @@ impl Names {
                     "{} is an array: name one of its elements, as in {}[{first}]",
                     tag.name, tag.name
                 )),
-                Type::Scalar(_) => unknown(format!("{} has no value that can be shown", tag.name)),
+                Type::Scalar(_) | Type::Compound(_) => {
+                    unknown(format!("{} has no value that can be shown", tag.name))
+                }
             };
+        }
+        if let Some(found) = self.in_column(program, homes, text) {
+            return found;
         }
         if let Some((array, index)) = text.strip_suffix(']').and_then(|text| text.rsplit_once('[')) {
             return self.element(program, homes, array.trim_end(), index.trim());
@@ -190,9 +195,44 @@ impl Names {
         self.unknown_tag(program, text)
     }
 
+    /// The value of an elementary part by its path: `lines[2].running`. None: there is no such part.
+    fn in_column(&self, program: &Program, homes: &[Home], text: &str) -> Option<Result<Point, UnknownTag>> {
+        let (column, indices) = without_indices(text)?;
+        let number = self.find(&column)?;
+        let tag = &program.tags[number];
+        let dimensions = &tag.column.as_ref()?.dimensions;
+        if dimensions.len() != indices.len() {
+            return None;
+        }
+        let mut position = 0;
+        for (index, (first, last)) in indices.iter().zip(dimensions) {
+            if !(first..=last).contains(&index) {
+                return Some(unknown(format!(
+                    "{} does not exist: this index goes from {first} to {last}",
+                    canonical(text)
+                )));
+            }
+            position = position * (last - first + 1) + (index - first);
+        }
+        if let Type::Array { first, .. } = tag.ty {
+            position += first;
+        }
+        let point = groups::element(tag, homes[number], position);
+        Some(point.map_or_else(
+            || unknown(format!("{} has no value that can be shown", tag.name)),
+            Ok,
+        ))
+    }
+
     /// The number of the tag with this name.
     pub(crate) fn find(&self, text: &str) -> Option<usize> {
-        self.tags.get(&Name::new(text)).map(|&index| index as usize)
+        let found = self.tags.get(&Name::new(text));
+        // The state of an element is a tag of its own, with the index in its name.
+        let spaced = || {
+            text.contains('[')
+                .then(|| self.tags.get(&Name::new(&canonical(text))))?
+        };
+        found.or_else(spaced).map(|&index| index as usize)
     }
 
     fn element(
@@ -310,6 +350,28 @@ impl Names {
 
     fn unknown_tag<T>(&self, program: &Program, text: &str) -> Result<T, UnknownTag> {
         let typed = Name::new(text);
+        let is_part = |tag: &&Tag| {
+            let rest = tag
+                .name
+                .get(..text.len())
+                .filter(|start| Name::new(start) == typed);
+            let rest = rest.and_then(|_| tag.name.get(text.len()..));
+            tag.column.is_some() && rest.is_some_and(|rest| rest.starts_with(['.', '[']))
+        };
+        if let Some(part) = program.tags.iter().find(is_part) {
+            let first = part.column.as_ref().map_or(0, |column| match *column.dimensions {
+                [(first, _)] => first,
+                _ => 0,
+            });
+            return unknown(format!(
+                "{text} has parts: name one of them, as in {}",
+                if part.name.contains("[]") {
+                    part.element_name(first)
+                } else {
+                    part.name.clone()
+                }
+            ));
+        }
         let letters = text.chars().count();
         let nearest = self
             .tags
@@ -329,6 +391,35 @@ impl Names {
             None => unknown(format!("there is no tag `{text}` in this program")),
         }
     }
+}
+
+/// A path without its indices, and these: `lines[2].running` is `lines[].running` at 2. None: an index is no number.
+fn without_indices(text: &str) -> Option<(String, Vec<i64>)> {
+    let (mut column, mut indices) = (String::new(), Vec::new());
+    let mut rest = text;
+    while let Some((before, after)) = rest.split_once('[') {
+        let (inside, after) = after.split_once(']')?;
+        column.push_str(before.trim());
+        for index in inside.split(',') {
+            indices.push(index.trim().parse().ok()?);
+            column.push_str("[]");
+        }
+        rest = after;
+    }
+    column.push_str(rest.trim());
+    (!indices.is_empty() || column.contains('.')).then_some((column, indices))
+}
+
+/// A path as it is shown: without blanks but after the commas between its indices.
+pub(crate) fn canonical(text: &str) -> String {
+    let mut out = String::new();
+    for c in text.chars().filter(|c| !c.is_whitespace()) {
+        out.push(c);
+        if c == ',' {
+            out.push(' ');
+        }
+    }
+    out.replace("][", ", ")
 }
 
 fn system_tag(name: &str) -> Result<Point, UnknownTag> {

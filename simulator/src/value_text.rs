@@ -1,9 +1,11 @@
 //! Values as text: for traces, for people, and back.
 
+use ladder_analysis::values::compound::Enumeration;
 use ladder_analysis::values::literal::{Literal, LiteralProblem, literal};
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::{Value, wrap};
 use ladder_analysis::with_article;
+use ladder_syntax::Name;
 use std::fmt::{self, Write};
 
 /// A value as a cell of a trace: BOOL as 0 or 1, TIME in milliseconds, reals in the shortest form that reads back
@@ -55,6 +57,10 @@ pub(crate) fn write_cell(out: &mut dyn Write, value: &Value, ty: Scalar) -> fmt:
             }
             // Held as the same 64 bits.
             Scalar::Ulint | Scalar::Lword => write!(out, "{}", *number as u64),
+            Scalar::Enum(id) => match id.get().name_of(*number) {
+                Some(name) => out.write_str(name),
+                None => write!(out, "{number}"),
+            },
             _ => write!(out, "{number}"),
         },
     }
@@ -202,6 +208,9 @@ pub fn parse(text: &str, ty: Scalar) -> Result<Value, String> {
             return Ok(Value::Text(text.as_bytes().into()));
         }
     }
+    if let Scalar::Enum(id) = ty {
+        return enumeration_value(text, &id.get());
+    }
     let wrong = || {
         format!(
             "`{text}` is not a value for {}: {}",
@@ -283,6 +292,31 @@ pub fn parse(text: &str, ty: Scalar) -> Result<Value, String> {
         (Literal::Text(bytes), Scalar::String(_)) if !negative => Ok(Value::Text(bytes)),
         _ => Err(wrong()),
     }
+}
+
+/// `FILLING`, in any case, also with its type before it.
+fn enumeration_value(text: &str, enumeration: &Enumeration) -> Result<Value, String> {
+    let name = match text.split_once('.') {
+        Some((ty, name)) if Name::new(ty.trim()) == Name::new(&enumeration.name) => name.trim(),
+        _ => text,
+    };
+    let found = enumeration
+        .number(name)
+        .map(|number| Value::Int(i64::from(number)));
+    found.ok_or_else(|| {
+        const NAMED: usize = 20;
+        let names = enumeration
+            .values
+            .iter()
+            .take(NAMED)
+            .map(|(name, _)| name.as_str());
+        let names: Vec<&str> = names.collect();
+        format!(
+            "`{text}` is not a value of {}: write one of {}",
+            enumeration.name,
+            names.join(" ")
+        )
+    })
 }
 
 fn real(number: f64, ty: Scalar) -> Option<Value> {

@@ -5,7 +5,7 @@
 //! the same state: from there on everything is as it was.
 
 use crate::grammar::Entry;
-use crate::line::{LineKind, Mode, ReadLine};
+use crate::line::{LineKind, ReadLine};
 use crate::line_tree::{BEFORE, Line, with_text};
 use crate::lines::{entry_after, line_at};
 use crate::parse::{Parse, parse};
@@ -216,9 +216,9 @@ fn common_suffix(a: &[u8], b: &[u8]) -> usize {
 /// Whether a line's parse may have checked lines after it: a declaration that lacks something was read on to see
 /// whether the rest follows, over blank and comment lines.
 fn looks_ahead(line: &Line) -> bool {
-    line.mode_after == Mode::Section
+    line.mode_after.is_in_section()
         && match line.kind {
-            LineKind::Declaration => !line.errors.is_empty(),
+            LineKind::Declaration | LineKind::StructHeader | LineKind::StructEnd => !line.errors.is_empty(),
             LineKind::Blank | LineKind::Comment => true,
             _ => false,
         }

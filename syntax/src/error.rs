@@ -78,7 +78,10 @@ impl SyntaxErrorKind {
         matches!(
             self,
             SyntaxErrorKind::BadDeclaration(
-                DeclarationProblem::SectionNotClosed | DeclarationProblem::BlockNotClosed
+                DeclarationProblem::SectionNotClosed
+                    | DeclarationProblem::TypesNotClosed
+                    | DeclarationProblem::StructNotClosed
+                    | DeclarationProblem::BlockNotClosed
             )
         )
     }
@@ -156,8 +159,24 @@ pub enum DeclarationProblem {
     Unexpected,
     /// The section above is not closed by END_VAR.
     SectionNotClosed,
-    /// END_VAR without a section.
+    /// The section above is not closed by END_TYPE.
+    TypesNotClosed,
+    /// END_VAR, END_TYPE or END_STRUCT without what it closes.
     EndWithoutSection,
+    /// END_VAR closes what TYPE began, or the other way round.
+    OtherEnd,
+    /// The STRUCT above is not closed by END_STRUCT.
+    StructNotClosed,
+    /// STRUCT among tags.
+    StructOutsideTypes,
+    /// STRUCT inside a STRUCT.
+    NestedStruct,
+    /// The list of an enumeration among tags or members.
+    EnumerationOutsideTypes,
+    /// A value's name is expected in the list of an enumeration.
+    EnumerationValueExpected,
+    /// A member's name and `:=` are expected in the values of a structure.
+    MemberExpected,
     /// Something is after END_VAR, or another keyword that ends its line, on the same line.
     LineNotEnded,
     /// FUNCTION_BLOCK without a block's head such as `[$Name]`.

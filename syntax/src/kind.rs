@@ -117,8 +117,12 @@ pub enum SyntaxKind {
     SECTION_HEADER,
     /// `start, stop : BOOL;`
     DECLARATION,
-    /// `END_VAR`
+    /// `END_VAR`, `END_TYPE`
     SECTION_END,
+    /// `Motor : STRUCT`
+    STRUCT_HEADER,
+    /// `END_STRUCT;`
+    STRUCT_END,
     /// `FUNCTION_BLOCK [$Name]`
     BLOCK_HEADER,
     /// `END_FUNCTION_BLOCK`
@@ -149,7 +153,7 @@ pub enum SyntaxKind {
     LITERAL_EXPR,
     /// `t1.Q`, `word.3`
     MEMBER_EXPR,
-    /// `a[i]`, `a[3..9]`
+    /// `a[i]`, `a[3..9]`, `a[i, 3]`
     INDEX_EXPR,
     /// `3..9` inside the brackets of an index.
     RANGE_EXPR,
@@ -163,6 +167,8 @@ pub enum SyntaxKind {
     CALL_EXPR,
     /// `[1, 2, 3]` as an initial value; `4(0)` inside it is a CALL_EXPR on a literal.
     ARRAY_EXPR,
+    /// `(speed := 20.0)` as an initial value; each member is a NAMED_OPERAND.
+    STRUCT_EXPR,
     /// Tokens of an operand or declaration that fit nowhere.
     ERROR_NODE,
 
@@ -171,8 +177,10 @@ pub enum SyntaxKind {
     NAME_LIST,
     /// `AT %IX0.0`
     AT_CLAUSE,
-    /// `INT`, `STRING[80]`, `ARRAY[1..9] OF INT`
+    /// `INT`, `STRING[80]`, `ARRAY[1..9] OF INT`, `(IDLE, FILLING)`, `INT(0..100)`
     TYPE_REF,
+    /// `MIXING := 10` in the list of an enumeration.
+    ENUM_VALUE,
     /// `:= 5`
     INITIAL_VALUE,
 }
@@ -247,6 +255,8 @@ impl SyntaxKind {
             SECTION_HEADER,
             DECLARATION,
             SECTION_END,
+            STRUCT_HEADER,
+            STRUCT_END,
             BLOCK_HEADER,
             BLOCK_END,
             STRAY_LINE,
@@ -267,10 +277,12 @@ impl SyntaxKind {
             PAREN_EXPR,
             CALL_EXPR,
             ARRAY_EXPR,
+            STRUCT_EXPR,
             ERROR_NODE,
             NAME_LIST,
             AT_CLAUSE,
             TYPE_REF,
+            ENUM_VALUE,
             INITIAL_VALUE,
         ]
     };

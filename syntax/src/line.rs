@@ -1,6 +1,6 @@
 //! The logical line: what is parsed on its own, and the small summary from which networks are grouped.
 
-use crate::error::SyntaxError;
+use crate::error::{DeclarationProblem, SyntaxError};
 use crate::kind::SyntaxKind;
 
 /// What a logical line is.
@@ -18,8 +18,12 @@ pub enum LineKind {
     SectionHeader,
     /// One declaration, up to its `;`.
     Declaration,
-    /// `END_VAR`.
+    /// `END_VAR`, `END_TYPE`.
     SectionEnd,
+    /// `Motor : STRUCT`.
+    StructHeader,
+    /// `END_STRUCT;`.
+    StructEnd,
     /// `FUNCTION_BLOCK [$Name]`.
     BlockHeader,
     /// `END_FUNCTION_BLOCK`.
@@ -39,6 +43,8 @@ impl LineKind {
             LineKind::SectionHeader => SyntaxKind::SECTION_HEADER,
             LineKind::Declaration => SyntaxKind::DECLARATION,
             LineKind::SectionEnd => SyntaxKind::SECTION_END,
+            LineKind::StructHeader => SyntaxKind::STRUCT_HEADER,
+            LineKind::StructEnd => SyntaxKind::STRUCT_END,
             LineKind::BlockHeader => SyntaxKind::BLOCK_HEADER,
             LineKind::BlockEnd => SyntaxKind::BLOCK_END,
             LineKind::Stray => SyntaxKind::STRAY_LINE,
@@ -57,8 +63,71 @@ pub enum Mode {
     /// Between sections.
     #[default]
     Network,
-    /// Between a section's header and its END_VAR.
+    /// Between the header of a VAR section and its END_VAR.
     Section,
+    /// Between TYPE and END_TYPE.
+    Types,
+    /// Between STRUCT and END_STRUCT.
+    Struct {
+        /// So many more are open around it, which none should be.
+        around: u8,
+        /// Whether the section around it is TYPE, as it should be.
+        in_types: bool,
+    },
+}
+
+impl Mode {
+    /// Whether a section is open.
+    pub const fn is_in_section(self) -> bool {
+        !matches!(self, Mode::Network)
+    }
+
+    /// Whether the section that is open, if one is, is closed by END_TYPE.
+    pub(crate) const fn is_in_types(self) -> bool {
+        matches!(self, Mode::Types | Mode::Struct { in_types: true, .. })
+    }
+
+    /// What is wrong where the section ends without its end.
+    pub(crate) const fn not_closed(self) -> DeclarationProblem {
+        match self {
+            Mode::Struct { .. } => DeclarationProblem::StructNotClosed,
+            Mode::Types => DeclarationProblem::TypesNotClosed,
+            Mode::Section | Mode::Network => DeclarationProblem::SectionNotClosed,
+        }
+    }
+
+    /// Within a STRUCT that begins here.
+    pub(crate) const fn opened(self) -> Mode {
+        match self {
+            Mode::Struct { around, in_types } => Mode::Struct {
+                around: around.saturating_add(1),
+                in_types,
+            },
+            other => Mode::Struct {
+                around: 0,
+                in_types: matches!(other, Mode::Types),
+            },
+        }
+    }
+
+    /// After the END_STRUCT that closes what is open.
+    pub(crate) const fn closed(self) -> Mode {
+        match self {
+            Mode::Struct {
+                around: 0,
+                in_types: true,
+            } => Mode::Types,
+            Mode::Struct {
+                around: 0,
+                in_types: false,
+            } => Mode::Section,
+            Mode::Struct { around, in_types } => Mode::Struct {
+                around: around - 1,
+                in_types,
+            },
+            other => other,
+        }
+    }
 }
 
 /// A parsed logical line. It may begin in the middle of a physical line (after a `;` of a declaration) and may

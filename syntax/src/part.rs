@@ -62,10 +62,15 @@ impl Part {
         let is_in_section = |line: &Line| {
             matches!(
                 line.kind,
-                LineKind::Declaration | LineKind::Comment | LineKind::Blank
+                LineKind::Declaration
+                    | LineKind::StructHeader
+                    | LineKind::StructEnd
+                    | LineKind::Comment
+                    | LineKind::Blank
             )
         };
-        let declarations = || numbers().filter(|(_, line)| line.kind == LineKind::Declaration);
+        let declares = |line: &Line| !matches!(line.kind, LineKind::Comment | LineKind::Blank);
+        let declarations = || numbers().filter(|(_, line)| declares(line));
         Part {
             starts,
             frame: frame.map(|(number, _)| number).collect(),
@@ -205,6 +210,8 @@ fn is_open_after(open: bool, line: &Line) -> bool {
         LineKind::SectionHeader
         | LineKind::Declaration
         | LineKind::SectionEnd
+        | LineKind::StructHeader
+        | LineKind::StructEnd
         | LineKind::BlockHeader
         | LineKind::BlockEnd => false,
     }

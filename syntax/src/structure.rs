@@ -5,7 +5,7 @@
 
 use crate::error::{DeclarationProblem, SyntaxErrorKind};
 use crate::file_lines::FileLines;
-use crate::line::{LineKind, Mode, ReadLine};
+use crate::line::{LineKind, ReadLine};
 use crate::lines::{LineList, Lines};
 use std::ops::Range;
 
@@ -83,9 +83,9 @@ impl Network {
 /// A section of declarations.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Section {
-    /// From the header to END_VAR.
+    /// From the header to END_VAR or END_TYPE.
     pub lines: Range<usize>,
-    /// Whether END_VAR is there.
+    /// Whether that is there.
     pub closed: bool,
     /// The block definition that it belongs to.
     pub block: Option<usize>,
@@ -187,7 +187,11 @@ impl Grouping {
             LineKind::Rung => {}
             LineKind::Rail | LineKind::Comment | LineKind::Blank => out.items.push(Item::Decoration(index)),
             // An END_VAR without a section; the parser reported it.
-            LineKind::Stray | LineKind::Declaration | LineKind::SectionEnd => {
+            LineKind::Stray
+            | LineKind::Declaration
+            | LineKind::SectionEnd
+            | LineKind::StructHeader
+            | LineKind::StructEnd => {
                 out.items.push(Item::Stray(index));
             }
             LineKind::SectionHeader => {
@@ -197,12 +201,11 @@ impl Grouping {
                     .checked_sub(1)
                     .map(|last| lines.line(last).mode_after);
                 // Where a drawing or a block definition ends it, that line's parse has reported it.
-                if !closed
-                    && last_mode == Some(Mode::Section)
+                let open = last_mode.filter(|mode| mode.is_in_section() && !closed);
+                if let Some(mode) = open
                     && (end..lines.count()).all(|line| lines.line(line).kind.is_decoration())
                 {
-                    out.problems
-                        .push((index, bad(DeclarationProblem::SectionNotClosed)));
+                    out.problems.push((index, bad(mode.not_closed())));
                 }
                 out.items.push(Item::Section(out.sections.len()));
                 out.sections.push(Section {
@@ -314,7 +317,7 @@ fn section_end<L: LineList + ?Sized>(lines: &L, header: usize) -> (usize, bool) 
         }
         match lines.line(index).kind {
             LineKind::SectionEnd => return (index + 1, true),
-            LineKind::Declaration => end = index + 1,
+            LineKind::Declaration | LineKind::StructHeader | LineKind::StructEnd => end = index + 1,
             LineKind::Comment | LineKind::Blank => {}
             _ => break,
         }

@@ -13,6 +13,7 @@ pub(crate) fn of_network(context: &Context, network: NetworkAt<'_>) -> u64 {
     // One hasher takes all of it: a sum of hashes stays the same where two tags exchange their types.
     let mut hasher = FxHasher::default();
     (context.profile, context.signatures, network.scope).hash(&mut hasher);
+    context.types.stamp(&mut hasher);
     let scope = &context.scopes[network.scope];
     for (number, (_, tag)) in (0u32..).zip(context.names_of(network).iter()) {
         number.hash(&mut hasher);

@@ -44,6 +44,7 @@ pub(crate) fn user_block(parse: &Parse, definition: &BlockDefinition, scope: &Sc
                 name: facts.name.to_string(),
                 key: Name::new(&facts.name),
                 ty: facts.ty.filter(|_| !facts.mistyped),
+                declared: facts.cold.declared.clone(),
                 tag,
                 kind,
                 has_default: !facts.cold.initial.is_empty(),

@@ -4,6 +4,7 @@
 //! those the rest takes one word.
 
 use crate::names::scope::Entry;
+use crate::names::type_spec::Declared;
 use crate::values::value::Value;
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
@@ -13,6 +14,8 @@ use std::sync::Arc;
 pub struct ColdFacts {
     /// Initial values; empty for the type's own.
     pub initial: Vec<Value>,
+    /// What its declaration says of its type, if that is more than an elementary type, a state or an array of elementary values.
+    pub declared: Option<Arc<Declared>>,
     /// The address after AT, or the address itself.
     pub address: Option<Box<str>>,
     /// The tag that this entry leads to, if it is one of another scope.
@@ -28,6 +31,7 @@ impl ColdFacts {
     /// Nothing of it.
     pub(crate) const NONE: ColdFacts = ColdFacts {
         initial: Vec::new(),
+        declared: None,
         address: None,
         alias_of: None,
         foreign: None,
@@ -41,6 +45,7 @@ pub struct Cold(Option<Box<ColdFacts>>);
 impl From<ColdFacts> for Cold {
     fn from(facts: ColdFacts) -> Cold {
         let is_any = !facts.initial.is_empty()
+            || facts.declared.is_some()
             || facts.address.is_some()
             || facts.alias_of.is_some()
             || facts.foreign.is_some();

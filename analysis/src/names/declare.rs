@@ -1,8 +1,9 @@
 //! Declarations: from sections to the tags of a scope (LANGUAGE §4).
 
+use super::named_types::NamedTypes;
 use super::problem::NameProblem;
+use super::type_spec::{self, Constants, Declared, Initial, TypeSpec};
 use crate::names::cold::{Cold, ColdFacts};
-use crate::names::did_you_mean;
 use crate::names::scope::{Origin, Scope, SectionKind, TagFacts, type_by_form};
 use crate::networks::facts;
 use crate::networks::reading::TOGETHER;
@@ -10,18 +11,12 @@ use crate::networks::use_place::Uses;
 use crate::program::Role;
 use crate::still_wanted::StillWanted;
 use crate::values::constant;
-use crate::values::types::{Scalar, Type};
-use ladder_instructions::StateType;
-use ladder_syntax::ast::{AstNode, Declaration, NodeView, SectionHeader, TypeRef};
+use ladder_syntax::ast::{AstNode, Declaration, NodeView, SectionHeader};
 use ladder_syntax::rowan::GreenNode;
 use ladder_syntax::{
     Line, LineKind, Name, Parse, Section, TextRange, TextSize, Trees, is_declaration_keyword, is_reserved,
 };
-
-/// The longest array: what still shows and saves quickly.
-const MAX_ELEMENTS: i128 = 1_000_000;
-/// The longest STRING.
-const MAX_STRING: i128 = 32_767;
+use std::sync::Arc;
 
 /// What a section's first line says of the declarations in it; none if it cannot be read.
 fn around(parse: &Parse, section: &Section) -> Option<Around> {
@@ -62,6 +57,7 @@ pub(crate) fn section(
     parse: &Parse,
     section: &Section,
     scope: &mut Scope,
+    (named, constants): (&mut NamedTypes, &Constants),
     out: &mut Vec<NameProblem>,
     wanted: &StillWanted<'_>,
 ) -> Option<()> {
@@ -89,7 +85,12 @@ pub(crate) fn section(
             wanted.one_more()?;
             let found = out.len();
             if let Some(node) = Declaration::cast(NodeView::root(&tree)) {
-                declaration(&node, start, around, scope, out);
+                let mut types = Types {
+                    named: &mut *named,
+                    constants,
+                    line,
+                };
+                declaration(&node, start, around, &mut types, scope, out);
             }
             // What the parser has to say about the line is enough.
             if !line.errors.is_empty() {
@@ -108,24 +109,47 @@ struct Around {
     in_block: bool,
 }
 
+/// What is known of types where a declaration is read.
+struct Types<'t> {
+    named: &'t mut NamedTypes,
+    constants: &'t Constants,
+    /// The line of the declaration.
+    line: &'t Line,
+}
+
 /// Adds the tags of a declaration, whose line starts here. What is wrong with it goes to `out`.
 fn declaration(
     node: &Declaration,
     start: TextSize,
     context: Around,
+    types: &mut Types<'_>,
     scope: &mut Scope,
     out: &mut Vec<NameProblem>,
 ) {
     let meaningless = |range: TextRange, message: String| NameProblem::Meaningless(range + start, message);
     // Where the type cannot be read the tag is declared all the same, and its places say its type: one error.
-    let ty = match node.type_ref().map(|type_ref| declared_type(&type_ref)) {
-        Some(Ok(ty)) => ty,
+    let spec = match node
+        .type_ref()
+        .map(|type_ref| type_spec::read(&type_ref, start, types.constants))
+    {
+        Some(Ok(spec)) => spec,
         Some(Err((range, message))) => {
             out.push(meaningless(range, message));
             None
         }
         None => None,
     };
+    let known = spec.as_ref().and_then(TypeSpec::known);
+    // What is not known by itself crosses files as it is written.
+    let declared = spec.filter(|_| known.is_none()).map(|spec| {
+        let initial = node.initial_value();
+        let initial = initial.map(|value| Initial::new(&value, start, types.line.text()));
+        Arc::new(Declared { spec, initial })
+    });
+    let meaning = declared
+        .as_ref()
+        .and_then(|declared| types.named.meaning(declared, out));
+    let ty = known.or(meaning.as_ref().map(|(ty, _)| *ty));
     let address = node.address();
     if let Some(token) = &address
         && let Some(message) = refused_address(context)
@@ -134,7 +158,9 @@ fn declaration(
     }
     let address = address.filter(|_| refused_address(context).is_none());
     let mut initial = Vec::new();
-    if let (Some(value), Some(ty)) = (node.initial_value(), ty) {
+    if let Some((_, Some(values))) = meaning {
+        initial = values.to_vec();
+    } else if let (Some(value), Some(ty)) = (node.initial_value(), known) {
         match constant::initial_values(&facts::node(&value), ty) {
             Ok(values) => initial = values,
             Err(problem) => out.push(NameProblem::InitialValue(problem.moved_by(start))),
@@ -197,6 +223,7 @@ fn declaration(
             cold: Cold::from(ColdFacts {
                 initial: initial.clone(),
                 address: address.as_ref().map(|token| token.text().into()),
+                declared: declared.clone(),
                 ..ColdFacts::NONE
             }),
             declared_at: range + start,
@@ -231,7 +258,7 @@ fn refused_address(context: Around) -> Option<&'static str> {
 }
 
 /// Why a name may not be declared.
-fn refused_name(text: &str, in_block: bool) -> Option<String> {
+pub(super) fn refused_name(text: &str, in_block: bool) -> Option<String> {
     if is_reserved(text) || is_declaration_keyword(text) {
         return Some(format!("`{text}` is a word of the language: choose another name"));
     }
@@ -239,94 +266,4 @@ fn refused_name(text: &str, in_block: bool) -> Option<String> {
         return Some(format!("a block has `{text}` of its own: choose another name"));
     }
     None
-}
-
-/// The types that are likeliest meant come first.
-const TYPE_NAMES: [&str; 31] = [
-    "BOOL", "INT", "DINT", "REAL", "TIME", "STRING", "WORD", "BYTE", "DWORD", "LWORD", "SINT", "LINT",
-    "USINT", "UINT", "UDINT", "ULINT", "LREAL", "DATE", "TOD", "DT", "TON", "TOF", "TP", "RTO", "RTOF",
-    "CTU", "CTD", "CTUD", "CTC", "SR", "RS",
-];
-
-type TypeProblem = (TextRange, String);
-
-/// The type that a declaration names. `Ok(None)`: the parser said what is wrong.
-fn declared_type(type_ref: &TypeRef) -> Result<Option<Type>, TypeProblem> {
-    let Some(name) = type_ref.name() else {
-        return Ok(None);
-    };
-    let mut numbers = Vec::new();
-    for (negative, token) in type_ref.numbers() {
-        match crate::values::literal::literal(token.text()) {
-            Ok(crate::values::literal::Literal::Int(n)) => numbers.push(if negative { -n } else { n }),
-            _ => {
-                return Err((
-                    token.text_range(),
-                    format!("`{}` is not a whole number", token.text()),
-                ));
-            }
-        }
-    }
-    let mut numbers = numbers.into_iter();
-    let bounds = if type_ref.is_array() {
-        numbers.next().zip(numbers.next())
-    } else {
-        None
-    };
-    if type_ref.is_array() && bounds.is_none() {
-        return Ok(None);
-    }
-    let scalar = match Scalar::from_name(name.text()) {
-        Some(Scalar::String(default)) => {
-            let length = numbers.next().unwrap_or(i128::from(default));
-            if !(1..=MAX_STRING).contains(&length) {
-                return Err((
-                    type_ref.range(),
-                    format!("a STRING holds 1 to {MAX_STRING} characters"),
-                ));
-            }
-            Some(Scalar::String(length as u16))
-        }
-        other => other,
-    };
-    if let Some((first, last)) = bounds {
-        let Some(element) = scalar else {
-            return Err((
-                name.text_range(),
-                format!("an array holds elementary types, `{}` is none", name.text()),
-            ));
-        };
-        if last < first {
-            return Err((
-                type_ref.range(),
-                format!("the last index {last} is below the first {first}: swap them"),
-            ));
-        }
-        if last - first >= MAX_ELEMENTS || first < -i128::from(i32::MAX) || last > i128::from(i32::MAX) {
-            return Err((
-                type_ref.range(),
-                format!("an array has at most {MAX_ELEMENTS} elements"),
-            ));
-        }
-        return Ok(Some(Type::Array {
-            first: first as i64,
-            last: last as i64,
-            element,
-        }));
-    }
-    if let Some(scalar) = scalar {
-        return Ok(Some(Type::Scalar(scalar)));
-    }
-    match StateType::ALL
-        .into_iter()
-        .find(|state| state.name().eq_ignore_ascii_case(name.text()))
-    {
-        Some(state) => Ok(Some(Type::State(state))),
-        None => {
-            let near = did_you_mean::closest(name.text(), TYPE_NAMES.into_iter());
-            let near = near.unwrap_or("DINT, BOOL or REAL");
-            let message = format!("there is no type `{}`: did you mean {near}?", name.text());
-            Err((name.text_range(), message))
-        }
-    }
 }

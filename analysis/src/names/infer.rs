@@ -6,6 +6,8 @@
 //! 3. DINT.
 
 use crate::context::Context;
+use crate::names::named_types::NamedTypes;
+use crate::names::path_type::path_type;
 use crate::names::scope::{Entry, Origin, Scope, TagFacts};
 use crate::networks::BlockAt;
 use crate::networks::facts::{Node, NodeKind, Operator};
@@ -176,9 +178,14 @@ fn by_other_values(context: &mut Context, untyped: &[Entry]) {
         for &(network, block) in &blocks {
             let network = context.networks.at(network);
             let scope = &context.scopes[network.scope];
-            of_block(semantics, scope, network.block(block), |tag, ty| {
-                found.push((network.scope, tag, ty));
-            });
+            of_block(
+                (semantics, &context.types),
+                scope,
+                network.block(block),
+                |tag, ty| {
+                    found.push((network.scope, tag, ty));
+                },
+            );
         }
         blocks.clear();
         for (scope, tag, ty) in found {
@@ -195,7 +202,12 @@ fn by_other_values(context: &mut Context, untyped: &[Entry]) {
 }
 
 /// The types that the operands of a block give each other.
-fn of_block(semantics: &Semantics, scope: &Scope, bound: BlockAt<'_>, mut give: impl FnMut(usize, Scalar)) {
+fn of_block(
+    (semantics, types): (&Semantics, &NamedTypes),
+    scope: &Scope,
+    bound: BlockAt<'_>,
+    mut give: impl FnMut(usize, Scalar),
+) {
     if bound.faulty {
         return;
     }
@@ -203,7 +215,11 @@ fn of_block(semantics: &Semantics, scope: &Scope, bound: BlockAt<'_>, mut give: 
     let type_among = |asked: fn(Accepts) -> bool| {
         operands()
             .filter(|(_, formal)| matches!(formal, Formal::Operand(o) if asked(o.accepts)))
-            .find_map(|(other, _)| type_given_by(semantics, scope, &other.value))
+            .find_map(|(other, _)| {
+                let value = &other.value;
+                let named = value_named_with_type(types, scope, value);
+                named.or_else(|| type_given_by(semantics, scope, value))
+            })
     };
     // All compared operands are compared with the same values: those are asked once.
     let mut compared = None;
@@ -226,6 +242,17 @@ fn of_block(semantics: &Semantics, scope: &Scope, bound: BlockAt<'_>, mut give: 
             give(tag, ty);
         }
     }
+}
+
+/// The enumeration of a value that is named with its type, as in `Phase.IDLE`.
+fn value_named_with_type(types: &NamedTypes, scope: &Scope, node: &Node) -> Option<Scalar> {
+    let NodeKind::Member(base, _) = &node.kind else {
+        return None;
+    };
+    let name = base
+        .name()
+        .filter(|name| scope.find(&Name::new(name)).is_none())?;
+    types.enumeration(name).map(Scalar::Enum)
 }
 
 /// The type that a value gives the others of its block, if it gives one: TIME, STRING, a date, a real.
@@ -267,39 +294,22 @@ fn given_type(semantics: &Semantics, ty: Scalar) -> Option<Scalar> {
         Scalar::Real | Scalar::Lreal => Some(Scalar::real_of(semantics)),
         Scalar::String(_) => Some(Scalar::String(crate::values::types::DEFAULT_STRING)),
         Scalar::Time => Some(ty),
-        ty if ty.is_date() => Some(ty),
+        ty if ty.is_date() || ty.is_enumeration() => Some(ty),
         _ => None,
     }
 }
 
 /// The type of a place, as far as it is known.
 fn node_type(semantics: &Semantics, scope: &Scope, node: &Node) -> Option<Scalar> {
-    match &node.kind {
-        NodeKind::Name(name) | NodeKind::Address(name) => scope.tags[scope.find(&Name::new(name))?]
-            .ty
-            .and_then(Type::scalar),
-        NodeKind::Member(base, word) => {
-            if let NodeKind::Name(name) = &base.kind {
-                if name.eq_ignore_ascii_case("SYS") {
-                    return SystemTag::from_name(&word.text).map(SystemTag::ty);
-                }
-                if let Some(Type::State(state)) = scope.tags[scope.find(&Name::new(name))?].ty {
-                    return member(state, &word.text).map(|member| member.ty(semantics));
-                }
-            }
-            Some(Scalar::Bool)
-        }
-        NodeKind::Index(base, _) => {
-            let NodeKind::Name(name) = &base.kind else {
-                return None;
-            };
-            match scope.tags[scope.find(&Name::new(name))?].ty? {
-                Type::Array { element, .. } => Some(element),
-                _ => None,
-            }
-        }
-        _ => None,
+    if let NodeKind::Member(base, word) = &node.kind
+        && base.name().is_some_and(|name| name.eq_ignore_ascii_case("SYS"))
+    {
+        return SystemTag::from_name(&word.text).map(SystemTag::ty);
     }
+    let (ty, _) = path_type(node, semantics, &mut |root| {
+        scope.tags[scope.find(&Name::new(root.name()?))?].ty
+    })?;
+    ty.scalar()
 }
 
 /// The member that a word after the point of a state tag means (LANGUAGE §4, Members), if it has it.

@@ -159,8 +159,6 @@ fn arrays_must_be_declared() {
             bad-operand: `a` has the elements 1 to 3, there is no 4 `4`
             type-mismatch: `a` is an array: name an element such as a[1] `a`
             unknown-member: INT has the bits 0 to 15, there is no `16` `16`
-            bad-operand: an index is one tag or one number, no expression `a[1] + 1`
-            bad-operand: an index is one tag or one number, no expression `-a[1]`
         "#]],
     );
 }

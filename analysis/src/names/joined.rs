@@ -4,6 +4,9 @@
 use crate::networks::named::Named;
 use ladder_syntax::TextRange;
 
+/// Of a name that means no tag.
+const NO_TAG: u32 = u32::MAX;
+
 /// The tags that the networks of a file name, as indices in their scopes.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Joined {
@@ -24,9 +27,9 @@ impl Joined {
         }
     }
 
-    /// The next name of the network that is being joined means this tag.
-    pub(crate) fn push(&mut self, tag: usize) {
-        self.tags.push(tag as u32);
+    /// The next name of the network that is being joined means this tag; none if it is the value of an enumeration.
+    pub(crate) fn push(&mut self, tag: Option<usize>) {
+        self.tags.push(tag.map_or(NO_TAG, |tag| tag as u32));
     }
 
     /// All names of a network are joined.
@@ -65,14 +68,19 @@ impl<'c> NamedTags<'c> {
         of_block
     }
 
-    /// Each name with its tag.
+    /// Each name of a tag with that.
     pub(crate) fn iter(self) -> impl Iterator<Item = (&'c Named, usize)> {
-        self.named.iter().zip(self.tags.iter().map(|tag| *tag as usize))
+        let tags = self.tags.iter().map(|tag| *tag as usize);
+        self.named
+            .iter()
+            .zip(tags)
+            .filter(|(_, tag)| *tag != NO_TAG as usize)
     }
 
     /// The tag of the name at a place, counted from the start of its block's line. None: nothing is known of a name there.
     pub(crate) fn at(self, range: TextRange) -> Option<usize> {
         let number = self.named.iter().position(|named| named.is_at(range))?;
-        Some(self.tags[number] as usize)
+        let tag = self.tags[number];
+        (tag != NO_TAG).then_some(tag as usize)
     }
 }

@@ -95,7 +95,7 @@ pub(crate) fn scalar(context: &Context, scope: usize, node: &Node) -> Option<Sca
     match tag(context, scope, name)?.1.ty? {
         Type::Scalar(scalar) => Some(scalar),
         Type::Array { element, .. } => Some(element),
-        Type::State(_) => None,
+        Type::State(_) | Type::Compound(_) => None,
     }
 }
 
@@ -146,6 +146,43 @@ pub(crate) fn each_tag<'n>(node: &'n Node, give: &mut impl FnMut(&'n str)) {
             each_tag(right, give);
         }
         NodeKind::Call(_, arguments) => arguments.iter().for_each(|argument| each_tag(argument, give)),
+        _ => {}
+    }
+}
+
+/// Every path of a tag in a value, with its indices and members, and those in its indices.
+pub(crate) fn each_tag_path<'n>(node: &'n Node, give: &mut impl FnMut(&'n Node)) {
+    match &node.kind {
+        NodeKind::Name(_) | NodeKind::Address(_) => give(node),
+        NodeKind::Member(..) | NodeKind::Index(..) | NodeKind::Range(..) => {
+            give(node);
+            let mut base = node;
+            loop {
+                base = match &base.kind {
+                    NodeKind::Member(inner, _) | NodeKind::Paren(inner) => inner,
+                    NodeKind::Index(inner, index) => {
+                        each_tag_path(index, give);
+                        inner
+                    }
+                    NodeKind::Range(inner, first, last) => {
+                        each_tag_path(first, give);
+                        each_tag_path(last, give);
+                        inner
+                    }
+                    _ => return,
+                };
+            }
+        }
+        NodeKind::Unary(_, inner) | NodeKind::Paren(inner) => each_tag_path(inner, give),
+        NodeKind::Binary(_, left, right) => {
+            each_tag_path(left, give);
+            each_tag_path(right, give);
+        }
+        NodeKind::Call(_, arguments) => {
+            arguments
+                .iter()
+                .for_each(|argument| each_tag_path(argument, give));
+        }
         _ => {}
     }
 }

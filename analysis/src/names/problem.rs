@@ -22,6 +22,28 @@ pub(crate) enum NameProblem {
         first: SmolStr,
         first_at: TextRange,
     },
+    /// A section of types in the definition of a block: where its first line is.
+    TypesInBlock(TextRange),
+    /// A type that the file declares a second time.
+    TypeTwice {
+        name: SmolStr,
+        at: TextRange,
+        first_at: TextRange,
+    },
+    /// A type that several other files declare, and not alike.
+    TypeOfFiles {
+        name: SmolStr,
+        at: TextRange,
+        files: Vec<(Arc<str>, TextRange)>,
+    },
+    /// A type that nobody declares, and the one that is probably meant.
+    UnknownType {
+        name: SmolStr,
+        at: TextRange,
+        near: Option<SmolStr>,
+    },
+    /// A type that contains itself, by way of these.
+    RecursiveType { names: Vec<SmolStr>, at: TextRange },
     /// A VAR_GLOBAL tag that the file declares a second time, otherwise.
     GlobalOtherwise {
         tag: Entry,

@@ -3,6 +3,7 @@
 //! A scope knows a shared tag under an entry of its own, which leads to the tag itself; types, constants and uses
 //! are those of the tag. A tag of another file has one entry in this file's own scope, to which all others lead.
 
+use super::named_types::NamedTypes;
 use super::problem::{Differs, InFile, NameProblem};
 use super::scope::{Entry, Origin, SectionKind, TagFacts};
 use crate::context::Context;
@@ -18,6 +19,7 @@ use std::sync::Arc;
 /// Leads what is shared to where it is declared. To be done when all uses are known, before types are inferred. What does not
 /// agree goes to the problems of the context.
 pub(crate) fn share(context: &mut Context) {
+    let mut types = std::mem::take(&mut context.types);
     let mut globals: FxHashMap<Name, Entry> = FxHashMap::default();
     let mut problems = Vec::new();
     let mut external = false;
@@ -26,7 +28,13 @@ pub(crate) fn share(context: &mut Context) {
             match facts.origin {
                 Origin::Declared(SectionKind::Global) => {
                     let key = Name::new(&facts.name);
-                    declared_otherwise(context, (scope, tag), globals.get(&key), &mut problems);
+                    declared_otherwise(
+                        context,
+                        (scope, tag),
+                        globals.get(&key),
+                        &mut types,
+                        &mut problems,
+                    );
                     globals.entry(key).or_insert((scope, tag));
                 }
                 Origin::Declared(SectionKind::External) => external = true,
@@ -40,11 +48,30 @@ pub(crate) fn share(context: &mut Context) {
         for scope in 0..context.scopes.len() {
             let unusual: Vec<usize> = context.scopes[scope].unusual().map(|(tag, _)| tag).collect();
             for tag in unusual {
-                share_tag(context, (scope, tag), &globals, &mut imported, &mut problems);
+                share_tag(
+                    context,
+                    (scope, tag),
+                    &globals,
+                    &mut imported,
+                    &mut types,
+                    &mut problems,
+                );
             }
         }
     }
     context.problems.extend(problems);
+    context.types = types;
+}
+
+/// The type and the initial values of a global of another file, as this file sees its types.
+fn meaning(file: &Exports, global: &Global, types: &mut NamedTypes) -> (Option<Type>, Vec<Value>) {
+    let Some(declared) = &global.declared else {
+        return (global.ty, global.initial.clone());
+    };
+    match types.meaning_in(declared, &file.file) {
+        Some((ty, initial)) => (Some(ty), initial.map_or_else(Vec::new, |values| values.to_vec())),
+        None => (None, Vec::new()),
+    }
 }
 
 /// Leads a tag to where it is declared, if that is elsewhere.
@@ -53,6 +80,7 @@ fn share_tag(
     entry: Entry,
     globals: &FxHashMap<Name, Entry>,
     imported: &mut FxHashMap<Name, Entry>,
+    types: &mut NamedTypes,
     problems: &mut Vec<NameProblem>,
 ) {
     let (scope, tag) = entry;
@@ -77,7 +105,7 @@ fn share_tag(
                         second: in_file(second, other),
                     });
                 }
-                let entry = import(context, imported, entry, file, global);
+                let entry = import(context, imported, entry, (file, global), types);
                 context.scopes[entry.0].tags[entry.1].mistyped |= differing.is_some();
                 Some(entry)
             })
@@ -104,6 +132,7 @@ fn declared_otherwise(
     context: &Context,
     entry: Entry,
     first: Option<&Entry>,
+    types: &mut NamedTypes,
     problems: &mut Vec<NameProblem>,
 ) {
     let tag = &context.scopes[entry.0].tags[entry.1];
@@ -120,8 +149,9 @@ fn declared_otherwise(
     }
     let key = Name::new(&tag.name);
     let otherwise = context.others.globals(&key).find_map(|(file, global)| {
-        let differs = difference(tag, global.ty, &global.initial, global.address.as_deref());
-        Some((in_file(file, global), differs.filter(|_| global.ty.is_some())?))
+        let (ty, initial) = meaning(file, global, types);
+        let differs = difference(tag, ty, &initial, global.address.as_deref());
+        Some((in_file(file, global), differs.filter(|_| ty.is_some())?))
     });
     if let Some((other, differs)) = otherwise {
         problems.push(NameProblem::OtherwiseInFile {
@@ -170,14 +200,14 @@ fn import(
     context: &mut Context,
     imported: &mut FxHashMap<Name, Entry>,
     (scope, tag): Entry,
-    file: &Exports,
-    global: &Global,
+    (file, global): (&Exports, &Global),
+    types: &mut NamedTypes,
 ) -> Entry {
     if let Some(&entry) = imported.get(&global.key) {
         return entry;
     }
     let used = &context.scopes[scope].tags[tag];
-    let facts = imported_tag(file, global);
+    let facts = imported_tag(file, global, types);
     let entry = if scope == 0 && used.is_declared() {
         // What it is declares the other file; where this one does it in VAR_EXTERNAL.
         context.scopes[0].tags[tag] = TagFacts {
@@ -209,17 +239,19 @@ fn import(
 }
 
 /// A global of another file, before any use of it. It is where the file first uses it.
-fn imported_tag(file: &Exports, global: &Global) -> TagFacts {
+fn imported_tag(file: &Exports, global: &Global, types: &mut NamedTypes) -> TagFacts {
+    let (ty, initial) = meaning(file, global, types);
     TagFacts {
         name: global.name.as_str().into(),
-        ty: global.ty,
+        ty,
         role: global.role,
         origin: Origin::Shared,
-        mistyped: global.ty.is_none(),
+        mistyped: ty.is_none(),
         retain: global.retain,
         constant: global.constant,
         cold: Cold::from(ColdFacts {
-            initial: global.initial.clone(),
+            initial,
+            declared: global.declared.clone(),
             address: global.address.clone(),
             foreign: Some(Arc::clone(&file.file)),
             ..ColdFacts::NONE

@@ -6,8 +6,10 @@ use super::block_definition;
 use super::cold::Cold;
 use super::declare;
 use super::joined::Joined;
+use super::named_types::NamedTypes;
 use super::problem::NameProblem;
 use super::scope::{Origin, Scope, TagFacts};
+use super::type_section;
 use crate::context::{Body, Context, FunctionFacts, LabelFacts};
 use crate::networks::control_flow::ControlFlow;
 use crate::networks::kept::Kept;
@@ -42,7 +44,11 @@ pub(crate) fn skeleton(
     let profile = profile::profile(parse);
     // In another profile the same text means something else.
     let before = before.filter(|before| before.profile == profile);
-    let (scopes, problems) = declared(parse, structure, wanted)?;
+    let Declarations {
+        scopes,
+        mut types,
+        problems,
+    } = declared(parse, structure, others, wanted)?;
     let user_blocks: Vec<UserBlockFacts> = structure
         .blocks
         .iter()
@@ -52,7 +58,7 @@ pub(crate) fn skeleton(
     let own_blocks = user_blocks.len();
     let signatures = user_block::signatures(&user_blocks);
     let mut kept = before.map(|before| Kept::of(before, parse, signatures));
-    let mut known = KnownBlocks::new(user_blocks, others);
+    let mut known = KnownBlocks::new(user_blocks, others, &mut types);
     let mut reading = Reading::default();
     let mut networks = Networks::with_capacity(structure.networks.len());
     for (number, drawn) in structure.networks.iter().enumerate() {
@@ -80,6 +86,7 @@ pub(crate) fn skeleton(
         problems,
         at_address: AtAddress::default(),
         user_blocks: known.into_list(),
+        types,
         own_blocks,
         signatures,
         others: others.clone(),
@@ -95,12 +102,22 @@ pub(crate) fn skeleton(
     Some(context)
 }
 
-/// The scopes with their declared tags, and what is wrong with the declarations. None if that is not wanted any longer.
+/// What the sections of a file declare.
+struct Declarations {
+    /// The scopes with their declared tags.
+    scopes: Vec<Scope>,
+    types: NamedTypes,
+    /// What is wrong with the declarations.
+    problems: Vec<NameProblem>,
+}
+
+/// Reads the sections. None if that is not wanted any longer.
 fn declared(
     parse: &Parse,
     structure: &Structure,
+    others: &Others,
     wanted: &StillWanted<'_>,
-) -> Option<(Vec<Scope>, Vec<NameProblem>)> {
+) -> Option<Declarations> {
     let mut scopes = vec![Scope::default()];
     scopes.extend(structure.blocks.iter().enumerate().map(|(index, definition)| {
         let mut scope = Scope::default();
@@ -119,11 +136,29 @@ fn declared(
     for (scope, names) in scopes.iter_mut().zip(names) {
         scope.reserve_declared(names);
     }
+    let constants = type_section::constants(parse, &structure.sections);
+    let mut own = Vec::new();
+    for section in structure
+        .sections
+        .iter()
+        .filter(|section| type_section::is_of_types(parse, section))
+    {
+        match section.block {
+            Some(_) => problems.push(NameProblem::TypesInBlock(parse.line_range(section.lines.start))),
+            None => type_section::types(parse, section, &constants, &mut own, &mut problems),
+        }
+    }
+    let mut types = NamedTypes::new(own, others, &mut problems);
     for section in &structure.sections {
         let scope = section.block.map_or(0, |block| block + 1);
-        declare::section(parse, section, &mut scopes[scope], &mut problems, wanted)?;
+        let types = (&mut types, &constants);
+        declare::section(parse, section, &mut scopes[scope], types, &mut problems, wanted)?;
     }
-    Some((scopes, problems))
+    Some(Declarations {
+        scopes,
+        types,
+        problems,
+    })
 }
 
 fn implicit(name: &str, at: TextRange) -> TagFacts {

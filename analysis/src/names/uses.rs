@@ -4,8 +4,8 @@
 use super::cold::{Cold, ColdFacts};
 use super::joined::Joined;
 use super::scope::{Origin, Scope, TagFacts, type_by_form};
+use super::values_asked::Asking;
 use crate::context::Context;
-use crate::networks::NetworkAt;
 use crate::networks::access::Access;
 use crate::networks::named::spelling;
 use crate::networks::reading::TOGETHER;
@@ -19,6 +19,7 @@ use ladder_syntax::TextRange;
 /// Enters every use of every tag into its scope. None if that is not wanted any longer.
 pub(crate) fn collect(context: &mut Context, wanted: &StillWanted<'_>) -> Option<()> {
     let semantics = context.profile.semantics();
+    let mut types = std::mem::take(&mut context.types);
     let mut joined = Joined::with_networks(context.networks.len());
     let mut known = Vec::new();
     for first in (0..context.networks.len()).step_by(TOGETHER) {
@@ -32,39 +33,34 @@ pub(crate) fn collect(context: &mut Context, wanted: &StillWanted<'_>) -> Option
         for network in context.networks.range(together) {
             wanted.one_more()?;
             let known = known.by_ref().take(network.named.len());
-            enter(
-                network,
-                known,
-                semantics,
-                &mut context.scopes[network.scope],
-                &mut joined,
-            );
+            let scope = network.scope;
+            for ((number, named), known) in (0..).zip(network.named.iter()).zip(known) {
+                let found = known.or_else(|| context.scopes[scope].find(&named.key));
+                let mut asking = Asking {
+                    scopes: &context.scopes,
+                    types: &mut types,
+                    others: &context.others,
+                    user_blocks: &context.user_blocks,
+                    semantics,
+                };
+                if found.is_none() && asking.is_value(network, named) {
+                    joined.push(None);
+                    continue;
+                }
+                let tags = &mut context.scopes[scope];
+                let index = found
+                    .unwrap_or_else(|| tags.add(undeclared(spelling(network.facts(), named), semantics)));
+                let place = UseRef::new(network.index as u32, number, named.kind);
+                tags.tags[index].uses.0.push(place);
+                joined.push(Some(index));
+            }
+            joined.end_network();
         }
     }
+    context.types = types;
     context.joined = joined;
     roles(&mut context.scopes[0]);
     Some(())
-}
-
-/// Enters the uses of a network's tags. `known`: those that were known before the networks around it were entered.
-fn enter(
-    network: NetworkAt<'_>,
-    known: impl Iterator<Item = Option<usize>>,
-    semantics: &Semantics,
-    scope: &mut Scope,
-    joined: &mut Joined,
-) {
-    for ((number, named), known) in (0..).zip(network.named.iter()).zip(known) {
-        let index = known
-            .or_else(|| scope.find(&named.key))
-            .unwrap_or_else(|| scope.add(undeclared(spelling(network.facts(), named), semantics)));
-        scope.tags[index]
-            .uses
-            .0
-            .push(UseRef::new(network.index as u32, number, named.kind));
-        joined.push(index);
-    }
-    joined.end_network();
 }
 
 /// A tag that is first met in an operand.

@@ -6,7 +6,8 @@
 use crate::values::literal::{self, Literal, LiteralProblem};
 use ladder_instructions::Shape;
 use ladder_syntax::ast::{
-    AstNode, Block, BlockShape, Expression, HeadName, NodeView, Operand, OperandList, TokenView,
+    AstNode, Block, BlockShape, Expression, HeadName, IndexExpression, NodeView, Operand, OperandList,
+    TokenView,
 };
 use ladder_syntax::rowan::GreenNodeData;
 use ladder_syntax::{SyntaxKind, TextRange};
@@ -126,6 +127,14 @@ impl Node {
         }
     }
 
+    /// The name or address that it is.
+    pub(crate) fn name(&self) -> Option<&SmolStr> {
+        match &self.kind {
+            NodeKind::Name(name) | NodeKind::Address(name) => Some(name),
+            _ => None,
+        }
+    }
+
     /// Every index or bound of a range in it that is written out as a number.
     pub(crate) fn each_index(&self, give: &mut impl FnMut(i64)) {
         let mut number = |node: &Node| {
@@ -169,6 +178,8 @@ pub enum NodeKind {
     Call(Box<Word>, Box<[Node]>),
     /// `[1, 2, 3]`
     Array(Box<[Node]>),
+    /// `(speed := 20.0)` in an initial value.
+    Members(Box<[(Word, Node)]>),
     /// `4(0)` in an initial value.
     Repeat(Box<Node>, Box<[Node]>),
     /// Parentheses after something that is not a function's name: `a[1]( 2 )`. It reads well and means nothing.
@@ -296,24 +307,7 @@ pub fn node(expression: &Expression<'_>) -> Node {
             (Some(base), Some(token)) => NodeKind::Member(Box::new(node(&base)), Box::new(word(token))),
             _ => NodeKind::Missing,
         },
-        Expression::Index(index) => {
-            let base = index.base();
-            if let Some(bounds) = index.range_expression() {
-                match (base, bounds.first(), bounds.last()) {
-                    (Some(base), Some(first), Some(last)) => NodeKind::Range(
-                        Box::new(node(&base)),
-                        Box::new(node(&first)),
-                        Box::new(node(&last)),
-                    ),
-                    _ => NodeKind::Missing,
-                }
-            } else {
-                match (base, index.index()) {
-                    (Some(base), Some(at)) => NodeKind::Index(Box::new(node(&base)), Box::new(node(&at))),
-                    _ => NodeKind::Missing,
-                }
-            }
-        }
+        Expression::Index(index) => return index_node(index, range),
         Expression::Unary(unary) => match (unary.operator(), unary.operand()) {
             (Some(token), Some(operand)) => {
                 let operator = if token.kind() == SyntaxKind::MINUS {
@@ -351,9 +345,45 @@ pub fn node(expression: &Expression<'_>) -> Node {
             }
         }
         Expression::Array(array) => NodeKind::Array(array.values().map(|v| node(&v)).collect()),
+        Expression::Struct(values) => NodeKind::Members(
+            values
+                .members()
+                .filter_map(|member| Some((word(member.name()?), node(&member.value()?))))
+                .collect(),
+        ),
         Expression::Error(_) => NodeKind::Missing,
     };
     Node { kind, range }
+}
+
+/// `a[i, j]` is `a[i][j]`; a range is last.
+fn index_node(index: &IndexExpression<'_>, range: TextRange) -> Node {
+    let missing = Node {
+        kind: NodeKind::Missing,
+        range,
+    };
+    let Some(base) = index.base() else { return missing };
+    let bounds = index.range_expression();
+    let mut found = node(&base);
+    let mut is_indexed = false;
+    for at in index.indices() {
+        found = Node {
+            kind: NodeKind::Index(Box::new(found), Box::new(node(&at))),
+            range: TextRange::new(range.start(), at.range().end()),
+        };
+        is_indexed = true;
+    }
+    match bounds {
+        Some(bounds) => match (bounds.first(), bounds.last()) {
+            (Some(first), Some(last)) => Node {
+                kind: NodeKind::Range(Box::new(found), Box::new(node(&first)), Box::new(node(&last))),
+                range,
+            },
+            _ => missing,
+        },
+        None if is_indexed => Node { range, ..found },
+        None => missing,
+    }
 }
 
 fn operator(token: TokenView<'_>) -> Option<Operator> {

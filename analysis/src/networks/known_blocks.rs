@@ -1,5 +1,6 @@
 //! The user-defined blocks that a file can use: its own, then those of other files that it does use.
 
+use crate::names::named_types::NamedTypes;
 use crate::networks::user_block::UserBlockFacts;
 use crate::other_files::others::Others;
 use ladder_instructions::Shape;
@@ -11,10 +12,15 @@ pub(crate) struct KnownBlocks<'o> {
     list: Vec<UserBlockFacts>,
     first: FxHashMap<Name, usize>,
     others: &'o Others,
+    types: &'o mut NamedTypes,
 }
 
 impl<'o> KnownBlocks<'o> {
-    pub(crate) fn new(own: Vec<UserBlockFacts>, others: &'o Others) -> KnownBlocks<'o> {
+    pub(crate) fn new(
+        own: Vec<UserBlockFacts>,
+        others: &'o Others,
+        types: &'o mut NamedTypes,
+    ) -> KnownBlocks<'o> {
         let mut first = FxHashMap::default();
         for (index, block) in own.iter().enumerate() {
             first.entry(block.key.clone()).or_insert(index);
@@ -23,6 +29,7 @@ impl<'o> KnownBlocks<'o> {
             list: own,
             first,
             others,
+            types,
         }
     }
 
@@ -39,7 +46,14 @@ impl<'o> KnownBlocks<'o> {
         }
         let (file, block) = self.others.blocks(&key).next()?;
         let index = self.list.len();
-        self.list.push(block.imported_from(file));
+        let mut facts = block.imported_from(file);
+        for parameter in &mut facts.parameters {
+            if let Some(declared) = &parameter.declared {
+                let meaning = self.types.meaning_in(declared, &file.file);
+                parameter.ty = meaning.map(|(ty, _)| ty);
+            }
+        }
+        self.list.push(facts);
         self.first.insert(key, index);
         (block.facts.shape == shape).then_some(index)
     }

@@ -135,7 +135,7 @@ impl Names<'_> {
                     self.walk(argument, Access::Read, true);
                 }
             }
-            NodeKind::Literal(_) | NodeKind::NoFunction | NodeKind::Missing => {}
+            NodeKind::Members(_) | NodeKind::Literal(_) | NodeKind::NoFunction | NodeKind::Missing => {}
         }
     }
 
@@ -180,6 +180,6 @@ fn spelled(node: &Node, at: TextRange) -> Option<&str> {
         NodeKind::Call(_, nodes) | NodeKind::Array(nodes) | NodeKind::Repeat(_, nodes) => {
             nodes.iter().find_map(|node| spelled(node, at))
         }
-        NodeKind::Literal(_) | NodeKind::NoFunction | NodeKind::Missing => None,
+        NodeKind::Members(_) | NodeKind::Literal(_) | NodeKind::NoFunction | NodeKind::Missing => None,
     }
 }

@@ -1,5 +1,6 @@
 //! Definitions of user-defined blocks: name, shape, parameters (LANGUAGE §5.7).
 
+use crate::names::type_spec::Declared;
 use crate::other_files::import::Import;
 use crate::program::ParameterKind;
 use crate::values::types::Type;
@@ -47,13 +48,24 @@ impl UserBlockFacts {
 pub(crate) fn signatures(blocks: &[UserBlockFacts]) -> u64 {
     let mut hasher = FxHasher::default();
     for block in blocks {
-        (&block.name, block.shape, block.doubtful, &block.parameters).hash(&mut hasher);
+        (&block.name, block.shape, block.doubtful).hash(&mut hasher);
+        for parameter in &block.parameters {
+            let Parameter {
+                name,
+                ty,
+                tag,
+                kind,
+                has_default,
+                ..
+            } = parameter;
+            (name, ty, tag, kind, has_default).hash(&mut hasher);
+        }
     }
     hasher.finish()
 }
 
 /// A parameter of a user-defined block.
-#[derive(Debug, Clone, PartialEq, Hash)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Parameter {
     /// As declared.
     pub name: String,
@@ -61,6 +73,8 @@ pub struct Parameter {
     pub key: Name,
     /// Its type; none if that cannot be read.
     pub ty: Option<Type>,
+    /// What its declaration says of its type, if that is more than an elementary type, a state or an array of elementary values.
+    pub declared: Option<Arc<Declared>>,
     /// The tag in the body's scope.
     pub tag: usize,
     /// How it is passed.

@@ -10,6 +10,8 @@ use crate::names::uses;
 use crate::networks::facts::{Node, NodeKind};
 use crate::networks::network::Formal;
 use crate::networks::outward_jumps::outward_jumps;
+use crate::networks::use_kind::Extent;
+use crate::networks::user_block::UserBlockFacts;
 use crate::still_wanted::StillWanted;
 use ladder_instructions::Accepts;
 use ladder_syntax::{Name, Parse, TextRange};
@@ -33,10 +35,30 @@ impl Exports {
             functions: functions(context),
             blocks: blocks(context),
             globals: globals(context),
+            types: context
+                .types
+                .own()
+                .iter()
+                .map(|ty| ty.declaration.clone())
+                .collect(),
+            mentioned_types: mentioned_types(context),
             states: states(context),
             outward: outward_uses::of(context),
         }
     }
+}
+
+/// A block as its file says by itself: what a name of a type means depends on other files.
+fn as_written(facts: &UserBlockFacts) -> UserBlockFacts {
+    let mut facts = facts.clone();
+    for parameter in facts
+        .parameters
+        .iter_mut()
+        .filter(|parameter| parameter.declared.is_some())
+    {
+        parameter.ty = None;
+    }
+    facts
 }
 
 fn functions(context: &Context) -> Vec<ExportedFunction> {
@@ -57,7 +79,7 @@ fn blocks(context: &Context) -> Vec<ExportedBlock> {
         .iter()
         .enumerate()
         .map(|(item, facts)| ExportedBlock {
-            facts: facts.clone(),
+            facts: as_written(facts),
             item,
             uses: Vec::new(),
             labels: Vec::new(),
@@ -86,6 +108,20 @@ fn blocks(context: &Context) -> Vec<ExportedBlock> {
     blocks
 }
 
+/// The names of types that a file's declarations and operands mention, sorted. Of operands each name before a point counts.
+fn mentioned_types(context: &Context) -> Vec<Name> {
+    let mut names: Vec<Name> = context.types.mentioned.iter().cloned().collect();
+    let in_operands = context.networks.iter().flat_map(|network| &network.facts().named);
+    names.extend(
+        in_operands
+            .filter(|named| named.kind.extent() == Extent::Member)
+            .map(|named| named.key.clone()),
+    );
+    names.sort_unstable();
+    names.dedup();
+    names
+}
+
 /// The VAR_GLOBAL tags of a file.
 fn globals(context: &Context) -> Vec<Global> {
     let mut globals: Vec<Global> = Vec::new();
@@ -97,11 +133,16 @@ fn globals(context: &Context) -> Vec<Global> {
         globals.push(Global {
             name: tag.name.to_string(),
             key,
-            ty: if tag.mistyped { None } else { tag.ty },
+            // What a name of a type means depends on other files.
+            ty: tag.ty.filter(|_| !tag.mistyped && tag.cold.declared.is_none()),
+            declared: tag.cold.declared.clone(),
             role: tag.role,
             constant: tag.constant,
             retain: tag.retain,
-            initial: tag.cold.initial.clone(),
+            initial: match tag.cold.declared {
+                None => tag.cold.initial.clone(),
+                Some(_) => Vec::new(),
+            },
             address: tag.cold.address.clone(),
             at: tag.declared_at,
         });

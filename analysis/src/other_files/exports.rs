@@ -4,6 +4,8 @@
 
 use super::import::Import;
 use super::outward::Outward;
+use crate::names::type_section::DeclaredType;
+use crate::names::type_spec::Declared;
 use crate::networks::user_block::UserBlockFacts;
 use crate::program::Role;
 use crate::values::types::Type;
@@ -23,6 +25,10 @@ pub struct Exports {
     pub blocks: Vec<ExportedBlock>,
     /// Its VAR_GLOBAL tags; of one name only the first.
     pub globals: Vec<Global>,
+    /// Its types, in the order of the text.
+    pub types: Vec<DeclaredType>,
+    /// The names of types that its declarations and operands mention.
+    pub(crate) mentioned_types: Vec<Name>,
     /// Tags that it does not declare for itself and on which a block keeps its state.
     pub states: Vec<(Name, TextRange)>,
     /// What it does with names that it does not hold.
@@ -79,6 +85,9 @@ pub struct Global {
     pub key: Name,
     /// Its type; none if that cannot be read.
     pub ty: Option<Type>,
+    /// What its declaration says of its type, if that is more than an elementary type, a state or an array of elementary values;
+    /// then it is what counts, and not type and initial values.
+    pub declared: Option<Arc<Declared>>,
     /// What its address says.
     pub role: Role,
     /// Declared CONSTANT.
@@ -99,6 +108,7 @@ impl Global {
         (
             &self.name,
             self.ty,
+            &self.declared,
             self.role,
             self.constant,
             self.retain,
@@ -107,6 +117,7 @@ impl Global {
         ) == (
             &other.name,
             other.ty,
+            &other.declared,
             other.role,
             other.constant,
             other.retain,
@@ -119,9 +130,11 @@ impl Global {
     /// have one.
     pub fn agrees(&self, other: &Global) -> bool {
         // One that cannot be read is an error of its own.
-        self.ty.is_none()
-            || other.ty.is_none()
+        let is_read = |global: &Global| global.ty.is_some() || global.declared.is_some();
+        !is_read(self)
+            || !is_read(other)
             || (self.ty == other.ty
+                && self.declared == other.declared
                 && self.initial == other.initial
                 && is_one_address(self.address.as_deref(), other.address.as_deref()))
     }
@@ -145,8 +158,9 @@ impl Exports {
             let functions = exports.functions.iter().map(|function| function.at);
             let blocks = exports.blocks.iter().map(|block| block.facts.at);
             let globals = exports.globals.iter().map(|global| global.at);
+            let types = exports.types.iter().map(|ty| ty.at);
             let states = exports.states.iter().map(|(_, at)| *at);
-            let all = functions.chain(blocks).chain(globals).chain(states);
+            let all = functions.chain(blocks).chain(globals).chain(types).chain(states);
             all.collect::<Vec<_>>()
         };
         places(self) == places(other)
@@ -170,6 +184,10 @@ impl Exports {
                     && a.own_labels == b.own_labels
             })
             && same(&self.globals, &other.globals, Global::is_same)
+            && same(&self.types, &other.types, |a, b| {
+                (&a.name, &a.declared) == (&b.name, &b.declared)
+            })
+            && self.mentioned_types == other.mentioned_types
             && same(&self.states, &other.states, name)
     }
 }

@@ -1,5 +1,6 @@
 //! The other files of a workspace, as one of its files sees them: their [`Exports`], found by name.
 
+use crate::names::type_section::DeclaredType;
 use crate::other_files::exports::{ExportedBlock, ExportedFunction, Exports, Global};
 use crate::other_files::outward::TagUse;
 use ladder_syntax::Name;
@@ -207,6 +208,19 @@ impl Others {
     pub fn all_globals(&self) -> impl Iterator<Item = (&Exports, &Global)> {
         self.files()
             .flat_map(|file| file.globals.iter().map(move |global| (file, global)))
+    }
+
+    /// All types of the others, and after them those of the library.
+    pub fn all_types(&self) -> impl Iterator<Item = (&Exports, &DeclaredType)> {
+        let library = self.library().into_iter().flat_map(|library| &library.files);
+        let files = self.files().chain(library.map(|file| &**file));
+        files.flat_map(|file| file.types.iter().map(move |ty| (file, ty)))
+    }
+
+    /// Whether one of the others mentions a type of a name.
+    pub(crate) fn mentions_type(&self, name: &Name) -> bool {
+        self.files()
+            .any(|file| file.mentioned_types.binary_search(name).is_ok())
     }
 
     /// All blocks of the others, and after them those of the library.

@@ -1,6 +1,6 @@
 //! Arguments: what is given for each operand of a block.
 
-use super::compared::{Compared, compared_in_bool};
+use super::compared::{Compared, compared_without_order};
 use super::{OperandAt, Resolver};
 use crate::context::Callee;
 use crate::networks::BlockAt;
@@ -40,6 +40,9 @@ impl<'c> Resolver<'c, '_> {
         row: &'static Instruction,
         bound: BlockAt<'c>,
     ) -> (Vec<Bound>, Option<Scalar>) {
+        if let Some(ty) = self.whole_type(row, bound) {
+            return (self.whole_arguments(row, bound, ty), None);
+        }
         let mut works_in = None;
         let mut arguments = Vec::with_capacity(bound.formals.len());
         let compared = self.compared_type(bound);
@@ -132,8 +135,10 @@ impl<'c> Resolver<'c, '_> {
                 });
             }
         }
-        if compared_in_bool(compared) && !matches!(row.op, Op::Eq | Op::Ne) {
-            self.report(type_mismatch::bool_order(bound.range()));
+        if let Some(ty) = compared_without_order(compared)
+            && !matches!(row.op, Op::Eq | Op::Ne)
+        {
+            self.report(type_mismatch::no_order(ty, bound.range()));
         }
         if row.op == Op::Search {
             self.check_search(bound);
@@ -223,17 +228,26 @@ impl<'c> Resolver<'c, '_> {
                     return Some(Argument::Range(range));
                 }
                 if operand.accepts == Accepts::BoolRangeOrState
-                    && let Some(tag) = self.named_tag(node)
-                    && let Type::State(state) = self.tag_type(tag)
+                    && let Some(state) = self.state_type(node)
                     && (state.is_timer() || state.is_counter())
                 {
-                    return Some(Argument::State(self.tag_id(tag)));
+                    return self.state_id(node).map(Argument::State);
                 }
                 if reads {
                     return self.value(node, Scalar::Bool).map(Argument::Value);
                 }
                 self.target(node, operand, Scalar::Bool)
             }
+            Accepts::State(state) if self.is_in_parts(node) => match self.state_type(node) {
+                Some(found) if self.is_state_for(found, state) => self.state_id(node).map(Argument::State),
+                _ => {
+                    let part = self.part(node)?;
+                    let found =
+                        type_mismatch::wrong_state(&self.text_of(node), part.ty, state, self.at(node.range));
+                    self.report(found);
+                    None
+                }
+            },
             Accepts::State(state) => match self.named_tag(node).map(|tag| (tag, self.tag_type(tag))) {
                 Some((tag, Type::State(found))) if self.is_state_for(found, state) => {
                     Some(Argument::State(self.tag_id(tag)))
@@ -248,9 +262,9 @@ impl<'c> Resolver<'c, '_> {
                     None
                 }
             },
-            Accepts::TimerOrCounter => match self.named_tag(node).map(|tag| (tag, self.tag_type(tag))) {
-                Some((tag, Type::State(state))) if state.is_timer() || state.is_counter() => {
-                    Some(Argument::State(self.tag_id(tag)))
+            Accepts::TimerOrCounter => match self.state_type(node) {
+                Some(state) if state.is_timer() || state.is_counter() => {
+                    self.state_id(node).map(Argument::State)
                 }
                 _ => {
                     let message = "the tag of a timer or counter is expected here";
@@ -302,6 +316,15 @@ impl<'c> Resolver<'c, '_> {
                 }
             },
             Accepts::Tag => {
+                if self.is_in_parts(node) {
+                    return match self.part_type(node) {
+                        Some((Type::State(_), _)) => self.state_id(node).map(Argument::State),
+                        Some((Type::Scalar(_), 0)) => self
+                            .place_or_say(node)
+                            .map(|(place, ty)| Argument::Place(place, ty)),
+                        _ => self.copied_parts(node).map(Argument::Parts),
+                    };
+                }
                 if let Some(tag) = self.named_tag(node) {
                     match self.tag_type(tag) {
                         Type::State(_) => return Some(Argument::State(self.tag_id(tag))),
@@ -316,7 +339,7 @@ impl<'c> Resolver<'c, '_> {
                                 last,
                             }));
                         }
-                        Type::Scalar(_) => {}
+                        Type::Scalar(_) | Type::Compound(_) => {}
                     }
                 }
                 self.place_or_say(node)

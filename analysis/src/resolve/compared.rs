@@ -22,8 +22,12 @@ pub(super) enum Compared {
     Not,
 }
 
-pub(super) fn compared_in_bool(compared: Compared) -> bool {
-    matches!(compared, Compared::In(Scalar::Bool))
+/// The type that operands are compared in, if its values have no order: BOOL, an enumeration.
+pub(super) fn compared_without_order(compared: Compared) -> Option<Scalar> {
+    match compared {
+        Compared::In(ty @ (Scalar::Bool | Scalar::Enum(_))) => Some(ty),
+        _ => None,
+    }
 }
 
 impl Resolver<'_, '_> {

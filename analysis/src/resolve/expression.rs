@@ -34,6 +34,9 @@ impl Resolver<'_, '_> {
         if signed_literal(node).is_some() {
             return self.literal_in(node, ty);
         }
+        if let Some(named) = self.named_value(node, Some(ty)) {
+            return self.pass(named?, ty);
+        }
         if !self.is_simple(node) {
             return None;
         }
@@ -95,6 +98,9 @@ impl Resolver<'_, '_> {
                 .map_or(Scalar::Dint, |literal| natural_type(literal, negative));
             return self.literal_in(node, ty);
         }
+        if let Some(named) = self.named_value(node, None) {
+            return named;
+        }
         if !self.is_simple(node) {
             return None;
         }
@@ -147,10 +153,7 @@ impl Resolver<'_, '_> {
                         .reduce(|a, b| common(a, b).unwrap_or(a)),
                 }
             }
-            NodeKind::Range(base, ..) => match self.named_tag(base).map(|tag| self.tag_type(tag)) {
-                Some(crate::values::types::Type::Array { element, .. }) => Some(element),
-                _ => None,
-            },
+            NodeKind::Range(..) => self.part_type(node).and_then(|(ty, _)| ty.scalar()),
             _ => self.place_type(node),
         }
     }
@@ -159,6 +162,9 @@ impl Resolver<'_, '_> {
     pub(super) fn expression(&mut self, node: &Node, ty: Scalar) -> Option<Expr> {
         if signed_literal(node).is_some() {
             return self.literal_in(node, ty);
+        }
+        if let Some(named) = self.named_value(node, Some(ty)) {
+            return self.pass(named?, ty);
         }
         let range = self.at(node.range);
         let kind = match &node.kind {
@@ -326,8 +332,11 @@ impl Resolver<'_, '_> {
                 (both, both)
             }
         };
-        if (left_type == Scalar::Bool || right_type == Scalar::Bool) && !matches!(op, Op::Eq | Op::Ne) {
-            self.report(type_mismatch::bool_order(range));
+        let has_no_order = |ty: &Scalar| *ty == Scalar::Bool || ty.is_enumeration();
+        if let Some(ty) = [left_type, right_type].into_iter().find(has_no_order)
+            && !matches!(op, Op::Eq | Op::Ne)
+        {
+            self.report(type_mismatch::no_order(ty, range));
             return None;
         }
         let left = self.expression(left, left_type);

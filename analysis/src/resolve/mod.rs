@@ -7,9 +7,12 @@
 mod argument;
 mod callee;
 mod compared;
+mod enumeration;
 mod expression;
 mod formula_type;
 pub(crate) mod numbers;
+mod parts;
+mod path;
 mod place;
 mod ranges;
 mod search;
@@ -17,6 +20,7 @@ mod swapped;
 mod tags;
 mod times;
 mod user_argument;
+mod whole;
 
 pub use argument::in_class;
 
@@ -222,6 +226,12 @@ fn retain(program: &mut Program, blocks: &[Block]) {
                 Argument::Place(place, _) => place.root(),
                 Argument::State(tag) => Some(*tag),
                 Argument::Range(range) => Some(range.tag),
+                Argument::Parts(parts) => {
+                    for tag in parts.iter().filter_map(Argument::root) {
+                        program.tags[tag.0 as usize].retain = true;
+                    }
+                    None
+                }
                 _ => None,
             };
             let Some(tag) = tag else { continue };

@@ -32,6 +32,15 @@ impl Resolver<'_, '_> {
 
     /// The type of a place, without reporting anything.
     pub(super) fn place_type(&self, node: &Node) -> Option<Scalar> {
+        if let Some((id, _)) = self.value_of_enumeration(node) {
+            return Some(Scalar::Enum(id));
+        }
+        if self.is_in_parts(node) {
+            return match self.part_type(node)? {
+                (ty, 0) => ty.scalar(),
+                _ => None,
+            };
+        }
         match &node.kind {
             NodeKind::Name(_) | NodeKind::Address(_) => self.tag_type(self.named_tag(node)?).scalar(),
             NodeKind::Index(base, _) => match self.tag_type(self.named_tag(base)?) {
@@ -55,6 +64,9 @@ impl Resolver<'_, '_> {
     /// The place that a node names, and its type. Says what is wrong if it names none.
     pub(super) fn place(&mut self, node: &Node) -> Option<(Place, Scalar)> {
         let range = self.at(node.range);
+        if self.is_in_parts(node) {
+            return self.part_place(node);
+        }
         match &node.kind {
             NodeKind::Name(name) if name.eq_ignore_ascii_case("SYS") => {
                 self.report(bad_operand::wrong(
@@ -71,6 +83,12 @@ impl Resolver<'_, '_> {
                 self.report(bad_operand::no_address(name, range));
                 None
             }
+            NodeKind::Name(name)
+                if self.named_tag(node).is_none() && self.context.types.has_value(&Name::new(name)) =>
+            {
+                self.report(bad_operand::value_not_asked(name, range));
+                None
+            }
             NodeKind::Name(name) | NodeKind::Address(name) => {
                 let tag = self.named_tag(node)?;
                 match self.tag_type(tag) {
@@ -85,6 +103,7 @@ impl Resolver<'_, '_> {
                         self.report(type_mismatch::wrong(range, message));
                         None
                     }
+                    Type::Compound(_) => None,
                 }
             }
             NodeKind::Index(base, index) => {
@@ -155,19 +174,7 @@ impl Resolver<'_, '_> {
             return None;
         }
         let (place, ty) = self.place(base)?;
-        let bits = ty.is_integer() || ty.is_bits();
-        let bit = word
-            .text
-            .parse::<u8>()
-            .ok()
-            .filter(|&bit| bits && u32::from(bit) < ty.width());
-        match bit {
-            Some(bit) => Some((Place::Bit(Box::new(place), ty, bit), Scalar::Bool)),
-            None => {
-                self.report(unknown_member::of_scalar(ty, &word.text, at));
-                None
-            }
-        }
+        self.bit(place, ty, word)
     }
 
     /// The array that a node names: its tag and the type of its elements.
@@ -204,15 +211,7 @@ impl Resolver<'_, '_> {
         let Type::Array { first, last, .. } = self.tag_type(tag) else {
             return None;
         };
-        let is_expression = matches!(
-            index.kind,
-            NodeKind::Unary(..) | NodeKind::Binary(..) | NodeKind::Call(..)
-        );
-        if is_expression && crate::values::constant::signed_literal(index).is_none() {
-            self.report(bad_operand::expression_as_index(self.at(index.range)));
-            return None;
-        }
-        let expr = self.integer(index)?;
+        let expr = self.index_value(index)?;
         if let Some(n) = self.known_index(index)
             && !(first..=last).contains(&n)
         {
@@ -228,6 +227,9 @@ impl Resolver<'_, '_> {
 
     /// A range of an array: `a[3..9]`, or with `open` also an element from which on it is meant.
     pub(super) fn range(&mut self, node: &Node, open: bool) -> Option<RangeRef> {
+        if self.is_in_parts(node) {
+            return self.part_range(node, open);
+        }
         match &node.kind {
             NodeKind::Range(base, first, last) => {
                 let (tag, element) = self.array(base)?;
@@ -259,11 +261,30 @@ impl Resolver<'_, '_> {
                 })
             }
             NodeKind::Missing => None,
+            NodeKind::Name(_) if self.array_bounds(node).is_some() => {
+                let (tag, first, last, element) = self.array_bounds(node)?;
+                let index = |n| Box::new(self.constant_expr(Value::Int(n), Scalar::Lint, node.range));
+                Some(RangeRef {
+                    tag: self.tag_id(tag),
+                    element,
+                    first: index(first),
+                    last: Some(index(last)),
+                })
+            }
             _ => {
                 let message = "a range of an array is expected here: a[1..9]";
                 self.report(bad_operand::wrong(self.at(node.range), message));
                 None
             }
+        }
+    }
+
+    /// The tag that a node names, if it is an array of values in one dimension: its bounds and the type of its elements.
+    fn array_bounds(&self, node: &Node) -> Option<(usize, i64, i64, Scalar)> {
+        let tag = self.named_tag(node)?;
+        match self.tag_type(tag) {
+            Type::Array { first, last, element } => Some((tag, first, last, element)),
+            _ => None,
         }
     }
 

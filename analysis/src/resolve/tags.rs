@@ -2,6 +2,7 @@
 //! a direct address are one tag, whichever file names them, and so are all that are declared at one address.
 
 use super::numbers::{Numbers, Unit};
+use super::parts;
 use crate::names::scope::{Origin, SectionKind, TagFacts, type_by_form};
 use crate::program::{Disagreement, Location, OtherName, Program, Role, Tag, TagId};
 use crate::rules::one_address::{self, Said};
@@ -16,6 +17,8 @@ const NOWHERE: TagId = TagId(u32::MAX);
 pub(super) struct Ids {
     /// The id of each; what is shared has the id of the tag that it leads to.
     pub(super) of_tags: Vec<TagId>,
+    /// Of each tag with parts the tags of the program that hold its columns: of what keeps a state the first of them.
+    pub(super) columns: FxHashMap<usize, Box<[TagId]>>,
     /// The types of those tags at direct addresses that the program has in another type than the scope.
     pub(super) stored: FxHashMap<usize, Scalar>,
 }
@@ -30,7 +33,8 @@ pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program)
         let mut ids: Vec<Ids> = Vec::with_capacity(context.scopes.len());
         for (scope, facts) in context.scopes.iter().enumerate() {
             let block = numbers.block_of_scope(index, scope);
-            let of_scope = facts.tags.iter().map(|tag| {
+            let mut columns = FxHashMap::default();
+            let of_scope = facts.tags.iter().enumerate().map(|(number, tag)| {
                 let reached = unit.bodies.is_none()
                     || block.is_some()
                     || context
@@ -45,10 +49,17 @@ pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program)
                     prefix: prefixes[index].as_deref(),
                     location: place(unit, index, tag, program),
                 };
+                if let Type::Compound(_) = type_of(tag) {
+                    let parts = common.enter_parts(&named, program);
+                    let first = parts.first().copied().unwrap_or(NOWHERE);
+                    columns.insert(number, parts);
+                    return first;
+                }
                 common.enter(&named, program)
             });
             ids.push(Ids {
                 of_tags: of_scope.collect(),
+                columns,
                 stored: FxHashMap::default(),
             });
         }
@@ -56,6 +67,9 @@ pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program)
             for (tag, facts) in facts.tags.iter().enumerate() {
                 if let Some((shared_scope, shared_tag)) = context.alias_of(facts) {
                     ids[scope].of_tags[tag] = ids[shared_scope].of_tags[shared_tag];
+                    if let Some(columns) = ids[shared_scope].columns.get(&shared_tag).cloned() {
+                        ids[scope].columns.insert(tag, columns);
+                    }
                 }
             }
         }
@@ -88,18 +102,18 @@ fn prefixes(units: &[Unit<'_>]) -> Vec<Option<String>> {
 }
 
 /// A tag as one file knows it.
-struct Named<'t> {
-    tag: &'t TagFacts,
+pub(super) struct Named<'t> {
+    pub(super) tag: &'t TagFacts,
     /// The block whose body declares it for itself.
-    block: Option<usize>,
+    pub(super) block: Option<usize>,
     /// What is before the names of the file's own tags.
     prefix: Option<&'t str>,
-    location: Location,
+    pub(super) location: Location,
 }
 
 impl Named<'_> {
     /// Its name in the program. One of a body has no file before it: it has the block's place there.
-    fn name(&self) -> String {
+    pub(super) fn name(&self) -> String {
         match self.prefix {
             Some(prefix) if !is_global(self.tag) && self.block.is_none() => {
                 format!("{prefix}.{}", self.tag.name)
@@ -123,6 +137,8 @@ impl Named<'_> {
 #[derive(Default)]
 struct Common {
     globals: FxHashMap<Name, TagId>,
+    /// Those that have parts: the first tag of each column.
+    globals_with_parts: FxHashMap<Name, (Type, Box<[TagId]>)>,
     addresses: FxHashMap<Name, AtAddress>,
     /// The names of addresses that are entered.
     other_names: FxHashSet<OtherName>,
@@ -156,6 +172,24 @@ impl Common {
             self.globals.insert(global, id);
         }
         id
+    }
+
+    /// The tags that hold the columns of a tag with parts, of what keeps a state the first of each.
+    fn enter_parts(&mut self, named: &Named<'_>, program: &mut Program) -> Box<[TagId]> {
+        let ty = type_of(named.tag);
+        let global = is_global(named.tag).then(|| Name::new(&named.tag.name));
+        if let Some((known, columns)) = global
+            .as_ref()
+            .and_then(|global| self.globals_with_parts.get(global))
+            && *known == ty
+        {
+            return columns.clone();
+        }
+        let columns: Box<[TagId]> = parts::add(program, named, ty).into();
+        if let Some(global) = global {
+            self.globals_with_parts.insert(global, (ty, columns.clone()));
+        }
+        columns
     }
 
     fn enter_address(&mut self, named: &Named<'_>, address: &str, program: &mut Program) -> TagId {
@@ -295,13 +329,19 @@ fn type_of(tag: &TagFacts) -> Type {
 fn add(program: &mut Program, named: &Named<'_>, name: String, block: Option<usize>) -> TagId {
     let tag = named.tag;
     let id = TagId(program.tags.len() as u32);
+    let ty = type_of(tag);
+    let initial = match tag.cold.initial.as_slice() {
+        [] => parts::own_values(ty),
+        values => values.to_vec(),
+    };
     program.tags.push(Tag {
         name,
-        ty: type_of(tag),
+        ty,
         role: tag.role,
         retain: tag.retain,
         constant: tag.constant,
-        initial: tag.cold.initial.clone(),
+        initial,
+        column: None,
         address: tag.cold.address.as_deref().map(str::to_owned),
         block,
         location: named.location,

@@ -92,9 +92,53 @@ pub(crate) fn unreadable(
             "the declarations above are not closed: END_VAR is missing".to_owned(),
             "a section ends with END_VAR on a line of its own",
         ),
+        TypesNotClosed => (
+            "the types above are not closed: END_TYPE is missing".to_owned(),
+            "a section of types ends with END_TYPE on a line of its own",
+        ),
+        StructNotClosed => (
+            "the STRUCT above is not closed: END_STRUCT; is missing".to_owned(),
+            "after its last member a structure ends with END_STRUCT; on a line of its own",
+        ),
+        EndWithoutSection if found.eq_ignore_ascii_case("END_STRUCT") => (
+            "END_STRUCT ends no structure".to_owned(),
+            "a structure begins in TYPE with its name: Motor : STRUCT",
+        ),
+        EndWithoutSection if found.eq_ignore_ascii_case("END_TYPE") => (
+            "END_TYPE ends no section".to_owned(),
+            "a section of types begins with TYPE",
+        ),
         EndWithoutSection => (
             "END_VAR ends no section".to_owned(),
             "a section begins with VAR, VAR_INPUT, VAR_OUTPUT, VAR_IN_OUT, VAR_GLOBAL or VAR_EXTERNAL",
+        ),
+        OtherEnd if found.eq_ignore_ascii_case("END_TYPE") => (
+            "END_TYPE does not end this section: it declares tags".to_owned(),
+            "a section of tags ends with END_VAR",
+        ),
+        OtherEnd => (
+            "END_VAR does not end this section: it declares types".to_owned(),
+            "a section that begins with TYPE ends with END_TYPE",
+        ),
+        StructOutsideTypes => (
+            "a STRUCT is not declared among tags".to_owned(),
+            "declare it in a section TYPE .. END_TYPE as Motor : STRUCT, and the tag as pump : Motor;",
+        ),
+        NestedStruct => (
+            "a STRUCT is not declared inside another".to_owned(),
+            "declare the inner one as a type of its own, and the member with that type",
+        ),
+        EnumerationOutsideTypes => (
+            "the values of an enumeration are not listed here".to_owned(),
+            "declare it in a section TYPE .. END_TYPE as Phase : (IDLE, FILLING); and the tag as step : Phase;",
+        ),
+        EnumerationValueExpected => (
+            instead("the name of a value"),
+            "an enumeration is written: Phase : (IDLE, FILLING, MIXING := 10);",
+        ),
+        MemberExpected => (
+            instead("a member with `:=`"),
+            "the values of a structure are written: (speed := 20.0, running := TRUE)",
         ),
         LineNotEnded => (
             format!("`{found}` does not belong onto this line"),

@@ -9,6 +9,7 @@ use crate::networks::BlockAt;
 use crate::networks::facts::{OperandFacts, Word};
 use crate::networks::network::{Formal, Meaning};
 use crate::program::ParameterKind;
+use crate::values::compound::Enumeration;
 use ladder_instructions::StateType;
 use ladder_instructions::{Direction, Presence, Profile, Profiles};
 use ladder_syntax::{Many, OperandPlace, TextRange, TextSize};
@@ -200,12 +201,6 @@ pub(crate) fn pi(range: TextRange) -> Diagnostic {
         .help("compute with it there: [CALC]( result, PI * radius ), then use the result")
 }
 
-/// An expression between the brackets of an index.
-pub(crate) fn expression_as_index(range: TextRange) -> Diagnostic {
-    wrong(range, "an index is one tag or one number, no expression")
-        .help("compute it first: [CALC]( i, expression ), then use i")
-}
-
 pub(crate) fn literal_as_target(range: TextRange) -> Diagnostic {
     wrong(range, "a tag is expected here: the block writes its result to it").help("the result comes first")
 }
@@ -320,4 +315,28 @@ pub(crate) fn too_many(range: TextRange) -> Diagnostic {
 
 pub(crate) fn too_complex(range: TextRange) -> Diagnostic {
     wrong(range, "this expression is too long or nested too deeply").help("compute it in several steps")
+}
+
+/// A name that is no value of the enumeration that is asked for.
+pub(crate) fn no_value(enumeration: &Enumeration, name: &str, range: TextRange) -> Diagnostic {
+    let values = || enumeration.values.iter().map(|(name, _)| name.as_str());
+    let found = wrong(range, format!("{} has no value `{name}`", enumeration.name));
+    match did_you_mean::closest(name, values()) {
+        Some(near) => found.help(format!("did you mean {near}?")),
+        None => found.help(format!(
+            "its values are {}",
+            values().take(20).collect::<Vec<_>>().join(" ")
+        )),
+    }
+}
+
+/// The value of an enumeration where none is asked for.
+pub(crate) fn value_not_asked(name: &str, range: TextRange) -> Diagnostic {
+    wrong(
+        range,
+        format!("`{name}` is the value of an enumeration, which this place does not ask for"),
+    )
+    .help(format!(
+        "write the type before it, as in Phase.{name}, or another operand"
+    ))
 }

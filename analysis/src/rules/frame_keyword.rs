@@ -1,6 +1,6 @@
 //! The words that begin and end sections and block definitions, also where they are misspelt.
 
-const KEYWORDS: [&str; 9] = [
+const KEYWORDS: [&str; 11] = [
     "VAR",
     "VAR_INPUT",
     "VAR_OUTPUT",
@@ -10,6 +10,8 @@ const KEYWORDS: [&str; 9] = [
     "END_VAR",
     "FUNCTION_BLOCK",
     "END_FUNCTION_BLOCK",
+    "END_TYPE",
+    "END_STRUCT",
 ];
 
 /// The keyword that a word is, is one letter away from, or begins or ends with.

@@ -79,6 +79,9 @@ const LIST: &[(Rule, Check)] = &[
     (duplicate_function::RULE, Check::File(duplicate_function::check)),
     (unknown_block::RULE, Check::Form(unknown_block::check)),
     (duplicate_block::RULE, Check::File(duplicate_block::check)),
+    (unknown_type::RULE, Check::ByOthers),
+    (duplicate_type::RULE, Check::ByOthers),
+    (recursive_type::RULE, Check::ByOthers),
     (wrong_place::RULE, Check::Form(wrong_place::check)),
     (recursive_block::RULE, Check::File(recursive_block::check)),
     (recursive_call::RULE, Check::Program(recursive_call::check)),
@@ -117,6 +120,7 @@ const LIST: &[(Rule, Check)] = &[
     (unbalanced_loop::RULE, Check::Program(unbalanced_loop::check)),
     (unused_function::RULE, Check::Program(unused_function::check)),
     (unused_label::RULE, Check::Program(unused_label::check)),
+    (unused_type::RULE, Check::Program(unused_type::check)),
     (commented_out_rung::RULE, Check::File(commented_out_rung::check)),
 ];
 

@@ -1,7 +1,6 @@
 //! What is wrong with names, in sentences: `bad-declaration`, `duplicate-declaration` and the rules about literals.
 
-use super::bad_declaration;
-use super::literals;
+use super::{bad_declaration, duplicate_type, literals, recursive_type, unknown_type};
 use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
 use crate::names::problem::{Differs, InFile, NameProblem};
@@ -32,6 +31,11 @@ pub(crate) fn diagnostic(context: &Context, problem: &NameProblem) -> Diagnostic
             "remove one of the declarations, or give one tag another name; capitals do not tell names apart",
         )
         .related(*first_at, format!("`{first}` is first declared here")),
+        NameProblem::TypesInBlock(range) => super::wrong_place::types_in_block(*range),
+        NameProblem::TypeTwice { name, at, first_at } => duplicate_type::twice(name, *at, *first_at),
+        NameProblem::TypeOfFiles { name, at, files } => duplicate_type::in_files(name, *at, files),
+        NameProblem::UnknownType { name, at, near } => unknown_type::unknown(name, near.as_deref(), *at),
+        NameProblem::RecursiveType { names, at } => recursive_type::recursive(names, *at),
         NameProblem::GlobalOtherwise {
             tag: second,
             first,

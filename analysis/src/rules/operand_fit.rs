@@ -38,7 +38,11 @@ fn may_be(formal: &Operand, value: &Node) -> bool {
         NodeKind::Unary(..) | NodeKind::Binary(..) | NodeKind::Paren(_) | NodeKind::Call(..) => {
             formal.accepts == Accepts::Expression
         }
-        NodeKind::Array(_) | NodeKind::Repeat(..) | NodeKind::NoFunction | NodeKind::Missing => false,
+        NodeKind::Array(_)
+        | NodeKind::Members(_)
+        | NodeKind::Repeat(..)
+        | NodeKind::NoFunction
+        | NodeKind::Missing => false,
     }
 }
 

@@ -220,7 +220,11 @@ impl LostFrames {
         for (index, line) in parse.lines().of_parts_that(|part| anywhere || part.is_faulty()) {
             let frame = matches!(
                 line.kind,
-                LineKind::SectionHeader | LineKind::SectionEnd | LineKind::BlockHeader | LineKind::BlockEnd
+                LineKind::SectionHeader
+                    | LineKind::SectionEnd
+                    | LineKind::StructEnd
+                    | LineKind::BlockHeader
+                    | LineKind::BlockEnd
             );
             if let Some(comment) = foreign.on_line(index) {
                 if comment.ends_section {
@@ -251,7 +255,9 @@ impl LostFrames {
         };
         let elsewhere = |lost: Option<usize>| lost.is_some_and(|lost| lost != line);
         match error.kind {
-            SyntaxErrorKind::BadDeclaration(SectionNotClosed | EndWithoutSection) => elsewhere(self.section),
+            SyntaxErrorKind::BadDeclaration(
+                SectionNotClosed | TypesNotClosed | StructNotClosed | EndWithoutSection | OtherEnd,
+            ) => elsewhere(self.section),
             SyntaxErrorKind::BadDeclaration(BlockNotClosed | EndWithoutBlock | NestedBlock) => {
                 elsewhere(self.block)
             }

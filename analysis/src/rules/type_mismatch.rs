@@ -54,6 +54,34 @@ pub(crate) fn state_as_value(name: &str, state: StateType, range: TextRange) -> 
     wrong(range, message).help(member)
 }
 
+/// A structure or an array is where a value belongs; `open` are the dimensions of an array that have no index.
+pub(crate) fn part_as_value(
+    name: &str,
+    ty: Type,
+    open: Option<Vec<(i64, i64)>>,
+    range: TextRange,
+) -> Diagnostic {
+    match (ty, open) {
+        (Type::State(state), _) => state_as_value(name, state, range),
+        (_, Some(open)) => {
+            let indices: Vec<String> = open.iter().map(|(first, _)| first.to_string()).collect();
+            let element = match name.strip_suffix(']') {
+                Some(begun) => format!("{begun}, {}]", indices.join(", ")),
+                None => format!("{name}[{}]", indices.join(", ")),
+            };
+            wrong(
+                range,
+                format!("`{name}` is an array: name an element such as {element}"),
+            )
+        }
+        (ty, None) => wrong(
+            range,
+            format!("`{name}` is {}, a value is expected here", with_article(ty)),
+        )
+        .help("name one of its members"),
+    }
+}
+
 /// Two operands in each other's place: for a rule about operands.
 pub(crate) fn swapped(
     rule: Rule,
@@ -161,7 +189,14 @@ pub(crate) fn cannot_compare(a: Scalar, b: Scalar, range: TextRange) -> Diagnost
     wrong(range, format!("{a} and {b} cannot be compared")).help("convert one of them with [TYP] first")
 }
 
-pub(crate) fn bool_order(range: TextRange) -> Diagnostic {
+pub(crate) fn no_order(ty: Scalar, range: TextRange) -> Diagnostic {
+    if ty.is_enumeration() {
+        return wrong(
+            range,
+            format!("values of {ty} are equal or not: none is greater than another"),
+        )
+        .help("use [EQ] and [NE], or convert them to numbers with [TYP] first");
+    }
     wrong(
         range,
         "BOOL values are equal or not: none is greater than another",

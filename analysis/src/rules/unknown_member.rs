@@ -7,12 +7,17 @@ use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::names::did_you_mean;
 use crate::names::scope::Scope;
 use crate::names::system_tag::SystemTag;
+use crate::networks::facts::Word;
+use crate::values::compound::Structure;
 use crate::values::types::{Scalar, Type};
 use ladder_instructions::StateType;
 use ladder_syntax::TextRange;
 
 pub(crate) const RULE: Rule =
     Rule(&RuleFacts::new(RuleGroup::Names, "unknown-member", Severity::Error).about_types());
+
+/// How many members a message names.
+const MOST_NAMED: usize = 20;
 
 fn unknown(range: TextRange, message: String) -> Diagnostic {
     Diagnostic::new(RULE, range, message)
@@ -73,4 +78,30 @@ pub(crate) fn of_scalar(ty: Scalar, word: &str, range: TextRange) -> Diagnostic 
         );
     }
     unknown(range, format!("{ty} has no members"))
+}
+
+/// A member that a structure does not have.
+pub(crate) fn of_structure(structure: &Structure, word: &Word, range: TextRange) -> Diagnostic {
+    let message = format!("{} has no member `{}`", structure.name, word.text);
+    let members = || structure.members.iter().map(|member| member.name.as_str());
+    let found = unknown(range, message);
+    match did_you_mean::closest(&word.text, members()) {
+        Some(near) => found.help(format!("did you mean {near}?")),
+        None => found.help(format!(
+            "its members are {}",
+            members().take(MOST_NAMED).collect::<Vec<_>>().join(" ")
+        )),
+    }
+}
+
+/// A member of what has none.
+pub(crate) fn of_part(ty: &Type, word: &Word, range: TextRange) -> Diagnostic {
+    let found = unknown(
+        range,
+        format!("{} has no member `{}`", with_article(ty), word.text),
+    );
+    match ty.array() {
+        Some(_) => found.help("write the index of an element before the point"),
+        None => found,
+    }
 }

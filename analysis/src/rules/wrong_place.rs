@@ -5,6 +5,7 @@ use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::BlockAt;
 use ladder_instructions::{Op, Shape};
+use ladder_syntax::TextRange;
 
 pub(crate) const RULE: Rule = Rule(&RuleFacts::new(RuleGroup::Names, "wrong-place", Severity::Error));
 
@@ -47,4 +48,10 @@ pub(super) fn check(form: &Form<'_>, out: &mut Vec<Diagnostic>) {
 
 fn wrong(bound: BlockAt<'_>, message: &str, help: &'static str) -> Diagnostic {
     Diagnostic::new(RULE, bound.head_range(), message).help(help)
+}
+
+/// A section of types in the definition of a block.
+pub(crate) fn types_in_block(header: TextRange) -> Diagnostic {
+    Diagnostic::new(RULE, header, "types are not declared in a block")
+        .help("move the section before FUNCTION_BLOCK: every block sees the types of the workspace")
 }

@@ -1,11 +1,13 @@
 //! Constants: literals brought to the type that their place asks for, and initial values.
 
 use crate::findings::article::with_article;
+use crate::names::did_you_mean::closest;
 use crate::networks::facts::{Node, NodeKind, Operator};
+use crate::values::compound::{Compound, EnumId};
 use crate::values::literal::{Literal, LiteralProblem};
 use crate::values::types::{Scalar, Type, passes};
 use crate::values::value::{Value, wrap};
-use ladder_syntax::{TextRange, TextSize};
+use ladder_syntax::{Name, TextRange, TextSize};
 
 /// What is wrong with a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -206,97 +208,176 @@ pub(crate) fn signed_literal(node: &Node) -> Option<(&Result<Literal, LiteralPro
     }
 }
 
-/// The initial values that a declaration gives: one, or one for each element of an array (fewer leave the rest
-/// at the type's own).
+/// The initial values that a declaration gives: one for each elementary part, in the order of
+/// [`Type::initial_values`]. What is left out has its type's own.
 pub(crate) fn initial_values(node: &Node, ty: Type) -> Result<Vec<Value>, ConstantProblem> {
-    match ty {
-        Type::Scalar(scalar) => Ok(vec![initial_value(node, scalar)?]),
+    let mut values = Vec::new();
+    add_values(node, ty, &mut values)?;
+    Ok(values)
+}
+
+fn not_initial(range: TextRange, message: impl Into<String>) -> ConstantProblem {
+    ConstantProblem::new(ConstantFault::NotInitial, range, message)
+}
+
+/// Adds the values of a part.
+fn add_values(node: &Node, ty: Type, values: &mut Vec<Value>) -> Result<(), ConstantProblem> {
+    if let Some((dimensions, element)) = ty.array() {
+        let most = dimensions.iter().fold(1u64, |all, (first, last)| {
+            all.saturating_mul(last.abs_diff(*first) + 1)
+        });
+        return add_elements(node, element, most, values);
+    }
+    let id = match ty {
+        Type::Scalar(scalar) => {
+            values.push(initial_value(node, scalar)?);
+            return Ok(());
+        }
         Type::State(state) => {
             let message = format!(
                 "{} starts cleared: it has no initial value",
                 with_article(state.name())
             );
-            Err(ConstantProblem::new(
-                ConstantFault::NotInitial,
-                node.range,
-                message,
-            ))
+            return Err(not_initial(node.range, message));
         }
-        Type::Array { first, last, element } => {
-            let NodeKind::Array(nodes) = &node.kind else {
-                let message = "an array's values belong in brackets: [1, 2, 3]";
-                return Err(ConstantProblem::new(
-                    ConstantFault::NotInitial,
-                    node.range,
-                    message,
-                ));
-            };
-            let most = (last - first + 1) as usize;
-            let mut values = Vec::new();
-            for node in nodes {
-                elements(node, element, most, &mut values)?;
-            }
-            if values.len() > most {
-                let message = format!("there are {} values for {most} elements", values.len());
-                return Err(ConstantProblem::new(
-                    ConstantFault::NotInitial,
-                    node.range,
-                    message,
-                ));
-            }
-            values.resize(most, Value::zero(element));
-            Ok(values)
+        Type::Compound(id) => id,
+        Type::Array { .. } => return Ok(()),
+    };
+    let Compound::Structure(structure) = id.get() else {
+        let message = format!("{id} starts as its block says: it has no initial value");
+        return Err(not_initial(node.range, message));
+    };
+    let NodeKind::Members(given) = &node.kind else {
+        let first = structure.members.first().map_or("member", |member| &member.name);
+        let message = format!("the values of {id} belong in parentheses: ({first} := ...)");
+        return Err(not_initial(node.range, message));
+    };
+    let mut by_member: Vec<Option<&Node>> = vec![None; structure.members.len()];
+    for (name, value) in given {
+        let Some((number, _)) = structure.member(&name.text) else {
+            return Err(not_initial(
+                name.range,
+                format!("{id} has no member `{}`", name.text),
+            ));
+        };
+        if by_member[number].replace(value).is_some() {
+            let message = format!("`{}` has a value already", name.text);
+            return Err(not_initial(name.range, message));
         }
     }
-}
-
-/// One value of an array's list, or a repeated one: `4(0)`.
-fn elements(
-    node: &Node,
-    element: Scalar,
-    most: usize,
-    values: &mut Vec<Value>,
-) -> Result<(), ConstantProblem> {
-    let NodeKind::Repeat(count, repeated) = &node.kind else {
-        values.push(initial_value(node, element)?);
-        return Ok(());
-    };
-    let Some(&Literal::Int(count)) = count.literal() else {
-        return Err(ConstantProblem::new(
-            ConstantFault::NotInitial,
-            count.range,
-            "a count is a whole number: 4(0)",
-        ));
-    };
-    let count = usize::try_from(count).unwrap_or(usize::MAX);
-    if count.saturating_mul(repeated.len()) > most {
-        let message = format!("there are more values than the array's {most} elements");
-        return Err(ConstantProblem::new(
-            ConstantFault::NotInitial,
-            node.range,
-            message,
-        ));
-    }
-    let mut once = Vec::new();
-    for value in repeated {
-        once.push(initial_value(value, element)?);
-    }
-    for _ in 0..count {
-        values.extend_from_slice(&once);
+    for (member, given) in structure.members.iter().zip(by_member) {
+        match (given, &member.initial) {
+            (Some(value), _) => add_values(value, member.ty, values)?,
+            (None, Some(initial)) => values.extend_from_slice(initial),
+            (None, None) => values.extend(member.ty.initial_values()),
+        }
     }
     Ok(())
 }
 
+/// Adds the values of an array, row by row.
+fn add_elements(
+    node: &Node,
+    element: Type,
+    most: u64,
+    values: &mut Vec<Value>,
+) -> Result<(), ConstantProblem> {
+    let NodeKind::Array(nodes) = &node.kind else {
+        let message = "an array's values belong in brackets: [1, 2, 3]";
+        return Err(not_initial(node.range, message));
+    };
+    let before = values.len();
+    let mut given = 0;
+    for node in nodes {
+        given += add_element(node, element, most, values)?;
+    }
+    if given > most {
+        let message = format!("there are {given} values for {most} elements");
+        values.truncate(before);
+        return Err(not_initial(node.range, message));
+    }
+    let own = element.initial_values();
+    for _ in given..most {
+        values.extend_from_slice(&own);
+    }
+    Ok(())
+}
+
+/// Adds one value of an array's list, or a repeated one: `4(0)`, `4()`. Returns for how many elements.
+fn add_element(
+    node: &Node,
+    element: Type,
+    most: u64,
+    values: &mut Vec<Value>,
+) -> Result<u64, ConstantProblem> {
+    let NodeKind::Repeat(count, repeated) = &node.kind else {
+        add_values(node, element, values)?;
+        return Ok(1);
+    };
+    let Some(&Literal::Int(count)) = count.literal() else {
+        return Err(not_initial(count.range, "a count is a whole number: 4(0)"));
+    };
+    let count = u64::try_from(count).unwrap_or(u64::MAX);
+    let each = repeated.len().max(1) as u64;
+    if count.saturating_mul(each) > most {
+        let message = format!("there are more values than the array's {most} elements");
+        return Err(not_initial(node.range, message));
+    }
+    let mut once = Vec::new();
+    for value in repeated {
+        add_values(value, element, &mut once)?;
+    }
+    if repeated.is_empty() {
+        once = element.initial_values();
+    }
+    for _ in 0..count {
+        values.extend_from_slice(&once);
+    }
+    Ok(count * each)
+}
+
 fn initial_value(node: &Node, ty: Scalar) -> Result<Value, ConstantProblem> {
+    if let Scalar::Enum(id) = ty {
+        return enumeration_value(node, id);
+    }
     match signed_literal(node) {
         Some((Ok(literal), negative)) => place(literal, negative, ty, node.range),
         Some((Err(problem), _)) => Err(literal_problem(problem, node.range)),
-        None => Err(ConstantProblem::new(
-            ConstantFault::NotInitial,
+        None => Err(not_initial(node.range, "an initial value is a literal")),
+    }
+}
+
+/// `FILLING`, `Phase.FILLING`
+fn enumeration_value(node: &Node, id: EnumId) -> Result<Value, ConstantProblem> {
+    let enumeration = id.get();
+    let written = match &node.kind {
+        NodeKind::Name(name) => Some(name),
+        NodeKind::Member(base, word) => match &base.kind {
+            NodeKind::Name(name) if Name::new(name) == Name::new(&enumeration.name) => Some(&word.text),
+            _ => None,
+        },
+        _ => None,
+    };
+    match written.map(|name| (name, enumeration.number(name))) {
+        Some((_, Some(number))) => Ok(Value::Int(i64::from(number))),
+        Some((name, None)) => {
+            let values = enumeration.values.iter().map(|(name, _)| name.as_str());
+            let near = did_you_mean(name, values);
+            Err(not_initial(
+                node.range,
+                format!("{} has no value `{name}`{near}", enumeration.name),
+            ))
+        }
+        None => Err(not_initial(
             node.range,
-            "an initial value is a literal",
+            format!("one of the values of {} is expected here", enumeration.name),
         )),
     }
+}
+
+/// `: did you mean FILLING?`, or nothing.
+fn did_you_mean<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> String {
+    closest(name, known).map_or_else(String::new, |near| format!(": did you mean {near}?"))
 }
 
 /// A literal with the type that it has by itself, for people: `T#5s` is "TIME, 5000 ms".

@@ -2,6 +2,7 @@
 
 pub(crate) mod address_bits;
 pub mod callable;
+pub mod compound;
 pub mod constant;
 pub mod literal;
 pub mod types;

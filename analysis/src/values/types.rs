@@ -1,5 +1,6 @@
 //! The types of LANGUAGE §4 and how values pass between them (§5.2).
 
+use crate::values::compound::{EnumId, TypeId};
 use ladder_instructions::{Semantics, StateType, Width};
 use std::fmt;
 
@@ -46,6 +47,8 @@ pub enum Scalar {
     Dt,
     /// Text of at most this many bytes.
     String(u16),
+    /// One of the values of an enumeration: the number of a DINT.
+    Enum(EnumId),
 }
 
 /// The length of a STRING without `[n]`, as IEC 61131-3 systems commonly have it.
@@ -101,7 +104,7 @@ impl Scalar {
         }
     }
 
-    /// The type's name in capitals.
+    /// The type's name in capitals; of an enumeration only that it is one.
     pub const fn name(self) -> &'static str {
         match self {
             Scalar::Bool => "BOOL",
@@ -124,6 +127,7 @@ impl Scalar {
             Scalar::Tod => "TOD",
             Scalar::Dt => "DT",
             Scalar::String(_) => "STRING",
+            Scalar::Enum(_) => "enumeration",
         }
     }
 
@@ -157,6 +161,11 @@ impl Scalar {
         matches!(self, Scalar::Date | Scalar::Tod | Scalar::Dt)
     }
 
+    /// One of the values of an enumeration.
+    pub const fn is_enumeration(self) -> bool {
+        matches!(self, Scalar::Enum(_))
+    }
+
     /// `STRING`.
     pub const fn is_string(self) -> bool {
         matches!(self, Scalar::String(_))
@@ -168,7 +177,7 @@ impl Scalar {
             Scalar::Bool => 1,
             Scalar::Byte | Scalar::Sint | Scalar::Usint => 8,
             Scalar::Word | Scalar::Int | Scalar::Uint => 16,
-            Scalar::Dword | Scalar::Dint | Scalar::Udint | Scalar::Real => 32,
+            Scalar::Dword | Scalar::Dint | Scalar::Udint | Scalar::Real | Scalar::Enum(_) => 32,
             _ => 64,
         }
     }
@@ -190,6 +199,7 @@ impl fmt::Display for Scalar {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Scalar::String(length) if *length != DEFAULT_STRING => write!(f, "STRING[{length}]"),
+            Scalar::Enum(id) => f.write_str(&id.get().name),
             other => f.write_str(other.name()),
         }
     }
@@ -211,11 +221,21 @@ pub enum Type {
         /// Type of each element.
         element: Scalar,
     },
+    /// A structure, any other array, the state of a user-defined block.
+    Compound(TypeId),
 }
 
 impl Type {
     /// BOOL.
     pub const BOOL: Type = Type::Scalar(Scalar::Bool);
+
+    /// The elementary type that it is, or that its elements are.
+    pub const fn element_scalar(self) -> Option<Scalar> {
+        match self {
+            Type::Scalar(scalar) | Type::Array { element: scalar, .. } => Some(scalar),
+            Type::State(_) | Type::Compound(_) => None,
+        }
+    }
 
     /// The elementary type, if it is one.
     pub const fn scalar(self) -> Option<Scalar> {
@@ -232,6 +252,7 @@ impl fmt::Display for Type {
             Type::Scalar(scalar) => scalar.fmt(f),
             Type::State(state) => f.write_str(state.name()),
             Type::Array { first, last, element } => write!(f, "ARRAY[{first}..{last}] OF {element}"),
+            Type::Compound(id) => id.fmt(f),
         }
     }
 }
@@ -267,6 +288,10 @@ pub fn passes(from: Scalar, to: Scalar) -> bool {
 /// Whether `[TYP]` makes a value of one type into another. Numbers, BOOL and STRING go to and from all types; a
 /// duration is not a point in time, and a day no time of day.
 pub fn converts(from: Scalar, to: Scalar) -> bool {
+    if from.is_enumeration() || to.is_enumeration() {
+        let other = if from.is_enumeration() { to } else { from };
+        return other.is_integer() || other.is_string();
+    }
     let is_clock = |ty: Scalar| ty == Scalar::Time || ty.is_date();
     let both = is_clock(from) && is_clock(to);
     !both

@@ -17,12 +17,13 @@ pub enum Value {
 }
 
 impl Value {
-    /// What a tag of a type holds before anything is written: zero, FALSE, the empty text.
+    /// What a tag of a type holds before anything is written: zero, FALSE, the empty text, an enumeration's first value.
     pub fn zero(ty: Scalar) -> Value {
         match ty {
             Scalar::Bool => Value::Bool(false),
             Scalar::Real | Scalar::Lreal => Value::Real(0.0),
             Scalar::String(_) => Value::Text(Box::default()),
+            Scalar::Enum(id) => Value::Int(id.get().first()),
             _ => Value::Int(0),
         }
     }

@@ -185,9 +185,11 @@ fn frames_of_blocks() {
     check(
         &text.replace("raw : BOOL", "raw : BOL"),
         expect![[r#"
-        >     raw : BOL;
-                    ^^^ error[bad-declaration]: there is no type `BOL`: did you mean BOOL?
-    "#]],
+            >     raw : BOL;
+                        ^^^ error[unknown-type]: there is no type `BOL`: did you mean BOOL?
+                fix: Replace with BOOL
+                      raw : BOOL;
+        "#]],
     );
 }
 
@@ -257,7 +259,11 @@ fn a_type_that_cannot_be_read() {
         "VAR x : BOLL; END_VAR\nVAR_OUTPUT y : BOOL; END_VAR\n+--[ ]( x )--[EQ]( x, 5 )--( )( y )--+\n",
         expect![[r#"
             > VAR x : BOLL; END_VAR
-                      ^^^^ error[bad-declaration]: there is no type `BOLL`: did you mean BOOL?
+                      ^^^^ error[unknown-type]: there is no type `BOLL`: did you mean BOOL?
+                fix: Replace with BOOL
+                  VAR
+                      x : BOOL;
+                  END_VAR
         "#]],
     );
 }

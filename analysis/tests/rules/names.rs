@@ -374,7 +374,9 @@ fn a_error_in_a_declaration_brings_no_other() {
                     ^^^^ error[bad-declaration]: expected `:` and a type, found `BOOL`
                 help: a declaration is written: start : BOOL; the types are BOOL, INT, DINT, REAL, TIME, TON, CTU and others
             >     b : BOL;
-                      ^^^ error[bad-declaration]: there is no type `BOL`: did you mean BOOL?
+                      ^^^ error[unknown-type]: there is no type `BOL`: did you mean BOOL?
+                fix: Replace with BOOL
+                      b : BOOL;
             >     n : ARRAY[5..1] OF INT;
                       ^^^^^^^^^^^^^^^^^^ error[bad-declaration]: the last index 1 is below the first 5: swap them
         "#]],

@@ -417,7 +417,13 @@ fn declarations_that_cannot_be_read() {
         "VAR a : BOL; END : INT; b : STRING[0]; END_VAR\n",
         expect![[r#"
             > VAR a : BOL; END : INT; b : STRING[0]; END_VAR
-                      ^^^ error[bad-declaration]: there is no type `BOL`: did you mean BOOL?
+                      ^^^ error[unknown-type]: there is no type `BOL`: did you mean BOOL?
+                fix: Replace with BOOL
+                  VAR
+                      a   : BOOL;
+                      END : INT;
+                      b   : STRING[0];
+                  END_VAR
             > VAR a : BOL; END : INT; b : STRING[0]; END_VAR
                                           ^^^^^^^^^ error[bad-declaration]: a STRING holds 1 to 32767 characters
         "#]],

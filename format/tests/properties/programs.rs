@@ -42,6 +42,7 @@ const BLOCKS: &[&str] = &[
     "[NOT](y,a)",
     "[$Block](in, value := sys.scan )",
     "[ ]( a[ 3 ] . Q )",
+    "[MOV]( cell[ 2 ].zone[ k+1,3 ] . open,g[ 1,2 .. 3 ] )",
     "[ ]( %IX0.3 )",
     "[ ]( w # bit # .3 )",
     "[MOV]( s, 'it$'s' )",
@@ -196,7 +197,7 @@ fn gap(c: &mut Choices<'_>) -> String {
 }
 
 fn section(c: &mut Choices<'_>, text: &mut String, end: &str) {
-    text.push_str(&c.of(&["VAR", "var_input", "VAR retain", "VAR CONSTANT  # c #"]));
+    text.push_str(&c.of(&["VAR", "var_input", "VAR retain", "VAR CONSTANT  # c #", "type"]));
     text.push_str(&c.of(&[end, " "]));
     for _ in 0..c.below(4) {
         text.push_str(&c.of(&[
@@ -207,6 +208,12 @@ fn section(c: &mut Choices<'_>, text: &mut String, end: &str) {
             "s : string[ 80 ] := 'a  b';",
             "温度 : REAL := -1.0e-3;",
             "b : SomeType;",
+            "Motor:STRUCT",
+            "END_STRUCT ;",
+            "end_struct:=( a:=1,b :=[ 2( 0 ) ] );",
+            "Phase : ( idle,Run:= 5 ):=Run;",
+            "g:array[1..3,0..n]of $Motor:=[ (a:=1) ];",
+            "r : int( 0 .. 9 );",
             "c # inside # : INT;",
             "broken : ;",
             "split :\nINT;",
@@ -216,6 +223,6 @@ fn section(c: &mut Choices<'_>, text: &mut String, end: &str) {
         ]));
         text.push_str(&c.of(&[end, end, " ", "  # after #\n"]));
     }
-    text.push_str(&c.of(&["END_VAR", "end_var", "END_VAR", "END_VAR # c #", ""]));
+    text.push_str(&c.of(&["END_VAR", "end_var", "END_VAR", "END_VAR # c #", "", "end_type"]));
     text.push_str(end);
 }

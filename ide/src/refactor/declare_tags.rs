@@ -73,6 +73,10 @@ fn names_undeclared(context: &Context, scope: usize, node: &Node) -> bool {
         NodeKind::Call(_, values) | NodeKind::Array(values) | NodeKind::Repeat(_, values) => {
             values.iter().any(|value| names_undeclared(context, scope, value))
         }
-        NodeKind::Address(_) | NodeKind::Literal(_) | NodeKind::NoFunction | NodeKind::Missing => false,
+        NodeKind::Address(_)
+        | NodeKind::Members(_)
+        | NodeKind::Literal(_)
+        | NodeKind::NoFunction
+        | NodeKind::Missing => false,
     }
 }

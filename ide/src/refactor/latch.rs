@@ -154,7 +154,7 @@ fn mentions(node: &Node, tag: &str) -> bool {
         NodeKind::Call(_, values) | NodeKind::Array(values) | NodeKind::Repeat(_, values) => {
             values.iter().any(|node| mentions(node, tag))
         }
-        NodeKind::Literal(_) | NodeKind::NoFunction | NodeKind::Missing => false,
+        NodeKind::Members(_) | NodeKind::Literal(_) | NodeKind::NoFunction | NodeKind::Missing => false,
     }
 }
 

@@ -5,6 +5,7 @@ use crate::symbol::{Symbol, tag_of};
 use ladder_analysis::context::{Body, Context};
 use ladder_analysis::names::scope::TagFacts;
 use ladder_analysis::program::Role;
+use ladder_analysis::program::element_name;
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_simulator::members_of;
 use ladder_simulator::scenario::Direction;
@@ -12,6 +13,8 @@ use ladder_syntax::Name;
 
 /// This many elements of an array are proposed.
 const ELEMENTS: i64 = 16;
+/// So many elementary parts of a tag are proposed.
+const COLUMNS: usize = 64;
 
 /// A tag, or a part of one, that can begin a row.
 pub(super) struct Proposed {
@@ -93,5 +96,20 @@ fn values_of(program: &Context, tag: &TagFacts, ty: Type) -> Vec<(String, Scalar
         Type::Array { first, last, element } => (first..=last.min(first.saturating_add(ELEMENTS - 1)))
             .map(|index| (format!("{}[{index}]", tag.name), element))
             .collect(),
+        Type::Compound(_) => {
+            let values = ty.column_list().into_iter().filter_map(|column| {
+                let name = format!("{}{}", tag.name, column.path);
+                let (first, count) = match *column.dimensions {
+                    [] => return Some(vec![(name, column.ty.scalar()?)]),
+                    [(first, last)] => (first, last - first + 1),
+                    _ => (0, column.count() as i64),
+                };
+                let scalar = column.ty.scalar()?;
+                let shown = first..first + count.min(ELEMENTS);
+                let names = shown.map(|index| element_name(&name, &column.dimensions, index));
+                Some(names.map(|name| (name, scalar)).collect())
+            });
+            values.take(COLUMNS).flatten().collect()
+        }
     }
 }

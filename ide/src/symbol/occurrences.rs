@@ -351,6 +351,7 @@ pub(crate) fn each_node<'n>(node: &'n Node, give: &mut impl FnMut(&'n Node)) {
         }
         NodeKind::Name(_)
         | NodeKind::Address(_)
+        | NodeKind::Members(_)
         | NodeKind::Literal(_)
         | NodeKind::NoFunction
         | NodeKind::Missing => {}

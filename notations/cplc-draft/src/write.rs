@@ -323,7 +323,7 @@ fn ty(ty: &Type, letter: Option<char>) -> Result<String, String> {
         Type::Scalar(scalar) => (*scalar, None),
         Type::Array { element, first, last } if *first == 0 => (*element, Some(last - first + 1)),
         Type::Array { .. } => return Err("an array of the draft begins at 0".to_owned()),
-        Type::State(_) => return Err("the draft has no such type".to_owned()),
+        Type::State(_) | Type::Compound(_) => return Err("the draft has no such type".to_owned()),
     };
     let word = match (scalar, letter) {
         (Scalar::Bool, Some(letter)) => format!("D{letter}"),

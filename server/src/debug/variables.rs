@@ -213,7 +213,9 @@ pub(super) fn list(
                 .filter_map(|index| value_row(simulation, &format!("[{index}]"), &format!("{name}[{index}]")))
                 .collect()
         }
-        Container::Whole(name, Type::Scalar(_)) => value_row(simulation, name, name).into_iter().collect(),
+        Container::Whole(name, Type::Scalar(_) | Type::Compound(_)) => {
+            value_row(simulation, name, name).into_iter().collect()
+        }
     };
     rows.into_iter()
         .map(|row| shown(simulation, row, handles))

@@ -119,6 +119,11 @@ impl<'p> Signatures<'p> {
                 Name::new(&self.program.functions[*function].name).hash(hasher);
             }
             Argument::Operator(op) => op.hash(hasher),
+            Argument::Parts(parts) => {
+                for part in parts {
+                    self.hash_argument(part, at, hasher);
+                }
+            }
         }
     }
 
@@ -180,6 +185,12 @@ impl<'p> Signatures<'p> {
                 }
             }
             ExprKind::Sum(range) => self.hash_range(range, hasher),
+            ExprKind::Offset(subscripts) => {
+                for subscript in subscripts {
+                    (subscript.first, subscript.last).hash(hasher);
+                    self.hash_expr(&subscript.index, hasher);
+                }
+            }
         }
     }
 }

@@ -33,6 +33,11 @@ impl<'b> Arguments<'b> {
         self.by_place().nth(n).ok_or_else(|| self.mismatch())
     }
 
+    /// Whether the first is a whole structure or array.
+    pub(super) fn are_parts(self) -> bool {
+        matches!(self.get(0), Ok(Argument::Parts(_)))
+    }
+
     /// The one given under a name.
     pub(super) fn named(self, name: &str) -> Option<&'b Argument> {
         let mut named = self.block.arguments.iter().filter(|bound| Self::is_named(bound));

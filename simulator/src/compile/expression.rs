@@ -43,6 +43,7 @@ impl Compiler<'_> {
                 Ok(Slot::Word(self.sum_noted(expr.ty, sum)))
             }
             ExprKind::Sum(range) => Ok(Slot::Word(self.sum(expr.ty, range)?)),
+            ExprKind::Offset(subscripts) => Ok(Slot::Word(self.offset(subscripts)?)),
         }
     }
 

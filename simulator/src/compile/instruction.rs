@@ -25,6 +25,7 @@ impl Compiler<'_> {
             | Op::Lt
             | Op::Le => self.condition(row, arguments, en),
 
+            Op::Mov if arguments.are_parts() => self.move_parts(arguments, en),
             op if self.is_as_in_c(op) => self.c_arithmetic(op, arguments, en),
             Op::Lut | Op::Pwl if self.semantics.tables == Tables::Open => {
                 self.open_table(row.op, arguments, en)

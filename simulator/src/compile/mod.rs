@@ -21,6 +21,7 @@ mod formula;
 mod instruction;
 mod network;
 mod number_coils;
+mod parts;
 mod place;
 mod ports;
 #[cfg(test)]

@@ -13,7 +13,7 @@ use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
 
 /// The routine for a type's bank, of those for bits, words and texts.
-fn of_bank(ty: Scalar, routines: [Routine; 3]) -> Routine {
+pub(super) fn of_bank(ty: Scalar, routines: [Routine; 3]) -> Routine {
     match ty {
         Scalar::Bool => routines[0],
         Scalar::String(_) => routines[2],

@@ -35,7 +35,10 @@ pub(crate) fn name(simulation: &Simulation, place: &Place) -> Option<String> {
     Some(match place {
         Place::Tag(it) => tag(it),
         Place::Member(it, member) => format!("{}.{}", tag(it), member_name(*member)),
-        Place::Element(it, index) => format!("{}[{}]", tag(it), number(simulation, index)?),
+        Place::Element(it, index) => {
+            let index = number(simulation, index)?;
+            simulation.program().tags[it.0 as usize].element_name(index)
+        }
         Place::Bit(word, _, bit) => format!("{}.{bit}", name(simulation, word)?),
         Place::As(inner, ..) => name(simulation, inner)?,
         Place::System(system) => format!("SYS.{}", system.name()),
@@ -51,6 +54,17 @@ pub(crate) fn number(simulation: &Simulation, index: &Expr) -> Option<i64> {
             simulation.value(&point)
         }
         ExprKind::Pass(inner) => return number(simulation, inner),
+        ExprKind::Offset(subscripts) => {
+            let mut offset = 0i64;
+            for subscript in subscripts {
+                let index = number(simulation, &subscript.index)?;
+                if !(subscript.first..=subscript.last).contains(&index) {
+                    return None;
+                }
+                offset += (index - subscript.first) * subscript.stride;
+            }
+            return Some(offset);
+        }
         ExprKind::Binary(operator, left, right) => {
             let (left, right) = (number(simulation, left)?, number(simulation, right)?);
             return match operator {

@@ -2,8 +2,8 @@
 
 use super::Simulation;
 use crate::groups::{Entry, Group, element, is_long, own, parts, range_of};
-use crate::tags::{Point, UnknownTag};
-use ladder_analysis::program::TagId;
+use crate::tags::{Point, UnknownTag, canonical};
+use ladder_analysis::program::{Tag, TagId};
 use ladder_analysis::values::types::Type;
 
 impl Simulation {
@@ -12,9 +12,13 @@ impl Simulation {
     pub fn entries(&self) -> Vec<Entry> {
         let mut entries = Vec::new();
         for (tag, home) in own(&self.program, &self.compiled.homes) {
-            let Type::Array { first, last, .. } = tag.ty else {
-                entries.extend(parts(&self.program, tag, home).map(Entry::Value));
-                continue;
+            let (first, last) = match (tag.ty, &tag.column) {
+                (Type::Array { first, last, .. }, None) => (first, last),
+                (_, Some(_)) if is_long(tag) => continue,
+                _ => {
+                    entries.extend(parts(&self.program, tag, home).map(Entry::Value));
+                    continue;
+                }
             };
             entries.push(Entry::Group(Group {
                 name: tag.name.clone(),
@@ -47,7 +51,8 @@ impl Simulation {
             None => (text.trim(), None),
         };
         let Some(index) = self.names.find(name) else {
-            return Err(unknown);
+            let parts = self.parts_of(text);
+            return if parts.is_empty() { Err(unknown) } else { Ok(parts) };
         };
         let (tag, home) = (&self.program.tags[index], self.compiled.homes[index]);
         let Some((from, to)) = range else {
@@ -67,6 +72,30 @@ impl Simulation {
             });
         }
         Ok((from..=to).filter_map(|at| element(tag, home, at)).collect())
+    }
+
+    /// The values of a structure, an array of such, or an element of one.
+    fn parts_of(&self, text: &str) -> Vec<Point> {
+        let whole = canonical(text).to_lowercase();
+        let is_part = |name: &str| {
+            let rest = name.to_lowercase();
+            let rest = rest.strip_prefix(&whole);
+            let ended = whole.strip_suffix(']').and_then(|begun| {
+                let name = name.to_lowercase();
+                name.strip_prefix(begun).map(|rest| rest.starts_with(", "))
+            });
+            rest.is_some_and(|rest| rest.starts_with(['.', '['])) || ended == Some(true)
+        };
+        let root = whole.split(['.', '[']).next().unwrap_or_default().to_owned();
+        let is_of_root = |tag: &Tag| {
+            let name = tag.name.to_lowercase();
+            let rest = name.strip_prefix(&root);
+            tag.column.is_some() && rest.is_some_and(|rest| rest.starts_with(['.', '[']))
+        };
+        let tags = own(&self.program, &self.compiled.homes).filter(|(tag, _)| is_of_root(tag));
+        tags.flat_map(|(tag, home)| parts(&self.program, tag, home))
+            .filter(|point| is_part(&point.name))
+            .collect()
     }
 
     /// Every listed value whose name holds a text, in any case; with a bracket also elements of long arrays.

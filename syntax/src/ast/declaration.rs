@@ -12,6 +12,18 @@ ast_node!(
     SectionHeader = SECTION_HEADER
 );
 ast_node!(
+    /// The first line of a structure: `Motor : STRUCT`.
+    StructHeader = STRUCT_HEADER
+);
+ast_node!(
+    /// The last line of a structure: `END_STRUCT;`.
+    StructEnd = STRUCT_END
+);
+ast_node!(
+    /// A value of an enumeration: `MIXING := 10`.
+    EnumValue = ENUM_VALUE
+);
+ast_node!(
     /// The first line of a block definition.
     BlockHeader = BLOCK_HEADER
 );
@@ -23,11 +35,7 @@ ast_node!(
 impl<'g> Declaration<'g> {
     /// The declared names.
     pub fn names(&self) -> impl Iterator<Item = TokenView<'g>> + use<'g> {
-        self.0
-            .children()
-            .filter(|n| n.kind() == SyntaxKind::NAME_LIST)
-            .flat_map(NodeView::tokens)
-            .filter(|t| t.kind() == SyntaxKind::IDENT)
+        names(self.0)
     }
 
     /// The address after AT.
@@ -43,21 +51,92 @@ impl<'g> Declaration<'g> {
 
     /// The value after `:=`.
     pub fn initial_value(&self) -> Option<Expression<'g>> {
-        let value = self
-            .0
-            .children()
-            .find(|n| n.kind() == SyntaxKind::INITIAL_VALUE)?;
-        child_expression(value, 0)
+        initial_value(self.0)
     }
+}
+
+impl<'g> StructHeader<'g> {
+    /// The declared names: one, where it is right.
+    pub fn names(&self) -> impl Iterator<Item = TokenView<'g>> + use<'g> {
+        names(self.0)
+    }
+}
+
+impl<'g> StructEnd<'g> {
+    /// The value after `:=`.
+    pub fn initial_value(&self) -> Option<Expression<'g>> {
+        initial_value(self.0)
+    }
+}
+
+fn names<'g>(line: NodeView<'g>) -> impl Iterator<Item = TokenView<'g>> + use<'g> {
+    line.children()
+        .filter(|n| n.kind() == SyntaxKind::NAME_LIST)
+        .flat_map(NodeView::tokens)
+        .filter(|t| t.kind() == SyntaxKind::IDENT)
+}
+
+fn initial_value(line: NodeView<'_>) -> Option<Expression<'_>> {
+    let value = line.children().find(|n| n.kind() == SyntaxKind::INITIAL_VALUE)?;
+    child_expression(value, 0)
+}
+
+impl<'g> EnumValue<'g> {
+    /// Its name.
+    pub fn name(&self) -> Option<TokenView<'g>> {
+        self.0.tokens().find(|t| t.kind() == SyntaxKind::IDENT)
+    }
+
+    /// The number after `:=`.
+    pub fn number(&self) -> Option<Bound<'g>> {
+        let after = self.0.tokens().skip_while(|t| t.kind() != SyntaxKind::ASSIGN);
+        bounds_in(after).next()
+    }
+}
+
+/// A bound of an array or subrange, the length of a STRING, the number of an enumeration's value.
+#[derive(Debug, Clone, Copy)]
+pub struct Bound<'g> {
+    /// Whether a minus is before it.
+    pub negative: bool,
+    /// A number, or the name of a constant.
+    pub token: TokenView<'g>,
+}
+
+/// The bounds among some tokens.
+fn bounds_in<'g>(tokens: impl Iterator<Item = TokenView<'g>>) -> impl Iterator<Item = Bound<'g>> {
+    let mut negative = false;
+    tokens.filter_map(move |token| match token.kind() {
+        SyntaxKind::MINUS => {
+            negative = true;
+            None
+        }
+        SyntaxKind::LITERAL | SyntaxKind::IDENT => Some(Bound {
+            negative: std::mem::take(&mut negative),
+            token,
+        }),
+        _ => None,
+    })
 }
 
 impl<'g> TypeRef<'g> {
     /// The name of the type, or of the elements' type for an array.
     pub fn name(&self) -> Option<TokenView<'g>> {
-        self.0
-            .tokens()
-            .filter(|t| matches!(t.kind(), SyntaxKind::KEYWORD | SyntaxKind::IDENT))
-            .find(|t| !["ARRAY", "OF"].iter().any(|w| w.eq_ignore_ascii_case(t.text())))
+        let is_word = |t: &TokenView<'g>| ["ARRAY", "OF"].iter().any(|w| w.eq_ignore_ascii_case(t.text()));
+        let is_name = |t: &TokenView<'g>| {
+            matches!(
+                t.kind(),
+                SyntaxKind::KEYWORD | SyntaxKind::IDENT | SyntaxKind::BLOCK_NAME
+            )
+        };
+        self.of_element().find(|t| is_name(t) && !is_word(t))
+    }
+
+    /// The tokens of what the elements are, or of the whole if it is no array.
+    fn of_element(&self) -> impl Iterator<Item = TokenView<'g>> + use<'g> {
+        let is_array = self.is_array();
+        let is_of = |t: &TokenView<'_>| t.text().eq_ignore_ascii_case("OF");
+        self.0.tokens().skip_while(move |t| is_array && !is_of(t))
     }
 
     /// Whether it is an array.
@@ -67,18 +146,36 @@ impl<'g> TypeRef<'g> {
             .is_some_and(|t| t.text().eq_ignore_ascii_case("ARRAY"))
     }
 
-    /// The numbers in it with their signs: an array's bounds, then (or only) a string's length.
-    pub fn numbers(&self) -> Vec<(bool, TokenView<'g>)> {
-        let mut numbers = Vec::new();
-        let mut negative = false;
-        for token in self.0.tokens() {
-            match token.kind() {
-                SyntaxKind::MINUS => negative = true,
-                SyntaxKind::LITERAL => numbers.push((std::mem::take(&mut negative), token)),
-                _ => {}
-            }
+    /// The bounds of an array's dimensions, two for each.
+    pub fn dimensions(&self) -> Vec<Bound<'g>> {
+        if !self.is_array() {
+            return Vec::new();
         }
-        numbers
+        let is_of = |t: &TokenView<'_>| t.text().eq_ignore_ascii_case("OF");
+        bounds_in(self.0.tokens().skip(1).take_while(|t| !is_of(t))).collect()
+    }
+
+    /// The type of the elements, if that is an array itself.
+    pub fn element(&self) -> Option<TypeRef<'g>> {
+        child(self.0)
+    }
+
+    /// The numbers after the type's name: the length of a STRING, the bounds of a subrange.
+    pub fn limits(&self) -> Vec<Bound<'g>> {
+        let is_open = |t: &TokenView<'_>| matches!(t.kind(), SyntaxKind::L_BRACKET | SyntaxKind::L_PAREN);
+        bounds_in(self.of_element().skip_while(move |t| !is_open(t))).collect()
+    }
+
+    /// Whether it is the list of an enumeration.
+    pub fn is_enumeration(&self) -> bool {
+        self.0
+            .first_token()
+            .is_some_and(|t| t.kind() == SyntaxKind::L_PAREN)
+    }
+
+    /// The values of an enumeration.
+    pub fn values(&self) -> impl Iterator<Item = EnumValue<'g>> + use<'g> {
+        self.0.children().filter_map(EnumValue::cast)
     }
 }
 

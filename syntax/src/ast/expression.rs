@@ -1,6 +1,8 @@
 //! Expressions: operands, indices, initial values.
 
-use super::{AstNode, NodeView, TokenView, child, child_expression, expression_after, expression_before};
+use super::{
+    AstNode, NamedOperand, NodeView, TokenView, child, child_expression, expression_after, expression_before,
+};
 use crate::kind::SyntaxKind;
 use rowan::TextRange;
 
@@ -27,6 +29,8 @@ pub enum Expression<'g> {
     Call(CallExpression<'g>),
     /// `[1, 2]`
     Array(ArrayExpression<'g>),
+    /// `(speed := 20.0)`
+    Struct(StructExpression<'g>),
     /// What could not be read.
     Error(NodeView<'g>),
 }
@@ -63,6 +67,10 @@ ast_node!(
     /// `[1, 2]`
     ArrayExpression = ARRAY_EXPR
 );
+ast_node!(
+    /// `(speed := 20.0)`
+    StructExpression = STRUCT_EXPR
+);
 
 impl<'g> Expression<'g> {
     /// The view of an expression node.
@@ -78,6 +86,7 @@ impl<'g> Expression<'g> {
             SyntaxKind::PAREN_EXPR => Expression::Paren(ParenExpression(node)),
             SyntaxKind::CALL_EXPR => Expression::Call(CallExpression(node)),
             SyntaxKind::ARRAY_EXPR => Expression::Array(ArrayExpression(node)),
+            SyntaxKind::STRUCT_EXPR => Expression::Struct(StructExpression(node)),
             SyntaxKind::ERROR_NODE => Expression::Error(node),
             _ => return None,
         })
@@ -94,6 +103,7 @@ impl<'g> Expression<'g> {
             Expression::Paren(n) => n.range(),
             Expression::Call(n) => n.range(),
             Expression::Array(n) => n.range(),
+            Expression::Struct(n) => n.range(),
             Expression::Error(n) => n.range(),
         }
     }
@@ -124,12 +134,12 @@ impl<'g> IndexExpression<'g> {
         child_expression(self.0, 0)
     }
 
-    /// The index, if it is a single one.
-    pub fn index(&self) -> Option<Expression<'g>> {
-        child_expression(self.0, 1)
+    /// The indices, but for a range.
+    pub fn indices(&self) -> impl Iterator<Item = Expression<'g>> + use<'g> {
+        self.0.children().filter_map(Expression::cast).skip(1)
     }
 
-    /// The range, if it is one.
+    /// The range, if the last is one.
     pub fn range_expression(&self) -> Option<RangeExpression<'g>> {
         child(self.0)
     }
@@ -192,6 +202,13 @@ impl<'g> CallExpression<'g> {
     /// The arguments.
     pub fn arguments(&self) -> impl Iterator<Item = Expression<'g>> + use<'g> {
         self.0.children().filter_map(Expression::cast).skip(1)
+    }
+}
+
+impl<'g> StructExpression<'g> {
+    /// The members with their values.
+    pub fn members(&self) -> impl Iterator<Item = NamedOperand<'g>> + use<'g> {
+        self.0.children().filter_map(NamedOperand::cast)
     }
 }
 

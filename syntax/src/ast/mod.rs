@@ -24,10 +24,12 @@ mod expression;
 mod view;
 
 pub use block::{Block, BlockHead, BlockShape, HeadName, NamedOperand, Operand, OperandList};
-pub use declaration::{BlockHeader, Declaration, SectionHeader, TypeRef};
+pub use declaration::{
+    BlockHeader, Bound, Declaration, EnumValue, SectionHeader, StructEnd, StructHeader, TypeRef,
+};
 pub use expression::{
     ArrayExpression, BinaryExpression, CallExpression, Expression, IndexExpression, MemberExpression,
-    ParenExpression, RangeExpression, UnaryExpression,
+    ParenExpression, RangeExpression, StructExpression, UnaryExpression,
 };
 pub use view::{NodeView, TokenView};
 

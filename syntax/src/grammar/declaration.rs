@@ -1,6 +1,6 @@
 //! Sections, declarations and the first and last line of a block definition (LANGUAGE §4, §5.7).
 
-use super::{Parser, block, expression, plain};
+use super::{MAX_DEPTH, Parser, block, expression, plain};
 use crate::builder::Builder;
 use crate::error::{DeclarationProblem, SyntaxErrorKind};
 use crate::kind::SyntaxKind;
@@ -13,11 +13,13 @@ use crate::name::longest;
 pub(super) enum KeywordLine {
     Section,
     SectionEnd,
+    StructEnd,
     Block,
     BlockEnd,
 }
 
-const SECTIONS: [&str; 6] = [
+const SECTIONS: [&str; 7] = [
+    "TYPE",
     "VAR",
     "VAR_INPUT",
     "VAR_OUTPUT",
@@ -34,8 +36,11 @@ const TYPES: [&str; 29] = [
 ];
 const MORE_TYPES: [&str; 4] = ["SR", "RS", "TIME_OF_DAY", "DATE_AND_TIME"];
 
-const KEYWORDS: [&str; 8] = [
+const KEYWORDS: [&str; 11] = [
     "END_VAR",
+    "END_TYPE",
+    "STRUCT",
+    "END_STRUCT",
     "RETAIN",
     "CONSTANT",
     "AT",
@@ -71,7 +76,8 @@ fn keyword(word: &str) -> Option<KeywordLine> {
         return Some(KeywordLine::Section);
     }
     match word.to_ascii_uppercase().as_str() {
-        "END_VAR" => Some(KeywordLine::SectionEnd),
+        "END_VAR" | "END_TYPE" => Some(KeywordLine::SectionEnd),
+        "END_STRUCT" => Some(KeywordLine::StructEnd),
         "FUNCTION_BLOCK" => Some(KeywordLine::Block),
         "END_FUNCTION_BLOCK" => Some(KeywordLine::BlockEnd),
         _ => None,
@@ -80,10 +86,10 @@ fn keyword(word: &str) -> Option<KeywordLine> {
 
 /// The keyword that begins at a place.
 pub(super) fn keyword_at(text: &str, at: usize) -> Option<KeywordLine> {
-    // All begin with V, E or F: most lines are told apart by one byte.
+    // All begin with V, E, F or T: most lines are told apart by one byte.
     if !matches!(
         text.as_bytes().get(at),
-        Some(b'V' | b'v' | b'E' | b'e' | b'F' | b'f')
+        Some(b'V' | b'v' | b'E' | b'e' | b'F' | b'f' | b'T' | b't')
     ) {
         return None;
     }
@@ -106,8 +112,14 @@ pub(super) fn ends_declaration(text: &str, at: usize) -> bool {
     text.as_bytes().get(at).is_some_and(|&b| begins_drawing(b)) || keyword_at(text, at).is_some()
 }
 
-/// `VAR_INPUT RETAIN`
+/// `VAR_INPUT RETAIN`, `TYPE`
 pub(super) fn section_header<B: Builder>(p: &mut Parser<'_, '_, B>) -> (LineKind, Mode) {
+    let end = lexer::identifier_end(p.text, p.at).unwrap_or(p.at);
+    let mode = if p.text[p.at..end].eq_ignore_ascii_case("TYPE") {
+        Mode::Types
+    } else {
+        Mode::Section
+    };
     keyword_token(p);
     let mut qualified = false;
     loop {
@@ -118,7 +130,7 @@ pub(super) fn section_header<B: Builder>(p: &mut Parser<'_, '_, B>) -> (LineKind
         if !is_one_of(&p.text[p.at..end], &["RETAIN", "CONSTANT", "NON_RETAIN"]) {
             break;
         }
-        if qualified {
+        if qualified || mode == Mode::Types {
             let problem = DeclarationProblem::Unexpected;
             p.error(SyntaxErrorKind::BadDeclaration(problem), p.at, end);
         }
@@ -126,10 +138,21 @@ pub(super) fn section_header<B: Builder>(p: &mut Parser<'_, '_, B>) -> (LineKind
         p.token((SyntaxKind::KEYWORD, end));
     }
     line_end(p);
-    (LineKind::SectionHeader, Mode::Section)
+    (LineKind::SectionHeader, mode)
 }
 
-/// `END_VAR`
+/// What is wrong with the END_VAR or END_TYPE that is here.
+pub(super) fn wrong_end<B: Builder>(p: &Parser<'_, '_, B>, mode: Mode) -> Option<DeclarationProblem> {
+    let end = lexer::identifier_end(p.text, p.at)?;
+    let of_types = p.text[p.at..end].eq_ignore_ascii_case("END_TYPE");
+    match mode {
+        Mode::Struct { .. } => Some(DeclarationProblem::StructNotClosed),
+        _ if of_types != mode.is_in_types() => Some(DeclarationProblem::OtherEnd),
+        _ => None,
+    }
+}
+
+/// `END_VAR`, `END_TYPE`
 pub(super) fn section_end<B: Builder>(p: &mut Parser<'_, '_, B>) -> (LineKind, Mode) {
     keyword_token(p);
     rest_of_line(p, DeclarationProblem::LineNotEnded);
@@ -207,19 +230,42 @@ fn rest_of_line<B: Builder>(p: &mut Parser<'_, '_, B>, problem: DeclarationProbl
     p.error(SyntaxErrorKind::BadDeclaration(problem), from, p.last_end);
 }
 
-/// `start, stop AT %IX0.0 : BOOL := TRUE;`
-pub(super) fn declaration<B: Builder>(p: &mut Parser<'_, '_, B>) -> (LineKind, Mode) {
+/// `END_STRUCT;`, with the structure's initial value before the `;`.
+pub(super) fn struct_end<B: Builder>(p: &mut Parser<'_, '_, B>, mode: Mode) -> (LineKind, Mode) {
+    p.free_form = true;
+    p.look();
+    p.bump_as(SyntaxKind::KEYWORD);
+    let read = initial_clause(p).and_then(|()| semicolon(p));
+    report(p, read);
+    line_end(p);
+    (LineKind::StructEnd, mode.closed())
+}
+
+/// `start, stop AT %IX0.0 : BOOL := TRUE;`, in TYPE `Speed : REAL := 1.0;`, or `Motor : STRUCT`.
+pub(super) fn declaration<B: Builder>(p: &mut Parser<'_, '_, B>, mode: Mode) -> (LineKind, Mode) {
     if B::SKIPS_PLAIN_DECLARATIONS
         && let Some(end) = plain::plain_declaration(p.text, p.at)
     {
         p.at = end;
         p.last_end = end;
         line_end(p);
-        return (LineKind::Declaration, Mode::Section);
+        return (LineKind::Declaration, mode);
     }
     p.free_form = true;
     p.look();
-    let read = declaration_parts(p);
+    let read = declaration_parts(p, mode);
+    let is_struct = matches!(read, Ok(Declared::Struct));
+    report(p, read.map(|_| ()));
+    line_end(p);
+    if is_struct {
+        (LineKind::StructHeader, mode.opened())
+    } else {
+        (LineKind::Declaration, mode)
+    }
+}
+
+/// Says what a declaration lacks, and goes on after it.
+fn report<B: Builder>(p: &mut Parser<'_, '_, B>, read: Result<(), DeclarationProblem>) {
     if let Err(problem) = read {
         // What is missing is missing after what was read, not at the start of the next line's declaration.
         let next_line = p.text[p.at..p.ahead.start].contains(['\n', '\r']);
@@ -235,13 +281,22 @@ pub(super) fn declaration<B: Builder>(p: &mut Parser<'_, '_, B>) -> (LineKind, M
             recover(p);
         }
     }
-    line_end(p);
-    (LineKind::Declaration, Mode::Section)
 }
 
-/// Whether END_VAR is ahead: it closes the section, whatever lacks before it.
+/// What a declaration turned out to be.
+enum Declared {
+    Whole,
+    /// Its members follow.
+    Struct,
+}
+
+/// Whether END_VAR or its like is ahead: it closes the section, whatever lacks before it.
 fn ends_section<B: Builder>(p: &Parser<'_, '_, B>) -> bool {
-    p.next() == SyntaxKind::IDENT && p.next_is_word("END_VAR")
+    p.next() == SyntaxKind::IDENT
+        && matches!(
+            keyword_at(p.text, p.ahead.start),
+            Some(KeywordLine::SectionEnd | KeywordLine::StructEnd)
+        )
 }
 
 /// Skips to after the next `;`, or to the end of the physical line.
@@ -265,7 +320,10 @@ fn recover<B: Builder>(p: &mut Parser<'_, '_, B>) {
     p.finish_node();
 }
 
-fn declaration_parts<B: Builder>(p: &mut Parser<'_, '_, B>) -> Result<(), DeclarationProblem> {
+fn declaration_parts<B: Builder>(
+    p: &mut Parser<'_, '_, B>,
+    mode: Mode,
+) -> Result<Declared, DeclarationProblem> {
     p.space();
     p.start_node(SyntaxKind::NAME_LIST);
     let names = name_list(p);
@@ -285,19 +343,39 @@ fn declaration_parts<B: Builder>(p: &mut Parser<'_, '_, B>) -> Result<(), Declar
         }
     }
     expect(p, SyntaxKind::COLON, DeclarationProblem::TypeExpected)?;
-    p.space();
-    p.start_node(SyntaxKind::TYPE_REF);
-    let ty = type_ref(p);
-    p.finish_node();
-    ty?;
-    if p.next() == SyntaxKind::ASSIGN {
-        p.space();
-        p.start_node(SyntaxKind::INITIAL_VALUE);
-        p.bump();
-        let value = initial_value(p);
-        p.finish_node();
-        value?;
+    if p.next_is_word("STRUCT") {
+        match mode {
+            Mode::Struct { .. } => p.declaration_error(DeclarationProblem::NestedStruct),
+            Mode::Section => p.declaration_error(DeclarationProblem::StructOutsideTypes),
+            Mode::Types | Mode::Network => {}
+        }
+        p.bump_last_as(SyntaxKind::KEYWORD);
+        return Ok(Declared::Struct);
     }
+    p.space();
+    if p.next() == SyntaxKind::L_PAREN && mode != Mode::Types {
+        p.declaration_error(DeclarationProblem::EnumerationOutsideTypes);
+    }
+    type_ref(p)?;
+    initial_clause(p)?;
+    semicolon(p)?;
+    Ok(Declared::Whole)
+}
+
+/// `:= 5`, where it is.
+fn initial_clause<B: Builder>(p: &mut Parser<'_, '_, B>) -> Result<(), DeclarationProblem> {
+    if p.next() != SyntaxKind::ASSIGN {
+        return Ok(());
+    }
+    p.space();
+    p.start_node(SyntaxKind::INITIAL_VALUE);
+    p.bump();
+    let value = initial_value(p);
+    p.finish_node();
+    value
+}
+
+fn semicolon<B: Builder>(p: &mut Parser<'_, '_, B>) -> Result<(), DeclarationProblem> {
     if p.next() != SyntaxKind::SEMICOLON {
         return Err(DeclarationProblem::SemicolonMissing);
     }
@@ -318,19 +396,45 @@ fn name_list<B: Builder>(p: &mut Parser<'_, '_, B>) -> Result<(), DeclarationPro
     }
 }
 
-/// `INT`, `STRING[80]`, `ARRAY[1..100] OF INT`
+/// `INT`, `STRING[80]`, `ARRAY[1..100] OF INT`, `(IDLE, FILLING)`, `INT(0..100)`, `$Motor`
 fn type_ref<B: Builder>(p: &mut Parser<'_, '_, B>) -> Result<(), DeclarationProblem> {
+    p.start_node(SyntaxKind::TYPE_REF);
+    let read = type_parts(p);
+    p.finish_node();
+    read
+}
+
+fn type_parts<B: Builder>(p: &mut Parser<'_, '_, B>) -> Result<(), DeclarationProblem> {
+    if p.next() == SyntaxKind::L_PAREN {
+        return enumeration(p);
+    }
     if p.next_is_word("ARRAY") {
         p.bump_as(SyntaxKind::KEYWORD);
         expect(p, SyntaxKind::L_BRACKET, DeclarationProblem::BoundsExpected)?;
-        bound(p)?;
-        expect(p, SyntaxKind::DOT_DOT, DeclarationProblem::BoundsExpected)?;
-        bound(p)?;
+        loop {
+            bounds(p)?;
+            if p.next() != SyntaxKind::COMMA {
+                break;
+            }
+            p.bump();
+        }
         expect(p, SyntaxKind::R_BRACKET, DeclarationProblem::BoundsExpected)?;
         if !p.next_is_word("OF") {
             return Err(DeclarationProblem::OfExpected);
         }
         p.bump_as(SyntaxKind::KEYWORD);
+        if p.next_is_word("ARRAY") && p.depth < MAX_DEPTH {
+            p.depth += 1;
+            p.space();
+            let element = type_ref(p);
+            p.depth -= 1;
+            return element;
+        }
+    }
+    take_block_name(p);
+    if p.next() == SyntaxKind::BLOCK_NAME {
+        p.bump();
+        return Ok(());
     }
     if p.next() != SyntaxKind::IDENT || keyword_at(p.text, p.ahead.start).is_some() {
         return Err(DeclarationProblem::TypeExpected);
@@ -346,14 +450,69 @@ fn type_ref<B: Builder>(p: &mut Parser<'_, '_, B>) -> Result<(), DeclarationProb
         p.bump();
         bound(p)?;
         expect(p, SyntaxKind::R_BRACKET, DeclarationProblem::BoundsExpected)?;
+    } else if p.next() == SyntaxKind::L_PAREN {
+        p.bump();
+        bounds(p)?;
+        expect(p, SyntaxKind::R_PAREN, DeclarationProblem::BoundsExpected)?;
     }
     Ok(())
 }
 
-/// A whole number with an optional sign.
+/// Among operands a `$` means nothing; before a type's name it is the name of a block.
+fn take_block_name<B: Builder>(p: &mut Parser<'_, '_, B>) {
+    if p.byte(p.ahead.start) == b'$'
+        && let Some(end) = lexer::identifier_end(p.text, p.ahead.start + 1)
+    {
+        p.ahead.kind = SyntaxKind::BLOCK_NAME;
+        p.ahead.end = end;
+    }
+}
+
+/// `(IDLE, FILLING, MIXING := 10)`
+fn enumeration<B: Builder>(p: &mut Parser<'_, '_, B>) -> Result<(), DeclarationProblem> {
+    p.bump();
+    loop {
+        if p.next() != SyntaxKind::IDENT || keyword_at(p.text, p.ahead.start).is_some() {
+            return Err(DeclarationProblem::EnumerationValueExpected);
+        }
+        p.space();
+        p.start_node(SyntaxKind::ENUM_VALUE);
+        p.bump();
+        let number = if p.next() == SyntaxKind::ASSIGN {
+            p.bump();
+            bound(p)
+        } else {
+            Ok(())
+        };
+        p.finish_node();
+        number?;
+        if p.next() != SyntaxKind::COMMA {
+            break;
+        }
+        p.bump();
+    }
+    expect(
+        p,
+        SyntaxKind::R_PAREN,
+        DeclarationProblem::EnumerationValueExpected,
+    )
+}
+
+/// `1..9`
+fn bounds<B: Builder>(p: &mut Parser<'_, '_, B>) -> Result<(), DeclarationProblem> {
+    bound(p)?;
+    expect(p, SyntaxKind::DOT_DOT, DeclarationProblem::BoundsExpected)?;
+    bound(p)
+}
+
+/// A whole number with an optional sign, or the name of a constant.
 fn bound<B: Builder>(p: &mut Parser<'_, '_, B>) -> Result<(), DeclarationProblem> {
     if p.next() == SyntaxKind::MINUS {
         p.bump();
+    }
+    if p.next() == SyntaxKind::IDENT && !ends_section(p) && !p.next_is_word("OF") {
+        p.bump();
+        return Ok(());
     }
     expect(p, SyntaxKind::LITERAL, DeclarationProblem::BoundsExpected)
 }
@@ -370,20 +529,11 @@ fn expect<B: Builder>(
     Ok(())
 }
 
-/// A literal, an expression of literals, or a list of them in brackets.
+/// A literal, an expression of literals, the values of a structure, or a list of such in brackets.
 fn initial_value<B: Builder>(p: &mut Parser<'_, '_, B>) -> Result<(), DeclarationProblem> {
     p.terms = 0;
     p.too_complex = false;
-    if p.next() == SyntaxKind::L_BRACKET {
-        p.space();
-        p.start_node(SyntaxKind::ARRAY_EXPR);
-        let from = p.ahead.start;
-        p.bump();
-        expression::arguments(p, SyntaxKind::R_BRACKET, from);
-        p.finish_node();
-        return Ok(());
-    }
-    if !expression::begins_operand(p.next()) || ends_section(p) {
+    if !expression::begins_value(p) || ends_section(p) {
         return Err(DeclarationProblem::ValueExpected);
     }
     expression::expression(p, 0);

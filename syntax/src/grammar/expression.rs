@@ -6,9 +6,10 @@
 //! White space and comments between two parts of an expression belong to the innermost node that holds both;
 //! those after it belong to what it is in.
 
+use super::declaration::keyword_at;
 use super::{MAX_DEPTH, MAX_TERMS, Parser, recovery};
 use crate::builder::Builder;
-use crate::error::{Many, OperandPlace, Surroundings, SyntaxErrorKind};
+use crate::error::{DeclarationProblem, Many, OperandPlace, Surroundings, SyntaxErrorKind};
 use crate::kind::SyntaxKind;
 use crate::lexer;
 
@@ -36,6 +37,11 @@ pub(super) const fn begins_operand(kind: SyntaxKind) -> bool {
             | SyntaxKind::ASSIGN
             | SyntaxKind::ARROW
     )
+}
+
+/// Whether a value can begin here: an operand, or in a declaration a list in brackets.
+pub(super) fn begins_value<B: Builder>(p: &Parser<'_, '_, B>) -> bool {
+    begins_operand(p.next()) || p.free_form && p.next() == SyntaxKind::L_BRACKET
 }
 
 /// One operand: an expression, or a named one with `:=` or `=>`. Takes at least one token if one begins here.
@@ -233,7 +239,7 @@ fn postfix<B: Builder>(p: &mut Parser<'_, '_, B>) {
     }
 }
 
-/// What is between the brackets of an index: `i`, `3..9`.
+/// What is between the brackets of an index: `i`, `3..9`, `i, 3`.
 fn index<B: Builder>(p: &mut Parser<'_, '_, B>, from: usize) {
     p.space();
     let checkpoint = p.checkpoint();
@@ -247,6 +253,11 @@ fn index<B: Builder>(p: &mut Parser<'_, '_, B>, from: usize) {
         p.bump();
         value(p, 0, OperandPlace::Range);
         p.finish_node();
+    }
+    if p.next() == SyntaxKind::COMMA && !p.too_complex && p.terms < MAX_TERMS {
+        p.terms += 1;
+        p.bump();
+        return index(p, from);
     }
     if p.next() != SyntaxKind::R_BRACKET
         && let Some(end) = recovery::closing_after_junk(p.text, p.ahead.start, b']')
@@ -296,7 +307,7 @@ pub(super) fn arguments<B: Builder>(p: &mut Parser<'_, '_, B>, closing: SyntaxKi
                 p.error_ahead(missing(OperandPlace::List));
             }
             return close(p, closing, from);
-        } else if begins_operand(p.next()) && !names(p.next()) {
+        } else if begins_value(p) && !names(p.next()) {
             if p.depth == 0 {
                 // The values of a list are counted one by one, as operands are.
                 p.terms = 0;
@@ -313,7 +324,7 @@ pub(super) fn arguments<B: Builder>(p: &mut Parser<'_, '_, B>, closing: SyntaxKi
             if p.next() == closing || ends_operand(p) {
                 return close(p, closing, from);
             }
-            if begins_operand(p.next()) && !names(p.next()) {
+            if begins_value(p) && !names(p.next()) {
                 p.error_ahead(SyntaxErrorKind::MissingComma);
             }
         }
@@ -327,6 +338,18 @@ fn primary<B: Builder>(p: &mut Parser<'_, '_, B>) -> bool {
         // `SHL(a, 2)`: an operator as a function, as IEC 61131-3 has it.
         (None, SyntaxKind::WORD_OPERATOR) if !p.next_is_word("NOT") && p.byte(p.ahead.end) == b'(' => {
             SyntaxKind::NAME_EXPR
+        }
+        (None, SyntaxKind::L_BRACKET) if p.free_form => {
+            let from = p.ahead.start;
+            p.start_node(SyntaxKind::ARRAY_EXPR);
+            p.bump();
+            arguments(p, SyntaxKind::R_BRACKET, from);
+            p.finish_node();
+            return true;
+        }
+        (None, SyntaxKind::L_PAREN) if p.free_form && begins_members(p) => {
+            members(p);
+            return true;
         }
         (None, SyntaxKind::L_PAREN) => {
             let from = p.ahead.start;
@@ -347,6 +370,79 @@ fn primary<B: Builder>(p: &mut Parser<'_, '_, B>) -> bool {
     p.bump();
     p.finish_node();
     true
+}
+
+/// Whether a parenthesis of a declaration holds the values of a structure: a member's name and `:=` are first in it.
+fn begins_members<B: Builder>(p: &Parser<'_, '_, B>) -> bool {
+    let after = |mut at: usize| {
+        while let Some((_, end)) = lexer::space(p.text, at) {
+            at = end;
+        }
+        at
+    };
+    let name = after(p.ahead.end);
+    lexer::identifier_end(p.text, name).is_some_and(|end| p.text[after(end)..].starts_with(":="))
+}
+
+/// Whether the word ahead begins or ends a section or its like.
+fn is_keyword<B: Builder>(p: &Parser<'_, '_, B>) -> bool {
+    p.next() == SyntaxKind::IDENT && keyword_at(p.text, p.ahead.start).is_some()
+}
+
+/// Records an error at the token ahead. A word that ends the section does not become a part of the declaration.
+fn error_here<B: Builder>(p: &mut Parser<'_, '_, B>, kind: SyntaxErrorKind) {
+    if is_keyword(p) {
+        p.error_after(kind);
+    } else {
+        p.error_ahead(kind);
+    }
+}
+
+/// `(speed := 20.0, running := TRUE)`
+fn members<B: Builder>(p: &mut Parser<'_, '_, B>) {
+    let from = p.ahead.start;
+    p.start_node(SyntaxKind::STRUCT_EXPR);
+    p.bump();
+    loop {
+        if p.next() == SyntaxKind::IDENT && !is_keyword(p) {
+            p.space();
+            p.start_node(SyntaxKind::NAMED_OPERAND);
+            p.start_node(SyntaxKind::NAME_EXPR);
+            p.bump_last_as(SyntaxKind::IDENT);
+            p.finish_node();
+            p.look();
+            if p.next() == SyntaxKind::ASSIGN {
+                p.bump();
+                if begins_value(p) && !is_keyword(p) {
+                    expression(p, 0);
+                } else {
+                    error_here(p, missing(OperandPlace::Named));
+                }
+            } else {
+                error_here(
+                    p,
+                    SyntaxErrorKind::BadDeclaration(DeclarationProblem::MemberExpected),
+                );
+            }
+            p.finish_node();
+        } else {
+            error_here(
+                p,
+                SyntaxErrorKind::BadDeclaration(DeclarationProblem::MemberExpected),
+            );
+        }
+        if p.next() != SyntaxKind::COMMA || p.too_complex {
+            break;
+        }
+        p.terms += 1;
+        if p.terms >= MAX_TERMS {
+            too_complex(p);
+            break;
+        }
+        p.bump();
+    }
+    close(p, SyntaxKind::R_PAREN, from);
+    p.finish_node();
 }
 
 /// Takes tokens that no operand begins with as one error, up to what can go on in a list that ends with

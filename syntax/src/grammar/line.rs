@@ -95,22 +95,36 @@ fn logical_line<B: Builder>(p: &mut Parser<'_, '_, B>, entry: Entry, marks: &mut
         return (empty_line(marks), mode);
     }
     let keyword = declaration::keyword_at(p.text, p.at);
-    if mode == Mode::Section {
+    if mode.is_in_section() {
         let drawing = !entry.mid_line && declaration::begins_drawing(p.byte(p.at));
         match keyword {
-            Some(KeywordLine::SectionEnd) => return declaration::section_end(p),
-            None if !drawing => return declaration::declaration(p),
-            _ => misplaced(p, DeclarationProblem::SectionNotClosed),
+            Some(KeywordLine::SectionEnd) => {
+                if let Some(problem) = declaration::wrong_end(p, mode) {
+                    misplaced(p, problem);
+                }
+                return declaration::section_end(p);
+            }
+            Some(KeywordLine::StructEnd) => {
+                if !matches!(mode, Mode::Struct { .. }) {
+                    misplaced(p, DeclarationProblem::EndWithoutSection);
+                }
+                return declaration::struct_end(p, mode);
+            }
+            None if !drawing => return declaration::declaration(p, mode),
+            _ => misplaced(p, mode.not_closed()),
         }
-    } else if keyword == Some(KeywordLine::SectionEnd) {
+    } else if let Some(KeywordLine::SectionEnd | KeywordLine::StructEnd) = keyword {
         misplaced(p, DeclarationProblem::EndWithoutSection);
-        return declaration::section_end(p);
+        return match keyword {
+            Some(KeywordLine::SectionEnd) => declaration::section_end(p),
+            _ => declaration::struct_end(p, mode),
+        };
     } else if entry.mid_line {
         misplaced(p, DeclarationProblem::LineNotEnded);
     }
     match keyword {
         Some(KeywordLine::Section) => declaration::section_header(p),
-        Some(KeywordLine::SectionEnd) => declaration::section_end(p),
+        Some(KeywordLine::SectionEnd | KeywordLine::StructEnd) => declaration::section_end(p),
         Some(KeywordLine::Block) => declaration::block_header(p),
         Some(KeywordLine::BlockEnd) => declaration::block_end(p),
         None => (rung(p, marks), Mode::Network),

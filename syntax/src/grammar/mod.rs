@@ -221,9 +221,12 @@ impl<'t, 'b, B: Builder> Parser<'t, 'b, B> {
             .push(SyntaxError::new(kind, TextRange::new(offset(from), offset(to))));
     }
 
-    /// Records an error at the token ahead; at the end of the line, after what was read last.
+    /// Records an error at the token ahead; at the end of the line, after what was read last. What a declaration lacks at the
+    /// end of a line is missing there: whether it goes on in the next one is not known yet.
     fn error_ahead(&mut self, kind: SyntaxErrorKind) {
-        if matches!(self.ahead.kind, SyntaxKind::NEWLINE | SyntaxKind::EOF) {
+        let is_on_next_line =
+            self.free_form && self.text[self.last_end..self.ahead.start].contains(['\n', '\r']);
+        if is_on_next_line || matches!(self.ahead.kind, SyntaxKind::NEWLINE | SyntaxKind::EOF) {
             self.error_after(kind);
         } else {
             self.error(kind, self.ahead.start, self.ahead.end);

@@ -69,8 +69,8 @@ pub(super) fn plain_declaration(text: &str, at: usize) -> Option<usize> {
         }
     }
     let end = plain_name_end(text, at)?;
-    // An array goes on.
-    if bytes[at..end].eq_ignore_ascii_case(b"ARRAY") {
+    // An array goes on, and so does a structure.
+    if bytes[at..end].eq_ignore_ascii_case(b"ARRAY") || bytes[at..end].eq_ignore_ascii_case(b"STRUCT") {
         return None;
     }
     let semicolon = blanks_end(bytes, end);

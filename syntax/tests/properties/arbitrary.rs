@@ -10,6 +10,8 @@ pub(crate) fn pieces() -> impl Strategy<Value = String> {
             "+--", "--+", "\\", "/", "--\\--", "--/--", "[ ]( a )", "[/]( b )", "( )( y )", "(S)( y )",
             "[TON]( t, T#5s )", "[TON]( t, 5s, R := r )", "<JMP>( l )", "<RET>", "[$B]( a, b )", "|", "|  ", "\n", "\r\n",
             "\r", " ", "\t", "--", "-", "# c #", "#", "# a\n+--", "VAR\n", "VAR_INPUT ", "END_VAR\n", "a : INT;",
+            "TYPE\n", "END_TYPE\n", "M : STRUCT\n", "END_STRUCT;\n", "P : (IDLE, RUN := 5);", "x : M := (a := [1, 2((b := 3))]);",
+            "cell[2].zone[k + 1, 3].open", "g[1, 2..3]", "r : INT(0..9);", "m : ARRAY[1..2, 0..n] OF $B;",
             "b, c : ARRAY[1..3] OF INT := [1, 2(0)];", "s : STRING[5] := 'a$'b';", "FUNCTION_BLOCK [$B]\n",
             "END_FUNCTION_BLOCK\n", "[CALC]( y, a + b * -c ^ 2 )", "[CALC]( y, (a + SQRT(b)) / 2 )", "a[3..9]", "t1.Q",
             "[ ]( word.3 )", "16#FF", "T#1h30m", "D#2026-11-21", "'", "(", ")", "[", "]", "<", ">", ",", ":=", "=>", ";",

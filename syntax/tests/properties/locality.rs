@@ -12,7 +12,7 @@ fn line() -> impl Strategy<Value = String> {
     crate::arbitrary::pieces()
         .prop_map(|text| text.replace(['#', '\n', '\r'], ""))
         .prop_filter("declares", |text| {
-            ["var", "end_", "function"]
+            ["var", "type", "end_", "function"]
                 .iter()
                 .all(|word| !text.to_lowercase().contains(word))
         })

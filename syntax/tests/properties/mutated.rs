@@ -20,7 +20,7 @@ pub(crate) fn mutation() -> impl Strategy<Value = Mutation> {
         prop_oneof![
             8 => prop::sample::select(vec![
                 "(", ")", "[", "]", "<", ">", "-", "--", "+", "|", "\\", "/", "#", "'", ",", ";", ":", ":=", "=>", ".", "..",
-                " ", "\n", "\r", "\r\n", "\t", "$", "%", "5", "a", "T#", "END_VAR", "VAR\n", "FUNCTION_BLOCK [$X]\n", "NOT ",
+                " ", "\n", "\r", "\r\n", "\t", "$", "%", "5", "a", "T#", "END_VAR", "VAR\n", "TYPE\n", "END_TYPE", "STRUCT\n", "END_STRUCT;", "FUNCTION_BLOCK [$X]\n", "NOT ",
                 "[ ]( x )", "( )( y )", "# c #", "é", "\u{feff}", "*", "^",
             ]).prop_map(str::to_owned),
             1 => any::<String>(),

@@ -1,7 +1,20 @@
 //! Programs without errors, to be spoiled by the properties.
 
 /// Each uses another part of the language.
-pub(crate) const PROGRAMS: [&str; 6] = [
+pub(crate) const PROGRAMS: [&str; 7] = [
+    "\
+TYPE
+    Phase : (IDLE, FILLING, MIXING := 10) := FILLING; # steps #
+    Motor : STRUCT
+        speed, limit : REAL := 50.0; # rpm #
+        delay : TON; on : ARRAY[1..3, 0..n] OF ARRAY[1..2] OF INT(0..9);
+    END_STRUCT := (speed := 20.0,
+        on := [1, 2(3)]);
+END_TYPE
+VAR pump : Motor := (on := [6(1)]); m : $Drive; END_VAR
+
++--[EQ]( step, Phase.FILLING )--[MOV]( pump.on[i + 1, 2][k], pump.on[1, 0..2] )--+
+",
     "\
 # Start/stop with a seal-in contact #
 +--\\--[ ]( start )--\\--[/]( stop )-------------( )( run )--+

@@ -45,7 +45,15 @@ fn show(expression: Option<&Expression<'_>>) -> String {
                 show(range.first().as_ref()),
                 show(range.last().as_ref())
             ),
-            None => format!("({}[{}])", show(n.base().as_ref()), show(n.index().as_ref())),
+            None => {
+                let indices: Vec<String> = n.indices().map(|index| show(Some(&index))).collect();
+                let indices = if indices.is_empty() {
+                    "?".to_owned()
+                } else {
+                    indices.join(", ")
+                };
+                format!("({}[{indices}])", show(n.base().as_ref()))
+            }
         },
         Expression::Unary(n) => format!("({} {})", token(n.operator()), show(n.operand().as_ref())),
         Expression::Binary(n) => format!(
@@ -60,6 +68,10 @@ fn show(expression: Option<&Expression<'_>>) -> String {
             show(n.callee().as_ref()),
             list(n.arguments().collect())
         ),
+        Expression::Struct(n) => n
+            .members()
+            .map(|member| format!("({} := {})", token(member.name()), show(member.value().as_ref())))
+            .collect(),
         Expression::Array(n) => format!("[{}]", list(n.values().collect())),
         Expression::Error(n) => format!("error {n}"),
     }
@@ -177,9 +189,10 @@ fn declarations() {
         let names: Vec<String> = declaration.names().map(|t| t.text().to_owned()).collect();
         let ty = declaration.type_ref().map(|ty| {
             let numbers: Vec<String> = ty
-                .numbers()
+                .dimensions()
                 .into_iter()
-                .map(|(negative, t)| format!("{}{}", if negative { "-" } else { "" }, t.text()))
+                .chain(ty.limits())
+                .map(|bound| format!("{}{}", if bound.negative { "-" } else { "" }, bound.token.text()))
                 .collect();
             format!(
                 "{:?} array {} {numbers:?}",

@@ -257,8 +257,7 @@ fn declarations_with_errors() {
                 "INT" 41..44 BadDeclaration(OfExpected)
             DECLARATION ‹NAME_LIST:c› · : · ‹TYPE_REF:STRING[› ‹ERROR_NODE:];› \n
                 "]" 57..58 BadDeclaration(BoundsExpected)
-            DECLARATION ‹NAME_LIST:d› · : · ‹TYPE_REF:ARRAY[1..2› ‹ERROR_NODE:, 3..4] OF INT;› \n
-                "," 74..75 BadDeclaration(BoundsExpected)
+            DECLARATION ‹NAME_LIST:d› · : · ‹TYPE_REF:ARRAY[1..2, 3..4] OF INT› ; \n
             SECTION_END END_VAR
 
             SECTION_HEADER VAR \n

@@ -8,4 +8,5 @@ mod recovery;
 mod show;
 mod structure;
 mod tree;
+mod types;
 mod wiring;

@@ -378,13 +378,12 @@ fn operands_missing_or_misplaced() {
                 "+" 11..12 UnexpectedCharacter {place: Operands, after_comment: false}
                 "+" 16..17 UnexpectedCharacter {place: Operands, after_comment: false}
 
-            RUNG ‹‹[MOV]›‹( ‹INDEX_EXPR:‹NAME_EXPR:a›[]›, ‹INDEX_EXPR:‹NAME_EXPR:b›[‹RANGE_EXPR:..›]›, ‹INDEX_EXPR:‹NAME_EXPR:c›[‹RANGE_EXPR:‹LITERAL_EXPR:1›..›]›, ‹INDEX_EXPR:‹NAME_EXPR:d›[‹RANGE_EXPR:..‹LITERAL_EXPR:2››]›, ‹INDEX_EXPR:‹NAME_EXPR:e›[‹LITERAL_EXPR:1›!"," !"2"]› )››
+            RUNG ‹‹[MOV]›‹( ‹INDEX_EXPR:‹NAME_EXPR:a›[]›, ‹INDEX_EXPR:‹NAME_EXPR:b›[‹RANGE_EXPR:..›]›, ‹INDEX_EXPR:‹NAME_EXPR:c›[‹RANGE_EXPR:‹LITERAL_EXPR:1›..›]›, ‹INDEX_EXPR:‹NAME_EXPR:d›[‹RANGE_EXPR:..‹LITERAL_EXPR:2››]›, ‹INDEX_EXPR:‹NAME_EXPR:e›[‹LITERAL_EXPR:1›, ‹LITERAL_EXPR:2›]› )››
                 "]" 9..10 MissingOperand {place: Index}
                 ".." 14..16 MissingOperand {place: Range}
                 "]" 16..17 MissingOperand {place: Range}
                 "]" 24..25 MissingOperand {place: Range}
                 ".." 29..31 MissingOperand {place: Range}
-                ", 2" 38..41 UnexpectedCharacter {place: Operands, after_comment: false}
 
             RUNG ‹‹[MOV]›‹( ‹MEMBER_EXPR:‹NAME_EXPR:a›.›, !"."‹NAME_EXPR:b›, ‹NAME_EXPR:a›!".."‹NAME_EXPR:b› )››
                 "," 9..10 MissingOperand {place: Member}

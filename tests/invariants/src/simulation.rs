@@ -97,6 +97,7 @@ pub(crate) fn is_small(program: &Program) -> bool {
         Type::Array { first, last, element } => bytes(element).saturating_mul(last - first + 1),
         Type::Scalar(scalar) => bytes(scalar),
         Type::State(_) => 4,
+        Type::Compound(_) => 1,
     };
     let elements: i64 = program.tags.iter().map(|tag| size(tag.ty)).sum();
     let blocks: usize = program.networks.iter().map(|network| network.blocks.len()).sum();

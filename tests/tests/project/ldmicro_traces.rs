@@ -187,6 +187,7 @@ impl Plant {
             let name = renamed.get(&tag.name).unwrap_or(&tag.name);
             let point = |text: &str| self.simulation.resolve(text).map_err(|error| error.message);
             match tag.ty {
+                Type::Compound(_) => {}
                 Type::State(state) if state.is_timer() => {
                     self.points
                         .insert(name.clone(), point(&format!("{}.ET", tag.name))?);

@@ -76,7 +76,7 @@ pub(crate) struct Arguments {
 
     /// The tags to write, in this order; an array stands for its elements, `a[2..5]` for some of them.
     /// Without it every tag but constants, timers and counters, sorted by name
-    #[arg(long, value_name = "TAG,...", value_delimiter = ',')]
+    #[arg(long, value_name = "TAG,...")]
     watch: Vec<String>,
 
     /// What is written
@@ -119,6 +119,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         )));
     }
     let from = arguments.from.as_deref().map(form::named);
+    let watch = names_in(&arguments.watch);
     if arguments.asks_for_the_screen() && terminal::is_interactive() {
         #[cfg(not(feature = "screen"))]
         return Err(Feature::Screen.left_out());
@@ -128,7 +129,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             from,
             stimulus: &arguments.stimulus,
             retain: arguments.retain.as_deref(),
-            watch: &arguments.watch,
+            watch: &watch,
         });
     }
     let source = Source::read(&arguments.file, from)?;
@@ -143,7 +144,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         .map_err(|error| Failure::new(format!("{}: {}", place(&source, error.location), error.message)))?;
 
     // All that can be wrong with the arguments is found before anything is written.
-    let watched = watched(&simulation, &arguments.watch, &source)?;
+    let watched = watched(&simulation, &watch, &source)?;
     let retention = match &arguments.retain {
         Some(file) => Some(Retention::begin(
             KeptIn::File(file),
@@ -203,6 +204,27 @@ fn diagrams(source: &Source, simulation: &Simulation, out: &mut Output) -> Resul
     Ok(())
 }
 
+/// The names in some lists: a comma in brackets parts none.
+fn names_in(lists: &[String]) -> Vec<String> {
+    let mut names = Vec::new();
+    for list in lists {
+        let (mut open, mut start) = (0u32, 0);
+        for (at, byte) in list.bytes().enumerate() {
+            match byte {
+                b'[' => open += 1,
+                b']' => open = open.saturating_sub(1),
+                b',' if open == 0 => {
+                    names.push(list[start..at].to_owned());
+                    start = at + 1;
+                }
+                _ => {}
+            }
+        }
+        names.push(list[start..].to_owned());
+    }
+    names
+}
+
 /// The tags to write: those asked for, by the names they were asked for with, or every elementary tag of the
 /// program but constants, sorted by name. Where a run is about the coils, only the tags that blocks write.
 fn watched(
@@ -247,13 +269,28 @@ fn watched(
         .collect();
     names.sort_by_cached_key(|name| ladder_syntax::Name::new(name));
     // A tag that the simulation does not know by its name is shadowed by another of that name.
-    Ok(names
-        .into_iter()
+    let mut watched: Vec<(String, Point)> = names
+        .iter()
         .flat_map(|name| {
             let points = simulation.resolve_all(name).unwrap_or_default();
             points.into_iter().map(move |point| (called(name, &point), point))
         })
-        .collect())
+        .collect();
+    if program.tags.iter().any(|tag| tag.column.is_some()) {
+        watched.sort_by_cached_key(|(name, _)| in_order(name));
+    }
+    Ok(watched)
+}
+
+/// A name so that paths come by their parts, and elements by their numbers.
+fn in_order(name: &str) -> Vec<(String, i64)> {
+    let name = ladder_syntax::Name::new(name);
+    let parts = name.as_str().split_inclusive(['.', '[', ',', ']']);
+    let numbered = parts.map(|part| {
+        let number = part.trim().trim_end_matches([',', ']']).parse();
+        number.map_or_else(|_| (part.to_owned(), 0), |number| (String::new(), number))
+    });
+    numbered.collect()
 }
 
 /// Whether a name stands for what a tag opens into, of which there is only one.
@@ -263,6 +300,10 @@ fn opens(name: &str, point: &Point) -> bool {
 
 /// The name of a tag, or of an element of it, where the tag goes by this name.
 fn called(name: &str, point: &Point) -> String {
+    // The name of a column has no indices.
+    if name.contains("[]") {
+        return point.name.clone();
+    }
     format!("{name}{}", point.index().unwrap_or_default())
 }
 

@@ -212,6 +212,7 @@ impl Back<'_> {
                 Formula::Call(function, arguments.collect::<Result<_, _>>()?)
             }
             ExprKind::Sum(range) => Formula::Sum(self.span(range)?),
+            ExprKind::Offset(_) => return Err("Click's arrays have one dimension".to_owned()),
             ExprKind::Compare(..) => return Err("Click's formulas compare nothing".to_owned()),
         })
     }

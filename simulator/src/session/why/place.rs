@@ -82,18 +82,23 @@ fn read_in(simulation: &Simulation, expr: &Expr, names: &mut Vec<String>) {
             }
         }
         ExprKind::Sum(range) => range_names(simulation, range, names),
+        ExprKind::Offset(subscripts) => {
+            for subscript in subscripts {
+                read_in(simulation, &subscript.index, names);
+            }
+        }
     }
 }
 
 /// The first elements of a range stand for all.
 fn range_names(simulation: &Simulation, range: &RangeRef, names: &mut Vec<String>) {
     const SHOWN: i64 = 16;
-    let tag = &simulation.program().tags[range.tag.0 as usize].name;
+    let tag = &simulation.program().tags[range.tag.0 as usize];
     let first = number(simulation, &range.first);
     let last = range.last.as_ref().and_then(|last| number(simulation, last));
     if let (Some(first), Some(last)) = (first, last) {
         let elements = first..=last.min(first.saturating_add(SHOWN - 1));
-        names.extend(elements.map(|index| format!("{tag}[{index}]")));
+        names.extend(elements.map(|index| tag.element_name(index)));
     }
 }
 

@@ -1,0 +1,247 @@
+//! Sections of types: what they declare, as they write it.
+
+use super::declare::refused_name;
+use super::problem::NameProblem;
+use super::type_spec::{self, Constants, Declared, Initial, MemberSpec, SpecKind, TypeSpec};
+use crate::values::literal::Literal;
+use ladder_syntax::ast::{AstNode, Declaration, NodeView, SectionHeader, StructEnd, StructHeader, TokenView};
+use ladder_syntax::{Line, LineKind, Name, Parse, Section, TextRange, TextSize};
+use smol_str::SmolStr;
+use std::sync::Arc;
+
+/// A type as its file declares it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DeclaredType {
+    /// As declared.
+    pub name: SmolStr,
+    /// As it is compared.
+    pub key: Name,
+    /// Where its name is, from the start of the file.
+    pub at: TextRange,
+    /// What it says.
+    pub declared: Arc<Declared>,
+}
+
+/// Whether a section declares types.
+pub fn is_of_types(parse: &Parse, section: &Section) -> bool {
+    let tree = parse.lines()[section.lines.start].tree();
+    let header = SectionHeader::cast(NodeView::root(&tree)).and_then(|header| header.section());
+    header.is_some_and(|keyword| keyword.text().eq_ignore_ascii_case("TYPE"))
+}
+
+/// The types of a section.
+pub(crate) fn types(
+    parse: &Parse,
+    section: &Section,
+    constants: &Constants,
+    types: &mut Vec<DeclaredType>,
+    out: &mut Vec<NameProblem>,
+) {
+    let mut start = parse.line_start(section.lines.start);
+    // The structure that is open.
+    let mut open: Option<Open> = None;
+    for line in parse.lines().range(section.lines.clone()) {
+        let at = start;
+        start += TextSize::new(line.len);
+        let found = out.len();
+        let tree = line.tree();
+        let node = NodeView::root(&tree);
+        let reader = Reader { line, at, constants };
+        match line.kind {
+            LineKind::StructHeader => {
+                if let Some(header) = StructHeader::cast(node) {
+                    open = reader
+                        .name_of_type(header.names(), out)
+                        .map(|(name, range)| Open {
+                            name,
+                            at: range,
+                            range: line_range(line, at),
+                            members: Vec::new(),
+                            is_whole: true,
+                        });
+                }
+            }
+            LineKind::StructEnd => {
+                let initial = StructEnd::cast(node).and_then(|end| end.initial_value());
+                let initial = initial.map(|value| Initial::new(&value, at, line.text()));
+                if let Some(open) = open.take() {
+                    finish(open, initial, types, out);
+                }
+            }
+            LineKind::Declaration => {
+                let Some(declaration) = Declaration::cast(node) else {
+                    continue;
+                };
+                let declared = reader.declared(&declaration, out);
+                if let Some(open) = &mut open {
+                    open.is_whole &= declared.is_some() && line.errors.is_empty();
+                    for name in declaration.names() {
+                        open.member(&name, at, declared.as_ref(), out);
+                    }
+                } else if let (Some((name, range)), Some(declared)) =
+                    (reader.name_of_type(declaration.names(), out), declared)
+                {
+                    types.push(DeclaredType {
+                        key: Name::new(&name),
+                        name,
+                        at: range,
+                        declared: Arc::new(declared),
+                    });
+                }
+            }
+            _ => {}
+        }
+        // What the parser has to say about the line is enough.
+        if !line.errors.is_empty() {
+            out.truncate(found);
+        }
+    }
+    if let Some(open) = open {
+        finish(open, None, types, out);
+    }
+}
+
+fn line_range(line: &Line, at: TextSize) -> TextRange {
+    TextRange::at(at, TextSize::new(line.len))
+}
+
+/// A structure whose members are being read.
+struct Open {
+    name: SmolStr,
+    at: TextRange,
+    range: TextRange,
+    members: Vec<MemberSpec>,
+    /// All of them could be read.
+    is_whole: bool,
+}
+
+impl Open {
+    fn member(
+        &mut self,
+        name: &TokenView<'_>,
+        start: TextSize,
+        declared: Option<&Declared>,
+        out: &mut Vec<NameProblem>,
+    ) {
+        let at = name.text_range() + start;
+        if let Some(message) = refused_name(name.text(), false) {
+            out.push(NameProblem::Meaningless(at, message));
+            return;
+        }
+        let key = Name::new(name.text());
+        if let Some(first) = self.members.iter().find(|member| Name::new(&member.name) == key) {
+            out.push(NameProblem::Twice {
+                name: name.text().into(),
+                at,
+                first: first.name.clone(),
+                first_at: first.at,
+            });
+            return;
+        }
+        if let Some(declared) = declared {
+            self.members.push(MemberSpec {
+                name: name.text().into(),
+                at,
+                declared: declared.clone(),
+            });
+        }
+    }
+}
+
+fn finish(open: Open, initial: Option<Initial>, types: &mut Vec<DeclaredType>, out: &mut Vec<NameProblem>) {
+    if open.members.is_empty() && open.is_whole {
+        let message = format!("`{}` has no members: a structure has at least one", open.name);
+        out.push(NameProblem::Meaningless(open.at, message));
+    }
+    let spec = TypeSpec {
+        kind: SpecKind::Structure(open.members),
+        range: open.range,
+    };
+    types.push(DeclaredType {
+        key: Name::new(&open.name),
+        name: open.name,
+        at: open.at,
+        declared: Arc::new(Declared { spec, initial }),
+    });
+}
+
+/// A line of a section of types.
+struct Reader<'l> {
+    line: &'l Line,
+    at: TextSize,
+    constants: &'l Constants,
+}
+
+impl Reader<'_> {
+    /// The name of the type that a line declares.
+    fn name_of_type<'g>(
+        &self,
+        mut names: impl Iterator<Item = TokenView<'g>>,
+        out: &mut Vec<NameProblem>,
+    ) -> Option<(SmolStr, TextRange)> {
+        let name = names.next()?;
+        let range = name.text_range() + self.at;
+        if let Some(second) = names.next() {
+            let message = format!(
+                "a type is declared by itself: write `{}` on a line of its own",
+                second.text()
+            );
+            out.push(NameProblem::Meaningless(second.text_range() + self.at, message));
+        }
+        if let Some(message) = refused_name(name.text(), false) {
+            out.push(NameProblem::Meaningless(range, message));
+            return None;
+        }
+        Some((name.text().into(), range))
+    }
+
+    /// The type and value of a declaration.
+    fn declared(&self, declaration: &Declaration<'_>, out: &mut Vec<NameProblem>) -> Option<Declared> {
+        if let Some(address) = declaration.address() {
+            let message = "a type and its members have no address: declare the tag there with AT";
+            out.push(NameProblem::Meaningless(
+                address.text_range() + self.at,
+                message.to_owned(),
+            ));
+        }
+        let spec = match type_spec::read(&declaration.type_ref()?, self.at, self.constants) {
+            Ok(spec) => spec?,
+            Err((range, message)) => {
+                out.push(NameProblem::Meaningless(range + self.at, message));
+                return None;
+            }
+        };
+        let initial = declaration.initial_value();
+        let initial = initial.map(|value| Initial::new(&value, self.at, self.line.text()));
+        Some(Declared { spec, initial })
+    }
+}
+
+/// The whole numbers that the CONSTANT sections of a file declare outside of blocks.
+pub(crate) fn constants(parse: &Parse, sections: &[Section]) -> Constants {
+    let mut constants = Constants::default();
+    for section in sections.iter().filter(|section| section.block.is_none()) {
+        let tree = parse.lines()[section.lines.start].tree();
+        let header = SectionHeader::cast(NodeView::root(&tree));
+        let is_constant = |token: TokenView<'_>| token.text().eq_ignore_ascii_case("CONSTANT");
+        if !header.is_some_and(|header| header.qualifiers().any(is_constant)) {
+            continue;
+        }
+        for line in parse.lines().range(section.lines.clone()) {
+            let tree = line.tree();
+            let Some(declaration) = Declaration::cast(NodeView::root(&tree)) else {
+                continue;
+            };
+            let value = declaration.initial_value();
+            let value = value.map(|value| crate::networks::facts::node(&value));
+            let literal = value.as_ref().and_then(crate::values::constant::signed_literal);
+            if let Some((Ok(Literal::Int(n)), negative)) = literal {
+                let n = if negative { -n } else { *n };
+                for name in declaration.names() {
+                    constants.entry(Name::new(name.text())).or_insert(n);
+                }
+            }
+        }
+    }
+    constants
+}

@@ -1,0 +1,58 @@
+//! Values of enumerations by name: `Phase.IDLE`, and `IDLE` alone where the place asks for the type.
+
+use super::Resolver;
+use crate::networks::facts::{Node, NodeKind};
+use crate::program::Expr;
+use crate::rules::bad_operand;
+use crate::values::compound::EnumId;
+use crate::values::types::Scalar;
+use crate::values::value::Value;
+use ladder_syntax::Name;
+
+impl Resolver<'_, '_> {
+    /// The enumeration and the number of the value that a node names with its type, as in `Phase.IDLE`. A declared tag of that
+    /// name comes first.
+    pub(super) fn value_of_enumeration(&self, node: &Node) -> Option<(EnumId, Option<i32>)> {
+        let NodeKind::Member(base, word) = &node.kind else {
+            return None;
+        };
+        let NodeKind::Name(name) = &base.kind else {
+            return None;
+        };
+        if self.scope.find(&Name::new(name)).is_some() {
+            return None;
+        }
+        let id = self.context.types.enumeration(name)?;
+        Some((id, id.get().number(&word.text)))
+    }
+
+    /// The value of an enumeration that a node names where one of this type is asked for, or with its type. None: it names none,
+    /// and nothing is said.
+    pub(super) fn named_value(&mut self, node: &Node, asked: Option<Scalar>) -> Option<Option<Expr>> {
+        if let NodeKind::Paren(inner) = &node.kind {
+            return self.named_value(inner, asked);
+        }
+        let (id, number, name) = match (&node.kind, asked) {
+            (NodeKind::Member(_, word), _) => {
+                let (id, number) = self.value_of_enumeration(node)?;
+                (id, number, &word.text)
+            }
+            (NodeKind::Name(name), Some(Scalar::Enum(id))) => {
+                let key = Name::new(name);
+                let tag = self.scope.find(&key).map(|tag| &self.scope.tags[tag]);
+                if tag.is_some() {
+                    return None;
+                }
+                (id, id.get().number(name), name)
+            }
+            _ => return None,
+        };
+        let Some(number) = number else {
+            let found = bad_operand::no_value(&id.get(), name, self.at(node.range));
+            self.report(found);
+            return Some(None);
+        };
+        let value = Value::Int(i64::from(number));
+        Some(Some(self.constant_expr(value, Scalar::Enum(id), node.range)))
+    }
+}

@@ -1,0 +1,530 @@
+//! Structures, enumerations and arrays that are more than one dimension of elementary values: numbers in one table, which
+//! knows each definition once. The table only grows, by the definitions that nobody had before.
+
+use crate::values::types::{Scalar, Type};
+use crate::values::value::Value;
+use ladder_syntax::Name;
+use rustc_hash::{FxHashMap, FxHasher};
+use smol_str::SmolStr;
+use std::fmt;
+use std::hash::{Hash, Hasher};
+use std::sync::{Arc, LazyLock, PoisonError, RwLock};
+
+/// More elementary parts than this in one tag are refused: what still shows and saves quickly.
+pub(crate) const MOST_PARTS: u64 = 1_000_000;
+/// More columns than this in one type are refused: each is a tag of the program.
+pub(crate) const MOST_COLUMNS: u32 = 2_000;
+
+/// A structure, an array or a user-defined block as the type of a tag: its number in the table.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct TypeId(u32);
+
+/// An enumeration: its number in the table.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct EnumId(u32);
+
+/// A type with parts.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Compound {
+    /// `STRUCT`
+    Structure(Structure),
+    /// `ARRAY[1..3, 0..9] OF Motor`
+    Array(ArrayType),
+    /// `$Motor`: the state of a user-defined block, by its name with the `$`.
+    Block(SmolStr),
+}
+
+/// A structure.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Structure {
+    /// As declared.
+    pub name: SmolStr,
+    /// In the order of their declaration.
+    pub members: Box<[MemberType]>,
+}
+
+/// A member of a structure.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MemberType {
+    /// As declared.
+    pub name: SmolStr,
+    /// As it is compared.
+    pub key: Name,
+    /// Its type.
+    pub ty: Type,
+    /// The values of its elementary parts at the start, where the structure says so.
+    pub initial: Option<Arc<[Value]>>,
+}
+
+/// An array of anything.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ArrayType {
+    /// First and last index of each dimension.
+    pub dimensions: Box<[(i64, i64)]>,
+    /// Type of each element.
+    pub element: Type,
+}
+
+/// An enumeration.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Enumeration {
+    /// As declared.
+    pub name: SmolStr,
+    /// Its values in the order of their declaration, with their numbers.
+    pub values: Box<[(SmolStr, i32)]>,
+}
+
+/// An elementary part of a tag with parts, for all indices of the arrays around it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Column {
+    /// Its path from the tag on, without indices: `[].valve.open`.
+    pub path: String,
+    /// First and last index of each array around it, the outermost first.
+    pub dimensions: Box<[(i64, i64)]>,
+    /// A scalar, a state, or a user-defined block.
+    pub ty: Type,
+}
+
+impl Column {
+    /// How many there are of it.
+    pub fn count(&self) -> u64 {
+        count(&self.dimensions)
+    }
+}
+
+/// A type with what is often asked of it.
+#[derive(Debug)]
+struct Known {
+    ty: Compound,
+    /// How many columns it has.
+    columns: u32,
+    /// How many elementary values it has.
+    values: u64,
+    /// How many parts it has, those that keep a state included.
+    parts: u64,
+    /// Whether a timer, counter or block keeps its state in it.
+    keeps_state: bool,
+}
+
+#[derive(Default)]
+struct Table {
+    types: Vec<Arc<Known>>,
+    enumerations: Vec<Arc<Enumeration>>,
+    by_hash: FxHashMap<u64, Vec<u32>>,
+    enumerations_by_content: FxHashMap<Arc<Enumeration>, EnumId>,
+}
+
+static TABLE: LazyLock<RwLock<Table>> = LazyLock::new(RwLock::default);
+
+fn count(dimensions: &[(i64, i64)]) -> u64 {
+    dimensions.iter().fold(1u64, |all, (first, last)| {
+        all.saturating_mul(last.abs_diff(*first) + 1)
+    })
+}
+
+impl TypeId {
+    /// The number of a type. None: it has more parts than a tag may have.
+    pub(crate) fn of(ty: Compound) -> Option<TypeId> {
+        let hash = hash(&ty);
+        let find = |table: &Table| {
+            let same = table.by_hash.get(&hash)?;
+            let same = same.iter().find(|number| table.types[**number as usize].ty == ty);
+            same.map(|number| TypeId(*number))
+        };
+        if let Some(found) = find(&TABLE.read().unwrap_or_else(PoisonError::into_inner)) {
+            return Some(found);
+        }
+        let known = Known::of(ty)?;
+        let mut table = TABLE.write().unwrap_or_else(PoisonError::into_inner);
+        let number = u32::try_from(table.types.len()).ok()?;
+        table.types.push(Arc::new(known));
+        table.by_hash.entry(hash).or_default().push(number);
+        Some(TypeId(number))
+    }
+
+    fn known(self) -> Arc<Known> {
+        Arc::clone(&TABLE.read().unwrap_or_else(PoisonError::into_inner).types[self.0 as usize])
+    }
+
+    /// What it is.
+    pub fn get(self) -> Compound {
+        self.known().ty.clone()
+    }
+
+    /// Asks something of it without a copy.
+    pub fn with<T>(self, ask: impl FnOnce(&Compound) -> T) -> T {
+        ask(&self.known().ty)
+    }
+
+    /// Whether a timer, counter, bistable or block keeps its state in it.
+    pub fn keeps_state(self) -> bool {
+        self.known().keeps_state
+    }
+
+    /// How many elementary values it has.
+    pub fn values(self) -> u64 {
+        self.known().values
+    }
+
+    /// The name of the user-defined block, if it is the state of one.
+    pub fn block(self) -> Option<SmolStr> {
+        self.with(|ty| match ty {
+            Compound::Block(name) => Some(name.clone()),
+            _ => None,
+        })
+    }
+}
+
+impl Known {
+    fn of(ty: Compound) -> Option<Known> {
+        let (columns, values, parts, keeps_state) = match &ty {
+            Compound::Structure(structure) => structure.members.iter().fold(
+                (0u32, 0u64, 0u64, false),
+                |(columns, values, parts, keeps), member| {
+                    (
+                        columns.saturating_add(member.ty.columns()),
+                        values.saturating_add(member.ty.value_count()),
+                        parts.saturating_add(member.ty.part_count()),
+                        keeps || member.ty.keeps_state(),
+                    )
+                },
+            ),
+            Compound::Array(array) => {
+                let elements = count(&array.dimensions);
+                (
+                    array.element.columns(),
+                    elements.saturating_mul(array.element.value_count()),
+                    elements.saturating_mul(array.element.part_count()),
+                    array.element.keeps_state(),
+                )
+            }
+            Compound::Block(_) => (1, 0, 1, true),
+        };
+        (parts <= MOST_PARTS && columns <= MOST_COLUMNS).then_some(Known {
+            ty,
+            columns,
+            values,
+            parts,
+            keeps_state,
+        })
+    }
+}
+
+/// A number for a type by its content, without its initial values.
+fn hash(ty: &Compound) -> u64 {
+    let mut hasher = FxHasher::default();
+    match ty {
+        Compound::Structure(structure) => {
+            structure.name.hash(&mut hasher);
+            for member in &structure.members {
+                (&member.name, member.ty).hash(&mut hasher);
+            }
+        }
+        Compound::Array(array) => (1, &array.dimensions, array.element).hash(&mut hasher),
+        Compound::Block(name) => (2, name).hash(&mut hasher),
+    }
+    hasher.finish()
+}
+
+impl EnumId {
+    /// The number of an enumeration.
+    pub(crate) fn of(enumeration: Enumeration) -> EnumId {
+        let table = TABLE.read().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = table.enumerations_by_content.get(&enumeration) {
+            return *known;
+        }
+        drop(table);
+        let mut table = TABLE.write().unwrap_or_else(PoisonError::into_inner);
+        let number = EnumId(u32::try_from(table.enumerations.len()).unwrap_or(u32::MAX));
+        let enumeration = Arc::new(enumeration);
+        table.enumerations.push(Arc::clone(&enumeration));
+        *table.enumerations_by_content.entry(enumeration).or_insert(number)
+    }
+
+    /// What it is.
+    pub fn get(self) -> Arc<Enumeration> {
+        let table = TABLE.read().unwrap_or_else(PoisonError::into_inner);
+        Arc::clone(&table.enumerations[self.0 as usize])
+    }
+}
+
+impl Enumeration {
+    /// The number of a value by its name, in any case.
+    pub fn number(&self, name: &str) -> Option<i32> {
+        let key = Name::new(name);
+        let found = self.values.iter().find(|(name, _)| Name::new(name) == key);
+        found.map(|(_, number)| *number)
+    }
+
+    /// The name of a value by its number.
+    pub fn name_of(&self, number: i64) -> Option<&SmolStr> {
+        let found = self.values.iter().find(|(_, own)| i64::from(*own) == number);
+        found.map(|(name, _)| name)
+    }
+
+    /// The number that a tag of the type starts with, unless it says otherwise.
+    pub fn first(&self) -> i64 {
+        self.values.first().map_or(0, |(_, number)| i64::from(*number))
+    }
+}
+
+impl Structure {
+    /// A member by its name.
+    pub fn member(&self, name: &str) -> Option<(usize, &MemberType)> {
+        let key = Name::new(name);
+        self.members
+            .iter()
+            .enumerate()
+            .find(|(_, member)| member.key == key)
+    }
+}
+
+impl Type {
+    /// How many columns a tag of the type has.
+    pub fn columns(self) -> u32 {
+        match self {
+            Type::Compound(id) => id.known().columns,
+            _ => 1,
+        }
+    }
+
+    /// How many elementary values.
+    pub(crate) fn value_count(self) -> u64 {
+        match self {
+            Type::Scalar(_) => 1,
+            Type::State(_) => 0,
+            Type::Array { first, last, .. } => last.abs_diff(first) + 1,
+            Type::Compound(id) => id.known().values,
+        }
+    }
+
+    fn part_count(self) -> u64 {
+        match self {
+            Type::State(_) => 1,
+            Type::Compound(id) => id.known().parts,
+            other => other.value_count(),
+        }
+    }
+
+    /// Whether a timer, counter, bistable or block keeps its state in it.
+    pub fn keeps_state(self) -> bool {
+        match self {
+            Type::State(_) => true,
+            Type::Compound(id) => id.keeps_state(),
+            Type::Scalar(_) | Type::Array { .. } => false,
+        }
+    }
+
+    /// The dimensions, and the type of an element, if it is an array.
+    pub fn array(self) -> Option<(Box<[(i64, i64)]>, Type)> {
+        match self {
+            Type::Array { first, last, element } => Some((Box::new([(first, last)]), Type::Scalar(element))),
+            Type::Compound(id) => id.with(|ty| match ty {
+                Compound::Array(array) => Some((array.dimensions.clone(), array.element)),
+                _ => None,
+            }),
+            _ => None,
+        }
+    }
+
+    /// Its elementary parts, one for all indices of the arrays around it, in the order of their declaration.
+    pub fn column_list(self) -> Vec<Column> {
+        let mut columns = Vec::new();
+        self.add_columns(&mut String::new(), &mut Vec::new(), &mut columns);
+        columns
+    }
+
+    // A type nests no deeper than its declarations were read.
+    fn add_columns(self, path: &mut String, dimensions: &mut Vec<(i64, i64)>, out: &mut Vec<Column>) {
+        let (length, depth) = (path.len(), dimensions.len());
+        match self.array() {
+            Some((own, element)) => {
+                dimensions.extend(&own);
+                path.push_str("[]");
+                element.add_columns(path, dimensions, out);
+            }
+            None => match self {
+                Type::Compound(id) if id.block().is_none() => {
+                    if let Compound::Structure(structure) = id.get() {
+                        for member in &structure.members {
+                            path.push('.');
+                            path.push_str(&member.name);
+                            member.ty.add_columns(path, dimensions, out);
+                            path.truncate(length);
+                        }
+                    }
+                }
+                ty => out.push(Column {
+                    path: path.clone(),
+                    dimensions: dimensions.as_slice().into(),
+                    ty,
+                }),
+            },
+        }
+        path.truncate(length);
+        dimensions.truncate(depth);
+    }
+
+    /// The values that its elementary parts start with, unless a declaration says otherwise: element by element, member by
+    /// member.
+    pub fn initial_values(self) -> Vec<Value> {
+        let mut values = Vec::new();
+        self.add_initial(&mut values);
+        values
+    }
+
+    fn add_initial(self, values: &mut Vec<Value>) {
+        if let Some((dimensions, element)) = self.array() {
+            let one = element.initial_values();
+            for _ in 0..count(&dimensions) {
+                values.extend_from_slice(&one);
+            }
+            return;
+        }
+        match self {
+            Type::Scalar(scalar) => values.push(Value::zero(scalar)),
+            Type::Compound(id) => {
+                if let Compound::Structure(structure) = id.get() {
+                    for member in &structure.members {
+                        match &member.initial {
+                            Some(initial) => values.extend_from_slice(initial),
+                            None => member.ty.add_initial(values),
+                        }
+                    }
+                }
+            }
+            Type::State(_) | Type::Array { .. } => {}
+        }
+    }
+
+    /// The values of a column out of those of the whole, which are in the order of [`Type::initial_values`].
+    pub(crate) fn column_values(self, column: usize, values: &[Value]) -> Vec<Value> {
+        let mut picked = Vec::new();
+        self.pick(column as u32, values, &mut picked);
+        picked
+    }
+
+    fn pick(self, column: u32, values: &[Value], picked: &mut Vec<Value>) {
+        if let Some((_, element)) = self.array() {
+            let size = element.value_count() as usize;
+            if size > 0 {
+                for one in values.chunks_exact(size) {
+                    element.pick(column, one, picked);
+                }
+            }
+            return;
+        }
+        match self {
+            Type::Scalar(_) => picked.extend(values.first().cloned()),
+            Type::Compound(id) => {
+                let Compound::Structure(structure) = id.get() else {
+                    return;
+                };
+                let (mut before, mut at) = (0, 0);
+                for member in &structure.members {
+                    let (columns, size) = (member.ty.columns(), member.ty.value_count() as usize);
+                    if column < before + columns {
+                        member.ty.pick(column - before, &values[at..at + size], picked);
+                        return;
+                    }
+                    before += columns;
+                    at += size;
+                }
+            }
+            Type::State(_) | Type::Array { .. } => {}
+        }
+    }
+
+    /// Whether a whole value of one type can be another's: the same named type, or arrays of the same bounds and elements.
+    pub fn is_copied_to(self, other: Type) -> bool {
+        self == other && !self.keeps_state()
+    }
+}
+
+impl fmt::Display for TypeId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.known().ty {
+            Compound::Structure(structure) => f.write_str(&structure.name),
+            Compound::Block(name) => f.write_str(name),
+            Compound::Array(array) => {
+                f.write_str("ARRAY[")?;
+                for (n, (first, last)) in array.dimensions.iter().enumerate() {
+                    let comma = if n > 0 { ", " } else { "" };
+                    write!(f, "{comma}{first}..{last}")?;
+                }
+                write!(f, "] OF {}", array.element)
+            }
+        }
+    }
+}
+
+impl fmt::Debug for TypeId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "TypeId({self})")
+    }
+}
+
+impl fmt::Debug for EnumId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "EnumId({})", Scalar::Enum(*self))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pair() -> Type {
+        let member = |name: &str, ty: Type| MemberType {
+            name: name.into(),
+            key: Name::new(name),
+            ty,
+            initial: None,
+        };
+        let structure = Structure {
+            name: "Pair".into(),
+            members: Box::new([
+                member("a", Type::Scalar(Scalar::Int)),
+                member(
+                    "b",
+                    Type::Array {
+                        first: 0,
+                        last: 1,
+                        element: Scalar::Bool,
+                    },
+                ),
+            ]),
+        };
+        Type::Compound(TypeId::of(Compound::Structure(structure)).unwrap())
+    }
+
+    #[test]
+    fn the_same_content_has_the_same_number() {
+        assert_eq!(pair(), pair());
+        assert!(size_of::<Type>() <= 24, "{}", size_of::<Type>());
+    }
+
+    #[test]
+    fn columns_and_their_values() {
+        let array = ArrayType {
+            dimensions: Box::new([(1, 2)]),
+            element: pair(),
+        };
+        let ty = Type::Compound(TypeId::of(Compound::Array(array)).unwrap());
+        let paths: Vec<String> = ty.column_list().into_iter().map(|column| column.path).collect();
+        assert_eq!(paths, ["[].a", "[].b[]"]);
+        assert_eq!(ty.value_count(), 6);
+        let values = [1, 10, 11, 2, 20, 21].map(Value::Int);
+        assert_eq!(ty.column_values(0, &values), [1, 2].map(Value::Int));
+        assert_eq!(ty.column_values(1, &values), [10, 11, 20, 21].map(Value::Int));
+    }
+
+    #[test]
+    fn what_is_too_large_has_none() {
+        let array = |element| ArrayType {
+            dimensions: Box::new([(1, 1000), (1, 1000), (1, 2)]),
+            element,
+        };
+        assert_eq!(TypeId::of(Compound::Array(array(Type::BOOL))), None);
+    }
+}
