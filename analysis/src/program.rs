@@ -93,6 +93,9 @@ pub struct UserBlock {
     pub shape: Shape,
     /// Its parameters in the order of their declaration: tags of its body.
     pub parameters: Vec<(TagId, ParameterKind)>,
+    /// Of each parameter that is a structure or an array, and not passed as one tag, its parts in the body: the elementary values
+    /// of one that is copied, the columns of one that is passed by reference. In their order goes what is given.
+    pub parts: Vec<Vec<Place>>,
     /// The tags `EN` and `ENO` of its body.
     pub en: TagId,
     /// See `en`.

@@ -24,6 +24,7 @@ use crate::memory::{Bit, Memory, TextSlot, Word};
 use crate::operation::Test;
 use crate::timers::Clock;
 use crate::work;
+use ladder_analysis::values::compound::EnumId;
 use ladder_analysis::values::types::Scalar;
 
 /// Which routine; after each what its operands are. A range is two words: the slot of its first element, and how
@@ -97,6 +98,8 @@ pub(crate) enum Routine {
     /// The reverse: to, its type, from.
     Parse,
     ParseBit,
+    /// A number as a value of an enumeration: to, its type, from.
+    Enumerate,
 
     // Ports.
     /// Sends a byte: from.
@@ -190,6 +193,9 @@ const TYPES: [Scalar; 20] = [
 
 /// A type as an operand.
 pub(crate) fn type_operand(ty: Scalar) -> u32 {
+    if let Scalar::Enum(id) = ty {
+        return TYPES.len() as u32 + id.number();
+    }
     let of_text = |other: &Scalar| ty.is_string() && other.is_string();
     TYPES
         .iter()
@@ -234,7 +240,10 @@ impl<'c> Operands<'c> {
     }
 
     fn ty(&mut self) -> Scalar {
-        TYPES.get(self.number() as usize).copied().unwrap_or(Scalar::Lint)
+        let number = self.number();
+        let enumeration = || EnumId::from_number(number.checked_sub(TYPES.len() as u32)?).map(Scalar::Enum);
+        let elementary = TYPES.get(number as usize).copied();
+        elementary.or_else(enumeration).unwrap_or(Scalar::Lint)
     }
 
     fn test(&mut self) -> Test {
@@ -308,6 +317,7 @@ pub(crate) fn run<const FORCED: bool>(
         Routine::FormatBit => numerals::format_bit(memory, with),
         Routine::Parse => numerals::parse(memory, with)?,
         Routine::ParseBit => numerals::parse_bit(memory, with)?,
+        Routine::Enumerate => numerals::enumerate(memory, with)?,
         Routine::Send => ports::send(memory, with),
         Routine::Receive => ports::receive(memory, with),
         Routine::SendText => ports::send_text(memory, with),

@@ -12,6 +12,7 @@ mod expression;
 mod formula_type;
 pub(crate) mod numbers;
 mod parts;
+mod passed;
 mod path;
 mod place;
 mod ranges;
@@ -274,6 +275,11 @@ fn bodies(units: &[Unit<'_>], numbers: &Numbers, ids: &[Vec<Ids>], program: &mut
                 name: block.name.clone(),
                 shape: block.shape,
                 parameters: block.parameters.iter().map(|p| (id(p.tag), p.kind)).collect(),
+                parts: block
+                    .parameters
+                    .iter()
+                    .map(|p| passed::parts_in_body(p, &ids[index][item + 1]))
+                    .collect(),
                 en: own("EN"),
                 eno: own("ENO"),
                 networks: of(Body::Block(item)),

@@ -405,6 +405,70 @@ impl Resolver<'_, '_> {
         Some(arguments)
     }
 
+    /// The elementary values of what a node names, each by its place.
+    pub(super) fn copied_values(&mut self, node: &Node) -> Option<Vec<Argument>> {
+        let range = self.at(node.range);
+        let part = self.part(node)?;
+        let mut arguments = Vec::new();
+        for (number, column) in (0..).zip(part.ty.column_list()) {
+            let id = self.column_id(part.tag, part.column + number);
+            let Type::Scalar(scalar) = column.ty else { continue };
+            let mut index: Vec<i64> = column.dimensions.iter().map(|(first, _)| *first).collect();
+            loop {
+                let more: Vec<(Expr, (i64, i64))> = (index.iter().zip(&column.dimensions))
+                    .map(|(n, bounds)| {
+                        let n = self.constant_expr(Value::Int(*n), Scalar::Lint, node.range);
+                        (n, *bounds)
+                    })
+                    .collect();
+                let place = if part.indices.is_empty() && more.is_empty() {
+                    Place::Tag(id)
+                } else {
+                    Place::Element(id, Box::new(linear(&part, &more, range)))
+                };
+                arguments.push(Argument::Place(place, scalar));
+                if !next_index(&mut index, &column.dimensions) {
+                    break;
+                }
+            }
+        }
+        Some(arguments)
+    }
+
+    /// What a node names as an in-out: values by their place, arrays by their range, and what keeps a state one by one.
+    pub(super) fn referred_parts(&mut self, node: &Node) -> Option<Vec<Argument>> {
+        let part = self.part(node)?;
+        let is_fixed = |(index, _): &(Expr, (i64, i64))| matches!(index.kind, ExprKind::Constant(_));
+        let has_arrays = part.ty.column_list().iter().any(|column| !column.dimensions.is_empty());
+        if !part.indices.iter().all(is_fixed) && (has_arrays || part.ty.keeps_state()) {
+            let message = format!(
+                "a computed index does not choose {} as an in-out yet: it holds arrays, timers, counters or blocks",
+                with_article(part.ty)
+            );
+            self.report(bad_operand::wrong(self.at(node.range), message));
+            return None;
+        }
+        let mut copied = self.copied_parts(node)?.into_iter();
+        let mut arguments = Vec::new();
+        for (number, column) in (0..).zip(part.ty.column_list()) {
+            if column.ty.scalar().is_some() {
+                arguments.extend(copied.next());
+                continue;
+            }
+            let mut first = 0;
+            for (index, (low, high)) in &part.indices {
+                if let ExprKind::Constant(Value::Int(n)) = index.kind {
+                    first = first * (high - low + 1) + (n - low);
+                }
+            }
+            let count = column.count();
+            let id = self.column_id(part.tag, part.column + number);
+            let from = first as u32 * count as u32;
+            arguments.extend((0..count as u32).map(|n| Argument::State(TagId(id.0.wrapping_add(from + n)))));
+        }
+        Some(arguments)
+    }
+
     /// A node as it is written.
     pub(super) fn text_of(&self, node: &Node) -> String {
         crate::findings::excerpt::text(&self.context.parse, self.at(node.range))
@@ -422,6 +486,18 @@ impl Resolver<'_, '_> {
             }
         }
     }
+}
+
+/// Goes on to the next element, row by row. False after the last.
+fn next_index(index: &mut [i64], dimensions: &[(i64, i64)]) -> bool {
+    for (n, (first, last)) in index.iter_mut().zip(dimensions).rev() {
+        if *n < *last {
+            *n += 1;
+            return true;
+        }
+        *n = *first;
+    }
+    false
 }
 
 fn no_array(ty: Type, name: String, range: TextRange) -> crate::findings::diagnostic::Diagnostic {

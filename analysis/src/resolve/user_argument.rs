@@ -53,6 +53,18 @@ impl<'c> Resolver<'c, '_> {
     fn user_argument(&mut self, node: &Node, ty: Type, parameter: &Parameter) -> Option<Argument> {
         let kind = parameter.kind;
         let range = self.at(node.range);
+        let is_one_tag = matches!(ty, Type::Array { .. })
+            && kind == ParameterKind::InOut
+            && !self.is_in_parts(node);
+        if matches!(ty, Type::Compound(_) | Type::Array { .. }) && !is_one_tag {
+            return self.whole_argument(node, ty, parameter);
+        }
+        if let (Type::State(state), ParameterKind::InOut) = (ty, kind)
+            && self.is_in_parts(node)
+            && self.state_type(node) == Some(state)
+        {
+            return self.state_id(node).map(Argument::State);
+        }
         let Type::Scalar(scalar) = ty else {
             // Arrays and states go as what they are, by reference.
             let tag = self

@@ -12,7 +12,7 @@ use ladder_instructions::{Instruction, Op};
 
 impl<'c> Resolver<'c, '_> {
     /// The type of a node that names a whole structure or array.
-    fn whole(&self, node: &Node) -> Option<Type> {
+    pub(super) fn whole(&self, node: &Node) -> Option<Type> {
         match self.part_type(node)? {
             (ty @ (Type::Compound(_) | Type::Array { .. }), 0) => Some(ty),
             _ => None,

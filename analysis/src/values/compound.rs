@@ -241,6 +241,17 @@ impl EnumId {
         *table.enumerations_by_content.entry(enumeration).or_insert(number)
     }
 
+    /// A number that stands for it while the process lives.
+    pub const fn number(self) -> u32 {
+        self.0
+    }
+
+    /// The one that a number stands for.
+    pub fn from_number(number: u32) -> Option<EnumId> {
+        let table = TABLE.read().unwrap_or_else(PoisonError::into_inner);
+        ((number as usize) < table.enumerations.len()).then_some(EnumId(number))
+    }
+
     /// What it is.
     pub fn get(self) -> Arc<Enumeration> {
         let table = TABLE.read().unwrap_or_else(PoisonError::into_inner);

@@ -7,7 +7,7 @@ use super::{Compiler, Result};
 use crate::code::Instr;
 use crate::memory::{Bit, Word};
 use crate::operation::{Conversion, IntegerOp, RealFunction, RealOp, Test, Width};
-use crate::routine::Routine;
+use crate::routine::{Routine, type_operand};
 use ladder_analysis::program::Expr;
 use ladder_analysis::values::types::{Scalar, passes};
 use ladder_instructions::{Division, Op};
@@ -322,7 +322,17 @@ impl Compiler<'_> {
 
     /// `[TYP]`. None where there is no conversion.
     fn convert_to(&mut self, to: Scalar, from: Scalar, value: Slot) -> Option<Slot> {
+        let from = match from {
+            Scalar::Enum(_) if !to.is_string() => Scalar::Dint,
+            other => other,
+        };
         match (value, to) {
+            (Slot::Word(word), Scalar::Enum(_)) => {
+                let number = self.convert_number(Scalar::Dint, from, word)?;
+                let value = self.layout.word();
+                self.routine(Routine::Enumerate, &[value.0, type_operand(to), number.0]);
+                Some(Slot::Word(value))
+            }
             (Slot::Bit(_), Scalar::Bool) => Some(value),
             (Slot::Bit(bit), _) if !to.is_string() => {
                 let word = self.layout.word();

@@ -68,7 +68,13 @@ impl Compiler<'_> {
     pub(super) fn as_text(&mut self, value: Slot, ty: Scalar) -> TextSlot {
         let to = match value {
             Slot::Text(text) => return text,
-            _ => self.layout.text(NUMERAL),
+            _ => {
+                let longest = match ty {
+                    Scalar::Enum(id) => id.get().values.iter().map(|(name, _)| name.len()).max(),
+                    _ => None,
+                };
+                self.layout.text(longest.unwrap_or(0).max(NUMERAL))
+            }
         };
         match value {
             Slot::Bit(bit) => self.routine(Routine::FormatBit, &[to.0, bit.0]),

@@ -4,11 +4,12 @@
 use super::arguments::Arguments;
 use super::flow::{BodyExit, Kind, holds_any};
 use super::place::{Slot, Spot};
+use super::range::constant;
 use super::{Compiler, Result};
 use crate::code::Instr;
 use crate::compile_error::CompileError;
 use crate::layout::{Borrowed, Home};
-use crate::memory::Bit;
+use crate::memory::{Bit, TextSlot};
 use ladder_analysis::program::{Argument, Block, BlockKind, Bound, Network, ParameterKind, Place, TagId};
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::values::value::Value;
@@ -43,9 +44,20 @@ impl Compiler<'_> {
         // Low until the body has run: a fault in an operand leaves it so.
         self.emit(Instr::Follow { out, en: Bit::LOW });
         for (number, &(tag, kind)) in user.parameters.iter().enumerate() {
-            if kind == ParameterKind::InOut {
-                let bound = given(number).ok_or_else(|| arguments.mismatch())?;
-                let home = self.reference(&bound.argument, arguments)?;
+            if kind != ParameterKind::InOut {
+                continue;
+            }
+            let bound = given(number).ok_or_else(|| arguments.mismatch())?;
+            let in_body = &user.parts[number];
+            let pairs: Vec<(TagId, &Argument)> = match &bound.argument {
+                Argument::Parts(parts) => {
+                    let tags = in_body.iter().filter_map(Place::root);
+                    tags.zip(parts).collect()
+                }
+                one => vec![(tag, one)],
+            };
+            for (tag, argument) in pairs {
+                let home = self.reference(tag, argument, arguments)?;
                 self.homes[tag.0 as usize] = home;
                 self.places.body_in_outs.push((self.standing.clone(), tag, home));
             }
@@ -54,12 +66,16 @@ impl Compiler<'_> {
         let mut inputs = Vec::new();
         for (number, &(tag, kind)) in user.parameters.iter().enumerate() {
             if kind == ParameterKind::Input {
-                inputs.push((tag, self.input(tag, given(number), arguments)?));
+                match user.parts[number].as_slice() {
+                    [] => inputs.push((Place::Tag(tag), self.input(tag, given(number), arguments)?)),
+                    parts => inputs.extend(self.whole_input(parts, given(number), arguments)?),
+                }
             }
         }
         let outputs = self.outputs(index, block)?;
-        for (tag, value) in inputs {
-            self.write_tag(tag, value)?;
+        for (place, value) in inputs {
+            let spot = self.spot(&place)?;
+            self.store(spot, value);
         }
         self.write_tag(user.en, Slot::Bit(en))?;
         self.write_tag(user.eno, Slot::Bit(en))?;
@@ -103,10 +119,12 @@ impl Compiler<'_> {
     fn own_tags(&mut self, index: usize) -> Result<()> {
         let program = self.program;
         let in_outs = &program.blocks[index].parameters;
+        let parts = &program.blocks[index].parts;
         for tag in std::mem::take(&mut self.block_tags[index]) {
-            let is_reference = in_outs
-                .iter()
-                .any(|&(other, kind)| other == tag && kind == ParameterKind::InOut);
+            let is_reference = in_outs.iter().zip(parts).any(|(&(other, kind), parts)| {
+                kind == ParameterKind::InOut
+                    && (other == tag || parts.iter().any(|part| part.root() == Some(tag)))
+            });
             if !is_reference {
                 let declared = &program.tags[tag.0 as usize];
                 let home = self.layout.tag(declared)?;
@@ -121,17 +139,64 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// What an in-out stands for.
-    fn reference(&mut self, argument: &Argument, arguments: Arguments) -> Result<Home> {
+    /// What an in-out stands for, which is this tag of the body.
+    fn reference(&mut self, inner: TagId, argument: &Argument, arguments: Arguments) -> Result<Home> {
         match argument {
             Argument::State(tag) => Ok(self.homes[tag.0 as usize]),
-            Argument::Range(range) => Ok(self.homes[range.tag.0 as usize]),
+            Argument::Range(range) => {
+                let home = self.homes[range.tag.0 as usize];
+                let first = match self.program.tags[inner.0 as usize].ty {
+                    Type::Array { first, .. } => first,
+                    _ => 0,
+                };
+                let ends = (constant(&range.first), range.last.as_deref().and_then(constant));
+                let (Some(from), Some(to)) = ends else {
+                    return Err(arguments.mismatch());
+                };
+                Ok(stretch_of(home, from, to, first))
+            }
             Argument::Place(place, ty) => {
                 let spot = self.spot(place)?;
                 home_of(spot, *ty).ok_or_else(|| arguments.mismatch())
             }
             _ => Err(arguments.mismatch()),
         }
+    }
+
+    /// The values of an input that is a structure or an array.
+    fn whole_input(
+        &mut self,
+        parts: &[Place],
+        given: Option<&Bound>,
+        arguments: Arguments,
+    ) -> Result<Vec<(Place, Slot)>> {
+        let mut inputs = Vec::with_capacity(parts.len());
+        match given.map(|bound| &bound.argument) {
+            Some(Argument::Parts(values)) => {
+                for (part, value) in parts.iter().zip(values) {
+                    let (place, _) = arguments.as_place(value)?;
+                    let spot = self.spot(place)?;
+                    inputs.push((part.clone(), self.load(spot)));
+                }
+            }
+            Some(_) => return Err(arguments.mismatch()),
+            None => {
+                for part in parts {
+                    let tag = part.root().ok_or_else(|| arguments.mismatch())?;
+                    let declared = &self.program.tags[tag.0 as usize];
+                    let (ty, number) = match (declared.ty, part) {
+                        (Type::Array { first, element, .. }, Place::Element(_, index)) => {
+                            (element, constant(index).unwrap_or(first) - first)
+                        }
+                        (ty, _) => (ty.scalar().ok_or_else(|| arguments.mismatch())?, 0),
+                    };
+                    let default = declared.initial.get(number as usize).cloned();
+                    let value = self.literal(&default.unwrap_or_else(|| Value::zero(ty)));
+                    inputs.push((part.clone(), value));
+                }
+            }
+        }
+        Ok(inputs)
     }
 
     /// An input that is left out has its default in every run.
@@ -175,10 +240,24 @@ impl Compiler<'_> {
             else {
                 continue;
             };
+            if let (Some(number), Argument::Parts(places)) = (bound.parameter, &bound.argument) {
+                for (part, given) in user.parts[number].iter().zip(places) {
+                    let (place, ty) = Arguments::of(block).as_place(given)?;
+                    let (read, spot) = (self.spot(part)?, self.spot(place)?);
+                    outputs.push(Output {
+                        read,
+                        from: ty,
+                        spot,
+                        to: ty,
+                    });
+                }
+                continue;
+            }
             let (place, to) = Arguments::of(block).as_place(&bound.argument)?;
             let from = program.tags[tag.0 as usize].ty.scalar().unwrap_or(to);
             let spot = self.spot(place)?;
-            outputs.push(Output { tag, from, spot, to });
+            let read = self.spot(&Place::Tag(tag))?;
+            outputs.push(Output { read, from, spot, to });
         }
         Ok(outputs)
     }
@@ -186,7 +265,7 @@ impl Compiler<'_> {
     /// Copies the outputs to what they are given for.
     pub(super) fn copy_out(&mut self, outputs: &[Output]) -> Result<()> {
         for output in outputs {
-            let value = self.tag_value(output.tag)?;
+            let value = self.load(output.read);
             let value = self.pass(value, output.from, output.to);
             self.store(output.spot, value);
         }
@@ -197,10 +276,36 @@ impl Compiler<'_> {
 /// An output of a block, and what it is copied to.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Output {
-    tag: TagId,
+    /// Where the body has it.
+    read: Spot,
     from: Scalar,
     spot: Spot,
     to: Scalar,
+}
+
+/// The elements of an array from one index to another, as an array whose first index is this.
+fn stretch_of(home: Home, from: i64, to: i64, index: i64) -> Home {
+    let count = (to - from + 1) as u32;
+    match home {
+        Home::Bits { at, first, .. } => Home::Bits {
+            at: at.offset((from - first) as u32),
+            first: index,
+            len: count,
+        },
+        Home::Words { at, first, ty, .. } => Home::Words {
+            at: at.offset((from - first) as u32),
+            first: index,
+            len: count,
+            ty,
+        },
+        Home::Texts { at, first, max, .. } => Home::Texts {
+            at: TextSlot(at.0 + (from - first) as u32),
+            first: index,
+            len: count,
+            max,
+        },
+        other => other,
+    }
 }
 
 /// A place as the home of a tag.

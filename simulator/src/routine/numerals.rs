@@ -56,12 +56,24 @@ pub(super) fn parse(memory: &mut Memory, with: &mut Operands) -> Result<(), Trou
             let value = finite(value, ty == Scalar::Real).map_err(|_| Trouble::OutOfRange)?;
             value.to_bits() as i64
         }
-        _ if ty.is_date() => match value_text::parse(text, ty) {
+        _ if ty.is_date() || ty.is_enumeration() => match value_text::parse(text, ty) {
             Ok(Value::Int(nanoseconds)) => nanoseconds,
             _ => return Err(Trouble::Unparsable),
         },
         _ => Width::of(ty).hold(whole(text)?)?,
     };
+    Ok(())
+}
+
+/// A number must be that of a value.
+pub(super) fn enumerate(memory: &mut Memory, with: &mut Operands) -> Result<(), Trouble> {
+    let (to, ty, number) = (with.word(), with.ty(), with.value(memory));
+    if let Scalar::Enum(id) = ty
+        && id.get().name_of(number).is_none()
+    {
+        return Err(Trouble::OutOfRange);
+    }
+    memory.words[to.0 as usize] = number;
     Ok(())
 }
 

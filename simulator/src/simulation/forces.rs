@@ -209,6 +209,7 @@ fn check(point: &Point, value: &Value) -> Result<(), ValueRefused> {
         (Value::Bool(_), Scalar::Bool) => true,
         (Value::Real(real), ty) => ty.is_real() && real.is_finite(),
         (Value::Text(_), ty) => ty.is_string(),
+        (Value::Int(number), Scalar::Enum(id)) => id.get().name_of(*number).is_some(),
         (Value::Int(number), ty) => match ty.bounds() {
             Some(_) => ladder_analysis::values::value::wrap(*number, ty) == *number,
             None => ty == Scalar::Time || ty.is_date(),
