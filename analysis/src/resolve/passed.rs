@@ -67,7 +67,12 @@ pub(super) fn parts_in_body(parameter: &Parameter, ids: &Ids) -> Vec<Place> {
 
 impl Resolver<'_, '_> {
     /// What is given for a parameter that is a structure or an array.
-    pub(super) fn whole_argument(&mut self, node: &Node, ty: Type, parameter: &Parameter) -> Option<Argument> {
+    pub(super) fn whole_argument(
+        &mut self,
+        node: &Node,
+        ty: Type,
+        parameter: &Parameter,
+    ) -> Option<Argument> {
         let range = self.at(node.range);
         let is_in_out = parameter.kind == ParameterKind::InOut;
         if self.whole(node) != Some(ty) {

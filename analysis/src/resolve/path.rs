@@ -439,7 +439,11 @@ impl Resolver<'_, '_> {
     pub(super) fn referred_parts(&mut self, node: &Node) -> Option<Vec<Argument>> {
         let part = self.part(node)?;
         let is_fixed = |(index, _): &(Expr, (i64, i64))| matches!(index.kind, ExprKind::Constant(_));
-        let has_arrays = part.ty.column_list().iter().any(|column| !column.dimensions.is_empty());
+        let has_arrays = part
+            .ty
+            .column_list()
+            .iter()
+            .any(|column| !column.dimensions.is_empty());
         if !part.indices.iter().all(is_fixed) && (has_arrays || part.ty.keeps_state()) {
             let message = format!(
                 "a computed index does not choose {} as an in-out yet: it holds arrays, timers, counters or blocks",

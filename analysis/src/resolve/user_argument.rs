@@ -53,9 +53,8 @@ impl<'c> Resolver<'c, '_> {
     fn user_argument(&mut self, node: &Node, ty: Type, parameter: &Parameter) -> Option<Argument> {
         let kind = parameter.kind;
         let range = self.at(node.range);
-        let is_one_tag = matches!(ty, Type::Array { .. })
-            && kind == ParameterKind::InOut
-            && !self.is_in_parts(node);
+        let is_one_tag =
+            matches!(ty, Type::Array { .. }) && kind == ParameterKind::InOut && !self.is_in_parts(node);
         if matches!(ty, Type::Compound(_) | Type::Array { .. }) && !is_one_tag {
             return self.whole_argument(node, ty, parameter);
         }

@@ -1,6 +1,7 @@
 //! `duplicate-timer` and `duplicate-counter`: a second block on the tag of a timer or counter.
 
 use super::tag_view::TagView;
+use crate::boolean::written::written;
 use crate::context::Context;
 use crate::findings::article::with_article;
 use crate::findings::diagnostic::Diagnostic;
@@ -13,6 +14,8 @@ use crate::networks::use_place::{Use, UseRef};
 use crate::values::types::Type;
 use ladder_instructions::{Accepts, StateType, States};
 use ladder_syntax::Name;
+use rustc_hash::FxHashMap;
+use std::collections::hash_map::Entry;
 
 pub(crate) const RULE: Rule =
     Rule(&RuleFacts::new(RuleGroup::Names, "duplicate-timer", Severity::Error).about_types());
@@ -20,6 +23,9 @@ pub(crate) const RULE: Rule =
 /// Looks at the blocks of one tag.
 pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
     let (context, tag) = (view.context, view.tag);
+    if let Some(Type::Compound(_)) = tag.ty {
+        return in_parts(context, tag, out);
+    }
     let Some(Type::State(state)) = tag.ty else {
         return;
     };
@@ -44,7 +50,40 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
     if is_shared {
         out.extend(in_another_file(context, rule, tag, state, &first));
     }
-    out.extend(owners.map(|second| second_block(rule, tag, state, &first, &second)));
+    out.extend(owners.map(|second| second_block(rule, &tag.name, state, &first, &second)));
+}
+
+/// Looks at the blocks of the timers and counters in a structure or array: the same path is the same one.
+fn in_parts(context: &Context, tag: &TagFacts, out: &mut Vec<Diagnostic>) {
+    let mut first: FxHashMap<Name, Use> = FxHashMap::default();
+    for place in tag
+        .uses
+        .0
+        .iter()
+        .filter(|place| place.effect() == Effect::KeepsState)
+    {
+        let Formal::Operand(row) = context.networks.formal_of(*place) else {
+            continue;
+        };
+        let Accepts::State(state) = row.accepts else {
+            continue;
+        };
+        let rule = match state {
+            state if state.is_timer() => RULE,
+            state if state.is_counter() => super::duplicate_counter::RULE,
+            _ => continue,
+        };
+        let second = context.networks.use_of(*place);
+        let network = context.networks.at(second.network);
+        let operand = &network.block(second.block).facts.operands[second.operand].value;
+        let path = written(context, network.scope, operand);
+        match first.entry(Name::new(&path)) {
+            Entry::Vacant(free) => {
+                free.insert(second);
+            }
+            Entry::Occupied(first) => out.push(second_block(rule, &path, state, first.get(), &second)),
+        }
+    }
 }
 
 /// Whether a block keeps its state in the tag. One of another type is an error of its own.
@@ -84,8 +123,7 @@ fn kind(rule: Rule) -> &'static str {
     }
 }
 
-fn second_block(rule: Rule, tag: &TagFacts, state: StateType, first: &Use, second: &Use) -> Diagnostic {
-    let name = &tag.name;
+fn second_block(rule: Rule, name: &str, state: StateType, first: &Use, second: &Use) -> Diagnostic {
     let (kind, output) = (kind(rule), "Q");
     Diagnostic::new(
         rule,

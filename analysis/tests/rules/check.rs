@@ -9,13 +9,14 @@ use ladder_syntax::{LineIndex, TextRange, parse};
 use std::sync::Arc;
 
 /// Rules about what a whole program lacks. A text of two lines that shows something else lacks much.
-const ABOUT_WHOLE_PROGRAMS: [&str; 7] = [
+const ABOUT_WHOLE_PROGRAMS: [&str; 8] = [
     "never-read",
     "never-written",
     "set-without-reset",
     "reset-without-set",
     "unused-function",
     "unused-label",
+    "unused-type",
     "never-reset",
 ];
 

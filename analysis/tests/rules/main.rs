@@ -18,5 +18,6 @@ mod several_files_globals;
 mod switched_off;
 mod tags;
 mod text;
+mod types;
 mod values;
 mod wiring;

@@ -18,6 +18,7 @@ mod golden_trace;
 mod groups;
 mod literals_and_types;
 mod order;
+mod parts;
 mod profiles;
 mod record;
 mod retain;

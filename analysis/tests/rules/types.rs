@@ -1,0 +1,323 @@
+//! Types of one's own: structures, enumerations, arrays of anything.
+
+use crate::check::{check, check_files, check_program, clean, clean_program};
+use expect_test::expect;
+
+const MOTOR: &str = "TYPE\n    Phase : (IDLE, FILLING, MIXING := 10);\n    Motor : STRUCT\n        speed   : REAL := 50.0;\n        running : BOOL;\n        delay   : TON;\n        status  : WORD;\n    END_STRUCT;\nEND_TYPE\n";
+
+#[track_caller]
+fn check_with_motor(rest: &str, expected: expect_test::Expect) {
+    check(&format!("{MOTOR}{rest}"), expected);
+}
+
+#[test]
+fn what_the_language_page_shows() {
+    clean_program(
+        "TYPE\n    Phase  : (IDLE, FILLING, MIXING := 10, EMPTYING);\n    Recipe : ARRAY[1..8] OF REAL;\n    Motor  : STRUCT\n        speed, limit : REAL := 50.0;  # rpm #\n        running      : BOOL;\n        delay        : TON;\n    END_STRUCT;\nEND_TYPE\n\nVAR\n    pump  : Motor := (speed := 20.0);\n    lines : ARRAY[1..4] OF Motor;\n    step  : Phase := FILLING;\n    mix   : Recipe := [1.5, 2.0, 6(0.0)];\nEND_VAR\nVAR_INPUT\n    k : INT;\nEND_VAR\n\n+--[EQ]( step, FILLING )--[ ]( lines[k].running )--[TON]( lines[2].delay, T#5s )--[MOV]( step, MIXING )--+\n\n+--[GT]( pump.speed, mix[1] )--( )( lines[k].running )--+\n",
+    );
+}
+
+#[test]
+fn declarations() {
+    check(
+        "TYPE\n    A : STRUCT\n        x : INT;\n        x : BOOL;\n    END_STRUCT;\n    B : STRUCT\n    END_STRUCT;\n    a : INT;\n    C : (ONE, TWO := 0);\n    D, E : INT;\n    F : INT(5..300000);\n    G : BOOL(0..1);\n    INT : REAL;\nEND_TYPE\n",
+        expect![[r#"
+            >         x : BOOL;
+                      ^ error[duplicate-declaration]: `x` is declared twice
+                help: remove one of the declarations, or give one tag another name; capitals do not tell names apart
+                at 3:9 `x`: `x` is first declared here
+            >     B : STRUCT
+                  ^ error[bad-declaration]: `B` has no members: a structure has at least one
+            >     a : INT;
+                  ^ error[duplicate-type]: the type `a` is declared twice
+                help: remove one of the declarations, or give one type another name; capitals do not tell names apart
+                at 2:5 `A`: it is first declared here
+            >     C : (ONE, TWO := 0);
+                            ^^^ error[bad-declaration]: `TWO` has the number 0, which is that of `ONE`
+            >     D, E : INT;
+                     ^ error[bad-declaration]: a type is declared by itself: write `E` on a line of its own
+            >     F : INT(5..300000);
+                      ^^^^^^^^^^^^^^ error[bad-declaration]: 5..300000 is no range within INT, which holds -32768 to 32767
+            >     G : BOOL(0..1);
+                      ^^^^^^^^^^ error[bad-declaration]: BOOL is no integer: only those have a range of values
+            >     INT : REAL;
+                  ^^^ error[bad-declaration]: `INT` is a word of the language: choose another name
+        "#]],
+    );
+}
+
+#[test]
+fn circles_and_unknown_types() {
+    check(
+        "TYPE\n    A : STRUCT\n        b : B;\n    END_STRUCT;\n    B : ARRAY[1..2] OF A;\n    C : STRUCT\n        m : Motr;\n    END_STRUCT;\n    Motor : STRUCT\n        c : INT;\n    END_STRUCT;\nEND_TYPE\n",
+        expect![[r#"
+            >     B : ARRAY[1..2] OF A;
+                                     ^ error[recursive-type]: the type `A` contains itself: it contains `B`, which contains `A`
+                help: a tag of such a type would have parts without end: break the circle, for instance with an index
+            >         m : Motr;
+                          ^^^^ error[unknown-type]: there is no type `Motr`: did you mean Motor?
+                fix: Replace with Motor
+                      A     : STRUCT
+                          b : B;
+                      END_STRUCT;
+                      B     : ARRAY[1..2] OF A;
+                      C     : STRUCT
+                          m : Motor;
+        "#]],
+    );
+}
+
+#[test]
+fn messages_that_people_met_before() {
+    check(
+        "VAR\n    m : STRUCT\n        on : BOOL;\n    END_STRUCT;\n    s : (IDLE, RUN);\nEND_VAR\n+--[ ]( m.on )--( )( Q1 )--+\n",
+        expect![[r#"
+            >     m : STRUCT
+                      ^^^^^^ error[bad-declaration]: a STRUCT is not declared among tags
+                help: declare it in a section TYPE .. END_TYPE as Motor : STRUCT, and the tag as pump : Motor;
+            >     s : (IDLE, RUN);
+                      ^ error[bad-declaration]: the values of an enumeration are not listed here
+                help: declare it in a section TYPE .. END_TYPE as Phase : (IDLE, FILLING); and the tag as step : Phase;
+        "#]],
+    );
+    check(
+        "TYPE\n    M : STRUCT\n        on : BOOL;\nEND_TYPE\n",
+        expect![[r#"
+        > END_TYPE
+          ^^^^^^^^ error[bad-declaration]: the STRUCT above is not closed: END_STRUCT; is missing
+            help: after its last member a structure ends with END_STRUCT; on a line of its own
+    "#]],
+    );
+    check(
+        "TYPE\n    M : INT;\n",
+        expect![[r#"
+        > TYPE
+          ^^^^ error[bad-declaration]: the types above are not closed: END_TYPE is missing
+            help: a section of types ends with END_TYPE on a line of its own
+    "#]],
+    );
+}
+
+#[test]
+fn members_and_elements() {
+    check_with_motor(
+        "VAR\n    pump  : Motor;\n    lines : ARRAY[1..4, 0..1] OF Motor;\n    k     : INT;\nEND_VAR\n\
+         +--[ ]( pump.runing )--[ ]( lines[5, 0].running )--[ ]( lines[1].running )--( )( Q1 )--+\n\
+         +--[ ]( lines.running )--[ ]( pump )--[ ]( pump.delay )--[ ]( pump.status.16 )--( )( Q2 )--+\n\
+         +--[ ]( lines[k, k + 1].delay.Q )--[ ]( pump.delay.QQ )--[ ]( pump.speed )--( )( Q3 )--+\n",
+        expect![[r#"
+            > +--[ ]( pump.runing )--[ ]( lines[5, 0].running )--[ ]( lines[1].running )--( )( Q1 )--+
+                           ^^^^^^ error[unknown-member]: Motor has no member `runing`
+                help: did you mean running?
+            > +--[ ]( pump.runing )--[ ]( lines[5, 0].running )--[ ]( lines[1].running )--( )( Q1 )--+
+                                                ^ error[bad-operand]: `lines` has the elements 1 to 4, there is no 5
+            > +--[ ]( pump.runing )--[ ]( lines[5, 0].running )--[ ]( lines[1].running )--( )( Q1 )--+
+                                                                               ^^^^^^^ error[unknown-member]: an ARRAY[1..4, 0..1] OF Motor has no member `running`
+                help: write the index of an element before the point
+            > +--[ ]( lines.running )--[ ]( pump )--[ ]( pump.delay )--[ ]( pump.status.16 )--( )( Q2 )--+
+                            ^^^^^^^ error[unknown-member]: an ARRAY[1..4, 0..1] OF Motor has no member `running`
+                help: write the index of an element before the point
+            > +--[ ]( lines.running )--[ ]( pump )--[ ]( pump.delay )--[ ]( pump.status.16 )--( )( Q2 )--+
+                                            ^^^^ error[type-mismatch]: `pump` is a Motor, a value is expected here
+                help: name one of its members
+            > +--[ ]( lines.running )--[ ]( pump )--[ ]( pump.delay )--[ ]( pump.status.16 )--( )( Q2 )--+
+                                                         ^^^^^^^^^^ error[type-mismatch]: `pump.delay` is the state of a TON, a value is expected here
+                help: `pump.delay.Q` is its output, `pump.delay.ET` its elapsed time
+            > +--[ ]( lines.running )--[ ]( pump )--[ ]( pump.delay )--[ ]( pump.status.16 )--( )( Q2 )--+
+                                                                                        ^^ error[unknown-member]: WORD has the bits 0 to 15, there is no `16`
+            > +--[ ]( lines[k, k + 1].delay.Q )--[ ]( pump.delay.QQ )--[ ]( pump.speed )--( )( Q3 )--+
+                            ^ error[bad-operand]: a computed index does not choose a timer, counter or block yet: write a number
+            > +--[ ]( lines[k, k + 1].delay.Q )--[ ]( pump.delay.QQ )--[ ]( pump.speed )--( )( Q3 )--+
+                                                                 ^^ error[unknown-member]: `pump.delay` is a TON and has no member `QQ`
+                help: its members are IN PT Q ET R TT
+            > +--[ ]( lines[k, k + 1].delay.Q )--[ ]( pump.delay.QQ )--[ ]( pump.speed )--( )( Q3 )--+
+                                                                            ^^^^^^^^^^ error[type-mismatch]: this is REAL, BOOL is expected here
+                help: convert it with [TYP]( result, value ) into a BOOL first
+        "#]],
+    );
+}
+
+#[test]
+fn enumerations_pass_to_themselves() {
+    clean(&format!(
+        "{MOTOR}VAR\n    step : Phase := MIXING;\n    all  : ARRAY[1..3] OF Phase := [FILLING, 2(Phase.IDLE)];\n    n    : INT;\n    s    : STRING;\n    run  : BOOL;\nEND_VAR\n\
+         +--[EQ]( step, filling )--[MOV]( step, all[2] )--[SEL]( step, run, IDLE, MIXING )--[TYP]( n, step )--[TYP]( s, step )--+\n\
+         +--[CALC]( run, step = IDLE OR step <> all[1] )--[TYP]( step, n )--[FILL]( all[1..3], MIXING )--+\n"
+    ));
+    check_with_motor(
+        "VAR\n    step : Phase;\n    n    : INT;\nEND_VAR\n\
+         +--[GT]( step, IDLE )--[MOV]( step, 1 )--[MOV]( n, step )--[ADD]( step, step, 1 )--+\n\
+         +--[EQ]( step, FILING )--[MOV]( step, Phase.NONE )--[MOV]( n, IDLE )--[EQ]( step, n )--( )( Q1 )--+\n",
+        expect![[r#"
+            > +--[GT]( step, IDLE )--[MOV]( step, 1 )--[MOV]( n, step )--[ADD]( step, step, 1 )--+
+                 ^^^^^^^^^^^^^^^^^^ error[type-mismatch]: Phase and DINT cannot be compared
+                help: convert one of them with [TYP] first
+            > +--[GT]( step, IDLE )--[MOV]( step, 1 )--[MOV]( n, step )--[ADD]( step, step, 1 )--+
+                                                  ^ error[type-mismatch]: the number 1 is given, Phase is expected
+            > +--[GT]( step, IDLE )--[MOV]( step, 1 )--[MOV]( n, step )--[ADD]( step, step, 1 )--+
+                                                                 ^^^^ error[type-mismatch]: `step` is Phase, and `a` of [MOV] takes INT
+                help: convert it with [TYP]( result, value ) into an INT first
+            > +--[GT]( step, IDLE )--[MOV]( step, 1 )--[MOV]( n, step )--[ADD]( step, step, 1 )--+
+                                                                                ^^^^ error[type-mismatch]: the result is Phase, this block gives a number or a TIME
+            > +--[EQ]( step, FILING )--[MOV]( step, Phase.NONE )--[MOV]( n, IDLE )--[EQ]( step, n )--( )( Q1 )--+
+                             ^^^^^^ warning[undeclared-tag]: `FILING` is not declared
+                help: declare it, so that a typing error cannot make a new tag
+                fix: Declare `FILING : Phase` in VAR
+                      step   : Phase;
+                      n      : INT;
+                      FILING : Phase;
+            > +--[EQ]( step, FILING )--[MOV]( step, Phase.NONE )--[MOV]( n, IDLE )--[EQ]( step, n )--( )( Q1 )--+
+                                                    ^^^^^^^^^^ error[bad-operand]: Phase has no value `NONE`
+                help: its values are IDLE FILLING MIXING
+            > +--[EQ]( step, FILING )--[MOV]( step, Phase.NONE )--[MOV]( n, IDLE )--[EQ]( step, n )--( )( Q1 )--+
+                                                                            ^^^^ error[type-mismatch]: `IDLE` is DINT, and `a` of [MOV] takes INT
+                help: convert it with [TYP]( result, value ) into an INT first
+            > +--[EQ]( step, FILING )--[MOV]( step, Phase.NONE )--[MOV]( n, IDLE )--[EQ]( step, n )--( )( Q1 )--+
+                                                                            ^^^^ warning[undeclared-tag]: `IDLE` is not declared
+                help: declare it, so that a typing error cannot make a new tag
+                fix: Declare `IDLE : DINT` in VAR
+                      IDLE : DINT;
+            > +--[EQ]( step, FILING )--[MOV]( step, Phase.NONE )--[MOV]( n, IDLE )--[EQ]( step, n )--( )( Q1 )--+
+                                                                                    ^^^^^^^^^^^^^^^ error[type-mismatch]: Phase and INT cannot be compared
+                help: convert one of them with [TYP] first
+        "#]],
+    );
+}
+
+#[test]
+fn an_undeclared_tag_takes_the_type_of_a_value() {
+    clean(&format!(
+        "{MOTOR}+--[ ]( I1 )--[MOV]( step, Phase.FILLING )--[EQ]( step, Phase.IDLE )--( )( Q1 )--+\n"
+    ));
+}
+
+#[test]
+fn whole_structures_and_arrays() {
+    clean(
+        "TYPE\n    P : STRUCT\n        x : INT;\n        l : ARRAY[1..3] OF REAL;\n    END_STRUCT;\nEND_TYPE\nVAR\n    a, b : P;\n    c    : ARRAY[1..2] OF P;\n    k    : INT;\nEND_VAR\n\
+         +--[MOV]( a, b )--[MOV]( c[k], a )--[MOV]( a.l, c[1].l )--[BMOV]( a.l, b.l )--+\n",
+    );
+    check_with_motor(
+        "VAR\n    a, b : Motor;\n    l, m : ARRAY[1..3] OF INT;\n    n    : ARRAY[1..4] OF INT;\nEND_VAR\n\
+         +--[MOV]( a, b )--[MOV]( l, n )--[EQ]( l, m )--[MOV]( l, a )--+\n",
+        expect![[r#"
+            > +--[MOV]( a, b )--[MOV]( l, n )--[EQ]( l, m )--[MOV]( l, a )--+
+                        ^ error[type-mismatch]: Motor holds a timer, counter or block, whose state is not copied: give it as a VAR_IN_OUT, or copy members
+            > +--[MOV]( a, b )--[MOV]( l, n )--[EQ]( l, m )--[MOV]( l, a )--+
+                           ^ error[type-mismatch]: Motor holds a timer, counter or block, whose state is not copied: give it as a VAR_IN_OUT, or copy members
+            > +--[MOV]( a, b )--[MOV]( l, n )--[EQ]( l, m )--[MOV]( l, a )--+
+                                          ^ error[type-mismatch]: this is ARRAY[1..4] OF INT, ARRAY[1..3] OF INT is expected here
+            > +--[MOV]( a, b )--[MOV]( l, n )--[EQ]( l, m )--[MOV]( l, a )--+
+                                                     ^ error[type-mismatch]: `l` is an array: name an element such as l[1]
+            > +--[MOV]( a, b )--[MOV]( l, n )--[EQ]( l, m )--[MOV]( l, a )--+
+                                                        ^ error[type-mismatch]: `m` is an array: name an element such as m[1]
+            > +--[MOV]( a, b )--[MOV]( l, n )--[EQ]( l, m )--[MOV]( l, a )--+
+                                                                       ^ error[type-mismatch]: this is Motor, ARRAY[1..3] OF INT is expected here
+        "#]],
+    );
+}
+
+#[test]
+fn values_at_the_start() {
+    check_with_motor(
+        "VAR\n    a : Motor := (speed := 1, sped := 2);\n    b : Motor := 5;\n    c : ARRAY[1..2] OF Motor := [(speed := 1), 2((speed := 2))];\n    d : Phase := DONE;\n    e : Motor := (delay := 5);\n    f : Motor := (speed := 1, speed := 2);\nEND_VAR\n",
+        expect![[r#"
+            >     a : Motor := (speed := 1, sped := 2);
+                                            ^^^^ error[bad-declaration]: Motor has no member `sped`
+            >     b : Motor := 5;
+                               ^ error[bad-declaration]: the values of Motor belong in parentheses: (speed := ...)
+            >     c : ARRAY[1..2] OF Motor := [(speed := 1), 2((speed := 2))];
+                                              ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ error[bad-declaration]: there are 3 values for 2 elements
+            >     d : Phase := DONE;
+                               ^^^^ error[bad-declaration]: Phase has no value `DONE`
+            >     e : Motor := (delay := 5);
+                                         ^ error[bad-declaration]: a TON starts cleared: it has no initial value
+            >     f : Motor := (speed := 1, speed := 2);
+                                            ^^^^^ error[bad-declaration]: `speed` has a value already
+        "#]],
+    );
+}
+
+#[test]
+fn one_timer_one_block() {
+    check_with_motor(
+        "VAR\n    lines : ARRAY[1..2] OF Motor;\nEND_VAR\n\
+         +--[TON]( lines[1].delay, 5s )--( )( Q1 )--+\n+--[TON]( lines[2].delay, 5s )--( )( Q2 )--+\n\
+         +--[TON]( Lines[1].delay, 5s )--( )( Q3 )--+\n",
+        expect![[r#"
+            > +--[TON]( Lines[1].delay, 5s )--( )( Q3 )--+
+                        ^^^^^ error[duplicate-timer]: the timer `lines[1].delay` has a second block: both would work on one TON
+                help: give this block a timer of its own; to use the timer on another rung read `lines[1].delay.Q`
+                at 13:11 `lines`: the timer `lines[1].delay` belongs to this block
+        "#]],
+    );
+}
+
+#[test]
+fn what_is_not_built_yet_is_said() {
+    check_with_motor(
+        "VAR\n    lines : ARRAY[1..2] OF Motor;\n    m     : $Motor;\n    k     : INT;\nEND_VAR\n\
+         +--[TON]( lines[k].delay, 5s )--( )( Q1 )--+\n",
+        expect![[r#"
+            >     m     : $Motor;
+                          ^^^^^^ error[bad-declaration]: the state of $Motor cannot be a tag yet: it belongs to each place in the text where the block is
+            > +--[TON]( lines[k].delay, 5s )--( )( Q1 )--+
+                              ^ error[bad-operand]: a computed index does not choose a timer, counter or block yet: write a number
+        "#]],
+    );
+}
+
+#[test]
+fn types_of_other_files() {
+    check_files(
+        "%% types.clad\nTYPE\n    Motor : STRUCT\n        phase : Phase;\n    END_STRUCT;\nEND_TYPE\nVAR_GLOBAL\n    pump : Motor := (phase := RUN);\nEND_VAR\n\
+         FUNCTION_BLOCK [$Go]\nVAR_IN_OUT\n    m : Motor;\nEND_VAR\n+--[MOV]( m.phase, RUN )--+\nEND_FUNCTION_BLOCK\n\
+         %% phase.clad\nTYPE\n    Phase : (IDLE, RUN);\nEND_TYPE\n\
+         %% main.clad\nVAR\n    mine : Motor;\nEND_VAR\n+--[EQ]( pump.phase, RUN )--[$Go]( mine )--[$Go]( pump )--[EQ]( mine.phase, IDLE )--( )( Q1 )--+\n\
+         +--[ ]( pump.fase )--( )( Q2 )--+\n",
+        expect![[r#"
+            == main.clad
+            > +--[ ]( pump.fase )--( )( Q2 )--+
+                           ^^^^ error[unknown-member]: Motor has no member `fase`
+                help: did you mean phase?
+        "#]],
+    );
+    check_files(
+        "%% a.clad\nTYPE\n    M : (A, B);\nEND_TYPE\n%% b.clad\nTYPE\n    M : (A, C);\nEND_TYPE\n%% main.clad\nVAR\n    m : M;\nEND_VAR\n",
+        expect![[r#"
+            == main.clad
+            >     m : M;
+                      ^ error[duplicate-type]: several files declare the type `M`, and not alike: which one is meant is open
+                help: rename all but one of them, or declare the type in this file
+                at a.clad:2:5 `M`: it is declared here
+                at b.clad:2:5 `M`: it is declared here
+        "#]],
+    );
+}
+
+#[test]
+fn types_that_nothing_uses() {
+    check_program(
+        "TYPE\n    A : INT;\n    B : ARRAY[1..2] OF A;\n    C : (ONE, TWO);\nEND_TYPE\n+--[ ]( I1 )--( )( Q1 )--+\n",
+        expect![[r#"
+        >     B : ARRAY[1..2] OF A;
+              ^ info[unused-type]: nothing in this file uses the type `B`
+            help: declare a tag with it, or remove it
+        >     C : (ONE, TWO);
+              ^ info[unused-type]: nothing in this file uses the type `C`
+            help: declare a tag with it, or remove it
+    "#]],
+    );
+}
+
+#[test]
+fn types_in_a_block() {
+    check(
+        "FUNCTION_BLOCK [$B]\nTYPE\n    A : INT;\nEND_TYPE\n+--[ ]( EN )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n",
+        expect![[r#"
+        > TYPE
+          ^^^^ error[wrong-place]: types are not declared in a block
+            help: move the section before FUNCTION_BLOCK: every block sees the types of the workspace
+    "#]],
+    );
+}
