@@ -13,6 +13,7 @@
 
 use crate::body;
 use crate::neighbour::{Workspace, named};
+use crate::symbol::types::{declared_name, type_named};
 use crate::symbol::{Found, Occurrence, Symbol, Usage, declared_names, find, in_files_of, occurrences};
 use crate::target::Target;
 use ladder_analysis::context::{Body, Context};
@@ -52,12 +53,31 @@ pub fn type_definition(context: &Context, offset: TextSize, workspace: &dyn Work
         return Vec::new();
     };
     match tag_after(symbol) {
-        symbol @ Symbol::Block { .. } => defined(context, &symbol, workspace),
+        symbol @ (Symbol::Block { .. } | Symbol::Type { .. }) => defined(context, &symbol, workspace),
+        symbol @ (Symbol::Tag { .. } | Symbol::Global(_)) if type_of(context, &symbol).is_some() => {
+            let ty = type_of(context, &symbol);
+            ty.map(|ty| defined(context, &ty, workspace)).unwrap_or_default()
+        }
         symbol @ (Symbol::Tag { .. } | Symbol::Global(_)) => {
             each_file(context, &symbol, workspace, |file| states(file, &symbol))
         }
         _ => Vec::new(),
     }
+}
+
+/// The declared type of a tag, or of the elements of one.
+fn type_of(context: &Context, symbol: &Symbol) -> Option<Symbol> {
+    let name = symbol.name()?;
+    let scope = match symbol {
+        Symbol::Tag { scope, .. } => *scope,
+        _ => 0,
+    };
+    let scope = context.scopes.get(scope)?;
+    let mut ty = scope.tags[scope.find(name)?].ty?;
+    while let Some((_, element)) = ty.array() {
+        ty = element;
+    }
+    type_named(context, &declared_name(ty)?)
 }
 
 /// Where the thing at an offset is done: a function's networks, a block's body, the places that write a tag.

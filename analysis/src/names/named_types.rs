@@ -116,7 +116,7 @@ impl NamedTypes {
     }
 
     /// Whether an enumeration has a value of this name.
-    pub(crate) fn has_value(&self, name: &Name) -> bool {
+    pub fn has_value(&self, name: &Name) -> bool {
         self.values.contains(name)
     }
 

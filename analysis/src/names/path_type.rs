@@ -1,10 +1,15 @@
 //! The type of a path such as `cell[2].zone[k].valve.open`, from the type of the tag that it begins with.
 
 use super::infer::member;
+use super::operand_value::each_tag_path;
+use crate::context::Context;
+use crate::networks::BlockAt;
 use crate::networks::facts::{Node, NodeKind};
-use crate::values::compound::Compound;
-use crate::values::types::Type;
+use crate::networks::network::{Formal, Meaning};
+use crate::values::compound::{Compound, EnumId};
+use crate::values::types::{Scalar, Type};
 use ladder_instructions::Semantics;
+use ladder_syntax::Name;
 
 /// The type of a path, and how many indices are given of it if it is an array. `root` knows the types of tags.
 pub(crate) fn path_type(
@@ -44,5 +49,39 @@ pub(crate) fn path_type(
             }
         }
         _ => None,
+    }
+}
+
+impl Context {
+    /// The type of a path in a scope. None: it means nothing, or an array of which some indices are missing.
+    pub fn path_type(&self, scope: usize, node: &Node) -> Option<Type> {
+        let found = path_type(node, self.profile.semantics(), &mut |root| {
+            let tags = &self.scopes[scope];
+            self.shared(&tags.tags[tags.find(&Name::new(root.name()?))?]).ty
+        });
+        found.filter(|(_, given)| *given == 0).map(|(ty, _)| ty)
+    }
+
+    /// The enumeration of whose values a name is one, where it is an operand of a block and no tag.
+    pub fn value_in(&self, scope: usize, block: BlockAt<'_>, name: &str) -> Option<EnumId> {
+        let key = Name::new(name);
+        if self.scopes[scope].find(&key).is_some() || !self.types.has_value(&key) {
+            return None;
+        }
+        let mut found = None;
+        let mut offer = |ty: Option<Type>| {
+            if let Some(Scalar::Enum(id)) = ty.and_then(Type::element_scalar)
+                && id.get().number(name).is_some()
+            {
+                found.get_or_insert(id);
+            }
+        };
+        for (operand, formal) in block.facts.operands.iter().zip(block.formals.iter()) {
+            if let (Formal::Parameter(index), Meaning::User(user)) = (formal, block.meaning) {
+                offer(self.user_blocks[user].parameters[*index].ty);
+            }
+            each_tag_path(&operand.value, &mut |path| offer(self.path_type(scope, path)));
+        }
+        found
     }
 }

@@ -77,9 +77,9 @@ pub struct Declared {
 #[derive(Debug, Clone)]
 pub struct Initial {
     /// The value; its places count from the start of its line.
-    pub(crate) node: Node,
+    pub node: Node,
     /// Where that line starts.
-    pub(crate) start: TextSize,
+    pub start: TextSize,
     /// Without blanks, to compare two.
     text: SmolStr,
 }
@@ -151,7 +151,7 @@ impl TypeSpec {
     }
 
     /// Every name of a type in it, with its place.
-    pub(crate) fn each_name<'s>(&'s self, give: &mut impl FnMut(&'s SmolStr, TextRange)) {
+    pub fn each_name<'s>(&'s self, give: &mut impl FnMut(&'s SmolStr, TextRange)) {
         match &self.kind {
             SpecKind::Named(name) => give(name, self.range),
             SpecKind::Array(_, element) => element.each_name(give),

@@ -5,6 +5,7 @@ use super::item::{CompletionKind, Snippet, Topic};
 use super::proposals::Proposals;
 use crate::typing::{Declaration, Typing};
 use ladder_instructions::{Shape, StateType};
+use ladder_syntax::Mode;
 
 /// The sections, with what their first declaration looks like.
 const SECTIONS: [(&str, &str); 6] = [
@@ -56,6 +57,25 @@ pub(super) fn at_line_start(typing: &Typing<'_>, out: &mut Proposals<'_>) {
             Topic::Keyword(word.to_owned()),
         );
     }
+    if !in_block {
+        let text = Snippet::default()
+            .text("TYPE\n    ")
+            .stop("Name")
+            .text(" : STRUCT\n        ")
+            .stop("member")
+            .text(" : ")
+            .stop("BOOL")
+            .text(";\n    END_STRUCT;\nEND_TYPE")
+            .end();
+        out.snippet(
+            (0, 0),
+            CompletionKind::Keyword,
+            "TYPE",
+            "types of your own",
+            text,
+            Topic::Keyword("TYPE".to_owned()),
+        );
+    }
     if in_block {
         keyword(out, "END_FUNCTION_BLOCK", "end of a block definition");
     } else {
@@ -98,7 +118,11 @@ pub(super) fn in_declaration(typing: &Typing<'_>, place: Declaration, out: &mut 
             keyword(out, "RETAIN", "values are kept over a warm restart");
             keyword(out, "CONSTANT", "values are never written");
         }
-        Declaration::Names(true) => keyword(out, "END_VAR", "end of the section"),
+        Declaration::Names(true) => match typing.section() {
+            Mode::Types => keyword(out, "END_TYPE", "end of the section"),
+            Mode::Struct { .. } => keyword(out, "END_STRUCT", "end of the structure"),
+            Mode::Section | Mode::Network => keyword(out, "END_VAR", "end of the section"),
+        },
         // New names cannot be guessed.
         Declaration::Names(false) => {}
         Declaration::AfterNames => keyword(out, "AT", "a direct address"),
@@ -125,6 +149,11 @@ fn types(typing: &Typing<'_>, out: &mut Proposals<'_>) {
             "type",
             Topic::Keyword(word.to_owned()),
         );
+    }
+    for ty in typing.context.types.all() {
+        let detail = ty.file.as_deref().unwrap_or("type of this file");
+        let name = &ty.declaration.name;
+        out.word((0, 0), CompletionKind::Type, name, detail, Topic::Nothing);
     }
     if before.to_ascii_uppercase().ends_with("OF") {
         return;

@@ -3,9 +3,10 @@
 use super::item::{CompletionKind, Topic};
 use super::proposals::Proposals;
 use crate::typing::{Operand, Typing};
-use crate::wanted::{Wanted, scalar_rank, wanted, whole_type};
+use crate::wanted::{Wanted, rank, scalar_rank, wanted, whole_type};
 use ladder_analysis::program::SystemTag;
 use ladder_analysis::state_member;
+use ladder_analysis::values::compound::{Compound, Enumeration, Structure};
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_instructions::{Semantics, StateType};
 
@@ -49,7 +50,44 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, out: &mut Proposal
     match whole_type(typing.context, typing.scope, base) {
         Some(Type::State(state)) => members(typing.context.profile.semantics(), state, wanted.as_ref(), out),
         Some(Type::Scalar(ty)) if ty.is_integer() || ty.is_bits() => bits(ty, out),
+        Some(Type::Compound(id)) => {
+            if let Compound::Structure(structure) = id.get() {
+                of_structure(
+                    typing.context.profile.semantics(),
+                    &structure,
+                    wanted.as_ref(),
+                    out,
+                );
+            }
+        }
+        None => {
+            if let Some(id) = typing.context.types.enumeration(base) {
+                values(&id.get(), 0, out);
+            }
+        }
         _ => {}
+    }
+}
+
+fn of_structure(
+    semantics: &Semantics,
+    structure: &Structure,
+    wanted: Option<&Wanted>,
+    out: &mut Proposals<'_>,
+) {
+    for member in &structure.members {
+        let fits = wanted.map_or(Some(0), |wanted| rank(semantics, wanted, member.ty));
+        let order = (fits.unwrap_or(u8::MAX), 0);
+        let ty = member.ty.to_string();
+        out.word(order, CompletionKind::Member, &member.name, &ty, Topic::Nothing);
+    }
+}
+
+/// The values of an enumeration.
+pub(super) fn values(enumeration: &Enumeration, fits: u8, out: &mut Proposals<'_>) {
+    for (name, number) in &enumeration.values {
+        let detail = format!("{}, {number}", enumeration.name);
+        out.word((fits, 0), CompletionKind::Value, name, &detail, Topic::Nothing);
     }
 }
 

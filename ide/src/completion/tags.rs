@@ -186,6 +186,11 @@ fn literals(wanted: &Wanted, out: &mut Proposals<'_>) {
     let value = |out: &mut Proposals<'_>, order: (u8, u8), text: &str, words: &'static str| {
         out.word(order, CompletionKind::Value, text, "literal", Topic::Words(words));
     };
+    if let Kind::To(Scalar::Enum(id)) | Kind::With(Scalar::Enum(id)) = wanted.kind
+        && wanted.reads
+    {
+        super::members::values(&id.get(), 0, out);
+    }
     // A contact on TRUE is a wire; where a value is asked for, both are at home.
     let bool_value = matches!(wanted.kind, Kind::To(Scalar::Bool) | Kind::With(Scalar::Bool));
     if bool_value || wanted.expression && scalar_rank(wanted, Scalar::Bool).is_some() {

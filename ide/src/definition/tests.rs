@@ -175,3 +175,31 @@ fn an_own_block_comes_first() {
         "#]],
     );
 }
+
+#[test]
+fn types_members_and_values() {
+    let types = "TYPE\n    Phase : (IDLE, FILLING, MIXING := 10);\n    Motor : STRUCT\n        speed   : REAL;\n        running : BOOL;\n        delay   : TON;\n    END_STRUCT;\nEND_TYPE\n\nVAR\n    pump  : Motor := (speed := 20.0);\n    lines : ARRAY[1..4] OF Motor;\n    step  : Phase := FILLING;\n    k     : INT;\nEND_VAR\n\n";
+    let check = |rest: &str, expected: Expect| check(&format!("{types}{rest}"), expected);
+    check(
+        "+--[ ]( pump.runn$0ing )--( )( Q1 )--+\n",
+        expect![[r#"
+        definition: main.clad:5:9 running
+        declaration: main.clad:5:9 running
+    "#]],
+    );
+    check(
+        "+--[EQ]( step, FILL$0ING )--( )( Q1 )--+\n",
+        expect![[r#"
+        definition: main.clad:2:20 FILLING
+        declaration: main.clad:2:20 FILLING
+    "#]],
+    );
+    check(
+        "+--[ ]( li$0nes[k].running )--( )( Q1 )--+\n",
+        expect![[r#"
+        definition: main.clad:12:5 lines in main.clad:12:5 lines : ARRAY[1..4] OF Motor;
+        declaration: main.clad:12:5 lines in main.clad:12:5 lines : ARRAY[1..4] OF Motor;
+        type: main.clad:3:5 Motor
+    "#]],
+    );
+}

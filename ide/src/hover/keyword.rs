@@ -36,6 +36,10 @@ fn meaning(word: &str) -> Option<&'static str> {
         "VAR_EXTERNAL" => {
             "Begins a section that names tags which a VAR_GLOBAL section of the workspace declares."
         }
+        "TYPE" => "Begins a section of types of your own, up to END_TYPE.",
+        "END_TYPE" => "Ends a section of types.",
+        "STRUCT" => "Begins a structure: a type with members, up to END_STRUCT.",
+        "END_STRUCT" => "Ends a structure.",
         "END_VAR" => "Ends a section of declarations.",
         "RETAIN" => "The tags of this section keep their values over a warm restart.",
         "CONSTANT" => "The tags of this section keep their initial values: no block may write them.",

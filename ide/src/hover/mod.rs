@@ -6,6 +6,7 @@ mod declaration;
 mod keyword;
 mod operand;
 mod other_files;
+mod types;
 mod user_block;
 mod uses;
 mod wire;
@@ -42,7 +43,9 @@ pub fn hover(context: &Context, offset: TextSize) -> Option<Hover> {
                 PartKind::Down | PartKind::Up => Some(connector::hover(context, &place)),
                 PartKind::Block => {
                     let block = place.block?;
-                    operand::hover(context, &place, block, offset).or_else(|| block::hover(context, block))
+                    types::hover(context, offset)
+                        .or_else(|| operand::hover(context, &place, block, offset))
+                        .or_else(|| block::hover(context, block))
                 }
                 PartKind::Wire | PartKind::LeftRail | PartKind::RightRail => wire::hover(context, &place),
                 _ => None,
@@ -51,10 +54,12 @@ pub fn hover(context: &Context, offset: TextSize) -> Option<Hover> {
         LineKind::SectionHeader
         | LineKind::SectionEnd
         | LineKind::Declaration
+        | LineKind::StructHeader
+        | LineKind::StructEnd
         | LineKind::BlockHeader
-        | LineKind::BlockEnd => {
-            keyword::hover(parse, line, offset).or_else(|| declaration::hover(context, offset))
-        }
+        | LineKind::BlockEnd => keyword::hover(parse, line, offset)
+            .or_else(|| declaration::hover(context, offset))
+            .or_else(|| types::hover(context, offset)),
         _ => None,
     }
 }

@@ -101,7 +101,8 @@ fn describe(
             .map(|tag| tag_card(context, &scope.tags[tag], Some(here))),
         NodeKind::Member(base, word) => {
             let (NodeKind::Name(name) | NodeKind::Address(name)) = &base.kind else {
-                return None;
+                let ty = context.path_type(context.networks.at(place.network).scope, node)?;
+                return Some(format!("```clad\n.{} : {ty}\n```", word.text));
             };
             if name.eq_ignore_ascii_case("SYS") {
                 let tag = SystemTag::from_name(&word.text)?;

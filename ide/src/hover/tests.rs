@@ -383,3 +383,79 @@ fn a_card_tells_how_the_profile_differs() {
     "#]]
     .assert_eq(&card("iec", "[TOF]( t, 5s )"));
 }
+
+const TYPES: &str = "TYPE\n    Phase : (IDLE, FILLING, MIXING := 10);\n    Motor : STRUCT\n        speed   : REAL;\n        running : BOOL;\n        delay   : TON;\n    END_STRUCT;\nEND_TYPE\n\nVAR\n    pump  : Motor := (speed := 20.0);\n    lines : ARRAY[1..4] OF Motor;\n    step  : Phase := FILLING;\n    k     : INT;\nEND_VAR\n\n";
+
+#[test]
+fn types_members_and_values() {
+    let check = |rest: &str, expected: Expect| check(&format!("{TYPES}{rest}"), expected);
+    check(
+        "+--[ ]( pump.runn$0ing )--( )( Q1 )--+\n",
+        expect![[r#"
+        running
+
+        ```clad
+        Motor.running : BOOL
+        ```
+
+        ---
+
+        ```clad
+        Motor : STRUCT
+            speed : REAL;
+            running : BOOL;
+            delay : TON;
+        END_STRUCT
+        ```
+        Type, declared in this file; 2 values
+    "#]],
+    );
+    check(
+        "+--[EQ]( step, FILL$0ING )--( )( Q1 )--+\n",
+        expect![[r#"
+        FILLING
+
+        ```clad
+        Phase.FILLING = 1
+        ```
+
+        ---
+
+        ```clad
+        Phase : (IDLE := 0, FILLING := 1, MIXING := 10)
+        ```
+        Type, declared in this file
+    "#]],
+    );
+    check(
+        "+--[ ]( lines[k].delay.$0Q )--( )( Q1 )--+\n",
+        expect![[r#"
+        lines[k].delay.Q
+
+        ```clad
+        .Q : BOOL
+        ```
+
+        ---
+
+        `tag` of `[ ]`: The bit that is asked; of a range, every bit.
+    "#]],
+    );
+    check(
+        "+--[ ]( li$0nes[k].delay.Q )--( )( Q1 )--+\n",
+        expect![[r#"
+        lines
+
+        ```clad
+        lines : ARRAY[1..4] OF Motor
+        ```
+        Internal tag (declared in VAR on line [12](#L12))  
+        Written: nowhere  
+        Read: line [17](#L17)
+
+        ---
+
+        `tag` of `[ ]`: The bit that is asked; of a range, every bit.
+    "#]],
+    );
+}

@@ -33,11 +33,22 @@ pub(super) fn enter(context: &Context, offset: TextSize, options: &Options) -> V
         return edits.unwrap_or_default();
     };
     let line = &parse.lines()[above];
-    if line.mode_after == Mode::Section
-        && matches!(line.kind, LineKind::SectionHeader | LineKind::Declaration)
+    if line.mode_after.is_in_section()
+        && matches!(
+            line.kind,
+            LineKind::SectionHeader | LineKind::Declaration | LineKind::StructHeader | LineKind::StructEnd
+        )
     {
-        let mut edits = outdented(context, above);
-        edits.extend(replace(context, new_line, INDENT));
+        let mut edits = match line.kind {
+            LineKind::StructHeader | LineKind::StructEnd => Vec::new(),
+            _ if matches!(line.mode_after, Mode::Struct { .. }) => Vec::new(),
+            _ => outdented(context, above),
+        };
+        let indent = match line.mode_after {
+            Mode::Struct { .. } => INDENT.repeat(2),
+            _ => INDENT.to_owned(),
+        };
+        edits.extend(replace(context, new_line, &indent));
         return edits;
     }
     if line.kind == LineKind::SectionEnd {

@@ -6,6 +6,7 @@ use crate::symbol::declared::names_of;
 use ladder_analysis::AccessKind;
 use ladder_analysis::context::{Body, Context, LabelFacts};
 use ladder_analysis::names::scope::{SectionKind, TagFacts};
+use ladder_analysis::names::type_spec::SpecKind;
 use ladder_analysis::networks::facts::NodeKind;
 use ladder_analysis::networks::network::{Formal, Meaning};
 use ladder_analysis::program::ParameterKind;
@@ -195,14 +196,60 @@ fn section_item(context: &Context, section: usize) -> Outlined {
             children: Vec::new(),
         }
     });
+    let types = types_item(context, lines);
     Outlined {
         name: header.into(),
         detail: comments::title(context, facts.lines.start).map(SmolStr::from),
         kind: OutlineKind::Section,
         focus: line_body(parse, facts.lines.start),
-        children: children.collect(),
+        children: children.chain(types).collect(),
         range: with_comments(context, facts.lines.start, range),
     }
+}
+
+/// The types that a section declares, with their members and values.
+fn types_item(context: &Context, section: TextRange) -> Vec<Outlined> {
+    let parse = &context.parse;
+    let item =
+        |focus: TextRange, end: TextRange, detail: Option<SmolStr>, children: Vec<Outlined>| Outlined {
+            name: parse.text_in(focus).into(),
+            detail,
+            kind: OutlineKind::Tag,
+            range: focus.cover(end),
+            focus,
+            children,
+        };
+    let own = context.types.own().iter();
+    own.filter(|ty| section.contains_range(ty.declaration.at))
+        .map(|ty| {
+            let spec = &ty.declaration.declared.spec;
+            let (detail, parts) = match &spec.kind {
+                SpecKind::Structure(members) => {
+                    let members = members.iter().map(|member| {
+                        let range = member.declared.spec.range;
+                        let ty: SmolStr = parse.text_in(range).into();
+                        item(member.at, range, Some(ty), Vec::new())
+                    });
+                    (Some(SmolStr::from("STRUCT")), members.collect())
+                }
+                SpecKind::Enumeration(values) => {
+                    let values = values
+                        .iter()
+                        .map(|(_, at, number)| item(*at, *at, Some(number.to_string().into()), Vec::new()));
+                    (None, values.collect())
+                }
+                _ => (ty.ty.map(|ty| SmolStr::from(ty.to_string())), Vec::new()),
+            };
+            let end = parts.iter().map(|part: &Outlined| part.range.end()).max();
+            let end = end.unwrap_or_else(|| spec.range.end().max(ty.declaration.at.end()));
+            item(
+                ty.declaration.at,
+                TextRange::new(ty.declaration.at.start(), end),
+                detail,
+                parts,
+            )
+        })
+        .collect()
 }
 
 fn block_item(context: &Context, block: usize) -> Outlined {

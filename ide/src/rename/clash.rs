@@ -49,6 +49,25 @@ pub(super) fn check(
                 named(file, &other(file), new, "user-defined block", "block")
             })
         }
+        Symbol::Type { .. } => {
+            let other = |file: &Context| Symbol::Type {
+                file: Arc::clone(&file.name),
+                name: key.clone(),
+            };
+            in_all(context, key, workspace, |file| {
+                named(file, &other(file), new, "type", "declaration")
+            })
+        }
+        Symbol::Part { file, ty, .. } => {
+            let other = Symbol::Part {
+                file: Arc::clone(file),
+                ty: ty.clone(),
+                name: key.clone(),
+            };
+            in_file(context, file, workspace, |file| {
+                named(file, &other, new, "member", "place")
+            })
+        }
         Symbol::Address(_) | Symbol::Member { .. } | Symbol::System(_) | Symbol::Instruction(_) => Ok(()),
     }
 }
@@ -91,7 +110,29 @@ pub(super) fn where_used(
 ) -> Result<(), RenameRefused> {
     match symbol {
         Symbol::Global(_) => global(file, symbol, key, new),
+        // A tag of the name comes before a type, and before a value alone.
+        Symbol::Type { .. } | Symbol::Part { .. } if !is_member(file, symbol) => {
+            let tags = file
+                .scopes
+                .iter()
+                .filter_map(|scope| Some(&scope.tags[scope.find(key)?]));
+            match tags.into_iter().next() {
+                Some(other) => {
+                    let foreign = other.cold.foreign.as_deref();
+                    Err(taken(file, foreign, new, file.place_of(other), "tag"))
+                }
+                None => Ok(()),
+            }
+        }
         _ => Ok(()),
+    }
+}
+
+/// Whether a part of a type is a member of a structure, which always comes after a point.
+fn is_member(file: &Context, symbol: &Symbol) -> bool {
+    match symbol {
+        Symbol::Part { ty, .. } => file.types.enumeration(ty.as_str()).is_none(),
+        _ => false,
     }
 }
 

@@ -201,7 +201,12 @@ fn fixed(file: &Context, symbol: &Symbol) -> Result<(), RenameRefused> {
             }
             "EN and ENO belong to every block: they keep their names".to_owned()
         }
-        Symbol::Global(_) | Symbol::Label { .. } | Symbol::Function { .. } | Symbol::Block { .. } => {
+        Symbol::Global(_)
+        | Symbol::Label { .. }
+        | Symbol::Function { .. }
+        | Symbol::Block { .. }
+        | Symbol::Type { .. }
+        | Symbol::Part { .. } => {
             return Ok(());
         }
         Symbol::Address(name) => return Err(is_address(name.as_str())),

@@ -29,7 +29,10 @@ pub(super) fn checked(symbol: &Symbol, new: &str) -> Result<String, RenameRefuse
             "`{new}` is not a name: write a letter or `_`, then letters, digits and `_`"
         )));
     }
-    let tag = matches!(symbol, Symbol::Tag { .. } | Symbol::Global(_));
+    let tag = matches!(
+        symbol,
+        Symbol::Tag { .. } | Symbol::Global(_) | Symbol::Type { .. } | Symbol::Part { .. }
+    );
     if is_reserved(new) || (tag && is_declaration_keyword(new)) {
         return Err(RenameRefused(format!(
             "`{new}` is a word of the language: choose another name"

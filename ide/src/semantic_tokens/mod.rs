@@ -371,6 +371,12 @@ impl Walk<'_> {
         match (inside.parent, inside.names) {
             (_, Names::Operands) => return Some((TokenKind::Parameter, none)),
             (Some(SyntaxKind::TYPE_REF), _) => return Some((TokenKind::Type, none)),
+            (Some(SyntaxKind::ENUM_VALUE), _) => {
+                return Some((
+                    TokenKind::EnumMember,
+                    Modifiers::DECLARATION.and(Modifiers::READONLY),
+                ));
+            }
             (_, Names::Callee) => return Some((TokenKind::Function, Modifiers::DEFAULT_LIBRARY)),
             (_, Names::Operators) => return Some((TokenKind::EnumMember, Modifiers::DEFAULT_LIBRARY)),
             (_, names @ (Names::Labels | Names::Functions)) => {
@@ -402,6 +408,12 @@ impl Walk<'_> {
         }
         let scope = self.context.scopes.get(self.scope)?;
         let Some(index) = scope.find(&Name::new(text)) else {
+            if self.context.types.enumeration(text).is_some() {
+                return Some((TokenKind::Type, none));
+            }
+            if self.context.types.has_value(&Name::new(text)) {
+                return Some((TokenKind::EnumMember, Modifiers::READONLY));
+            }
             return Some((TokenKind::Variable, modifiers));
         };
         let own = &scope.tags[index];

@@ -1,7 +1,7 @@
 //! From an offset to the symbol that is named there.
 
 use super::occurrences::{block_file, block_name, function_file, label_name, member_name, operand_name};
-use super::{DeclaredName, Symbol, declared};
+use super::{DeclaredName, Symbol, declared, types};
 use crate::locate::{node_at, on_rung};
 use ladder_analysis::context::Context;
 use ladder_analysis::names::scope::{Origin, SectionKind};
@@ -26,10 +26,14 @@ pub(crate) fn find(file: &Context, offset: TextSize) -> Option<Found> {
     let parse = &file.parse;
     let line = parse.line_at(offset)?;
     match parse.lines()[line].kind {
-        LineKind::Rung => on_a_rung(file, offset),
-        LineKind::SectionHeader | LineKind::SectionEnd | LineKind::Declaration => {
-            declared_at(file, line, offset).or_else(|| type_at(file, line, offset))
-        }
+        LineKind::Rung => part_on_a_rung(file, offset).or_else(|| on_a_rung(file, offset)),
+        LineKind::SectionHeader
+        | LineKind::SectionEnd
+        | LineKind::Declaration
+        | LineKind::StructHeader
+        | LineKind::StructEnd => declared_at(file, line, offset)
+            .or_else(|| type_at(file, line, offset))
+            .or_else(|| among(types::in_declarations(file), offset)),
         LineKind::BlockHeader => {
             let blocks = file.user_blocks[..file.own_blocks].iter();
             let definitions = file.parse.frame().blocks.iter();
@@ -45,6 +49,23 @@ pub(crate) fn find(file: &Context, offset: TextSize) -> Option<Found> {
         }
         _ => None,
     }
+}
+
+/// The part of a declared type that is named at an offset.
+fn among(places: Vec<types::Place>, offset: TextSize) -> Option<Found> {
+    let found = places
+        .into_iter()
+        .find(|(range, ..)| range.contains_inclusive(offset));
+    found.map(|(range, symbol, _)| Found { symbol, range })
+}
+
+fn part_on_a_rung(file: &Context, offset: TextSize) -> Option<Found> {
+    let place = on_rung(file, offset)?;
+    let block = place.block?;
+    among(
+        types::in_block(file, file.networks.at(place.network), block),
+        offset,
+    )
 }
 
 /// The symbol of a tag of a scope, by its name there.

@@ -8,6 +8,7 @@ pub(crate) mod declared;
 mod everywhere;
 mod find;
 mod occurrences;
+pub(crate) mod types;
 
 pub(crate) use declared::{DeclaredName, declared_names};
 pub(crate) use everywhere::{everywhere, in_files_of};
@@ -42,6 +43,10 @@ pub(crate) enum Symbol {
     Block { file: Arc<str>, name: Name },
     /// A member of a timer, counter or bistable, or a bit of a tag, by its name in the table.
     Member { of: Box<Symbol>, name: Name },
+    /// A declared type, in the file that names of it lead to.
+    Type { file: Arc<str>, name: Name },
+    /// A member of a declared structure, or a value of a declared enumeration.
+    Part { file: Arc<str>, ty: Name, name: Name },
     /// A member of SYS.
     System(Name),
     /// An instruction.
@@ -96,6 +101,8 @@ impl Symbol {
             | Symbol::Address(name)
             | Symbol::Label { name, .. }
             | Symbol::Function { name, .. }
+            | Symbol::Type { name, .. }
+            | Symbol::Part { name, .. }
             | Symbol::Block { name, .. } => Some(name),
             Symbol::Member { of, .. } => of.name(),
             Symbol::System(_) | Symbol::Instruction(_) => None,

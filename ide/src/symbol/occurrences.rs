@@ -1,7 +1,7 @@
 //! From a symbol to its places in one file.
 
 use super::find::{is_system, tag_of_node};
-use super::{Symbol, Usage, declared_names, tag_of};
+use super::{Symbol, Usage, declared_names, tag_of, types};
 use ladder_analysis::context::{Body, Callee, Context};
 use ladder_analysis::names::scope::SectionKind;
 use ladder_analysis::networks::facts::{Node, NodeKind};
@@ -45,6 +45,7 @@ pub(crate) fn occurrences(file: &Context, symbol: &Symbol) -> Vec<Occurrence> {
         Symbol::Function { file: of, name } => functions(file, of, name, &mut out),
         Symbol::Block { file: of, name } => blocks(file, of, name, &mut out),
         Symbol::Member { of, name } => members(file, of, name, &mut out),
+        Symbol::Type { .. } | Symbol::Part { .. } => types_and_parts(file, symbol, &mut out),
         Symbol::System(name) => system_tags(file, name, &mut out),
         Symbol::Instruction(op) => {
             for (_, _, block) in all_blocks(file) {
@@ -69,6 +70,19 @@ impl Places {
             .sort_by_key(|it| (it.range.start(), it.range.end(), it.usage));
         self.0.dedup();
         self.0
+    }
+}
+
+fn types_and_parts(file: &Context, symbol: &Symbol, out: &mut Places) {
+    let in_blocks = file
+        .networks
+        .iter()
+        .flat_map(|network| network.blocks().map(move |block| (network, block)))
+        .flat_map(|(network, block)| types::in_block(file, network, block));
+    for (range, found, usage) in types::in_declarations(file).into_iter().chain(in_blocks) {
+        if found == *symbol {
+            out.add(range, usage);
+        }
     }
 }
 

@@ -37,6 +37,16 @@ pub(crate) struct Typing<'c> {
     pub(crate) place: CursorContext,
 }
 
+impl Typing<'_> {
+    /// The section that is open where a person types.
+    pub(crate) fn section(&self) -> Mode {
+        let parse = &self.context.parse;
+        let line = parse.line_at(self.base).unwrap_or_default();
+        let before = line.checked_sub(1).map(|before| parse.lines()[before].mode_after);
+        before.unwrap_or_default()
+    }
+}
+
 /// What is being written.
 #[derive(Debug)]
 pub(crate) enum CursorContext {
@@ -85,7 +95,7 @@ pub(crate) fn typing(context: &Context, offset: TextSize) -> Option<Typing<'_>> 
     };
     let in_section = line
         .checked_sub(1)
-        .is_some_and(|before| parse.lines()[before].mode_after == Mode::Section);
+        .is_some_and(|before| parse.lines()[before].mode_after.is_in_section());
     let (text, base, kind) = match parse.lines().get(line) {
         Some(found) => (found.text().to_owned(), parse.line_start(line), found.kind),
         None => (String::new(), parse.text_len(), LineKind::Blank),

@@ -23,6 +23,7 @@ fn declarations() {
             VAR            internal tags
             VAR_GLOBAL     tags of the whole workspace
             VAR_EXTERNAL   tags of a VAR_GLOBAL section
+            TYPE           types of your own
             FUNCTION_BLOCK [$Name] block definition
             FUNCTION_BLOCK ($Name) block definition
             FUNCTION_BLOCK <$Name> block definition
@@ -31,8 +32,7 @@ fn declarations() {
             seal-in        start, held until stop
             timer          a coil that follows its contact after a time
             counter        counts up at every press, until it is reset
-            function       networks that are run where they are called
-            ... 15 in all
+            ... 16 in all
         "#]],
     );
     accept(

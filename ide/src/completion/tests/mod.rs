@@ -3,6 +3,7 @@
 mod blocks;
 mod declarations;
 mod operands;
+mod types;
 
 use super::{Completions, completions};
 use expect_test::Expect;
