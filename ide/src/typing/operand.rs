@@ -73,6 +73,8 @@ pub(super) fn operand(list: &[Token], from: usize, closed: bool, typing: &mut Ty
     let mut start = from + 1;
     // Where the value begins that ends in front of the word.
     let mut value: Option<usize> = None;
+    // The same of the paths whose indices are open.
+    let mut indexed: Vec<Option<usize>> = Vec::new();
     let mut last: Option<Token> = None;
     for token in list.iter().skip(1).take_while(|token| token.end <= word.start) {
         if token.kind.is_trivia() {
@@ -91,9 +93,13 @@ pub(super) fn operand(list: &[Token], from: usize, closed: bool, typing: &mut Ty
             }
             SyntaxKind::L_BRACKET => {
                 operand.open.push(Open::Index);
-                value = None;
+                indexed.push(value.take());
             }
-            SyntaxKind::R_PAREN | SyntaxKind::R_BRACKET => {
+            SyntaxKind::R_BRACKET => {
+                operand.open.pop();
+                value = indexed.pop().flatten().or(Some(token.start));
+            }
+            SyntaxKind::R_PAREN => {
                 operand.open.pop();
                 value.get_or_insert(token.start);
             }

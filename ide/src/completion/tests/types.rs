@@ -23,14 +23,24 @@ fn members() {
     check_after_types(
         "+--[ ]( lines[k + 1].r$0 )--( )( Q1 )--+\n",
         expect![[r#"
-        nothing
-    "#]],
+            running        BOOL
+        "#]],
     );
     check_after_types(
         "+--[ ]( lines[2].delay.$0 )--( )( Q1 )--+\n",
         expect![[r#"
-        nothing
-    "#]],
+            Q              BOOL
+            IN             BOOL
+            R              BOOL
+            TT             BOOL
+            DN             BOOL
+            EN             BOOL
+            ET             TIME
+            PT             TIME
+            ACC            TIME
+            PRE            TIME
+            AC             TIME
+        "#]],
     );
     check_after_types(
         "+--[ ]( lines.$0 )--( )( Q1 )--+\n",
