@@ -45,6 +45,8 @@ pub struct Program {
     pub main: Range<usize>,
     /// The functions that the program can reach.
     pub functions: Vec<Function>,
+    /// The tags that are the states of user-defined blocks.
+    pub instances: Vec<Instance>,
     /// The user-defined blocks that the program can reach.
     pub blocks: Vec<UserBlock>,
     /// Every label with the network that holds it, in the order of the networks.
@@ -82,6 +84,17 @@ pub struct Function {
     pub name: String,
     /// Its networks; the first holds the `<FUN>`.
     pub networks: Range<usize>,
+}
+
+/// A tag that is the state of a user-defined block.
+#[derive(Debug, Clone)]
+pub struct Instance {
+    /// The tag.
+    pub tag: TagId,
+    /// The block: index into [`Program::blocks`].
+    pub block: usize,
+    /// The tags of the block's body, each with the one that holds it for this state.
+    pub tags: Vec<(TagId, TagId)>,
 }
 
 /// A user-defined block (LANGUAGE §5.7).

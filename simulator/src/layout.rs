@@ -235,12 +235,8 @@ impl Layout {
                 let len = (i128::from(last) - i128::from(first) + 1).max(0);
                 (first, usize::try_from(len).map_err(|_| too_large())?, element)
             }
-            Type::Compound(_) => {
-                return Err(CompileError {
-                    message: format!("{} cannot be simulated yet: it is the state of a block", tag.name),
-                    location: tag.location,
-                });
-            }
+            // The tags of its body are the program's own.
+            Type::Compound(_) => return Ok(Home::Borrowed(Borrowed::Unbound)),
             Type::State(state) => {
                 let (bits, words) = state_size(state);
                 let home = Home::State {

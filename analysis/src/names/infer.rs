@@ -306,7 +306,7 @@ fn node_type(semantics: &Semantics, scope: &Scope, node: &Node) -> Option<Scalar
     {
         return SystemTag::from_name(&word.text).map(SystemTag::ty);
     }
-    let (ty, _) = path_type(node, semantics, &mut |root| {
+    let (ty, _) = path_type(node, semantics, &mut |root: &Node| {
         scope.tags[scope.find(&Name::new(root.name()?))?].ty
     })?;
     ty.scalar()

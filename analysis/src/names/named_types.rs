@@ -301,11 +301,8 @@ impl Reading<'_> {
             SpecKind::Known(ty) => Some((*ty, None)),
             SpecKind::Subrange(scalar, low) => Some((Type::Scalar(*scalar), Some(type_spec::one(*low)))),
             SpecKind::Block(block) => {
-                let message = format!(
-                    "the state of {block} cannot be a tag yet: it belongs to each place in the text where the block is"
-                );
-                self.say(file, || NameProblem::Meaningless(spec.range, message));
-                None
+                let id = TypeId::of(Compound::Block(block.clone()))?;
+                Some((Type::Compound(id), None))
             }
             SpecKind::Named(named) => self.named(types, named, spec.range, file),
             SpecKind::Enumeration(values) => {

@@ -6,19 +6,52 @@ use crate::context::Context;
 use crate::networks::BlockAt;
 use crate::networks::facts::{Node, NodeKind};
 use crate::networks::network::{Formal, Meaning};
+use crate::program::ParameterKind;
 use crate::values::compound::{Compound, EnumId};
 use crate::values::types::{Scalar, Type};
 use ladder_instructions::Semantics;
 use ladder_syntax::Name;
 
-/// The type of a path, and how many indices are given of it if it is an array. `root` knows the types of tags.
-pub(crate) fn path_type(
-    node: &Node,
-    semantics: &Semantics,
-    root: &mut impl FnMut(&Node) -> Option<Type>,
-) -> Option<(Type, usize)> {
+/// What a path begins with, or goes through, that only its file knows.
+pub(crate) trait Roots {
+    /// The type of the tag that a node names.
+    fn tag(&mut self, node: &Node) -> Option<Type>;
+
+    /// The type of a parameter of a user-defined block.
+    fn parameter(&mut self, block: &str, name: &str) -> Option<Type>;
+}
+
+/// Where no path goes through the state of a user-defined block.
+impl<F: FnMut(&Node) -> Option<Type>> Roots for F {
+    fn tag(&mut self, node: &Node) -> Option<Type> {
+        self(node)
+    }
+
+    fn parameter(&mut self, _: &str, _: &str) -> Option<Type> {
+        None
+    }
+}
+
+/// The tags of a scope of a file, and the blocks that it knows.
+pub(crate) struct InScope<'c, F> {
+    pub(crate) context: &'c Context,
+    pub(crate) tag: F,
+}
+
+impl<F: FnMut(&Node) -> Option<Type>> Roots for InScope<'_, F> {
+    fn tag(&mut self, node: &Node) -> Option<Type> {
+        (self.tag)(node)
+    }
+
+    fn parameter(&mut self, block: &str, name: &str) -> Option<Type> {
+        self.context.block_parameter(block, name)
+    }
+}
+
+/// The type of a path, and how many indices are given of it if it is an array.
+pub(crate) fn path_type(node: &Node, semantics: &Semantics, root: &mut impl Roots) -> Option<(Type, usize)> {
     match &node.kind {
-        NodeKind::Name(_) | NodeKind::Address(_) => Some((root(node)?, 0)),
+        NodeKind::Name(_) | NodeKind::Address(_) => Some((root.tag(node)?, 0)),
         NodeKind::Paren(inner) => path_type(inner, semantics, root),
         NodeKind::Index(base, _) => {
             let (ty, given) = path_type(base, semantics, root)?;
@@ -43,7 +76,10 @@ pub(crate) fn path_type(
                     Compound::Structure(structure) => {
                         structure.member(&word.text).map(|(_, member)| (member.ty, 0))
                     }
-                    _ => None,
+                    Compound::Block(block) => {
+                        root.parameter(block, &word.text).map(|ty| (ty, 0))
+                    }
+                    Compound::Array(_) => None,
                 }),
                 Type::Array { .. } => None,
             }
@@ -55,11 +91,22 @@ pub(crate) fn path_type(
 impl Context {
     /// The type of a path in a scope. None: it means nothing, or an array of which some indices are missing.
     pub fn path_type(&self, scope: usize, node: &Node) -> Option<Type> {
-        let found = path_type(node, self.profile.semantics(), &mut |root| {
+        let tag = |root: &Node| {
             let tags = &self.scopes[scope];
             self.shared(&tags.tags[tags.find(&Name::new(root.name()?))?]).ty
-        });
+        };
+        let mut roots = InScope { context: self, tag };
+        let found = path_type(node, self.profile.semantics(), &mut roots);
         found.filter(|(_, given)| *given == 0).map(|(ty, _)| ty)
+    }
+
+    /// The parameter of a user-defined block that others read by the name of its state: `m1.running`.
+    fn block_parameter(&self, block: &str, name: &str) -> Option<Type> {
+        let (block, name) = (Name::new(block), Name::new(name));
+        let own = self.user_blocks.iter().find(|facts| facts.key == block);
+        let facts = own.or_else(|| self.others.blocks(&block).next().map(|(_, block)| &block.facts))?;
+        let parameter = facts.parameters.iter().find(|parameter| parameter.key == name);
+        parameter.filter(|it| it.kind != ParameterKind::InOut)?.ty
     }
 
     /// The enumeration of whose values a name is one, where it is an operand of a block and no tag.

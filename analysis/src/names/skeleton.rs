@@ -27,8 +27,9 @@ use crate::still_wanted::StillWanted;
 use crate::values::types::{Scalar, Type};
 use ladder_instructions::{Op, Shape};
 use ladder_syntax::{Name, Parse, Structure, TextRange};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHasher};
 use smol_str::SmolStr;
+use std::hash::{Hash, Hasher};
 use std::sync::{Arc, OnceLock};
 
 /// The context before any use of a tag is checked: declarations, blocks, networks, functions and labels. None if that is not
@@ -56,9 +57,15 @@ pub(crate) fn skeleton(
         .map(|(definition, scope)| block_definition::user_block(parse, definition, scope))
         .collect();
     let own_blocks = user_blocks.len();
-    let signatures = user_block::signatures(&user_blocks);
+    let instances = instances(&scopes, others);
+    let signatures = user_block::signatures(&user_blocks) ^ instances.unwrap_or(0);
     let mut kept = before.map(|before| Kept::of(before, parse, signatures));
-    let mut known = KnownBlocks::new(user_blocks, others, &mut types);
+    let mut known = KnownBlocks::new(
+        user_blocks,
+        others,
+        &mut types,
+        (instances.map(|_| scopes.as_slice()), profile.semantics()),
+    );
     let mut reading = Reading::default();
     let mut networks = Networks::with_capacity(structure.networks.len());
     for (number, drawn) in structure.networks.iter().enumerate() {
@@ -67,15 +74,17 @@ pub(crate) fn skeleton(
             let next = &structure.networks[number..];
             reading.look_ahead(parse, &next[..next.len().min(TOGETHER)]);
         }
+        let scope = drawn.block.map_or(0, |block| block + 1);
+        known.scope = scope;
         let same = kept.as_mut().and_then(|kept| kept.network(drawn));
         let facts =
             same.unwrap_or_else(|| Arc::new(network::network(parse, drawn, &mut known, &mut reading)));
         let first = drawn.lines.start;
-        let scope = drawn.block.map_or(0, |block| block + 1);
         networks.push(facts, first, parse.line_start(first), scope);
     }
     let all = 0..networks.len();
     break_neighbours(parse, &mut networks, all);
+    let user_blocks = known.into_list();
     let mut context = Context {
         parse: Arc::clone(parse),
         name: Arc::from(name),
@@ -85,7 +94,7 @@ pub(crate) fn skeleton(
         scopes,
         problems,
         at_address: AtAddress::default(),
-        user_blocks: known.into_list(),
+        user_blocks,
         types,
         own_blocks,
         signatures,
@@ -159,6 +168,27 @@ fn declared(
         types,
         problems,
     })
+}
+
+/// Stands for the tags that are, or hold, the states of user-defined blocks; none if there are none.
+fn instances(scopes: &[Scope], others: &Others) -> Option<u64> {
+    let mut hasher = FxHasher::default();
+    let mut any = false;
+    for (scope, tags) in scopes.iter().enumerate() {
+        for tag in &tags.tags {
+            if let Some(ty @ Type::Compound(_)) = tag.ty
+                && ty.keeps_state()
+            {
+                (scope, &tag.name, ty).hash(&mut hasher);
+                any = true;
+            }
+        }
+    }
+    for (file, global) in others.all_globals().filter(|(_, global)| global.declared.is_some()) {
+        (&file.file, &global.name).hash(&mut hasher);
+        any = true;
+    }
+    any.then(|| hasher.finish())
 }
 
 fn implicit(name: &str, at: TextRange) -> TagFacts {

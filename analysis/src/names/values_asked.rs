@@ -7,6 +7,7 @@ use super::path_type::path_type;
 use super::scope::{Origin, Scope, SectionKind};
 use crate::networks::BlockAt;
 use crate::networks::NetworkAt;
+use crate::networks::facts::Node;
 use crate::networks::named::{Named, spelling};
 use crate::networks::network::{Formal, Meaning};
 use crate::networks::use_kind::Extent;
@@ -53,7 +54,7 @@ impl Asking<'_> {
                 asked.push(ty);
             }
             each_tag_path(&operand.value, &mut |path| {
-                let ty = path_type(path, semantics, &mut |root| self.root(scope, root.name()?));
+                let ty = path_type(path, semantics, &mut |root: &Node| self.root(scope, root.name()?));
                 asked.extend(ty.and_then(|(ty, _)| ty.element_scalar()));
             });
         }

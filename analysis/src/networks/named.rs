@@ -32,7 +32,7 @@ pub(crate) fn access(bound: &BoundBlock, formal: Formal, user_blocks: &[UserBloc
             })
         }
         // Nothing is known of the operand: count it as both, so that no other rule complains of the tag.
-        Formal::Excess | Formal::UnknownName | Formal::Unknown => Some(Access::ReadWrite),
+        Formal::Instance | Formal::Excess | Formal::UnknownName | Formal::Unknown => Some(Access::ReadWrite),
     }
 }
 

@@ -89,6 +89,8 @@ pub enum Formal {
     Operand(&'static Operand),
     /// A parameter of a user-defined block, by its index.
     Parameter(usize),
+    /// The tag that is the state of a user-defined block, before all of its parameters.
+    Instance,
     /// There are more operands by place than the block takes.
     Excess,
     /// The block has no operand of this name.
@@ -190,7 +192,7 @@ pub(crate) fn network(
     let user_blocks = user_blocks(&blocks, known);
     let names_tag = |formal: &Formal| match formal {
         Formal::Operand(row) => !matches!(row.accepts, Accepts::Label | Accepts::Function),
-        Formal::Parameter(_) => true,
+        Formal::Parameter(_) | Formal::Instance => true,
         Formal::Excess | Formal::UnknownName | Formal::Unknown => false,
     };
     let names_tags_only = user_blocks != UserBlocks::Others
@@ -290,7 +292,7 @@ fn bind(facts: BlockFacts, base: TextSize, known: &mut KnownBlocks<'_>, faulty: 
             }
         }
     };
-    let mut place = 0;
+    let (mut place, mut is_instance) = (0, false);
     let formals = facts
         .operands
         .iter()
@@ -311,6 +313,10 @@ fn bind(facts: BlockFacts, base: TextSize, known: &mut KnownBlocks<'_>, faulty: 
                 row.positional(place - 1).map_or(Formal::Excess, Formal::Operand)
             }
             (None, Meaning::User(index)) => {
+                if place == 0 && !is_instance && known.is_instance(&operand.value, index) {
+                    is_instance = true;
+                    return Formal::Instance;
+                }
                 place += 1;
                 if place <= known.get(index).parameters.len() {
                     Formal::Parameter(place - 1)

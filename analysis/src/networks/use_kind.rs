@@ -89,6 +89,7 @@ impl Effect {
             (Some(Coil::Resets), _) => Effect::Resets,
             (Some(Coil::OnEdge(_)), _) => Effect::OnEdge,
             (None, Formal::Operand(row)) if matches!(row.accepts, Accepts::State(_)) => Effect::KeepsState,
+            (None, Formal::Instance) => Effect::KeepsState,
             (None, _) => Effect::Other,
         }
     }

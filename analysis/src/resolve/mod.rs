@@ -10,6 +10,7 @@ mod compared;
 mod enumeration;
 mod expression;
 mod formula_type;
+mod instance;
 pub(crate) mod numbers;
 mod parts;
 mod passed;
@@ -73,6 +74,7 @@ struct Lowering<'c> {
     /// The ids of the scope's tags.
     ids: &'c Ids,
     numbers: &'c Numbers,
+    insides: &'c instance::Insides,
     /// Which of the numbers' units this is: also the number of its file.
     unit: usize,
 }
@@ -120,9 +122,10 @@ pub(crate) fn program(units: &[Unit<'_>]) -> Resolved {
         ..Program::default()
     };
     let ids = tags::tags(units, &numbers, &mut program);
+    let insides = instance::add_insides(units, &numbers, &mut program);
     let mut unresolved = None;
     for (index, unit) in units.iter().enumerate() {
-        let found = networks(unit, index, &numbers, &ids[index], &mut program);
+        let found = networks(unit, index, (&numbers, &insides), &ids[index], &mut program);
         unresolved = unresolved.or(found);
     }
     bodies(units, &numbers, &ids, &mut program);
@@ -137,7 +140,7 @@ pub(crate) fn program(units: &[Unit<'_>]) -> Resolved {
 fn networks(
     unit: &Unit<'_>,
     index: usize,
-    numbers: &Numbers,
+    (numbers, insides): (&Numbers, &instance::Insides),
     ids: &[Ids],
     program: &mut Program,
 ) -> Option<TextRange> {
@@ -159,6 +162,7 @@ fn networks(
                 lowering: Some(Lowering {
                     ids: &ids[facts.scope],
                     numbers,
+                    insides,
                     unit: index,
                 }),
                 base: bound.base,

@@ -2,7 +2,7 @@
 
 use super::Resolver;
 use crate::findings::article::with_article;
-use crate::names::path_type::path_type;
+use crate::names::path_type::{InScope, path_type};
 use crate::networks::facts::{Node, NodeKind, Word};
 use crate::program::{Argument, Expr, ExprKind, Place, RangeRef, Subscript, TagId};
 use crate::rules::{bad_operand, type_mismatch, unknown_member};
@@ -60,9 +60,11 @@ impl Resolver<'_, '_> {
 
     /// The type of a part, without reporting anything: with how many of its indices are given.
     pub(super) fn part_type(&self, node: &Node) -> Option<(Type, usize)> {
-        path_type(node, self.semantics(), &mut |root| {
-            self.named_tag(root).map(|tag| self.tag_type(tag))
-        })
+        let mut roots = InScope {
+            context: self.context,
+            tag: |root: &Node| self.named_tag(root).map(|tag| self.tag_type(tag)),
+        };
+        path_type(node, self.semantics(), &mut roots)
     }
 
     /// The part that a node names. Says what is wrong if it names none.
@@ -142,7 +144,12 @@ impl Resolver<'_, '_> {
                     let (place, ty) = self.part_place(base)?;
                     return self.bit(place, ty, word);
                 }
-                Type::Array { .. } | Type::Compound(_) => {}
+                Type::Compound(id) => {
+                    if let Some(block) = id.block() {
+                        return self.instance_member(base, &block, node, word);
+                    }
+                }
+                Type::Array { .. } => {}
             }
         }
         if let NodeKind::Range(..) = node.kind {

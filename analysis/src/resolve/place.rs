@@ -293,6 +293,9 @@ impl Resolver<'_, '_> {
         if !access.writes() {
             return true;
         }
+        if self.is_of_instance(node) {
+            return false;
+        }
         let range = self.at(node.range);
         let tag = match place {
             Place::System(_) => {

@@ -19,6 +19,17 @@ impl<'c> Resolver<'c, '_> {
         let mut arguments: Vec<Bound> = Vec::with_capacity(facts.parameters.len());
         let mut given = vec![false; facts.parameters.len()];
         for (written, formal) in bound.facts.operands.iter().zip(bound.formals.iter()) {
+            if let Formal::Instance = formal {
+                if let Some(tag) = self.state_id(&written.value) {
+                    arguments.push(Bound {
+                        operand: None,
+                        parameter: None,
+                        argument: Argument::State(tag),
+                        range: bound.absolute(written.range),
+                    });
+                }
+                continue;
+            }
             let Formal::Parameter(index) = *formal else {
                 continue;
             };

@@ -31,3 +31,9 @@ pub(crate) fn system(range: TextRange) -> Diagnostic {
         "the tags of SYS are read only: the controller sets them",
     )
 }
+
+/// An input or output of a block, by the tag of its state.
+pub(crate) fn of_instance(name: &str, range: TextRange) -> Diagnostic {
+    Diagnostic::new(RULE, range, format!("`{name}` is written by its block alone"))
+        .help("give the value as an operand of the block")
+}

@@ -105,3 +105,9 @@ pub(crate) fn of_part(ty: &Type, word: &Word, range: TextRange) -> Diagnostic {
         None => found,
     }
 }
+
+/// What the state of a user-defined block does not show.
+pub(crate) fn of_instance(block: &str, word: &Word, range: TextRange) -> Diagnostic {
+    unknown(range, format!("{block} has no input or output `{}`", word.text))
+        .help("what a block declares in VAR, and its in-outs, is its own")
+}

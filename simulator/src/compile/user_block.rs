@@ -62,7 +62,19 @@ impl Compiler<'_> {
                 self.places.body_in_outs.push((self.standing.clone(), tag, home));
             }
         }
-        self.own_tags(index)?;
+        let state = block.arguments.iter().find_map(|bound| match (bound.parameter, &bound.argument) {
+            (None, Argument::State(tag)) => Some(*tag),
+            _ => None,
+        });
+        match state.and_then(|tag| program.instances.iter().find(|instance| instance.tag == tag)) {
+            Some(instance) => {
+                for (body, own) in &instance.tags {
+                    self.homes[body.0 as usize] = self.homes[own.0 as usize];
+                }
+            }
+            None if state.is_some() => return Err(arguments.mismatch()),
+            None => self.own_tags(index)?,
+        }
         let mut inputs = Vec::new();
         for (number, &(tag, kind)) in user.parameters.iter().enumerate() {
             if kind == ParameterKind::Input {

@@ -139,6 +139,9 @@ pub(crate) fn kept_tags(program: &Program) -> Vec<bool> {
             }
         }
     }
+    for (body, own) in program.instances.iter().flat_map(|instance| &instance.tags) {
+        keeps[own.0 as usize] |= keeps[body.0 as usize];
+    }
     keeps
 }
 

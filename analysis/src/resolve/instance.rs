@@ -1,0 +1,179 @@
+//! The state of a user-defined block as a tag: `[$Motor]( m1, start )`, and its inputs and outputs, `m1.running`.
+
+use super::Resolver;
+use super::numbers::{Numbers, Unit};
+use crate::networks::facts::{Node, NodeKind, Word};
+use crate::program::{Disagreement, Instance, ParameterKind, Place, Program, TagId};
+use crate::rules::{constant_write, type_mismatch, unknown_member};
+use crate::values::types::{Scalar, Type};
+use ladder_syntax::Name;
+use rustc_hash::FxHashMap;
+
+/// A program with more tags than this is refused: a few lines can declare millions of them.
+const MOST_TAGS: usize = 1_000_000;
+
+/// The tags of the program that instances have, by that of the instance and the name in the body.
+pub(super) type Insides = FxHashMap<(TagId, Name), TagId>;
+
+impl Resolver<'_, '_> {
+    /// An input or output of a block by the tag of its state.
+    pub(super) fn instance_member(
+        &mut self,
+        base: &Node,
+        block: &str,
+        whole: &Node,
+        word: &Word,
+    ) -> Option<(Place, Scalar)> {
+        let Some((ty, _)) = self.part_type(whole) else {
+            self.report(unknown_member::of_instance(block, word, self.at(word.range)));
+            return None;
+        };
+        let Some(scalar) = ty.scalar() else {
+            let message = format!("`{}` is {ty}: as a whole it is not read from outside yet", word.text);
+            self.report(type_mismatch::wrong(self.at(word.range), message));
+            return None;
+        };
+        let tag = self.state_id(base)?;
+        let inside = self
+            .lowering
+            .and_then(|lowering| lowering.insides.get(&(tag, Name::new(&word.text))));
+        Some((Place::Tag(inside.copied().unwrap_or(tag)), scalar))
+    }
+
+    /// Says so if a place is an input or output of a block, which that alone writes.
+    pub(super) fn is_of_instance(&mut self, node: &Node) -> bool {
+        let NodeKind::Member(base, _) = &node.kind else {
+            return false;
+        };
+        let is_block = matches!(self.part_type(base), Some((Type::Compound(id), 0)) if id.block().is_some());
+        if is_block {
+            let found = constant_write::of_instance(&self.text_of(node), self.at(node.range));
+            self.report(found);
+        }
+        is_block
+    }
+}
+
+/// Gives each tag that is the state of a block the tags of its body.
+pub(super) fn add_insides(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program) -> Insides {
+    let mut adding = Adding {
+        blocks: FxHashMap::default(),
+        tags: FxHashMap::default(),
+        in_outs: Vec::new(),
+        open: Vec::new(),
+        done: Vec::new(),
+        insides: Insides::default(),
+    };
+    for (index, unit) in units.iter().enumerate() {
+        let context = unit.context;
+        for (item, facts) in context.user_blocks.iter().enumerate() {
+            let is_there = facts.import.is_some() || numbers.has_block(index, item);
+            if is_there && !adding.blocks.contains_key(&(index as u32, facts.key.clone())) {
+                let number = numbers.block(index, context, item);
+                adding.blocks.insert((index as u32, facts.key.clone()), number);
+            }
+        }
+    }
+    for (index, tag) in program.tags.iter().enumerate() {
+        if let Some(block) = tag.block {
+            adding.tags.entry(block).or_default().push(TagId(index as u32));
+        }
+    }
+    for (index, unit) in units.iter().enumerate() {
+        for (item, block) in unit.context.user_blocks[..unit.context.own_blocks].iter().enumerate() {
+            if !numbers.has_block(index, item) {
+                continue;
+            }
+            let number = numbers.block(index, unit.context, item);
+            for parameter in block.parameters.iter().filter(|it| it.kind == ParameterKind::InOut) {
+                adding.in_outs.push((number, parameter.key.clone()));
+            }
+        }
+    }
+    let own = program.tags.len();
+    for index in 0..own {
+        adding.add(program, TagId(index as u32));
+    }
+    adding.insides
+}
+
+struct Adding {
+    /// The number of a block by the unit that names it.
+    blocks: FxHashMap<(u32, Name), usize>,
+    /// The tags of each block's body.
+    tags: FxHashMap<usize, Vec<TagId>>,
+    /// The in-outs of blocks, which are no tags of an instance.
+    in_outs: Vec<(usize, Name)>,
+    /// The blocks whose own instances are being given their tags.
+    open: Vec<usize>,
+    done: Vec<usize>,
+    insides: Insides,
+}
+
+impl Adding {
+    fn add(&mut self, program: &mut Program, id: TagId) {
+        let tag = &program.tags[id.0 as usize];
+        let Type::Compound(ty) = tag.ty else { return };
+        let Some(name) = ty.block() else { return };
+        let (location, outer) = (tag.location, tag.block);
+        let key = Name::new(&name);
+        let at = self.blocks.get(&(location.file, key.clone())).copied();
+        let any = || {
+            let mut all = self.blocks.iter().filter(|((_, other), _)| *other == key);
+            all.next().map(|(_, number)| *number)
+        };
+        // Nothing uses a block that is not there.
+        let Some(block) = at.or_else(any) else { return };
+        if program.instances.iter().any(|instance| instance.tag == id) {
+            return;
+        }
+        if self.open.contains(&block) || self.open.len() > 50 || program.tags.len() > MOST_TAGS {
+            program.disagreement.get_or_insert(Disagreement {
+                message: format!("the state of {name} contains itself, or has too many parts: make it smaller"),
+                location,
+            });
+            return;
+        }
+        if !self.done.contains(&block) {
+            self.open.push(block);
+            for inner in self.tags.get(&block).cloned().unwrap_or_default() {
+                self.add(program, inner);
+            }
+            self.open.pop();
+            self.done.push(block);
+        }
+        let mut tags = Vec::new();
+        for body in self.tags.get(&block).cloned().unwrap_or_default() {
+            let own = &program.tags[body.0 as usize];
+            let root = own.name.split(['.', '[']).next().unwrap_or_default();
+            if self.in_outs.contains(&(block, Name::new(root))) {
+                continue;
+            }
+            let mut tag = own.clone();
+            let instance = &program.tags[id.0 as usize];
+            let key = Name::new(&own.name);
+            tag.name = format!("{}.{}", instance.name, own.name);
+            tag.retain |= instance.retain;
+            tag.role = crate::program::Role::Internal;
+            tag.block = outer;
+            tag.column.get_or_insert_with(|| {
+                let dimensions = match own.ty {
+                    Type::Array { first, last, .. } => Box::new([(first, last)]) as Box<[(i64, i64)]>,
+                    _ => Box::default(),
+                };
+                std::sync::Arc::new(crate::program::ColumnOf { dimensions })
+            });
+            if matches!(own.ty, Type::Array { .. }) && !own.name.contains("[]") {
+                tag.name.push_str("[]");
+            }
+            let new = TagId(program.tags.len() as u32);
+            program.tags.push(tag);
+            if let Some(outer) = outer {
+                self.tags.entry(outer).or_default().push(new);
+            }
+            self.insides.insert((id, key), new);
+            tags.push((body, new));
+        }
+        program.instances.push(Instance { tag: id, block, tags });
+    }
+}
