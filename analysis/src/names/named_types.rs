@@ -110,6 +110,11 @@ impl NamedTypes {
         types
     }
 
+    /// Whether there is an enumeration.
+    pub(crate) fn have_values(&self) -> bool {
+        !self.values.is_empty()
+    }
+
     /// Adds all that operands can mean by the name of a type.
     pub(crate) fn stamp(&self, hasher: &mut impl Hasher) {
         self.enumerations.hash(hasher);

@@ -76,9 +76,7 @@ pub(crate) fn path_type(node: &Node, semantics: &Semantics, root: &mut impl Root
                     Compound::Structure(structure) => {
                         structure.member(&word.text).map(|(_, member)| (member.ty, 0))
                     }
-                    Compound::Block(block) => {
-                        root.parameter(block, &word.text).map(|ty| (ty, 0))
-                    }
+                    Compound::Block(block) => root.parameter(block, &word.text).map(|ty| (ty, 0)),
                     Compound::Array(_) => None,
                 }),
                 Type::Array { .. } => None,
@@ -130,5 +128,24 @@ impl Context {
             each_tag_path(&operand.value, &mut |path| offer(self.path_type(scope, path)));
         }
         found
+    }
+
+    /// The value of an enumeration that an operand of a block is, alone or with its type.
+    pub(crate) fn value_of(
+        &self,
+        scope: usize,
+        block: BlockAt<'_>,
+        node: &Node,
+    ) -> Option<(EnumId, smol_str::SmolStr)> {
+        match &node.kind {
+            NodeKind::Name(name) => Some((self.value_in(scope, block, name)?, name.clone())),
+            NodeKind::Member(base, word) => {
+                let name = base.name()?;
+                let is_tag = self.scopes[scope].find(&Name::new(name)).is_some();
+                let id = self.types.enumeration(name).filter(|_| !is_tag)?;
+                Some((id, word.text.clone()))
+            }
+            _ => None,
+        }
     }
 }

@@ -48,7 +48,7 @@ pub(crate) fn skeleton(
     let Declarations {
         scopes,
         mut types,
-        problems,
+        mut problems,
     } = declared(parse, structure, others, wanted)?;
     let user_blocks: Vec<UserBlockFacts> = structure
         .blocks
@@ -60,6 +60,7 @@ pub(crate) fn skeleton(
     let instances = instances(&scopes, others);
     let signatures = user_block::signatures(&user_blocks) ^ instances.unwrap_or(0);
     let mut kept = before.map(|before| Kept::of(before, parse, signatures));
+    unknown_blocks(&scopes, &types, (&user_blocks, others), &mut problems);
     let mut known = KnownBlocks::new(
         user_blocks,
         others,
@@ -170,6 +171,33 @@ fn declared(
     })
 }
 
+/// Says which declarations name a block that nobody defines.
+fn unknown_blocks(
+    scopes: &[Scope],
+    types: &NamedTypes,
+    (own, others): (&[UserBlockFacts], &Others),
+    problems: &mut Vec<NameProblem>,
+) {
+    let tags = scopes.iter().flat_map(|scope| &scope.tags);
+    let declared = tags.filter_map(|tag| tag.cold.declared.as_deref());
+    let types = types.own().iter().map(|ty| &*ty.declaration.declared);
+    let mut said = Vec::new();
+    for declared in declared.chain(types) {
+        declared.spec.each_block(&mut |name, at| {
+            let key = Name::new(name);
+            let is_known = own.iter().any(|block| block.key == key) || others.blocks(&key).next().is_some();
+            if !is_known && !said.contains(&at) {
+                said.push(at);
+                problems.push(NameProblem::UnknownType {
+                    name: name.clone(),
+                    at,
+                    near: None,
+                });
+            }
+        });
+    }
+}
+
 /// Stands for the tags that are, or hold, the states of user-defined blocks; none if there are none.
 fn instances(scopes: &[Scope], others: &Others) -> Option<u64> {
     let mut hasher = FxHasher::default();
@@ -184,7 +212,10 @@ fn instances(scopes: &[Scope], others: &Others) -> Option<u64> {
             }
         }
     }
-    for (file, global) in others.all_globals().filter(|(_, global)| global.declared.is_some()) {
+    for (file, global) in others
+        .all_globals()
+        .filter(|(_, global)| global.declared.is_some())
+    {
         (&file.file, &global.name).hash(&mut hasher);
         any = true;
     }

@@ -150,6 +150,20 @@ impl TypeSpec {
         }
     }
 
+    /// Every user-defined block whose state is in it, with the place of its name.
+    pub fn each_block<'s>(&'s self, give: &mut impl FnMut(&'s SmolStr, TextRange)) {
+        match &self.kind {
+            SpecKind::Block(name) => give(name, self.range),
+            SpecKind::Array(_, element) => element.each_block(give),
+            SpecKind::Structure(members) => {
+                for member in members {
+                    member.declared.spec.each_block(give);
+                }
+            }
+            _ => {}
+        }
+    }
+
     /// Every name of a type in it, with its place.
     pub fn each_name<'s>(&'s self, give: &mut impl FnMut(&'s SmolStr, TextRange)) {
         match &self.kind {

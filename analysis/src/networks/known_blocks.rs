@@ -73,14 +73,18 @@ impl<'o> KnownBlocks<'o> {
 
     /// Whether an operand is the state of a block, which is known by this index.
     pub(crate) fn is_instance(&mut self, node: &Node, index: usize) -> bool {
-        let Some(scopes) = self.instances else { return false };
+        let Some(scopes) = self.instances else {
+            return false;
+        };
         let (scope, others) = (self.scope, self.others);
         let types = &mut *self.types;
         let mut root = |node: &Node| {
             let key = Name::new(node.name()?);
             let own = scopes[scope].find(&key).map(|tag| &scopes[scope].tags[tag]);
             let global = || {
-                let mut all = scopes.iter().flat_map(|scope| Some(&scope.tags[scope.find(&key)?]));
+                let mut all = scopes
+                    .iter()
+                    .flat_map(|scope| Some(&scope.tags[scope.find(&key)?]));
                 all.find(|tag| tag.origin == Origin::Declared(SectionKind::Global))
             };
             match own.or_else(global) {
@@ -93,9 +97,9 @@ impl<'o> KnownBlocks<'o> {
             }
         };
         match path_type(node, self.semantics, &mut root) {
-            Some((Type::Compound(id), 0)) => {
-                id.block().is_some_and(|block| Name::new(&block) == self.list[index].key)
-            }
+            Some((Type::Compound(id), 0)) => id
+                .block()
+                .is_some_and(|block| Name::new(&block) == self.list[index].key),
             _ => false,
         }
     }

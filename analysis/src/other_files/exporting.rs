@@ -48,6 +48,11 @@ impl Exports {
     }
 }
 
+/// The blocks whose states a body's tags are, as far as its file says by itself.
+fn states_in(body: &Scope) -> Vec<(Name, TextRange)> {
+    crate::rules::recursive_block::states(body)
+}
+
 /// A block as its file says by itself: what a name of a type means depends on other files.
 fn as_written(facts: &UserBlockFacts) -> UserBlockFacts {
     let mut facts = facts.clone();
@@ -81,7 +86,7 @@ fn blocks(context: &Context) -> Vec<ExportedBlock> {
         .map(|(item, facts)| ExportedBlock {
             facts: as_written(facts),
             item,
-            uses: Vec::new(),
+            uses: states_in(&context.scopes[item + 1]),
             labels: Vec::new(),
             own_labels: Vec::new(),
         })

@@ -5,7 +5,7 @@ use crate::networks::facts::{Node, NodeKind};
 use crate::program::Expr;
 use crate::rules::bad_operand;
 use crate::values::compound::EnumId;
-use crate::values::types::Scalar;
+use crate::values::types::{Scalar, Type};
 use crate::values::value::Value;
 use ladder_syntax::Name;
 
@@ -19,7 +19,14 @@ impl Resolver<'_, '_> {
         let NodeKind::Name(name) = &base.kind else {
             return None;
         };
-        if self.scope.find(&Name::new(name)).is_some() {
+        let is_member = self
+            .scope
+            .find(&Name::new(name))
+            .is_some_and(|tag| match self.tag_type(tag) {
+                Type::Scalar(_) => word.text.starts_with(|c: char| c.is_ascii_digit()),
+                _ => self.part_type(node).is_some(),
+            });
+        if is_member {
             return None;
         }
         let id = self.context.types.enumeration(name)?;

@@ -29,7 +29,10 @@ impl Resolver<'_, '_> {
             return None;
         };
         let Some(scalar) = ty.scalar() else {
-            let message = format!("`{}` is {ty}: as a whole it is not read from outside yet", word.text);
+            let message = format!(
+                "`{}` is {ty}: as a whole it is not read from outside yet",
+                word.text
+            );
             self.report(type_mismatch::wrong(self.at(word.range), message));
             return None;
         };
@@ -80,12 +83,19 @@ pub(super) fn add_insides(units: &[Unit<'_>], numbers: &Numbers, program: &mut P
         }
     }
     for (index, unit) in units.iter().enumerate() {
-        for (item, block) in unit.context.user_blocks[..unit.context.own_blocks].iter().enumerate() {
+        for (item, block) in unit.context.user_blocks[..unit.context.own_blocks]
+            .iter()
+            .enumerate()
+        {
             if !numbers.has_block(index, item) {
                 continue;
             }
             let number = numbers.block(index, unit.context, item);
-            for parameter in block.parameters.iter().filter(|it| it.kind == ParameterKind::InOut) {
+            for parameter in block
+                .parameters
+                .iter()
+                .filter(|it| it.kind == ParameterKind::InOut)
+            {
                 adding.in_outs.push((number, parameter.key.clone()));
             }
         }
@@ -129,7 +139,9 @@ impl Adding {
         }
         if self.open.contains(&block) || self.open.len() > 50 || program.tags.len() > MOST_TAGS {
             program.disagreement.get_or_insert(Disagreement {
-                message: format!("the state of {name} contains itself, or has too many parts: make it smaller"),
+                message: format!(
+                    "the state of {name} contains itself, or has too many parts: make it smaller"
+                ),
                 location,
             });
             return;

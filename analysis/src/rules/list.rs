@@ -82,6 +82,7 @@ const LIST: &[(Rule, Check)] = &[
     (unknown_type::RULE, Check::ByOthers),
     (duplicate_type::RULE, Check::ByOthers),
     (recursive_type::RULE, Check::ByOthers),
+    (duplicate_instance::RULE, Check::Tag(duplicate_instance::check)),
     (wrong_place::RULE, Check::Form(wrong_place::check)),
     (recursive_block::RULE, Check::File(recursive_block::check)),
     (recursive_call::RULE, Check::Program(recursive_call::check)),
@@ -121,6 +122,11 @@ const LIST: &[(Rule, Check)] = &[
     (unused_function::RULE, Check::Program(unused_function::check)),
     (unused_label::RULE, Check::Program(unused_label::check)),
     (unused_type::RULE, Check::Program(unused_type::check)),
+    (
+        edge_of_varying_index::RULE,
+        Check::Block(edge_of_varying_index::check),
+    ),
+    (unhandled_value::RULE, Check::File(unhandled_value::check)),
     (commented_out_rung::RULE, Check::File(commented_out_rung::check)),
 ];
 

@@ -9,6 +9,11 @@ pub(crate) const RULE: Rule =
 
 pub(crate) fn unknown(name: &str, near: Option<&str>, range: TextRange) -> Diagnostic {
     let found = |message: String| Diagnostic::new(RULE, range, message);
+    if name.starts_with('$') {
+        return found(format!("there is no block {name} whose state this could be")).help(format!(
+            "correct the name, or define it: FUNCTION_BLOCK [{name}], its declarations and rungs, END_FUNCTION_BLOCK"
+        ));
+    }
     match near {
         Some(near) => found(format!("there is no type `{name}`: did you mean {near}?")).fix(
             Applicability::Unsafe,

@@ -376,6 +376,19 @@ impl Type {
         dimensions.truncate(depth);
     }
 
+    /// The user-defined blocks whose states are in it.
+    pub(crate) fn blocks(self) -> Vec<SmolStr> {
+        if !self.keeps_state() {
+            return Vec::new();
+        }
+        let columns = self.column_list().into_iter();
+        let blocks = columns.filter_map(|column| match column.ty {
+            Type::Compound(id) => id.block(),
+            _ => None,
+        });
+        blocks.collect()
+    }
+
     /// The values that its elementary parts start with, unless a declaration says otherwise: element by element, member by
     /// member.
     pub fn initial_values(self) -> Vec<Value> {

@@ -256,11 +256,9 @@ fn one_timer_one_block() {
 #[test]
 fn what_is_not_built_yet_is_said() {
     check_with_motor(
-        "VAR\n    lines : ARRAY[1..2] OF Motor;\n    m     : $Motor;\n    k     : INT;\nEND_VAR\n\
+        "VAR\n    lines : ARRAY[1..2] OF Motor;\n    k     : INT;\nEND_VAR\n\
          +--[TON]( lines[k].delay, 5s )--( )( Q1 )--+\n",
         expect![[r#"
-            >     m     : $Motor;
-                          ^^^^^^ error[bad-declaration]: the state of $Motor cannot be a tag yet: it belongs to each place in the text where the block is
             > +--[TON]( lines[k].delay, 5s )--( )( Q1 )--+
                               ^ error[bad-operand]: a computed index does not choose a timer, counter or block yet: write a number
         "#]],
@@ -320,4 +318,89 @@ fn types_in_a_block() {
             help: move the section before FUNCTION_BLOCK: every block sees the types of the workspace
     "#]],
     );
+}
+
+const GO: &str = "FUNCTION_BLOCK [$Go]\nVAR_INPUT\n    on : BOOL;\nEND_VAR\nVAR_OUTPUT\n    n : INT;\nEND_VAR\nVAR_IN_OUT\n    x : INT;\nEND_VAR\n+--[P]( on )--[ADD]( n, n, 1 )--[ADD]( x, x, 1 )--+\nEND_FUNCTION_BLOCK\n";
+
+#[test]
+fn instances() {
+    clean(&format!(
+        "{GO}VAR\n    a : $Go;\n    b : ARRAY[1..2] OF $Go;\n    i : INT;\nEND_VAR\n+--[$Go]( a, I1, x := i )--[$Go]( b[1], on := I2, x := i )--[$Go]( I3, i, x := i )--+\n\
+         +--[GT]( a.n, b[2].n )--[ ]( a.on )--( )( Q1 )--+\n"
+    ));
+    check(
+        &format!(
+            "{GO}VAR\n    a : $Go;\n    b : $Gone;\n    i : INT;\nEND_VAR\n+--[$Go]( a, I1, x := i )--[$Go]( a, I2, x := i )--+\n\
+             +--[MOV]( a.n, 5 )--[GT]( a.x, 1 )--[GT]( a.m, 1 )--[ ]( a )--[MOV]( i, a )--( )( a.on )--+\n"
+        ),
+        expect![[r#"
+            >     b : $Gone;
+                      ^^^^^ error[unknown-type]: there is no block $Gone whose state this could be
+                help: correct the name, or define it: FUNCTION_BLOCK [$Gone], its declarations and rungs, END_FUNCTION_BLOCK
+            > +--[$Go]( a, I1, x := i )--[$Go]( a, I2, x := i )--+
+                                                ^ warning[duplicate-instance]: a second [$Go] works on `a`: what one does the other sees
+                help: give each block a state of its own, unless both are meant to share it
+                at 18:11 `a`: `a` is the state of this block
+            > +--[MOV]( a.n, 5 )--[GT]( a.x, 1 )--[GT]( a.m, 1 )--[ ]( a )--[MOV]( i, a )--( )( a.on )--+
+                        ^^^ error[constant-write]: `a.n` is written by its block alone
+                help: give the value as an operand of the block
+            > +--[MOV]( a.n, 5 )--[GT]( a.x, 1 )--[GT]( a.m, 1 )--[ ]( a )--[MOV]( i, a )--( )( a.on )--+
+                                          ^ error[unknown-member]: $Go has no input or output `x`
+                help: what a block declares in VAR, and its in-outs, is its own
+            > +--[MOV]( a.n, 5 )--[GT]( a.x, 1 )--[GT]( a.m, 1 )--[ ]( a )--[MOV]( i, a )--( )( a.on )--+
+                                                          ^ error[unknown-member]: $Go has no input or output `m`
+                help: what a block declares in VAR, and its in-outs, is its own
+            > +--[MOV]( a.n, 5 )--[GT]( a.x, 1 )--[GT]( a.m, 1 )--[ ]( a )--[MOV]( i, a )--( )( a.on )--+
+                                                                       ^ error[type-mismatch]: `a` is a $Go, a value is expected here
+                help: name one of its members
+            > +--[MOV]( a.n, 5 )--[GT]( a.x, 1 )--[GT]( a.m, 1 )--[ ]( a )--[MOV]( i, a )--( )( a.on )--+
+                                                                                      ^ error[type-mismatch]: `a` is a $Go, a value is expected here
+                help: name one of its members
+            > +--[MOV]( a.n, 5 )--[GT]( a.x, 1 )--[GT]( a.m, 1 )--[ ]( a )--[MOV]( i, a )--( )( a.on )--+
+                                                                                                ^^^^ error[constant-write]: `a.on` is written by its block alone
+                help: give the value as an operand of the block
+        "#]],
+    );
+}
+
+#[test]
+fn a_block_does_not_hold_itself() {
+    check(
+        "FUNCTION_BLOCK [$A]\nVAR\n    b : $B;\nEND_VAR\n+--[ ]( EN )--( )( ENO )--+\nEND_FUNCTION_BLOCK\nFUNCTION_BLOCK [$B]\nVAR\n    l : ARRAY[1..2] OF $A;\nEND_VAR\n+--[ ]( EN )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n+--[$A]--( )( Q1 )--+\n",
+        expect![[r#"
+            > FUNCTION_BLOCK [$A]
+                             ^^^^ error[recursive-block]: the block `$A` uses itself: it uses `$B`, which uses `$A`
+                help: every place of a block has a state of its own, so a block cannot contain itself: break the circle
+                at 3:5 `b`: `$B` is used here
+                at 9:5 `l`: `$A` is used here
+        "#]],
+    );
+}
+
+#[test]
+fn edges_of_elements() {
+    check(
+        "VAR CONSTANT\n    two : INT := 2;\nEND_VAR\nVAR_INPUT\n    key : ARRAY[1..4] OF BOOL;\n    k   : INT;\nEND_VAR\n+--[P]( key[1] )--[N]( key[two] )--[P]( key[k] )--( )( Q1 )--+\n",
+        expect![[r#"
+            > +--[P]( key[1] )--[N]( key[two] )--[P]( key[k] )--( )( Q1 )--+
+                                                          ^ warning[edge-of-varying-index]: the index of this edge contact is computed: where it changes, two elements are compared
+                help: the edge belongs to the contact: put a contact with a fixed index before [OSR], or one for each element
+        "#]],
+    );
+}
+
+#[test]
+fn values_that_nothing_asks_for() {
+    let text = |rungs: &str| {
+        format!("TYPE\n    P : (ONE, TWO, THREE);\nEND_TYPE\nVAR\n    p : P;\nEND_VAR\n{rungs}")
+    };
+    check(
+        &text(
+            "+--[EQ]( p, ONE )--( )( Q1 )--+\n+--[EQ]( P.TWO, p )--( )( Q2 )--+\n+--[ ]( I1 )--( )( Q4 )--+\n+--[EQ]( p, ONE )--( )( Q5 )--+\n",
+        ),
+        expect![""],
+    );
+    clean(&text(
+        "+--[EQ]( p, ONE )--( )( Q1 )--+\n+--[EQ]( p, TWO )--( )( Q2 )--+\n+--[EQ]( p, THREE )--( )( Q3 )--+\n",
+    ));
 }

@@ -62,10 +62,13 @@ impl Compiler<'_> {
                 self.places.body_in_outs.push((self.standing.clone(), tag, home));
             }
         }
-        let state = block.arguments.iter().find_map(|bound| match (bound.parameter, &bound.argument) {
-            (None, Argument::State(tag)) => Some(*tag),
-            _ => None,
-        });
+        let state = block
+            .arguments
+            .iter()
+            .find_map(|bound| match (bound.parameter, &bound.argument) {
+                (None, Argument::State(tag)) => Some(*tag),
+                _ => None,
+            });
         match state.and_then(|tag| program.instances.iter().find(|instance| instance.tag == tag)) {
             Some(instance) => {
                 for (body, own) in &instance.tags {

@@ -96,3 +96,58 @@ fn enumerations_by_name_and_number() {
         "#]],
     );
 }
+
+#[test]
+fn named_instances() {
+    check(
+        "FUNCTION_BLOCK [$Motor]\nVAR_INPUT start, stop : BOOL; END_VAR\nVAR_OUTPUT running : BOOL; starts : INT := 10; END_VAR\nVAR t : TON; list : ARRAY[1..3] OF INT; END_VAR\n\
+         +--\\--[ ]( start )----\\--[/]( stop )--( )( running )--[TON]( t, 20ms )--( )( ENO )--+\n   /--[ ]( running )--/\n\
+         +--[P]( start )--[ADD]( starts, starts, 1 )--[ADD]( list[2], list[2], 2 )--+\nEND_FUNCTION_BLOCK\n\
+         FUNCTION_BLOCK [$Pair]\nVAR_INPUT go : BOOL; END_VAR\nVAR a, b : $Motor; END_VAR\n\
+         +--[$Motor]( a, go, SYS.OFF )--[$Motor]( b, a.running, SYS.OFF )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n\
+         TYPE\n Cell : STRUCT\n  m : $Motor; x : INT;\n END_STRUCT;\nEND_TYPE\n\
+         VAR m1 : $Motor; all : ARRAY[1..3] OF $Motor; cell : ARRAY[1..2] OF Cell; pair : $Pair; n : INT; p, q, r : BOOL; END_VAR\nVAR_INPUT a, b : BOOL; END_VAR\n\
+         +--[$Motor]( m1, a, b )--( )( p )--+\n\
+         +--[$Motor]( all[2], a, b, starts => n )--[$Motor]( cell[2].m, b, a )--( )( q )--+\n\
+         +--[$Pair]( pair, a )--( )( r )--+\n",
+        "a -_-_____\nb ____-___",
+        "p q r m1.running m1.starts m1.list[2] m1.t.ET all[2].starts all[1].starts n cell[2].m.running pair.b.starts",
+        expect![[r#"
+            p                  __--____
+            q                  ______--
+            r                  __------
+            m1.running         ----____
+            m1.starts          11 11 12 12 12 12 12 12
+            m1.list[2]         2 2 4 4 4 4 4 4
+            m1.t.ET            0 10 20 20 0 0 0 0
+            all[2].starts      11 11 12 12 12 12 12 12
+            all[1].starts      10 10 10 10 10 10 10 10
+            n                  11 11 12 12 12 12 12 12
+            cell[2].m.running  ____----
+            pair.b.starts      11 11 11 11 11 11 11 11
+        "#]],
+    );
+}
+
+#[test]
+fn a_warm_restart_keeps_parts_by_their_path() {
+    use crate::support::simulation;
+    let mut running = simulation(
+        "TYPE\n P : (IDLE, RUN);\n M : STRUCT\n  n : INT; p : P; on : BOOL;\n END_STRUCT;\nEND_TYPE\n\
+         VAR RETAIN m : ARRAY[1..2] OF M; END_VAR\nVAR o : M; END_VAR\n\
+         +--[ADD]( m[2].n, m[2].n, 1 )--[ADD]( o.n, o.n, 1 )--[MOV]( m[1].p, RUN )--+\n",
+    );
+    for _ in 0..3 {
+        running.scan();
+    }
+    let kept = running.retained();
+    let kept = kept
+        .iter()
+        .map(|kept| format!("{} : {} = {}\n", kept.name, kept.ty, kept.values.join(" ")));
+    expect![[r#"
+        m[].n : ARRAY[1..2] OF INT = 0 3
+        m[].p : ARRAY[1..2] OF P = RUN IDLE
+        m[].on : ARRAY[1..2] OF BOOL = FALSE FALSE
+    "#]]
+    .assert_eq(&kept.collect::<String>());
+}
