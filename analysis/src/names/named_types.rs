@@ -248,7 +248,7 @@ impl Reading<'_> {
             }
         }
         let meaning = self.type_of(types, &declared.spec, &name, file.as_ref());
-        let meaning = meaning.and_then(|meaning| self.with_initial(&declared, meaning, file.as_ref()));
+        let meaning = meaning.map(|meaning| self.with_initial(&declared, meaning, file.as_ref()));
         if let Some((ty, initial)) = meaning {
             types.list[index].ty = Some(ty);
             types.list[index].initial = initial;
@@ -271,7 +271,7 @@ impl Reading<'_> {
         file: Option<&Arc<str>>,
     ) -> Option<Meaning> {
         let meaning = self.type_of(types, &declared.spec, "", file)?;
-        self.with_initial(declared, meaning, file)
+        Some(self.with_initial(declared, meaning, file))
     }
 
     /// A type with the values that its declaration says.
@@ -280,16 +280,16 @@ impl Reading<'_> {
         declared: &Declared,
         (ty, default): Meaning,
         file: Option<&Arc<str>>,
-    ) -> Option<Meaning> {
+    ) -> Meaning {
         let Some(initial) = &declared.initial else {
-            return Some((ty, default));
+            return (ty, default);
         };
         match constant::initial_values(&initial.node, ty) {
-            Ok(values) => Some((ty, Some(values.into()))),
+            Ok(values) => (ty, Some(values.into())),
             Err(problem) => {
                 let start = initial.start;
                 self.say(file, || NameProblem::InitialValue(problem.moved_by(start)));
-                Some((ty, default))
+                (ty, default)
             }
         }
     }

@@ -3,7 +3,8 @@
 pub use super::tag_facts::{Origin, SectionKind, TagFacts};
 pub use super::type_by_form::type_by_form;
 
-use ladder_syntax::Name;
+use crate::values::types::Type;
+use ladder_syntax::{Name, TextRange};
 use rustc_hash::FxHashMap;
 
 /// A scope by its number, and a tag in it.
@@ -63,6 +64,20 @@ impl Scope {
     /// Lets a tag be found by its direct address too; the first one at an address is.
     pub(crate) fn find_by_address(&mut self, address: &str, index: usize) {
         self.by_name.entry(Name::new(address)).or_insert(index as u32);
+    }
+
+    /// The user-defined blocks whose states its own tags are, with the places of these. In-outs are tags of others.
+    pub(crate) fn block_states(&self) -> Vec<(Name, TextRange)> {
+        let in_out = Origin::Declared(SectionKind::InOut);
+        let own = self.tags.iter().take(self.declared);
+        let own = own.filter(|tag| tag.is_declared() && tag.origin != in_out);
+        let blocks = own.flat_map(|tag| {
+            let blocks = tag.ty.map(Type::blocks).unwrap_or_default();
+            blocks
+                .into_iter()
+                .map(|block| (Name::new(&block), tag.declared_at))
+        });
+        blocks.collect()
     }
 
     /// Whether the scope has at least one declaration.

@@ -9,7 +9,7 @@ use crate::values::value::Value;
 use ladder_instructions::StateType;
 use ladder_syntax::ast::{AstNode, Bound, Expression, TypeRef};
 use ladder_syntax::{Name, SyntaxKind, TextRange, TextSize};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
 
 /// The longest array: what still shows and saves quickly.
@@ -193,7 +193,7 @@ pub(crate) fn read(
     }
     let mut dimensions = Vec::new();
     let bounds = type_ref.dimensions();
-    if type_ref.is_array() && (bounds.is_empty() || bounds.len() % 2 > 0) {
+    if type_ref.is_array() && (bounds.is_empty() || !bounds.len().is_multiple_of(2)) {
         return Ok(None);
     }
     if bounds.len() > 2 * MOST_DIMENSIONS {
@@ -320,7 +320,7 @@ fn enumeration(
     constants: &Constants,
 ) -> Result<Option<SpecKind>, TypeProblem> {
     let mut values: Vec<(SmolStr, TextRange, i32)> = Vec::new();
-    let mut names = FxHashMap::default();
+    let mut names = FxHashSet::default();
     let mut numbers = FxHashMap::default();
     let mut next = 0i128;
     for value in type_ref.values() {
@@ -336,7 +336,7 @@ fn enumeration(
             let message = format!("the number of `{}` is {next}, which is no DINT", name.text());
             return Err((range, message));
         };
-        if names.insert(Name::new(name.text()), ()).is_some() {
+        if !names.insert(Name::new(name.text())) {
             return Err((range, format!("the value `{}` is there twice", name.text())));
         }
         if let Some(other) = numbers.insert(own, name.text()) {

@@ -76,7 +76,7 @@ impl Asking<'_> {
         let globals = self
             .scopes
             .iter()
-            .flat_map(|scope| Some(&scope.tags[scope.find(&key)?]));
+            .filter_map(|scope| Some(&scope.tags[scope.find(&key)?]));
         let mut globals = globals.filter(|tag| tag.origin == Origin::Declared(SectionKind::Global));
         if let Some(global) = globals.next() {
             return global.ty;

@@ -84,7 +84,7 @@ impl<'o> KnownBlocks<'o> {
             let global = || {
                 let mut all = scopes
                     .iter()
-                    .flat_map(|scope| Some(&scope.tags[scope.find(&key)?]));
+                    .filter_map(|scope| Some(&scope.tags[scope.find(&key)?]));
                 all.find(|tag| tag.origin == Origin::Declared(SectionKind::Global))
             };
             match own.or_else(global) {

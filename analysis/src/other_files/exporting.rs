@@ -48,11 +48,6 @@ impl Exports {
     }
 }
 
-/// The blocks whose states a body's tags are, as far as its file says by itself.
-fn states_in(body: &Scope) -> Vec<(Name, TextRange)> {
-    crate::rules::recursive_block::states(body)
-}
-
 /// A block as its file says by itself: what a name of a type means depends on other files.
 fn as_written(facts: &UserBlockFacts) -> UserBlockFacts {
     let mut facts = facts.clone();
@@ -86,7 +81,7 @@ fn blocks(context: &Context) -> Vec<ExportedBlock> {
         .map(|(item, facts)| ExportedBlock {
             facts: as_written(facts),
             item,
-            uses: states_in(&context.scopes[item + 1]),
+            uses: context.scopes[item + 1].block_states(),
             labels: Vec::new(),
             own_labels: Vec::new(),
         })

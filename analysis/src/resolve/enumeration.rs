@@ -9,6 +9,15 @@ use crate::values::types::{Scalar, Type};
 use crate::values::value::Value;
 use ladder_syntax::Name;
 
+/// What a name says where a value may be meant.
+pub(super) enum NamedValue {
+    /// It is no value of an enumeration.
+    No,
+    /// It should be one, and is none; that is said.
+    Wrong,
+    Is(Expr),
+}
+
 impl Resolver<'_, '_> {
     /// The enumeration and the number of the value that a node names with its type, as in `Phase.IDLE`. A declared tag of that
     /// name comes first.
@@ -33,33 +42,27 @@ impl Resolver<'_, '_> {
         Some((id, id.get().number(&word.text)))
     }
 
-    /// The value of an enumeration that a node names where one of this type is asked for, or with its type. None: it names none,
-    /// and nothing is said.
-    pub(super) fn named_value(&mut self, node: &Node, asked: Option<Scalar>) -> Option<Option<Expr>> {
+    /// The value of an enumeration that a node names where one of this type is asked for, or with its type.
+    pub(super) fn named_value(&mut self, node: &Node, asked: Option<Scalar>) -> NamedValue {
         if let NodeKind::Paren(inner) = &node.kind {
             return self.named_value(inner, asked);
         }
         let (id, number, name) = match (&node.kind, asked) {
-            (NodeKind::Member(_, word), _) => {
-                let (id, number) = self.value_of_enumeration(node)?;
-                (id, number, &word.text)
-            }
-            (NodeKind::Name(name), Some(Scalar::Enum(id))) => {
-                let key = Name::new(name);
-                let tag = self.scope.find(&key).map(|tag| &self.scope.tags[tag]);
-                if tag.is_some() {
-                    return None;
-                }
+            (NodeKind::Member(_, word), _) => match self.value_of_enumeration(node) {
+                Some((id, number)) => (id, number, &word.text),
+                None => return NamedValue::No,
+            },
+            (NodeKind::Name(name), Some(Scalar::Enum(id))) if self.scope.find(&Name::new(name)).is_none() => {
                 (id, id.get().number(name), name)
             }
-            _ => return None,
+            _ => return NamedValue::No,
         };
         let Some(number) = number else {
             let found = bad_operand::no_value(&id.get(), name, self.at(node.range));
             self.report(found);
-            return Some(None);
+            return NamedValue::Wrong;
         };
         let value = Value::Int(i64::from(number));
-        Some(Some(self.constant_expr(value, Scalar::Enum(id), node.range)))
+        NamedValue::Is(self.constant_expr(value, Scalar::Enum(id), node.range))
     }
 }

@@ -1,6 +1,7 @@
 //! Values and expressions, brought to the type that their place asks for (LANGUAGE §5.2).
 
 use super::Resolver;
+use super::enumeration::NamedValue;
 use crate::findings::excerpt;
 use crate::networks::facts::{Node, NodeKind, Operator, Word};
 use crate::program::{BinaryOperator, Expr, ExprKind, UnaryOperator};
@@ -34,8 +35,10 @@ impl Resolver<'_, '_> {
         if signed_literal(node).is_some() {
             return self.literal_in(node, ty);
         }
-        if let Some(named) = self.named_value(node, Some(ty)) {
-            return self.pass(named?, ty);
+        match self.named_value(node, Some(ty)) {
+            NamedValue::No => {}
+            NamedValue::Wrong => return None,
+            NamedValue::Is(value) => return self.pass(value, ty),
         }
         if !self.is_simple(node) {
             return None;
@@ -98,8 +101,10 @@ impl Resolver<'_, '_> {
                 .map_or(Scalar::Dint, |literal| natural_type(literal, negative));
             return self.literal_in(node, ty);
         }
-        if let Some(named) = self.named_value(node, None) {
-            return named;
+        match self.named_value(node, None) {
+            NamedValue::No => {}
+            NamedValue::Wrong => return None,
+            NamedValue::Is(value) => return Some(value),
         }
         if !self.is_simple(node) {
             return None;
@@ -163,8 +168,10 @@ impl Resolver<'_, '_> {
         if signed_literal(node).is_some() {
             return self.literal_in(node, ty);
         }
-        if let Some(named) = self.named_value(node, Some(ty)) {
-            return self.pass(named?, ty);
+        match self.named_value(node, Some(ty)) {
+            NamedValue::No => {}
+            NamedValue::Wrong => return None,
+            NamedValue::Is(value) => return self.pass(value, ty),
         }
         let range = self.at(node.range);
         let kind = match &node.kind {

@@ -6,11 +6,9 @@ use super::circles::{Use, circles, way};
 use crate::context::{Body, Context};
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
-use crate::names::scope::{Origin, Scope, SectionKind};
 use crate::networks::network::Meaning;
 use crate::other_files::exports::{ExportedBlock, Exports};
-use crate::values::types::Type;
-use ladder_syntax::{Name, TextRange};
+use ladder_syntax::Name;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
@@ -66,7 +64,7 @@ impl Graph {
             }
         }
         for user in 0..own.len() {
-            for (name, at) in states(&context.scopes[user + 1]) {
+            for (name, at) in context.scopes[user + 1].block_states() {
                 let here = Arc::clone(&context.name);
                 let used = graph.used_by(context, &mut foreign, &mut open, &here, &name);
                 graph.uses[user].extend(used.map(|used| (used, at)));
@@ -120,22 +118,6 @@ impl Graph {
             node
         })
     }
-}
-
-/// The blocks whose states the tags of a body are.
-pub(crate) fn states(body: &Scope) -> Vec<(Name, TextRange)> {
-    let in_out = Origin::Declared(SectionKind::InOut);
-    let tags = body
-        .tags
-        .iter()
-        .filter(|tag| tag.is_declared() && tag.origin != in_out);
-    let blocks = tags.flat_map(|tag| {
-        let blocks = tag.ty.map(Type::blocks).unwrap_or_default();
-        blocks
-            .into_iter()
-            .map(|block| (Name::new(&block), tag.declared_at))
-    });
-    blocks.collect()
 }
 
 fn recursive(context: &Context, graph: &Graph, (first, around): (usize, Vec<Use>)) -> Diagnostic {

@@ -15,6 +15,9 @@ pub(crate) const MOST_PARTS: u64 = 1_000_000;
 /// More columns than this in one type are refused: each is a tag of the program.
 pub(crate) const MOST_COLUMNS: u32 = 2_000;
 
+/// First and last index of each dimension of an array.
+pub type Dimensions = Box<[(i64, i64)]>;
+
 /// A structure, an array or a user-defined block as the type of a tag: its number in the table.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct TypeId(u32);
@@ -60,7 +63,7 @@ pub struct MemberType {
 #[derive(Debug, Clone, PartialEq)]
 pub struct ArrayType {
     /// First and last index of each dimension.
-    pub dimensions: Box<[(i64, i64)]>,
+    pub dimensions: Dimensions,
     /// Type of each element.
     pub element: Type,
 }
@@ -80,7 +83,7 @@ pub struct Column {
     /// Its path from the tag on, without indices: `[].valve.open`.
     pub path: String,
     /// First and last index of each array around it, the outermost first.
-    pub dimensions: Box<[(i64, i64)]>,
+    pub dimensions: Dimensions,
     /// A scalar, a state, or a user-defined block.
     pub ty: Type,
 }
@@ -327,7 +330,7 @@ impl Type {
     }
 
     /// The dimensions, and the type of an element, if it is an array.
-    pub fn array(self) -> Option<(Box<[(i64, i64)]>, Type)> {
+    pub fn array(self) -> Option<(Dimensions, Type)> {
         match self {
             Type::Array { first, last, element } => Some((Box::new([(first, last)]), Type::Scalar(element))),
             Type::Compound(id) => id.with(|ty| match ty {

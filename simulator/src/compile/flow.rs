@@ -287,7 +287,7 @@ impl Compiler<'_> {
                 .or_else(|| networks.next_back());
             if let Some(target) = target {
                 let (step, network) = self.whereabouts();
-                let (en, start) = self.leave_bodies(level, en)?;
+                let (en, start) = self.leave_bodies(level, en);
                 let at = self.here();
                 self.regions[level].jumps.push((at, target));
                 self.emit(Instr::Jump {
@@ -330,9 +330,9 @@ impl Compiler<'_> {
 
     /// Begins what leaves the bodies inside the region `outer`: their outputs are copied out and their frames
     /// closed, with EN high only. Returns the power with which the rest is to be done, and where it began.
-    fn leave_bodies(&mut self, outer: usize, en: Bit) -> Result<(Bit, Option<usize>)> {
+    fn leave_bodies(&mut self, outer: usize, en: Bit) -> (Bit, Option<usize>) {
         if outer + 1 == self.regions.len() {
-            return Ok((en, None));
+            return (en, None);
         }
         let (_, start) = self.begin_powered(en);
         let (mut step, mut network) = self.whereabouts();
@@ -342,14 +342,14 @@ impl Compiler<'_> {
                 continue;
             };
             let exit = exit.clone();
-            self.copy_out(&exit.outputs)?;
+            self.copy_out(&exit.outputs);
             if exit.framed {
                 self.emit(Instr::LeaveBody);
             }
             (step, network) = (exit.step as u32, self.noted(level - 1));
         }
         self.emit(Instr::Left { step, network });
-        Ok((Bit::HIGH, Some(start)))
+        (Bit::HIGH, Some(start))
     }
 
     fn end_leaving(&mut self, start: Option<usize>) {
@@ -385,10 +385,10 @@ impl Compiler<'_> {
     }
 
     /// `<RET>`: ends the function, the scan, or the body of a `[$B]`.
-    pub(super) fn ret(&mut self, en: Bit) -> Result<Bit> {
+    pub(super) fn ret(&mut self, en: Bit) -> Bit {
         let outer = self.acting_region();
         let (step, network) = self.whereabouts();
-        let (en, start) = self.leave_bodies(outer, en)?;
+        let (en, start) = self.leave_bodies(outer, en);
         if matches!(self.regions[outer].kind, Kind::Body(_)) {
             let at = self.here();
             self.regions[outer].returns.push(at);
@@ -402,16 +402,16 @@ impl Compiler<'_> {
             self.emit(Instr::Return { en, step, network });
         }
         self.end_leaving(start);
-        Ok(Bit::LOW)
+        Bit::LOW
     }
 
     /// `<END>`
-    pub(super) fn end(&mut self, en: Bit) -> Result<Bit> {
+    pub(super) fn end(&mut self, en: Bit) -> Bit {
         let (step, network) = self.whereabouts();
-        let (en, start) = self.leave_bodies(0, en)?;
+        let (en, start) = self.leave_bodies(0, en);
         self.emit(Instr::End { en, step, network });
         self.end_leaving(start);
-        Ok(Bit::LOW)
+        Bit::LOW
     }
 
     /// `<FOR>`: notes the turns; the loop is entered at the end of the network. With EN low the count is not read.

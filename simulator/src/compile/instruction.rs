@@ -115,8 +115,8 @@ impl Compiler<'_> {
             Op::Lbl | Op::Fun | Op::Next | Op::Persist => Ok(en),
             Op::Jmp => self.jump(arguments, en),
             Op::Call => self.call(arguments, en),
-            Op::Ret => self.ret(en),
-            Op::End => self.end(en),
+            Op::Ret => Ok(self.ret(en)),
+            Op::End => Ok(self.end(en)),
             Op::For => self.for_loop(arguments, en),
             Op::Mcr => Ok(self.mcr(en)),
 

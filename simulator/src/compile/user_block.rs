@@ -122,7 +122,7 @@ impl Compiler<'_> {
         if framed {
             self.emit(Instr::LeaveBody);
         }
-        self.copy_out(&outputs)?;
+        self.copy_out(&outputs);
         let Slot::Bit(eno) = self.tag_value(user.eno)? else {
             return Err(arguments.mismatch());
         };
@@ -278,13 +278,12 @@ impl Compiler<'_> {
     }
 
     /// Copies the outputs to what they are given for.
-    pub(super) fn copy_out(&mut self, outputs: &[Output]) -> Result<()> {
+    pub(super) fn copy_out(&mut self, outputs: &[Output]) {
         for output in outputs {
             let value = self.load(output.read);
             let value = self.pass(value, output.from, output.to);
             self.store(output.spot, value);
         }
-        Ok(())
     }
 }
 

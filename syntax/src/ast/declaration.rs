@@ -69,7 +69,7 @@ impl<'g> StructEnd<'g> {
     }
 }
 
-fn names<'g>(line: NodeView<'g>) -> impl Iterator<Item = TokenView<'g>> + use<'g> {
+fn names(line: NodeView<'_>) -> impl Iterator<Item = TokenView<'_>> {
     line.children()
         .filter(|n| n.kind() == SyntaxKind::NAME_LIST)
         .flat_map(NodeView::tokens)

@@ -68,10 +68,12 @@ fn show(expression: Option<&Expression<'_>>) -> String {
             show(n.callee().as_ref()),
             list(n.arguments().collect())
         ),
-        Expression::Struct(n) => n
-            .members()
-            .map(|member| format!("({} := {})", token(member.name()), show(member.value().as_ref())))
-            .collect(),
+        Expression::Struct(n) => {
+            let members = n.members();
+            let member = |(name, value)| format!("({name} := {value})");
+            let shown = members.map(|it| (token(it.name()), show(it.value().as_ref())));
+            shown.map(member).collect::<Vec<_>>().concat()
+        }
         Expression::Array(n) => format!("[{}]", list(n.values().collect())),
         Expression::Error(n) => format!("error {n}"),
     }
