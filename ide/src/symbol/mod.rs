@@ -115,7 +115,9 @@ impl Symbol {
             Symbol::Tag { file, .. }
             | Symbol::Label { file, .. }
             | Symbol::Function { file, .. }
-            | Symbol::Block { file, .. } => Some(file),
+            | Symbol::Block { file, .. }
+            | Symbol::Type { file, .. }
+            | Symbol::Part { file, .. } => Some(file),
             Symbol::Member { of, .. } => of.file(),
             Symbol::Global(_) | Symbol::Address(_) | Symbol::System(_) | Symbol::Instruction(_) => None,
         }
