@@ -1,7 +1,7 @@
 //! The library: user-defined blocks that every workspace sees (LANGUAGE §5.7), written in the language itself.
 //!
-//! A block is one file here, `NAME.clad`; the comments in it are its documentation. This crate holds the texts and nothing
-//! else. `ladder-analysis` reads them when a program names a block that its workspace does not define, so that a program
+//! A block is one file here, `NAME.clad`; the comments in it are its documentation. A program of the same name in `scenarios/`
+//! uses it, and scenarios show and test what it does. This crate holds the texts and nothing else. `ladder-analysis` reads them when a program names a block that its workspace does not define, so that a program
 //! without one pays nothing.
 
 #![forbid(unsafe_code)]
@@ -13,6 +13,10 @@ pub struct Source {
     pub name: &'static str,
     /// The text of its file: the comment that describes it, and its definition.
     pub text: &'static str,
+    /// A program that uses it.
+    pub example: &'static str,
+    /// The scenarios of that program, the first of which shows what the block is for.
+    pub scenarios: &'static str,
 }
 
 impl Source {
@@ -22,13 +26,47 @@ impl Source {
         let end = text.find([':', '.']).unwrap_or(text.len());
         text[..end].to_owned()
     }
+
+    /// The rows of its first scenario: a timing diagram. A column is one step, as long as [`step`](Source::step) says.
+    pub fn diagram(&self) -> &'static str {
+        let (_, first) = self.scenarios.split_once("\nscenario ").unwrap_or_default();
+        let (_, rows) = first.split_once('\n').unwrap_or_default();
+        rows.split("\n\n").next().unwrap_or_default()
+    }
+
+    /// How long a step of its scenarios is.
+    pub fn step(&self) -> &'static str {
+        let line = self.scenarios.lines().find_map(|line| line.strip_prefix("step "));
+        line.unwrap_or_default()
+    }
 }
 
 macro_rules! sources {
     ($($name:literal),* $(,)?) => {
-        &[$(Source { name: concat!("$", $name), text: include_str!(concat!("../", $name, ".clad")) }),*]
+        &[$(Source {
+            name: concat!("$", $name),
+            text: include_str!(concat!("../", $name, ".clad")),
+            example: include_str!(concat!("../scenarios/", $name, ".clad")),
+            scenarios: include_str!(concat!("../scenarios/", $name, ".ladder-test")),
+        }),*]
     };
 }
 
 /// All blocks, by their names.
-pub const SOURCES: &[Source] = sources!["Blink", "Debounce",];
+pub const SOURCES: &[Source] = sources![
+    "Alarm",
+    "Alternate",
+    "Average",
+    "Blink",
+    "Debounce",
+    "Drum",
+    "FirstOut",
+    "Hysteresis",
+    "PID",
+    "Ramp",
+    "RunTime",
+    "Scale",
+    "Step",
+    "Toggle",
+    "Total",
+];
