@@ -20,11 +20,20 @@ pub struct Source {
 }
 
 impl Source {
-    /// The first sentence of its description: what it is, before the colon.
+    /// What the comment above its definition says, as Markdown.
+    pub fn description(&self) -> String {
+        let comment = self.text.split('#').nth(1).unwrap_or_default().trim();
+        let lines: Vec<&str> = comment
+            .lines()
+            .map(|line| line.strip_prefix("  ").unwrap_or(line))
+            .collect();
+        lines.join("\n")
+    }
+
+    /// What it is: the description as far as its first colon or full stop.
     pub fn summary(&self) -> String {
-        let text = self.text.trim_start_matches(['#', ' ']);
-        let end = text.find([':', '.']).unwrap_or(text.len());
-        text[..end].to_owned()
+        let text = self.description();
+        text.split([':', '.']).next().unwrap_or_default().to_owned()
     }
 
     /// The rows of its first scenario: a timing diagram. A column is one step, as long as [`step`](Source::step) says.

@@ -3,75 +3,12 @@
 //! `tests/instructions/` has a program for each section of the table of instructions, and next to it the scenarios of
 //! its rows. A scenario is about the row whose block its name begins with: `[TON] delays the rise`.
 
-use ladder_analysis::analyze;
+use crate::tested::Tested;
 use ladder_analysis::program::{BlockKind, Program};
 use ladder_instructions::{Op, TABLE};
-use ladder_simulator::scenario::{self, Suite};
-use ladder_simulator::{Options, Simulation};
 use ladder_tests::project;
 use std::collections::{BTreeSet, HashSet};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-
-/// A scenario file with its program.
-struct Tested {
-    file: PathBuf,
-    suite: Suite,
-    program: PathBuf,
-    simulation: Simulation,
-}
-
-impl Tested {
-    fn read(file: PathBuf) -> Tested {
-        let suite = scenario::parse(&project::read(&file));
-        let (name, _) = suite.program.clone().expect("a program is named");
-        let program = file.with_file_name(name);
-        let parse = Arc::new(ladder_syntax::parse(&project::read(&program)));
-        let analysis = analyze(&parse, &program.display().to_string());
-        let runs = analysis
-            .program()
-            .cloned()
-            .unwrap_or_else(|| panic!("{}: {:#?}", program.display(), analysis.diagnostics()));
-        let options = Options {
-            interval: suite
-                .interval
-                .map_or(Options::default().interval, |(interval, _)| interval),
-            ..Options::default()
-        };
-        Tested {
-            simulation: Simulation::new(runs, options).expect("it compiles"),
-            file,
-            suite,
-            program,
-        }
-    }
-
-    /// The names of the scenarios that pass; what is wrong with the others is added to `problems`.
-    fn passed(&mut self, problems: &mut Vec<String>) -> Vec<String> {
-        let (cases, errors) = scenario::bind(&self.suite, &self.simulation);
-        for error in self.suite.errors.iter().chain(&errors) {
-            problems.push(format!("{}: {}", self.file.display(), error.message));
-        }
-        let mut passed = Vec::new();
-        for case in &cases {
-            let ran = scenario::run(case, &mut self.simulation, Simulation::scan);
-            if ran.passed() {
-                passed.push(case.name.clone());
-                continue;
-            }
-            let interval = self.simulation.options().interval;
-            let drawing = scenario::draw(case, &ran, interval, 100);
-            let lines: Vec<String> = drawing.into_iter().map(|line| line.text).collect();
-            problems.push(format!(
-                "{}: {}\n{}",
-                self.file.display(),
-                case.name,
-                lines.join("\n")
-            ));
-        }
-        passed
-    }
-}
 
 fn ops(program: &Program) -> impl Iterator<Item = Op> + '_ {
     let blocks = program.networks.iter().flat_map(|network| &network.blocks);

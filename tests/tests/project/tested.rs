@@ -1,0 +1,84 @@
+//! Scenarios with the program that they are about.
+
+use ladder_analysis::{analyze, link};
+use ladder_simulator::scenario::{self, Suite};
+use ladder_simulator::{Options, Simulation};
+use ladder_tests::project;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// A scenario file with its program.
+pub(crate) struct Tested {
+    pub(crate) file: PathBuf,
+    pub(crate) suite: Suite,
+    pub(crate) program: PathBuf,
+    pub(crate) simulation: Simulation,
+}
+
+impl Tested {
+    /// A file, with the program next to it that it names.
+    pub(crate) fn read(file: PathBuf) -> Tested {
+        let suite = scenario::parse(&project::read(&file));
+        let (name, _) = suite.program.clone().expect("a program is named");
+        let program = file.with_file_name(name);
+        let text = project::read(&program);
+        Tested::of(file, suite, program, &text)
+    }
+
+    /// Scenarios with the text of a program.
+    pub(crate) fn of(file: PathBuf, suite: Suite, program: PathBuf, text: &str) -> Tested {
+        let analysis = Arc::new(analyze(
+            &Arc::new(ladder_syntax::parse(text)),
+            &program.display().to_string(),
+        ));
+        let runs = link(&analysis, &|_| None)
+            .unwrap_or_else(|_| panic!("{}: {:#?}", program.display(), analysis.diagnostics()));
+        let options = Options {
+            interval: suite
+                .interval
+                .map_or(Options::default().interval, |(interval, _)| interval),
+            ..Options::default()
+        };
+        Tested {
+            simulation: Simulation::new(runs, options).expect("it compiles"),
+            file,
+            suite,
+            program,
+        }
+    }
+
+    /// The names of the scenarios that pass; what is wrong with the others is added to `problems`.
+    pub(crate) fn passed(&mut self, problems: &mut Vec<String>) -> Vec<String> {
+        self.passed_by(problems, Simulation::scan)
+    }
+
+    /// The same, each scan run by `scan`.
+    pub(crate) fn passed_by(
+        &mut self,
+        problems: &mut Vec<String>,
+        mut scan: impl FnMut(&mut Simulation) -> bool,
+    ) -> Vec<String> {
+        let (cases, errors) = scenario::bind(&self.suite, &self.simulation);
+        for error in self.suite.errors.iter().chain(&errors) {
+            problems.push(format!("{}: {}", self.file.display(), error.message));
+        }
+        let mut passed = Vec::new();
+        for case in &cases {
+            let ran = scenario::run(case, &mut self.simulation, &mut scan);
+            if ran.passed() {
+                passed.push(case.name.clone());
+                continue;
+            }
+            let interval = self.simulation.options().interval;
+            let drawing = scenario::draw(case, &ran, interval, 100);
+            let lines: Vec<String> = drawing.into_iter().map(|line| line.text).collect();
+            problems.push(format!(
+                "{}: {}\n{}",
+                self.file.display(),
+                case.name,
+                lines.join("\n")
+            ));
+        }
+        passed
+    }
+}
