@@ -9,6 +9,7 @@ mod call_hierarchy;
 mod comments;
 mod completion;
 mod definition;
+mod described;
 #[cfg(test)]
 mod fixture;
 mod folding;

@@ -1,5 +1,6 @@
 //! Signature help: the operands of the block, or the arguments of the function, that is being written.
 
+use crate::described::Described;
 use crate::typing::{CursorContext, Open, Operand, typing};
 use crate::wanted::{Called, called, function};
 use ladder_analysis::context::Context;
@@ -61,7 +62,7 @@ pub fn signature_help(context: &Context, offset: TextSize) -> Option<SignatureHe
         .iter()
         .map(|called| match called {
             Called::Row(row) => of_row(row, operand, typing.context.profile),
-            Called::User(block) => of_user(block, operand),
+            Called::User(block) => of_user(typing.context, block, operand),
         })
         .collect();
     if signatures.is_empty() {
@@ -181,7 +182,8 @@ fn of_function(row: &'static Instruction, commas: usize) -> Signature {
     }
 }
 
-fn of_user(block: &UserBlockFacts, operand: &Operand) -> Signature {
+fn of_user(context: &Context, block: &UserBlockFacts, operand: &Operand) -> Signature {
+    let described = Described::of(context, block);
     let (open, close) = block.shape.brackets();
     let mut label = Label::new(format!("{open}{}{close}( ", block.name));
     for parameter in &block.parameters {
@@ -196,13 +198,18 @@ fn of_user(block: &UserBlockFacts, operand: &Operand) -> Signature {
         } else {
             ""
         };
-        label.add(&parameter.name, format!("{ty}, {way}{optional}"));
+        let comment = described.as_ref().and_then(|block| block.parameter(parameter));
+        let comment = comment.map_or(String::new(), |text| format!(": {text}"));
+        label.add(&parameter.name, format!("{ty}, {way}{optional}{comment}"));
     }
     let meant = crate::wanted::parameter(block, operand);
     let active = meant.and_then(|meant| block.parameters.iter().position(|p| std::ptr::eq(p, meant)));
     Signature {
         label: format!("{} )", label.text),
-        doc: "User-defined block".to_owned(),
+        doc: match described.as_ref().and_then(Described::of_library) {
+            Some(source) => source.summary(),
+            None => "User-defined block".to_owned(),
+        },
         parameters: label.parameters,
         active,
     }
@@ -355,6 +362,22 @@ mod tests {
             expect![[r#"
             [CALC]( y, {expression} )  The formula, as in `(a + b) / 2`.
         "#]],
+        );
+    }
+
+    #[test]
+    fn parameters_say_what_their_comments_say() {
+        check(
+            "+--[$Blink]( 1s, $0 )--( )( y )--+\n",
+            expect![[r#"
+            [$Blink]( high, {low}, q )  TIME, input, may be left out: how long it is low
+        "#]],
+        );
+        check(
+            "FUNCTION_BLOCK [$B]\nVAR_INPUT\n a : BOOL; # is it *on*? #\nEND_VAR\nEND_FUNCTION_BLOCK\n+--[$B]( $0 )--+\n",
+            expect![[r#"
+                [$B]( {a} )  BOOL, input: is it \*on\*\?
+            "#]],
         );
     }
 

@@ -129,19 +129,25 @@ fn propose_user(
     let operands = operands_of_user(block);
     let (range, text) = written(typing, block.shape, &block.name, Some(&operands), false, around);
     let (open, close) = block.shape.brackets();
-    out.add(Completion {
-        label: format!("{open}{}{close}", block.name),
-        detail: match file {
-            None => "User-defined block".to_owned(),
-            Some(file) if library::source(file).is_some() => "Block of the library".to_owned(),
-            Some(file) => format!("User-defined block in {file}"),
+    let of_library = file.and_then(library::source);
+    // A program's own blocks are meant more often than instructions, those of the library less often.
+    let rank = if of_library.is_some() { u8::MAX } else { 0 };
+    out.add_at(
+        (0, rank),
+        Completion {
+            label: format!("{open}{}{close}", block.name),
+            detail: match (file, of_library) {
+                (_, Some(source)) => source.summary().replace('`', ""),
+                (Some(file), None) => format!("User-defined block in {file}"),
+                (None, None) => "User-defined block".to_owned(),
+            },
+            kind: CompletionKind::UserBlock,
+            range: typing.absolute(range),
+            filter: block.name.clone(),
+            text,
+            topic: Topic::UserBlock(block.name.clone()),
         },
-        kind: CompletionKind::UserBlock,
-        range: typing.absolute(range),
-        filter: block.name.clone(),
-        text,
-        topic: Topic::UserBlock(block.name.clone()),
-    });
+    );
 }
 
 /// What is used more comes first.

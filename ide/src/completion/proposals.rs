@@ -30,11 +30,6 @@ impl<'t> Proposals<'t> {
         }
     }
 
-    /// Adds a proposal after those that were added before.
-    pub(super) fn add(&mut self, item: Completion) {
-        self.add_at((0, 0), item);
-    }
-
     /// Whether a name begins as it is written.
     pub(super) fn begins(&self, name: &str) -> bool {
         // This is asked of each tag, and most differ in their first letter.
@@ -68,7 +63,7 @@ impl<'t> Proposals<'t> {
         wanted.all(|c| letters.any(|letter| letter == c))
     }
 
-    /// Adds a proposal at its place in the order.
+    /// Adds a proposal at its place in the order, after those of the same place that were added before.
     pub(super) fn add_at(&mut self, order: Order, mut item: Completion) {
         if !self.may_be(&item.filter) {
             return;

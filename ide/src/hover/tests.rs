@@ -238,6 +238,46 @@ fn keywords_and_declarations() {
 }
 
 #[test]
+fn block_of_the_library() {
+    check(
+        "+--[ ]( a )--[$to$0ggle]( )--( )( y )--+\n",
+        expect![[r#"
+        [$toggle]( )
+
+        ```clad
+        [$Toggle]( reset, q )
+        ```
+        **Block** of the library
+
+        A switch made of a push button: each time EN goes high, `q` changes. It begins low; EN that is high in the very first run
+        counts as pressed. While `reset` is high `q` is low. The power that leaves the block is `q`.
+
+        - `reset`: BOOL, input, may be left out: switches off
+        - `q`: BOOL, output: switched on
+
+        ```clad
+        VAR_INPUT
+            button : BOOL;
+            off    : BOOL;  # all lamps off #
+        END_VAR
+        VAR_OUTPUT
+            lamp : BOOL;
+        END_VAR
+        +--[ ]( button )--------------------------------[$Toggle]( off )--( )( lamp )--+
+        ```
+
+        A column is 10ms:
+
+        ```text
+        button    __--___-__---_-
+        off       _______________
+        lamp   => __-----___----_
+        ```
+    "#]],
+    );
+}
+
+#[test]
 fn user_block() {
     check(
         "FUNCTION_BLOCK [$Hold]\nVAR_INPUT raw : BOOL; wait : TIME := T#1s; END_VAR\nVAR_OUTPUT clean : BOOL; END_VAR\n\

@@ -1,61 +1,43 @@
 //! The card of a user-defined block: its shape with the parameters, and what the comments in its definition say of it and them.
+//! That of a block of the library ends with an example, as an instruction's does, and shows in a timing diagram what it does.
 
-use crate::comments;
-use crate::markdown::{self, escaped};
+use crate::described::Described;
+use crate::markdown;
 use ladder_analysis::context::Context;
-use ladder_analysis::library;
+use ladder_analysis::library::Source;
 use ladder_analysis::networks::user_block::{Parameter, UserBlockFacts};
 use ladder_analysis::program::ParameterKind;
 use std::fmt::Write;
 
-/// The card. Of a block in another file of the workspace the comments are left out: that text is not here.
+/// The card. Of a block in another file of the workspace the comments are left out.
 pub(crate) fn user_block_card(context: &Context, block: &UserBlockFacts) -> String {
     let (open, close) = block.shape.brackets();
     let names: Vec<&str> = block.parameters.iter().map(|p| p.name.as_str()).collect();
-    let of_library = block.file().and_then(|file| library::analysis(file));
-    let place = match (block.file(), &of_library) {
-        (_, Some(_)) => " of the library".to_owned(),
-        (Some(file), None) => format!(" in {}", markdown::code(file)),
-        (None, None) => String::new(),
-    };
-    let title = if of_library.is_some() {
-        "Block"
-    } else {
-        "User-defined block"
+    let described = Described::of(context, block);
+    let of_library = described.as_ref().and_then(Described::of_library);
+    let title = match (of_library, block.file()) {
+        (Some(_), _) => "**Block** of the library".to_owned(),
+        (None, Some(file)) => format!("**User-defined block** in {}", markdown::code(file)),
+        (None, None) => "**User-defined block**".to_owned(),
     };
     let mut card = format!(
-        "```clad\n{open}{}{close}( {} )\n```\n**{title}**{place}\n\n",
+        "```clad\n{open}{}{close}( {} )\n```\n{title}\n\n",
         block.name,
         names.join(", "),
     );
-    let definition = match (&of_library, block.file()) {
-        (Some(analysis), _) => Some(&*analysis.context),
-        (None, None) => Some(context),
-        (None, Some(_)) => None,
-    };
-    let own = definition.and_then(|context| {
-        let own = &context.user_blocks[..context.own_blocks];
-        let item = own.iter().position(|own| own.key == block.key)?;
-        Some((context, item))
-    });
-    // The library is written as Markdown, what anybody else wrote is not.
-    let said = |text: String| match of_library {
-        Some(_) => text,
-        None => escaped(&text).into_owned(),
-    };
-    if let Some(text) = own.and_then(|(context, item)| description(context, item)) {
-        let _ = write!(card, "{}\n\n", said(text));
+    if let Some(text) = described.as_ref().and_then(Described::description) {
+        let _ = write!(card, "{text}\n\n");
     }
     for parameter in &block.parameters {
         card.push_str(&line_of(parameter));
-        let comment = own.and_then(|(context, item)| {
-            let tag = context.scopes.get(item + 1)?.tags.get(parameter.tag)?;
-            comments::of_declaration(context, tag)
-        });
+        let comment = described.as_ref().and_then(|block| block.parameter(parameter));
         if let Some(text) = comment {
-            let _ = write!(card, ": {}", said(text));
+            let _ = write!(card, ": {text}");
         }
         card.push('\n');
+    }
+    if let Some(source) = of_library {
+        card.push_str(&shown(source));
     }
     card.trim_end().to_owned()
 }
@@ -76,11 +58,11 @@ fn line_of(parameter: &Parameter) -> String {
     format!("- `{}`: {ty}, {way}{default}", parameter.name)
 }
 
-/// What the comments right above a definition say, as paragraphs.
-fn description(context: &Context, item: usize) -> Option<String> {
-    let parse = &context.parse;
-    let (first, last) = comments::above(context, parse.line_at(context.user_blocks[item].at.start())?)?;
-    let all = (first..=last).flat_map(|line| comments::of_line(parse, line));
-    let paragraphs: Vec<String> = all.filter_map(|(_, comment)| comments::whole(&comment)).collect();
-    (!paragraphs.is_empty()).then(|| paragraphs.join("\n\n"))
+fn shown(source: &Source) -> String {
+    format!(
+        "\n```clad\n{}\n```\n\nA column is {}:\n\n```text\n{}\n```",
+        source.example.trim_end(),
+        source.step(),
+        source.diagram().trim_end()
+    )
 }

@@ -8,22 +8,22 @@ fn what_is_used_more_comes_first() {
     check(
         "+--[T$0",
         expect![[r#"
-        [TON]          On-delay timer
-        [TOF]          Off-delay timer
-        [TP]           Pulse timer
-        [TYP]          Convert type
-        [TRUNC]        Truncate
-        [TAN]          Tangent
-        [NOT]          Inverter
-        [RTO]          Retentive on-delay timer
-        [RTOF]         Retentive off-delay timer
-        [CTU]          Up counter
-        [CTD]          Down counter
-        [CTUD]         Up-down counter
-        [CTC]          Circular counter
-        [GT]           Greater than
-        ... 29 in all
-    "#]],
+            [TON]          On-delay timer
+            [TOF]          Off-delay timer
+            [TP]           Pulse timer
+            [TYP]          Convert type
+            [TRUNC]        Truncate
+            [TAN]          Tangent
+            [NOT]          Inverter
+            [RTO]          Retentive on-delay timer
+            [RTOF]         Retentive off-delay timer
+            [CTU]          Up counter
+            [CTD]          Down counter
+            [CTUD]         Up-down counter
+            [CTC]          Circular counter
+            [GT]           Greater than
+            ... 36 in all
+        "#]],
     );
     check(
         "+--[C$0",
@@ -35,14 +35,14 @@ fn what_is_used_more_comes_first() {
             [COS]          Cosine
             [CALC]         Calculate
             [CONCAT]       Join strings
-            [$Debounce]    Block of the library
             [TRUNC]        Truncate
             [ACOS]         Arc cosine
             [REPLACE]      Replace in a string
             [PACK]         Pack a range
             [UNPACK]       Unpack into a range
             [SEARCH]       Search a range
-            ... 17 in all
+            [ADC]          Read analog input
+            ... 18 in all
         "#]],
     );
 }
@@ -59,14 +59,14 @@ fn mnemonics_by_the_brackets() {
             [NOT]          Inverter
             [OSR]          One shot rising
             [OSF]          One shot falling
-            [$Blink]       Block of the library
-            [$Debounce]    Block of the library
             [TON]          On-delay timer
             [TOF]          Off-delay timer
             [TP]           Pulse timer
             [RTO]          Retentive on-delay timer
             [RTOF]         Retentive off-delay timer
-            ... 87 in all
+            [CTU]          Up counter
+            [CTD]          Down counter
+            ... 100 in all
         "#]],
     );
     check(
@@ -101,20 +101,26 @@ fn mnemonics_by_the_brackets() {
     check(
         "+--[TO$0",
         expect![[r#"
-        [TON]          On-delay timer
-        [TOF]          Off-delay timer
-        [RTO]          Retentive on-delay timer
-        [RTOF]         Retentive off-delay timer
-    "#]],
+            [TON]          On-delay timer
+            [TOF]          Off-delay timer
+            [RTO]          Retentive on-delay timer
+            [RTOF]         Retentive off-delay timer
+            [$FirstOut]    Which condition came first
+            [$Toggle]      A switch made of a push button
+            [$Total]       An amount from a rate
+        "#]],
     );
     check(
         "+--[to$0",
         expect![[r#"
-        [TON]          On-delay timer
-        [TOF]          Off-delay timer
-        [RTO]          Retentive on-delay timer
-        [RTOF]         Retentive off-delay timer
-    "#]],
+            [TON]          On-delay timer
+            [TOF]          Off-delay timer
+            [RTO]          Retentive on-delay timer
+            [RTOF]         Retentive off-delay timer
+            [$FirstOut]    Which condition came first
+            [$Toggle]      A switch made of a push button
+            [$Total]       An amount from a rate
+        "#]],
     );
     check(
         "+--[MOVE$0",
@@ -317,14 +323,14 @@ fn an_empty_rung() {
             [NOT]          Inverter
             [OSR]          One shot rising
             [OSF]          One shot falling
-            [$Blink]       Block of the library
-            [$Debounce]    Block of the library
             ( )            Coil
             (/)            Negated coil
             (S)            Set coil
             (R)            Reset coil
             (P)            Rising-edge coil
-            ... 106 in all
+            (N)            Falling-edge coil
+            (M)            Retentive coil
+            ... 119 in all
         "#]],
     );
     accept(
@@ -367,8 +373,9 @@ fn user_defined_blocks() {
     check(
         &with("+--[$H$0"),
         expect![[r#"
-        [$Hold]        User-defined block
-    "#]],
+            [$Hold]        User-defined block
+            [$Hysteresis]  A switch with two thresholds
+        "#]],
     );
     check(
         &with("+--($$0"),
@@ -442,8 +449,21 @@ fn user_defined_blocks() {
     check(
         &HOLD.replace("[ ]( raw )", "[$$0"),
         expect![[r#"
-            [$Blink]       Block of the library
-            [$Debounce]    Block of the library
+            [$Alarm]       An alarm with delay, latch and acknowledgement
+            [$Alternate]   Machines that take turns
+            [$Average]     The average of the last n runs
+            [$Blink]       A square wave while EN is high
+            [$Debounce]    A signal without its bounces
+            [$Drum]        A drum with up to 16 steps
+            [$FirstOut]    Which condition came first
+            [$Hysteresis]  A switch with two thresholds
+            [$PID]         A controller in parallel form
+            [$Ramp]        A value that changes no faster than allowed
+            [$RunTime]     An hour meter
+            [$Scale]       A value on another scale, kept within its limits
+            [$Step]        One step of a chain
+            [$Toggle]      A switch made of a push button
+            ... 15 in all
         "#]],
     );
 }
