@@ -66,3 +66,63 @@ pub fn analysis(file: &str) -> Option<Arc<Analysis>> {
     };
     Some(Arc::clone(ANALYSES[number].get_or_init(analyse)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analyze::analyze;
+
+    /// The library must not be asked for.
+    fn unread() -> &'static Arc<Exported> {
+        panic!("the library is read");
+    }
+
+    fn analyze_unread(text: &str) -> Analysis {
+        let others = Arc::new(Exported::with(Vec::new(), Some(unread))).others_of("");
+        analyze_in(&Arc::new(parse(text)), "program", &others)
+    }
+
+    const OWN: &str =
+        "FUNCTION_BLOCK [$Toggle]\nEND_FUNCTION_BLOCK\n+--[$toggle]( )--[TON]( t, 5s )--( )( y )--+\n";
+
+    #[test]
+    fn a_program_without_a_block_of_it_reads_nothing_of_it() {
+        assert!(!analyze_unread(OWN).has_errors());
+    }
+
+    #[test]
+    #[should_panic(expected = "the library is read")]
+    fn a_program_with_a_block_of_it_reads_it() {
+        analyze_unread(&OWN.replace("[$toggle]", "[$Blink]"));
+    }
+
+    #[test]
+    fn its_blocks_are_read_where_they_are_used() {
+        for source in SOURCES {
+            let own = analysis(&file_of(source)).expect("it is one of them");
+            assert!(!own.has_errors(), "{}", source.name);
+            // What one block defines another one sees.
+            let user = format!(
+                "FUNCTION_BLOCK [$User]\n+--[{}]( )--+\nEND_FUNCTION_BLOCK\n",
+                source.name
+            );
+            let user = analyze_in(
+                &Arc::new(parse(&user)),
+                "library://User.clad",
+                &offered().others_of("library://User.clad"),
+            );
+            let used = user
+                .context
+                .user_blocks
+                .iter()
+                .find(|block| block.name == source.name);
+            let file = used.and_then(|block| block.file()).expect("it is known");
+            assert_eq!(**file, *file_of(source));
+        }
+        let alone = analyze(&Arc::new(parse("+--[$blink]( )--( )( y )--+\n")), "program");
+        assert_eq!(
+            &**alone.context.user_blocks[0].file().expect("it is not its own"),
+            "library://Blink.clad"
+        );
+    }
+}

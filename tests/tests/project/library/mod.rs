@@ -1,6 +1,7 @@
 //! The blocks of the library: each does what its scenarios say, and has its place in the book.
 
 mod page;
+mod pid;
 mod use_of_blocks;
 
 use crate::tested::Tested;

@@ -84,6 +84,17 @@ fn in_functions_and_in_other_blocks_each_place_has_its_own_state() {
 }
 
 #[test]
+fn a_controller_by_hand_holds_its_own_output() {
+    let mut simulation = runs(
+        "VAR y : LREAL; END_VAR\n\
+         +--[GE]( SYS.SCAN, 2 )--( )( hand )--+\n\
+         +--[$PID]( 20.0, 10.0, 2.0, 1.0, 0.0, 0.0, 100.0, hand, y, y )--+\n",
+    );
+    assert_eq!(after(&mut simulation, 2, "y"), "21.0");
+    assert_eq!(after(&mut simulation, 5, "y"), "21.0");
+}
+
+#[test]
 fn a_block_of_the_workspace_takes_precedence() {
     let own =
         "FUNCTION_BLOCK [$toggle]\nVAR_OUTPUT n : DINT; END_VAR\n+--[MOV]( n, 7 )--+\nEND_FUNCTION_BLOCK\n";
