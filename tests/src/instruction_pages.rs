@@ -152,8 +152,9 @@ pub const NOT_RUN: &str = "This version does not run";
 /// Whether the simulator takes a program.
 pub fn runs(program: &str) -> bool {
     let parse = Arc::new(ladder_syntax::parse(program));
-    let program = ladder_analysis::analyze(&parse, "program").program().cloned();
-    program.is_some_and(|program| Simulation::new(program, ladder_simulator::Options::default()).is_ok())
+    let analysis = Arc::new(ladder_analysis::analyze(&parse, "program"));
+    let program = ladder_analysis::link(&analysis, &|_| None);
+    program.is_ok_and(|program| Simulation::new(program, ladder_simulator::Options::default()).is_ok())
 }
 
 /// The operand as it is written in its place.
