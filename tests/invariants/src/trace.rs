@@ -2,10 +2,10 @@
 
 use crate::generator::Dice;
 use crate::reference::Boolean;
-use ladder_analysis::analyze;
 use ladder_analysis::program::{ElementKind, Program, Role};
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::values::value::{Value, wrap};
+use ladder_analysis::{analyze, link};
 use ladder_simulator::value_text::cell;
 use ladder_simulator::{Options, Point, Simulation};
 use ladder_syntax::parse;
@@ -38,7 +38,8 @@ const UNUSED: &str = "nothing_uses_this";
 
 /// The program of a text; none if it has errors.
 pub fn compile(text: &str) -> Option<Arc<Program>> {
-    analyze(&Arc::new(parse(text)), "program").program().cloned()
+    let analysis = Arc::new(analyze(&Arc::new(parse(text)), "program"));
+    link(&analysis, &|_| None).ok()
 }
 
 /// The trace of a text that is a program.
