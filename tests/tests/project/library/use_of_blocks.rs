@@ -84,6 +84,27 @@ fn in_functions_and_in_other_blocks_each_place_has_its_own_state() {
 }
 
 #[test]
+fn in_a_program_of_any_profile_it_does_the_same() {
+    let delayed = |profile: &str| {
+        let mut simulation = runs(&format!(
+            "# ladder: profile {profile} #\n+--[$Debounce]( SYS.ON, 300ms, clean )--+\n\
+             +--[TON]( t, T#300ms )--( )( plain )--+\n"
+        ));
+        [3, 1].map(|scans| {
+            (
+                after(&mut simulation, scans, "clean"),
+                after(&mut simulation, 0, "plain"),
+            )
+        })
+    };
+    let [iec, ldmicro] = ["iec", "ldmicro"].map(delayed);
+    assert_eq!([&iec[0].0, &iec[1].0], ["FALSE", "TRUE"]);
+    assert_eq!([&ldmicro[0].0, &ldmicro[1].0], ["FALSE", "TRUE"]);
+    // The timers of the programs themselves do differ.
+    assert_ne!([&iec[0].1, &iec[1].1], [&ldmicro[0].1, &ldmicro[1].1]);
+}
+
+#[test]
 fn a_controller_by_hand_holds_its_own_output() {
     let mut simulation = runs(
         "VAR y : LREAL; END_VAR\n\
