@@ -3,7 +3,9 @@
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+use crate::host::Host;
 
 /// How much work is under way. Clones count together.
 #[derive(Debug, Clone, Default)]
@@ -21,10 +23,11 @@ impl Busy {
     }
 
     /// Waits until nothing is under way, but no longer than this.
-    pub(crate) async fn rest(&self, patience: Duration) {
-        let begun = Instant::now();
-        while self.0.load(Ordering::Acquire) > 0 && begun.elapsed() < patience {
-            tokio::time::sleep(Duration::from_millis(1)).await;
+    pub(crate) async fn rest(&self, host: &dyn Host, patience: Duration) {
+        let clock = &host.world().clock;
+        let end = clock.now() + patience;
+        while self.0.load(Ordering::Acquire) > 0 && clock.now() < end {
+            host.sleep(Duration::from_millis(1)).await;
         }
     }
 }

@@ -42,14 +42,20 @@ mod document;
 #[doc(hidden)]
 mod fence;
 mod frames;
+mod host;
 mod language;
 mod lsp;
+mod native;
+mod newest;
 mod notation;
 pub mod probe;
+mod received;
 mod recording;
 mod replay;
 mod rule_page;
+mod serve;
 mod settling;
+mod signal;
 mod simulation;
 mod standard_input;
 pub mod typing_messages;
@@ -62,9 +68,11 @@ pub use diagram::{Diagram, Drawn, DrawnPiece, PieceKind};
 pub use diagram_text::{DiagramText, DrawnBlock, DrawnLine, DrawnText, InkName};
 pub use document::position::{Position, Range};
 pub use fence::{DrawnFence, Fence, FencePicture, FenceWord};
-pub use lsp::{Ending, serve};
+pub use host::{Clock, EventLoop, Host, Moment, Turns, Wait, World};
+pub use lsp::{Ended, Ending, Received};
 pub use notation::messages as notation_messages;
 pub use rule_page::{AskedPage, RulePage};
+pub use serve::serve;
 pub use simulation::messages;
 
 /// Threads that read, write and dispatch messages. The work itself runs on blocking threads.

@@ -14,8 +14,9 @@ use tokio::sync::Notify;
 use tokio::time::{Instant, sleep_until, timeout};
 
 use crate::busy::Busy;
-use crate::lsp::serve_counting;
+use crate::native::Native;
 use crate::recording::Piece;
+use crate::serve::serve_counting;
 
 /// Bytes between the player and the server.
 const PIPE: usize = 64 << 10;
@@ -38,11 +39,12 @@ pub(crate) async fn play(pieces: Vec<Piece>, speed: Option<f64>, out: impl Write
     let (mut to_server, input) = tokio::io::duplex(PIPE);
     let (output, from_server) = tokio::io::duplex(PIPE);
     let busy = Busy::default();
+    let host = Native::here();
     let server = tokio::spawn(serve_counting(input, output, busy.clone()));
     let heard = Arc::<Heard>::default();
     let printer = tokio::spawn(print(from_server, heard.clone(), out));
     match speed {
-        None => in_steps(pieces, &mut to_server, &heard, &busy).await,
+        None => in_steps(pieces, &mut to_server, &heard, (&*host, &busy)).await,
         Some(speed) => in_time(pieces, speed, &mut to_server).await,
     }
     drop(to_server);
@@ -83,7 +85,12 @@ impl Heard {
 }
 
 /// One message after the other, each when all before it are done.
-async fn in_steps(pieces: Vec<Piece>, to_server: &mut (impl AsyncWrite + Unpin), heard: &Heard, busy: &Busy) {
+async fn in_steps(
+    pieces: Vec<Piece>,
+    to_server: &mut (impl AsyncWrite + Unpin),
+    heard: &Heard,
+    (host, busy): (&Native, &Busy),
+) {
     let bytes: Vec<u8> = pieces.into_iter().flat_map(|piece| piece.bytes).collect();
     for (nth, message) in messages(&bytes).into_iter().enumerate() {
         let json = body(message).and_then(|body| serde_json::from_slice::<Value>(body).ok());
@@ -118,7 +125,7 @@ async fn in_steps(pieces: Vec<Piece>, to_server: &mut (impl AsyncWrite + Unpin),
             // A handler that waits for a client's answer goes on a moment later.
             tokio::time::sleep(MOMENT).await;
         }
-        busy.rest(PATIENCE).await;
+        busy.rest(host, PATIENCE).await;
     }
 }
 

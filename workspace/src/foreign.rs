@@ -11,7 +11,7 @@ use std::path::Path;
 const MOST_NAMES: usize = 10_000;
 
 /// This many files belong to one program.
-const MOST_FILES: usize = 100;
+pub(crate) const MOST_FILES: usize = 100;
 
 /// A program of another system, whose content is at hand, with the files in its folder that belong to it. Every command
 /// and request that takes such a program has it from here.
@@ -24,12 +24,24 @@ pub fn foreign_source<'s>(
     program: &'s Path,
     bytes: &'s [u8],
 ) -> Result<Source<'s>, FileError> {
+    source(notation, program, bytes, |inner, wanted| {
+        read_companions(program, inner, wanted)
+    })
+}
+
+/// The same, with the files that belong to it as they are read.
+pub(crate) fn source<'s>(
+    notation: &dyn Notation,
+    program: &'s Path,
+    bytes: &'s [u8],
+    read: impl FnOnce(Option<&str>, &dyn Fn(&str) -> bool) -> Result<Vec<Companion>, FileError>,
+) -> Result<Source<'s>, FileError> {
     let name = program
         .file_stem()
         .map(|stem| stem.to_string_lossy())
         .unwrap_or_default();
     let wanted = |file: &str| notation.has_companion(&name, file);
-    let companions = read_companions(program, notation.companion_folder(), &wanted)?;
+    let companions = read(notation.companion_folder(), &wanted)?;
     Ok(Source {
         name,
         bytes,
@@ -57,7 +69,7 @@ pub fn is_companion(notation: &dyn Notation, program: &Path, file: &Path) -> boo
 
 /// The files that belong to a program, as `wanted` knows them by their names, sorted: those in its folder, and in the folder
 /// `inner` of that. Links do not lead out of the folder or the workspace.
-fn read_companions(
+pub(crate) fn read_companions(
     program: &Path,
     inner: Option<&str>,
     wanted: &dyn Fn(&str) -> bool,

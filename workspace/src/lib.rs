@@ -23,10 +23,12 @@
 //!   [`SETTINGS_FILE`] is.
 //! - [`RetentiveFile`] keeps the values of retentive tags over a restart.
 //!
+//! - [`Disk`] is what the language server asks of all this, so that it works on files in memory, too.
 //! - [`Workspace`] has the programs of a workspace, analysed together, as those who check and run them need them.
 //!
 //! Every error is a [`FileError`]: it names the file and says in plain words what is wrong with it.
 
+mod disk;
 mod error;
 mod excluded;
 mod foreign;
@@ -43,6 +45,7 @@ mod stamp;
 mod text;
 mod write;
 
+pub use disk::{Disk, Keeper, MemoryDisk, SystemDisk};
 pub use error::{FileError, Problem, Special};
 pub use excluded::is_excluded;
 pub use foreign::{foreign_source, is_companion};

@@ -1,8 +1,7 @@
 //! The programs of a workspace, read and analysed together.
 
+use crate::disk::{Disk, SystemDisk};
 use crate::error::FileError;
-use crate::named::read_own;
-use crate::root::Root;
 use crate::settings::Settings;
 use crate::settings::SettingsError;
 use crate::shown::from_here;
@@ -15,6 +14,7 @@ use std::sync::{Arc, OnceLock};
 /// A workspace: its settings, and its programs as they are on disk.
 #[derive(Debug)]
 pub struct Workspace {
+    disk: Arc<dyn Disk>,
     settings: Settings,
     programs: Vec<Source>,
     exported: OnceLock<Arc<Exported>>,
@@ -40,13 +40,29 @@ impl Workspace {
     /// # Errors
     /// The settings file cannot be read, or something in it is wrong.
     pub fn of(program: &Path) -> Result<Workspace, SettingsError> {
-        let Ok(root) = Root::of(program) else {
-            return Ok(Workspace::with(Settings::default(), Vec::new()));
+        Workspace::on(&(Arc::new(SystemDisk) as Arc<dyn Disk>), program)
+    }
+
+    /// As [`Workspace::of`], on another disk.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn on(disk: &Arc<dyn Disk>, program: &Path) -> Result<Workspace, SettingsError> {
+        let Ok(root) = disk.root_of(program) else {
+            return Ok(Workspace::with(disk, Settings::default(), Vec::new()));
         };
-        let settings = root.settings()?;
-        let programs = root.programs(&settings.files);
-        let sources = programs.into_iter().filter_map(|path| Source::read(path).ok());
-        Ok(Workspace::with(settings, sources.collect()))
+        let settings = match root.settings_file() {
+            Some(file) => {
+                let text = disk.settings_text(&file).map_err(SettingsError::File)?;
+                Settings::parse(&file, &text)?
+            }
+            None => Settings::default(),
+        };
+        let programs = disk.programs(&root, &settings.files);
+        let sources = programs
+            .into_iter()
+            .filter_map(|path| Source::read(&**disk, path).ok());
+        Ok(Workspace::with(disk, settings, sources.collect()))
     }
 
     /// The workspace of a text that is alone: only the settings that hold for its place.
@@ -54,11 +70,13 @@ impl Workspace {
     /// # Errors
     /// As for [`Workspace::of`].
     pub fn without_programs(place: &Path) -> Result<Workspace, SettingsError> {
-        Ok(Workspace::with(Settings::of(place)?, Vec::new()))
+        let disk: Arc<dyn Disk> = Arc::new(SystemDisk);
+        Ok(Workspace::with(&disk, Settings::of(place)?, Vec::new()))
     }
 
-    fn with(settings: Settings, programs: Vec<Source>) -> Workspace {
+    fn with(disk: &Arc<dyn Disk>, settings: Settings, programs: Vec<Source>) -> Workspace {
         Workspace {
+            disk: Arc::clone(disk),
             settings,
             programs,
             exported: OnceLock::new(),
@@ -80,15 +98,18 @@ impl Workspace {
 
     /// The program of a file, if it belongs to the workspace.
     pub fn program_at(&self, path: &Path) -> Option<&Source> {
-        let wanted = path.canonicalize().ok()?;
-        let by_path = |source: &&Source| source.path.canonicalize().is_ok_and(|path| path == wanted);
+        let true_path = |path: &Path| self.disk.canonicalize(path).ok();
+        let wanted = true_path(path)?;
+        let by_path = |source: &&Source| true_path(&source.path).is_some_and(|path| path == wanted);
         let same_name = self
             .programs
             .iter()
             .filter(|source| source.path.file_name() == wanted.file_name());
         same_name.clone().find(by_path).or_else(|| {
             let others = self.programs.iter();
-            others.filter(|source| source.path.is_symlink()).find(by_path)
+            others
+                .filter(|source| self.disk.is_link(&source.path))
+                .find(by_path)
         })
     }
 
@@ -141,8 +162,8 @@ impl Workspace {
 }
 
 impl Source {
-    fn read(path: PathBuf) -> Result<Source, FileError> {
-        let text = read_own(&path)?;
+    fn read(disk: &dyn Disk, path: PathBuf) -> Result<Source, FileError> {
+        let text = disk.read_own(&path)?;
         Ok(Source {
             name: Arc::from(from_here(&path).display().to_string()),
             text,

@@ -12,17 +12,13 @@
 //!
 //! The parts of a line are separated by tabs. The number after `end` is the CRC-32 of all that is before it.
 
+use crate::disk::{Disk, Keeper, KeptFile};
 use crate::error::{FileError, Problem};
-use crate::lock::Lock;
 use crate::named::Named;
-use crate::write::write;
-use crate::{regular, shown};
+use crate::shown;
 use ladder_simulator::Kept;
-use ladder_syntax::MAX_FILE_BYTES;
-use std::fs::{self, File};
-use std::io::{self, Read};
-use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::path::Path;
+use std::time::Duration;
 
 /// The format that is written, and the only one that is read.
 const FORMAT: u32 = 1;
@@ -34,14 +30,13 @@ const PAUSE: Duration = Duration::from_secs(1);
 /// A retentive file that is in use.
 #[derive(Debug)]
 pub struct RetentiveFile {
-    path: PathBuf,
+    /// The file, which no other run has meanwhile.
+    keeper: Box<dyn Keeper>,
     program: String,
     /// What is in it.
     written: Option<String>,
-    /// When that was last done; a short run saves at its end only.
-    saved: Instant,
-    /// No other run writes it meanwhile.
-    _lock: Option<Lock>,
+    /// Since when the next save is waited for: from the first question whether it is due on.
+    waiting: Option<Duration>,
 }
 
 /// What was found in a retentive file.
@@ -58,8 +53,12 @@ impl RetentiveFile {
     ///
     /// # Errors
     /// As there, or it lies outside of the workspace.
-    pub fn open_named(file: &Named, program: &str) -> Result<(RetentiveFile, Found), FileError> {
-        RetentiveFile::open(&file.locate()?, program)
+    pub fn open_named(
+        disk: &dyn Disk,
+        file: &Named,
+        program: &str,
+    ) -> Result<(RetentiveFile, Found), FileError> {
+        RetentiveFile::open_in(disk.keeper(file)?, program)
     }
 
     /// Opens the file for a program and reads what it kept. A file that is not there yet is not an error. A damaged one
@@ -70,23 +69,29 @@ impl RetentiveFile {
     /// It is not a file of retentive values, another run uses it, or the operating system refuses to read it or to put it
     /// aside.
     pub fn open(path: &Path, program: &str) -> Result<(RetentiveFile, Found), FileError> {
+        RetentiveFile::open_in(Box::new(KeptFile::at(path)), program)
+    }
+
+    fn open_in(mut keeper: Box<dyn Keeper>, program: &str) -> Result<(RetentiveFile, Found), FileError> {
+        let read = |keeper: &dyn Keeper| match keeper.read()? {
+            Some(bytes) if !has_head(&bytes) => Err(FileError::new(keeper.path(), Problem::NotOurs)),
+            read => Ok(read),
+        };
         // Checked before a lock is made for it: what is not ours is not touched.
-        if read(path)?.is_some_and(|bytes| !has_head(&bytes)) {
-            return Err(FileError::new(path, Problem::NotOurs));
-        }
+        read(&*keeper)?;
+        keeper.lock()?;
+        let bytes = read(&*keeper)?;
         let mut file = RetentiveFile {
-            path: path.to_owned(),
+            keeper,
             program: program.to_owned(),
             written: None,
-            saved: Instant::now(),
-            _lock: Lock::of(path)?,
+            waiting: None,
         };
-        let Some(bytes) = read(path)? else {
+        let Some(bytes) = bytes else {
             return Ok((file, Found::default()));
         };
-        if !has_head(&bytes) {
-            return Err(FileError::new(path, Problem::NotOurs));
-        }
+        let path = file.path().to_owned();
+        let path = &*path;
         let found = match understand(&bytes) {
             Ok(content) => {
                 let mut notes = Vec::new();
@@ -104,7 +109,7 @@ impl RetentiveFile {
                 }
             }
             Err(damage) => {
-                let aside = put_aside(path)?;
+                let aside = file.keeper.put_aside()?;
                 Found {
                     kept: None,
                     notes: vec![format!(
@@ -120,12 +125,14 @@ impl RetentiveFile {
 
     /// The file.
     pub fn path(&self) -> &Path {
-        &self.path
+        self.keeper.path()
     }
 
-    /// Whether a second has passed since it was opened or last saved: before that a save is not due.
-    pub fn is_due(&self, now: Instant) -> bool {
-        now.saturating_duration_since(self.saved) >= PAUSE
+    /// Whether a second has passed since this was first asked after it was opened or last saved: before that a save is not
+    /// due. `now` is the time on any clock that goes on.
+    pub fn is_due(&mut self, now: Duration) -> bool {
+        let since = *self.waiting.get_or_insert(now);
+        now.saturating_sub(since) >= PAUSE
     }
 
     /// Writes the values, in one step: a reader sees the old file or the new one. Nothing is written if they
@@ -138,29 +145,14 @@ impl RetentiveFile {
         let done = if self.written.as_ref() == Some(&text) {
             Ok(())
         } else {
-            write(&self.path, text.as_bytes()).map(|()| self.written = Some(text))
+            self.keeper
+                .write(text.as_bytes())
+                .map(|()| self.written = Some(text))
         };
-        // Only now: a disk that takes a second must not be written to in every scan.
-        self.saved = Instant::now();
+        // Counted from when it is done: a disk that takes a second must not be written to in every scan.
+        self.waiting = None;
         done
     }
-}
-
-/// The file's content; none if it is not there.
-fn read(path: &Path) -> Result<Option<Vec<u8>>, FileError> {
-    let file = match regular::open_plain(path, File::options().read(true)) {
-        Ok((file, _)) => file,
-        Err(FileError {
-            problem: Problem::Missing,
-            ..
-        }) => return Ok(None),
-        Err(error) => return Err(error),
-    };
-    let mut bytes = Vec::new();
-    file.take(MAX_FILE_BYTES as u64)
-        .read_to_end(&mut bytes)
-        .map_err(|error| FileError::reading(path, error))?;
-    Ok(Some(bytes))
 }
 
 fn has_head(bytes: &[u8]) -> bool {
@@ -228,31 +220,6 @@ fn understand(bytes: &[u8]) -> Result<Content, String> {
         program: program.to_owned(),
         kept: kept.collect::<Option<_>>().ok_or_else(damaged)?,
     })
-}
-
-/// Renames a file to `NAME.damaged`, or with a number after it where that is taken.
-fn put_aside(path: &Path) -> Result<PathBuf, FileError> {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    for number in 1.. {
-        let aside = path.with_file_name(match number {
-            1 => format!("{name}.damaged"),
-            _ => format!("{name}.damaged.{number}"),
-        });
-        if fs::symlink_metadata(&aside).is_ok() {
-            continue;
-        }
-        // A second name first: unlike a renaming it takes the place of nothing that came there meanwhile.
-        let moved = match fs::hard_link(path, &aside) {
-            Ok(()) => fs::remove_file(path),
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => continue,
-            Err(_) => fs::rename(path, &aside),
-        };
-        return match moved {
-            Ok(()) => Ok(aside),
-            Err(error) => Err(FileError::writing(&aside, error)),
-        };
-    }
-    Err(FileError::new(path, Problem::ReadOnly))
 }
 
 #[cfg(test)]

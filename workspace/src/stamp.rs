@@ -5,13 +5,24 @@ use std::time::SystemTime;
 
 /// What tells one state of a file from the next: when it was written, and how long it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Stamp(Option<(SystemTime, u64)>);
+pub struct Stamp(Option<(Written, u64)>);
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Written {
+    At(SystemTime),
+    Number(u64),
+}
 
 impl Stamp {
     /// The stamp of a file now. All files that are not there have the same.
     pub fn of(file: &Path) -> Stamp {
         let data = std::fs::metadata(file).ok();
-        Stamp(data.and_then(|data| Some((data.modified().ok()?, data.len()))))
+        Stamp(data.and_then(|data| Some((Written::At(data.modified().ok()?), data.len()))))
+    }
+
+    /// The stamp of a file whose writings are counted: the number of the last one, and its length.
+    pub(crate) fn numbered(written: Option<(u64, u64)>) -> Stamp {
+        Stamp(written.map(|(number, bytes)| (Written::Number(number), bytes)))
     }
 
     /// How long the file is, in bytes.

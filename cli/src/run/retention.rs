@@ -3,7 +3,7 @@
 use crate::outcome::Failure;
 use crate::terminal;
 use ladder_simulator::Simulation;
-use ladder_workspace::{Named, RetentiveFile, shown};
+use ladder_workspace::{Named, RetentiveFile, SystemDisk, shown};
 use std::path::Path;
 use std::time::Instant;
 
@@ -23,6 +23,7 @@ pub(crate) enum KeptIn<'a> {
 /// The retentive file of a run.
 pub(crate) struct Retention {
     file: RetentiveFile,
+    opened: Instant,
 }
 
 impl Retention {
@@ -39,7 +40,7 @@ impl Retention {
         let name = program.file_name().unwrap_or_default().to_string_lossy();
         let (opened, found) = match file {
             KeptIn::File(file) => RetentiveFile::open(file, &name)?,
-            KeptIn::OfWorkspace(file) => RetentiveFile::open_named(file, &name)?,
+            KeptIn::OfWorkspace(file) => RetentiveFile::open_named(&SystemDisk, file, &name)?,
         };
         for note in &found.notes {
             terminal::warning(&note);
@@ -50,12 +51,15 @@ impl Retention {
                 terminal::warning(&format_args!("{file}: {}", shown::line(&complaint)));
             }
         }
-        Ok(Retention { file: opened })
+        Ok(Retention {
+            file: opened,
+            opened: Instant::now(),
+        })
     }
 
     /// Between two scans: saves if that is due. A failure is reported at the end, when it fails again.
     pub(crate) fn keep(&mut self, simulation: &Simulation) {
-        if self.file.is_due(Instant::now()) {
+        if self.file.is_due(self.opened.elapsed()) {
             let _ = self.file.save(&simulation.retained());
         }
     }

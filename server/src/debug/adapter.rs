@@ -28,6 +28,7 @@ use super::stepping::Stepping;
 use super::target::Target;
 use super::variables::{self, Handles};
 use super::wire::{Outlet, Output};
+use crate::host::World;
 
 /// A program has one thread.
 pub(super) const THREAD: i64 = 1;
@@ -49,6 +50,7 @@ pub(super) enum Phase {
 
 /// A session of the debug adapter.
 pub(super) struct Adapter {
+    pub(super) world: World,
     out: Outlet,
     /// What goes out after the answer.
     events: Vec<(&'static str, Json)>,
@@ -79,9 +81,10 @@ pub(super) struct Adapter {
 }
 
 impl Adapter {
-    pub(super) fn new(output: Output, urgent: Arc<AtomicUsize>) -> Adapter {
+    pub(super) fn new(world: World, output: Output, urgent: Arc<AtomicUsize>) -> Adapter {
         let client = Initialize::default();
         Adapter {
+            world,
             out: Outlet::new(output),
             events: Vec::new(),
             counting: Counting::of(&client),
@@ -340,7 +343,7 @@ impl Adapter {
         if let Some(mut before) = self.target.take() {
             let _ = before.save();
         }
-        let (mut target, notes) = launch::load(&configuration)?;
+        let (mut target, notes) = launch::load(&configuration, &self.world)?;
         let urgent = self.urgent.clone();
         target.session.set_brake(Some(Brake::new(move || {
             urgent.load(std::sync::atomic::Ordering::SeqCst) > 0
@@ -391,7 +394,7 @@ impl Adapter {
     /// The program of a simulation begins again from cold, with what a configuration gives it.
     fn load_again(&mut self, configuration: Configuration) -> Result<(), String> {
         configuration.speed()?;
-        let asked = Asked::of(&configuration)?;
+        let asked = Asked::of(&configuration, &self.world)?;
         let target = self.target()?;
         if target.file_of(asked.program()) != Some(0) {
             return Err(format!(
@@ -427,7 +430,8 @@ impl Adapter {
         };
         target.sources = sources;
         if let Some(own) = target.sources.first() {
-            self.table.move_lines(own, lines, counting);
+            self.table
+                .move_lines(|path| target.is(own, path), lines, counting);
         }
         let reported = self.table.place_again(target, counting);
         self.arm();

@@ -5,18 +5,20 @@ use std::path::{Component, Path, PathBuf};
 use ladder_analysis::values::value::Value;
 use ladder_simulator::scenario;
 use ladder_simulator::{Inputs, Session, Simulation};
-use ladder_workspace::{Named, Root, shown};
+use ladder_workspace::{Disk, Named, shown};
 use serde_json::{Map, Value as Json};
 
 use super::configuration::{Configuration, GivenInputs, is_scenario_file};
 use super::play::Play;
 use super::sources::{Source, is_on_another_computer};
 use super::watch::Scope;
+use crate::host::World;
 use crate::simulation::Keeping;
 use crate::simulation::value::from_json;
 
 /// What a configuration asks for.
 pub(super) struct Asked {
+    world: World,
     configuration: Configuration,
     scenario: Option<Scenario>,
     program: PathBuf,
@@ -32,14 +34,16 @@ pub(super) struct GivenByFiles {
 
 impl Asked {
     /// Reads the scenario, if one is asked for: it names the program.
-    pub(super) fn of(configuration: &Configuration) -> Result<Asked, String> {
-        let scenario = scenario_of(configuration)?;
+    pub(super) fn of(configuration: &Configuration, world: &World) -> Result<Asked, String> {
+        let disk = &*world.disk;
+        let scenario = scenario_of(configuration, disk)?;
         let program = match (&scenario, &configuration.program) {
             (Some(scenario), _) => scenario.program.clone(),
-            (None, Some(program)) => in_own_workspace(program, "program")?.0,
+            (None, Some(program)) => in_own_workspace(disk, program, "program")?.0,
             (None, None) => return Err("`program` is missing: name the .clad file to run".into()),
         };
         Ok(Asked {
+            world: world.clone(),
             configuration: configuration.clone(),
             scenario,
             program,
@@ -48,6 +52,11 @@ impl Asked {
 
     pub(super) fn configuration(&self) -> &Configuration {
         &self.configuration
+    }
+
+    /// Where the files are that it names.
+    pub(super) fn world(&self) -> &World {
+        &self.world
     }
 
     /// The program's file.
@@ -73,7 +82,12 @@ impl Asked {
     /// Where retentive tags are kept. A scenario starts cold, as its test does.
     pub(super) fn keeping(&self) -> Result<Keeping, String> {
         match &self.configuration.retain {
-            Some(name) => Ok(Keeping::In(inside(&self.program, name, "retain")?)),
+            Some(name) => Ok(Keeping::In(inside(
+                &*self.world.disk,
+                &self.program,
+                name,
+                "retain",
+            )?)),
             None if self.is_scenario() => Ok(Keeping::Nothing),
             None => Ok(Keeping::AsSettingsSay),
         }
@@ -90,7 +104,9 @@ impl Asked {
                 assign(session, "inputs", values, Session::set)?;
                 Inputs::default()
             }
-            GivenInputs::Table(name) => read_table(&self.program, name, session.simulation())?,
+            GivenInputs::Table(name) => {
+                read_table(&*self.world.disk, &self.program, name, session.simulation())?
+            }
         };
         assign(session, "forces", &self.configuration.forces, Session::force)?;
         Ok(GivenByFiles { play, inputs })
@@ -117,22 +133,29 @@ fn assign(
 }
 
 /// The table of inputs that the configuration names.
-fn read_table(program: &Path, name: &str, simulation: &Simulation) -> Result<Inputs, String> {
-    let file = inside(program, name, "inputs")?;
-    let text = file.read().map_err(|error| format!("inputs: {error}"))?;
+fn read_table(
+    disk: &dyn Disk,
+    program: &Path,
+    name: &str,
+    simulation: &Simulation,
+) -> Result<Inputs, String> {
+    let file = inside(disk, program, name, "inputs")?;
+    let text = disk
+        .read_text(&file)
+        .map_err(|error| format!("inputs: {error}"))?;
     Inputs::parse(&shown::path(&file.path()), &text, simulation).map_err(|error| format!("inputs: {error}"))
 }
 
 /// A path that the client gave: it must be whole, for nobody chose the folder that the adapter runs in, and on this
 /// computer: on Windows even a check of a file on another one sends it the name of the person.
-fn absolute(path: &str) -> Result<PathBuf, String> {
+fn absolute(disk: &dyn Disk, path: &str) -> Result<PathBuf, String> {
     let shown = shown::line(path);
     if is_on_another_computer(path) {
         return Err(format!(
             "{shown}: this is on another computer; give its folder a drive letter, and name the file there"
         ));
     }
-    if Path::new(path).is_absolute() {
+    if disk.is_whole(Path::new(path)) {
         return Ok(PathBuf::from(path));
     }
     Err(format!(
@@ -141,25 +164,30 @@ fn absolute(path: &str) -> Result<PathBuf, String> {
 }
 
 /// A file that the client names by its whole path: links to it stay in the workspace that it lies in.
-fn in_own_workspace(path: &str, what: &str) -> Result<(PathBuf, Named), String> {
-    let mut whole = absolute(path)?;
+fn in_own_workspace(disk: &dyn Disk, path: &str, what: &str) -> Result<(PathBuf, Named), String> {
+    let mut whole = absolute(disk, path)?;
     if has_parents(&whole)
-        && let (Some(Ok(folder)), Some(name)) = (whole.parent().map(Path::canonicalize), whole.file_name())
+        && let (Some(Ok(folder)), Some(name)) = (
+            whole.parent().map(|folder| disk.canonicalize(folder)),
+            whole.file_name(),
+        )
     {
         whole = folder.join(name);
     }
-    let file = inside(&whole, &whole.to_string_lossy(), what)?;
-    file.locate().map_err(|error| format!("{what}: {error}"))?;
+    let file = inside(disk, &whole, &whole.to_string_lossy(), what)?;
+    disk.locate(&file).map_err(|error| format!("{what}: {error}"))?;
     Ok((whole, file))
 }
 
 /// A file that the configuration names next to the program: it lies in the folder of the program's workspace.
-fn inside(program: &Path, name: &str, what: &str) -> Result<Named, String> {
-    if !Path::new(name).is_absolute() {
-        return Ok(Named::in_file(program, name));
+fn inside(disk: &dyn Disk, program: &Path, name: &str, what: &str) -> Result<Named, String> {
+    if !disk.is_whole(Path::new(name)) {
+        return Ok(disk.named_in(program, name));
     }
-    let path = absolute(name)?;
-    let root = Root::of(program).map_err(|error| format!("{what}: {error}"))?;
+    let path = absolute(disk, name)?;
+    let root = disk
+        .root_of(program)
+        .map_err(|error| format!("{what}: {error}"))?;
     let relative = path.strip_prefix(root.folder()).ok().and_then(Path::to_str);
     let relative = relative.ok_or_else(|| {
         format!(
@@ -181,23 +209,23 @@ struct Scenario {
 }
 
 /// The scenario that the configuration asks for, if it does.
-fn scenario_of(configuration: &Configuration) -> Result<Option<Scenario>, String> {
+fn scenario_of(configuration: &Configuration, disk: &dyn Disk) -> Result<Option<Scenario>, String> {
     if !configuration.scenario_asked_for() {
         return Ok(None);
     }
     let program = configuration.program.as_deref();
     let (path, file) = match (&configuration.scenario_file, program) {
         (Some(file), Some(program)) => {
-            let (program, _) = in_own_workspace(program, "program")?;
-            let file = inside(&program, file, "scenarioFile")?;
+            let (program, _) = in_own_workspace(disk, program, "program")?;
+            let file = inside(disk, &program, file, "scenarioFile")?;
             (file.path(), file)
         }
-        (Some(file), None) => in_own_workspace(file, "scenarioFile")?,
-        (None, Some(program)) if is_scenario_file(program) => in_own_workspace(program, "program")?,
+        (Some(file), None) => in_own_workspace(disk, file, "scenarioFile")?,
+        (None, Some(program)) if is_scenario_file(program) => in_own_workspace(disk, program, "program")?,
         (None, Some(program)) => {
-            let (program, _) = in_own_workspace(program, "program")?;
+            let (program, _) = in_own_workspace(disk, program, "program")?;
             let file = program.with_extension(ladder_workspace::SCENARIO_EXTENSION);
-            in_own_workspace(&file.to_string_lossy(), "scenarioFile")?
+            in_own_workspace(disk, &file.to_string_lossy(), "scenarioFile")?
         }
         (None, None) => {
             return Err("`scenarioFile` is missing: name the .ladder-test file of the scenario".into());
@@ -210,17 +238,17 @@ fn scenario_of(configuration: &Configuration) -> Result<Option<Scenario>, String
             shown::path(&path)
         ));
     }
-    let text = file.read().map_err(|error| error.to_string())?;
+    let text = disk.read_text(&file).map_err(|error| error.to_string())?;
     let suite = scenario::parse(&text);
     let file = Source::new(path, text);
     let Some((named, _)) = &suite.program else {
         return Err(error(&file, &suite.errors));
     };
-    let named = Named::in_file(&file.path, named);
+    let named = disk.named_in(&file.path, named);
     // Links are followed only to see that they stay inside; the client knows the file by the name that it has.
-    let located = named.locate().map_err(|error| error.to_string())?;
+    let located = disk.locate(&named).map_err(|error| error.to_string())?;
     let plain = named.path();
-    let program = if plain.canonicalize().is_ok_and(|path| path == located) && !has_parents(&plain) {
+    let program = if disk.canonicalize(&plain).is_ok_and(|path| path == located) && !has_parents(&plain) {
         plain
     } else {
         located

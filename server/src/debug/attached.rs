@@ -20,16 +20,17 @@ use super::sources::Source;
 use super::stepping::Stepping;
 use super::target::Target;
 use super::wire::Output;
+use crate::host::World;
 use crate::simulation::{Beginning, Debugger, Ground, Halt, Keeping, ProgramFile};
 
 /// What is to be debugged, as the configuration of a launch says it. Reads the scenario that it names.
 pub(crate) struct Launch(Asked);
 
 impl Launch {
-    pub(crate) fn read(configuration: &Json) -> Result<Launch, String> {
+    pub(crate) fn read(configuration: &Json, world: World) -> Result<Launch, String> {
         let configuration = Configuration::deserialize(configuration).map_err(|error| error.to_string())?;
         configuration.speed()?;
-        let asked = Asked::of(&configuration)?;
+        let asked = Asked::of(&configuration, &world)?;
         must_be_program(asked.program())?;
         Ok(Launch(asked))
     }
@@ -66,10 +67,11 @@ impl Launch {
 
     /// The debugger, for the thread of the simulation. Its messages go out there.
     pub(crate) fn begin(self, output: Output, is_joined: bool) -> Beginning {
+        let world = self.0.world().clone();
         Beginning(Box::new(move |ground: Ground<'_>| {
             let given = self.0.give(ground.session)?;
-            let mut adapter = Adapter::new(output, ground.urgent);
-            adapter.target = Some(Target::new(spare()?, sources(ground.files), given, None));
+            let mut adapter = Adapter::new(world.clone(), output, ground.urgent);
+            adapter.target = Some(Target::new(world, spare()?, sources(ground.files), given, None));
             adapter.lent = Some(if is_joined {
                 Lent::Joined {
                     runs: ground.is_running,

@@ -1,7 +1,7 @@
 //! All breakpoints of a target.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use ladder_simulator::{Breakpoint, Hit};
 use serde_json::{Value as Json, json};
@@ -9,7 +9,7 @@ use serde_json::{Value as Json, json};
 use super::breakpoint_places::place;
 use super::marker::{Marker, Verdict};
 use super::messages::{DataBreakpoint, SourceBreakpoint};
-use super::sources::{Counting, Source};
+use super::sources::Counting;
 use super::target::Target;
 
 /// All breakpoints of a target.
@@ -124,9 +124,14 @@ impl Table {
 
     /// The lines of a file are in other places: the breakpoints that were asked for go with them, to the next one below
     /// where one is no more.
-    pub(super) fn move_lines(&mut self, source: &Source, lines: &[Option<u32>], counting: Counting) {
+    pub(super) fn move_lines(
+        &mut self,
+        is_source: impl Fn(&Path) -> bool,
+        lines: &[Option<u32>],
+        counting: Counting,
+    ) {
         for (path, asked) in &mut self.asked {
-            if !source.is(path) {
+            if !is_source(path) {
                 continue;
             }
             for (_, wanted) in asked {

@@ -12,16 +12,17 @@ use super::asked::Asked;
 use super::configuration::Configuration;
 use super::sources::Source;
 use super::target::Target;
+use crate::host::World;
 use crate::simulation::Keeping;
 
 /// Loads the program and makes it ready for its first scan. The second part are sentences for the person.
-pub(super) fn load(configuration: &Configuration) -> Result<(Target, Vec<String>), String> {
-    let asked = Asked::of(configuration)?;
+pub(super) fn load(configuration: &Configuration, world: &World) -> Result<(Target, Vec<String>), String> {
+    let asked = Asked::of(configuration, world)?;
     let Loaded {
         program,
         sources,
         workspace,
-    } = load_program(asked.program())?;
+    } = load_program(world, asked.program())?;
     let simulate = &workspace.settings().simulate;
     let mut options: Options = simulate.options(&program);
     options.interval = asked.interval()?.unwrap_or(options.interval);
@@ -39,7 +40,7 @@ pub(super) fn load(configuration: &Configuration) -> Result<(Target, Vec<String>
     let retention = match retain {
         Some(file) => {
             let name = asked.program().file_name().unwrap_or_default();
-            let (file, found) = RetentiveFile::open_named(&file, &name.to_string_lossy())
+            let (file, found) = RetentiveFile::open_named(&*world.disk, &file, &name.to_string_lossy())
                 .map_err(|error| error.to_string())?;
             notes.extend(found.notes);
             notes.extend(found.kept.iter().flat_map(|kept| session.warm_start(kept)));
@@ -48,7 +49,8 @@ pub(super) fn load(configuration: &Configuration) -> Result<(Target, Vec<String>
         None => None,
     };
     let given = asked.give(&mut session)?;
-    Ok((Target::new(session, sources, given, retention), notes))
+    let target = Target::new(world.clone(), session, sources, given, retention);
+    Ok((target, notes))
 }
 
 struct Loaded {
@@ -69,10 +71,10 @@ pub(super) fn must_be_program(path: &Path) -> Result<(), String> {
 }
 
 /// Reads a program with what it uses of its workspace.
-fn load_program(path: &Path) -> Result<Loaded, String> {
+fn load_program(world: &World, path: &Path) -> Result<Loaded, String> {
     must_be_program(path)?;
-    let text = ladder_workspace::read_own(path).map_err(|error| error.to_string())?;
-    let workspace = Workspace::of(path).map_err(|error| error.to_string())?;
+    let text = world.disk.read_own(path).map_err(|error| error.to_string())?;
+    let workspace = Workspace::on(&world.disk, path).map_err(|error| error.to_string())?;
     let own = workspace.program_at(path);
     let analysis = match own {
         Some(own) if own.text == text => workspace.analysis(own),

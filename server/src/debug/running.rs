@@ -1,6 +1,6 @@
 //! A program on its way: scan after scan, up to what stops it.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use ladder_analysis::program::Location;
 use ladder_simulator::{Fault, Hit, Status, Stepped, Stop, value_text};
@@ -8,6 +8,7 @@ use serde_json::{Value as Json, json};
 
 use super::adapter::{Adapter, Phase};
 use super::marker::Verdict;
+use crate::host::Moment;
 
 /// The filter of faults.
 pub(super) const FAULTS: &str = "faults";
@@ -24,7 +25,7 @@ const NEVER: Duration = Duration::from_secs(86_400);
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Going {
     /// Forward; where it keeps to a clock, with the time when the next scan is due and that from one to the next.
-    Forward(Option<(Instant, Duration)>),
+    Forward(Option<(Moment, Duration)>),
     /// Back, scan by scan.
     Back,
 }
@@ -67,7 +68,7 @@ pub(super) enum After {
 impl Adapter {
     /// Begins to run.
     pub(super) fn start_run(&mut self) -> Result<(), String> {
-        let now = Instant::now();
+        let now = self.world.clock.now();
         let speed = self.configuration.speed()?;
         let target = self.target()?;
         let interval = Duration::from_nanos(target.simulation().options().interval.unsigned_abs());
@@ -83,7 +84,7 @@ impl Adapter {
     }
 
     /// When the next scan is due; none while it is at once.
-    pub(super) fn due(&self) -> Option<Instant> {
+    pub(super) fn due(&self) -> Option<Moment> {
         let is_open = self
             .target
             .as_ref()
@@ -102,7 +103,10 @@ impl Adapter {
                 let after = self.run_scan();
                 if let Some((due, pace)) = pace.filter(|_| self.is_between_scans()) {
                     // A scan that takes longer than its interval makes the program slow; it does not make it catch up.
-                    self.going = Some(Going::Forward(Some(((due + pace).max(Instant::now()), pace))));
+                    self.going = Some(Going::Forward(Some((
+                        (due + pace).max(self.world.clock.now()),
+                        pace,
+                    ))));
                 }
                 self.conclude(after);
             }

@@ -5,13 +5,13 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError, channel};
-use std::time::Instant;
 
 use tokio::io::AsyncRead;
 
 use super::adapter::Adapter;
 use super::messages::Request;
 use super::wire::{self, Incoming};
+use crate::native;
 
 /// Serves one client until it disconnects or its input ends.
 ///
@@ -33,7 +33,7 @@ where
         runtime.block_on(async { wire::read(input(), sender, counter).await });
         runtime.shutdown_background();
     })?;
-    let mut adapter = Adapter::new(wire::framed(output), urgent.clone());
+    let mut adapter = Adapter::new(native::world(), wire::framed(output), urgent.clone());
     while !adapter.is_over() {
         match next(&inbox, &adapter) {
             Ok(Incoming::Request(request)) => {
@@ -56,7 +56,7 @@ fn next(inbox: &Receiver<Incoming>, adapter: &Adapter) -> Result<Incoming, RecvT
         return inbox.recv().map_err(|_| RecvTimeoutError::Disconnected);
     }
     match adapter.due() {
-        Some(due) => inbox.recv_timeout(due.saturating_duration_since(Instant::now())),
+        Some(due) => inbox.recv_timeout(due.saturating_sub(adapter.world.clock.now())),
         None => inbox.try_recv().map_err(|error| match error {
             TryRecvError::Empty => RecvTimeoutError::Timeout,
             TryRecvError::Disconnected => RecvTimeoutError::Disconnected,

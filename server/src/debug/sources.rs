@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use ladder_syntax::{LineIndex, TextRange, TextSize};
-use ladder_workspace::Named;
+use ladder_workspace::Disk;
 use serde_json::{Value as Json, json};
 
 use super::messages::Initialize;
@@ -26,7 +26,7 @@ impl Source {
     }
 
     /// Whether a path of the client means this file.
-    pub(super) fn is(&self, path: &Path) -> bool {
+    pub(super) fn is(&self, disk: &dyn Disk, path: &Path) -> bool {
         if self.path == path {
             return true;
         }
@@ -35,8 +35,8 @@ impl Source {
             return false;
         }
         let same_name =
-            self.path.file_name() == path.file_name() || path.is_symlink() || self.path.is_symlink();
-        same_name && resolved(path).is_some_and(|path| resolved(&self.path) == Some(path))
+            self.path.file_name() == path.file_name() || disk.is_link(path) || disk.is_link(&self.path);
+        same_name && resolved(disk, path).is_some_and(|path| resolved(disk, &self.path) == Some(path))
     }
 
     /// The line of an offset, from 0.
@@ -97,9 +97,10 @@ pub(super) fn is_on_another_computer(path: &str) -> bool {
 }
 
 /// A path without links. None of those below the workspace that leads out of it is followed.
-fn resolved(path: &Path) -> Option<PathBuf> {
+fn resolved(disk: &dyn Disk, path: &Path) -> Option<PathBuf> {
     let name = path.file_name()?.to_str()?;
-    Named::in_file(path, name).locate().ok()?.canonicalize().ok()
+    let located = disk.locate(&disk.named_in(path, name)).ok()?;
+    disk.canonicalize(&located).ok()
 }
 
 /// How the client counts.

@@ -1,7 +1,6 @@
 //! What is debugged: the program with its files, its session and what is given to it.
 
 use std::path::Path;
-use std::time::Instant;
 
 use ladder_analysis::program::Location;
 use ladder_simulator::{Activation, Inputs, Instance, Routine, Session, Simulation, Stop};
@@ -12,10 +11,12 @@ use super::once::Once;
 use super::play::Play;
 use super::sources::Source;
 use super::watch::Scope;
+use crate::host::World;
 
 /// A program that is debugged.
 #[derive(Debug)]
 pub(super) struct Target {
+    world: World,
     pub session: Session,
     /// Its files, in the order of the program model's.
     pub sources: Vec<Source>,
@@ -28,12 +29,14 @@ pub(super) struct Target {
 
 impl Target {
     pub(super) fn new(
+        world: World,
         session: Session,
         sources: Vec<Source>,
         given: GivenByFiles,
         retention: Option<RetentiveFile>,
     ) -> Target {
         Target {
+            world,
             session,
             sources,
             play: given.play,
@@ -91,7 +94,10 @@ impl Target {
 
     /// Between two scans: saves retentive tags if that is due.
     pub(super) fn keep(&mut self) {
-        if let Some(file) = self.retention.as_mut().filter(|file| file.is_due(Instant::now())) {
+        let now = self.world.clock.now();
+        if let Some(file) = &mut self.retention
+            && file.is_due(now)
+        {
             let _ = file.save(&self.session.simulation().retained());
         }
     }
@@ -103,9 +109,14 @@ impl Target {
         saved.err().map(|error| error.to_string())
     }
 
+    /// Whether a path of the client means this file.
+    pub(super) fn is(&self, source: &Source, path: &Path) -> bool {
+        source.is(&*self.world.disk, path)
+    }
+
     /// The file of the program that a path of the client means, by its number.
     pub(super) fn file_of(&self, path: &Path) -> Option<u32> {
-        let file = self.sources.iter().position(|source| source.is(path))?;
+        let file = self.sources.iter().position(|source| self.is(source, path))?;
         u32::try_from(file).ok()
     }
 

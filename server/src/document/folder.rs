@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use ladder_analysis::{Analysis, Exported, Exports};
-use ladder_workspace::{Root, Settings, Stamp};
+use ladder_workspace::{Disk, Root, Settings};
 
 use super::in_parallel;
 use super::on_disk::OnDisk;
@@ -62,7 +62,13 @@ pub(super) struct Open {
 
 impl Folder {
     /// Reads a workspace, of which `path` is a file. `defaults` hold where it has no settings file.
-    pub(super) fn load(path: &Path, root: &Path, defaults: &Settings, shown: &Shown) -> Folder {
+    pub(super) fn load(
+        disk: &Arc<dyn Disk>,
+        path: &Path,
+        root: &Path,
+        defaults: &Settings,
+        shown: &Shown,
+    ) -> Folder {
         let mut folder = Folder {
             settings: Settings::default(),
             settings_file: None,
@@ -74,18 +80,18 @@ impl Folder {
             held: HashMap::new(),
             changes: 0,
         };
-        let Ok(found) = Root::of(path) else {
+        let Ok(found) = disk.root_of(path) else {
             return folder;
         };
         match found.settings_file() {
             Some(file) => {
-                let (settings, file) = SettingsFile::read(file);
+                let (settings, file) = SettingsFile::read(&**disk, file);
                 folder.settings = settings;
                 folder.settings_file = Some(Arc::new(file));
             }
             None => folder.settings = defaults.clone(),
         }
-        let mut programs = found.programs(&folder.settings.files);
+        let mut programs = disk.programs(&found, &folder.settings.files);
         programs.retain(|path| folder.settings.files.contain(path));
         folder.found = Some(found);
         folder.unknown = programs
@@ -95,9 +101,9 @@ impl Folder {
             .collect();
         folder.disk = in_parallel::map(&programs, |path| {
             let file = if folder.unknown.contains(path) {
-                OnDisk::shown(root, path)
+                OnDisk::shown(disk, root, path)
             } else {
-                OnDisk::read(root, path)?
+                OnDisk::read(disk, root, path)?
             };
             Some((path.clone(), Arc::new(file)))
         })
@@ -108,9 +114,9 @@ impl Folder {
 
     /// Whether a file is one of the workspace. One that is hidden or excluded is a guest: it sees the others, and they do not
     /// see it.
-    pub(super) fn holds(&mut self, path: &Path) -> bool {
+    pub(super) fn holds(&mut self, disk: &dyn Disk, path: &Path) -> bool {
         let (found, files) = (&self.found, &self.settings.files);
-        let holds = || found.as_ref().is_some_and(|found| found.holds(path, files));
+        let holds = || found.as_ref().is_some_and(|found| disk.holds(found, path, files));
         *self.held.entry(path.to_owned()).or_insert_with(holds)
     }
 
@@ -131,16 +137,16 @@ impl Folder {
     }
 
     /// Takes a file as it is on disk now. One that an editor shows is not read: what its editor shows counts.
-    pub(super) fn reread(&mut self, root: &Path, path: &Path) {
+    pub(super) fn reread(&mut self, disk: &Arc<dyn Disk>, root: &Path, path: &Path) {
         self.held.remove(path);
-        let holds = self.holds(path);
+        let holds = self.holds(&**disk, path);
         let shown = self.disk.get(path).filter(|_| self.open.contains_key(path));
         let file = if !holds {
             None
         } else if let Some(shown) = shown {
-            Some(shown.without_text(Stamp::of(path))).filter(|file| file.stamp.exists())
+            Some(shown.without_text(disk.stamp(path))).filter(|file| file.stamp.exists())
         } else {
-            OnDisk::read(root, path)
+            OnDisk::read(disk, root, path)
         };
         self.unknown.remove(path);
         match file {
@@ -160,12 +166,12 @@ impl Folder {
 
     /// What its files show to each other, as one of them sees it. Another one of which nothing is known yet counts as it is on
     /// disk.
-    pub(super) fn exported_for(&mut self, root: &Path, own: &Path) -> &Arc<Exported> {
+    pub(super) fn exported_for(&mut self, disk: &Arc<dyn Disk>, root: &Path, own: &Path) -> &Arc<Exported> {
         let others = self.unknown.iter().filter(|path| **path != *own);
         let others: Vec<PathBuf> = others.cloned().collect();
         for path in others {
             self.unknown.remove(&path);
-            if let Some(file) = OnDisk::read(root, &path) {
+            if let Some(file) = OnDisk::read(disk, root, &path) {
                 self.disk.insert(path, Arc::new(file));
                 self.exported = None;
             }

@@ -11,7 +11,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use ladder_analysis::program::Program;
 use ladder_analysis::{Analysis, Exported, Exports, NotWhole, Others, RuleSettings, analyze_with, link};
-use ladder_workspace::{FileError, Root, SETTINGS_FILE, Settings, Simulate};
+use ladder_workspace::{Disk, FileError, SETTINGS_FILE, Settings, Simulate};
 
 use super::folder::{Folder, Open, Shown, same};
 use super::on_disk::{FilesOnDisk, OnDisk, name_in};
@@ -22,25 +22,20 @@ use super::seen::SettingsFile;
 pub(crate) struct Neighbours {
     /// Apart from the rest, which may be locked while files are read.
     shown: Shown,
+    disk: Arc<dyn Disk>,
     state: Mutex<State>,
 }
 
+#[cfg(test)]
 impl Default for Neighbours {
     fn default() -> Self {
-        let shown = Shown::default();
-        let state = State {
-            shown: shown.clone(),
-            ..State::default()
-        };
-        Neighbours {
-            shown,
-            state: Mutex::new(state),
-        }
+        Neighbours::on(Arc::new(ladder_workspace::SystemDisk))
     }
 }
 
-#[derive(Debug, Default)]
+#[derive(Debug)]
 struct State {
+    disk: Arc<dyn Disk>,
     /// The same as above.
     shown: Shown,
     /// What holds where there is no settings file.
@@ -59,7 +54,30 @@ pub(crate) struct Affected {
     /// The same is seen at other places.
     pub(crate) moved: bool,
 }
+
 impl Neighbours {
+    /// The workspaces of a disk.
+    pub(crate) fn on(disk: Arc<dyn Disk>) -> Neighbours {
+        let shown = Shown::default();
+        let state = State {
+            disk: disk.clone(),
+            shown: shown.clone(),
+            defaults: Settings::default(),
+            roots: HashMap::new(),
+            folders: HashMap::new(),
+        };
+        Neighbours {
+            shown,
+            disk,
+            state: Mutex::new(state),
+        }
+    }
+
+    /// Where the files are.
+    pub(crate) fn disk(&self) -> &Arc<dyn Disk> {
+        &self.disk
+    }
+
     /// What a file is called in messages, and what it sees of the others.
     pub(crate) fn view(&self, path: &Path) -> (Arc<str>, Others) {
         let (name, others, _) = self.view_now(path);
@@ -71,7 +89,7 @@ impl Neighbours {
         let mut state = self.lock();
         let (root, folder) = state.folder(path);
         let name = name_in(&root, path);
-        let others = folder.exported_for(&root, path).others_of(&name);
+        let others = folder.exported_for(&self.disk, &root, path).others_of(&name);
         (name, others, folder.changes)
     }
 
@@ -80,9 +98,9 @@ impl Neighbours {
         let exports = Arc::new(Exports::of(&analysis.context, &analysis.context.name));
         let mut state = self.lock();
         let (root, folder) = state.folder(path);
-        let is_guest = !folder.holds(path);
+        let is_guest = !folder.holds(&*self.disk, path);
         let before = folder.shown(path).cloned();
-        let exported = folder.exported_for(&root, path);
+        let exported = folder.exported_for(&self.disk, &root, path);
         let did_not_know = !is_guest && exported.did_not_know(&exports);
         let concerns = match &before {
             Some(before) => exported.concerns(before, &exports),
@@ -127,8 +145,8 @@ impl Neighbours {
         let mut state = self.lock();
         let (root, folder) = state.folder(path);
         let before = folder.open.remove(path).map(|open| open.exports);
-        let was_guest = !folder.holds(path);
-        folder.reread(&root, path);
+        let was_guest = !folder.holds(&*self.disk, path);
+        folder.reread(&self.disk, &root, path);
         folder.exported = None;
         !was_guest && !same(before.as_deref(), folder.shown(path).map(|exports| &**exports))
     }
@@ -148,7 +166,7 @@ impl Neighbours {
         for path in paths.iter().filter(|path| ladder_workspace::is_program(path)) {
             let (root, folder) = state.folder(path);
             let before = folder.shown(path).cloned();
-            folder.reread(&root, path);
+            folder.reread(&self.disk, &root, path);
             if !same(before.as_deref(), folder.shown(path).map(|exports| &**exports)) {
                 folder.exported = None;
                 changed = true;
@@ -180,7 +198,7 @@ impl Neighbours {
     pub(crate) fn on_disk(&self, path: &Path) -> FilesOnDisk {
         let mut state = self.lock();
         let (root, folder) = state.folder(path);
-        let exported = Arc::clone(folder.exported_for(&root, path));
+        let exported = Arc::clone(folder.exported_for(&self.disk, &root, path));
         let files = folder.disk.iter();
         FilesOnDisk {
             files: files
@@ -227,14 +245,14 @@ impl Neighbours {
             return Ok(Arc::clone(&open.analysis));
         }
         let name = name_in(&root, path);
-        let others = folder.exported_for(&root, path).others_of(&name);
+        let others = folder.exported_for(&self.disk, &root, path).others_of(&name);
         let rules = folder.settings.rules_for(path);
         let known = folder.disk.get(path).cloned();
         drop(state);
         let parse = match known {
             Some(file) => file.parse(),
             // Excluded from the workspace, but a program all the same.
-            None => Arc::new(ladder_syntax::parse(&ladder_workspace::read_own(path)?)),
+            None => Arc::new(ladder_syntax::parse(&self.disk.read_own(path)?)),
         };
         Ok(Arc::new(analyze_with(&parse, &name, &others, &rules)))
     }
@@ -256,7 +274,7 @@ impl Neighbours {
         let mut state = self.lock();
         let (root, folder) = state.folder(path);
         let file = Arc::clone(folder.disk.get(path)?);
-        Some((file, Arc::clone(folder.exported_for(&root, path))))
+        Some((file, Arc::clone(folder.exported_for(&self.disk, &root, path))))
     }
 
     /// Reads the workspace of a program, if that was not done. The others may go on meanwhile.
@@ -269,7 +287,7 @@ impl Neighbours {
             }
             (root, state.defaults.clone())
         };
-        let folder = Folder::load(path, &root, &defaults, &self.shown);
+        let folder = Folder::load(&self.disk, path, &root, &defaults, &self.shown);
         self.lock().folders.entry(root).or_insert(folder);
     }
 
@@ -298,12 +316,12 @@ impl Neighbours {
         drop(state);
         let mut changed = Vec::new();
         for (root, seen) in folders {
-            changed.extend(seen.changed(&root));
+            changed.extend(seen.changed(&*self.disk, &root));
         }
         // A settings file that is made or removed above a program gives it another workspace.
         let moved = open
             .iter()
-            .find(|(path, root)| Root::of(path).is_ok_and(|found| found.folder() != root));
+            .find(|(path, root)| self.disk.root_of(path).is_ok_and(|found| found.folder() != root));
         changed.extend(moved.map(|(path, _)| path.with_file_name(SETTINGS_FILE)));
         changed
     }
@@ -338,7 +356,7 @@ impl Neighbours {
             let (path, file) = folder.disk.iter().find(|(_, file)| *file.name == *name)?;
             let rules = folder.settings.rules_for(path);
             let (path, file) = (path.clone(), Arc::clone(file));
-            let others = folder.exported_for(&root, &path).others_of(name);
+            let others = folder.exported_for(&self.disk, &root, &path).others_of(name);
             drop(state);
             Some(Arc::new(analyze_with(&file.parse(), name, &others, &rules)))
         })
@@ -378,7 +396,7 @@ impl State {
     fn root(&mut self, path: &Path) -> PathBuf {
         let parent = path.parent().unwrap_or(path).to_owned();
         let found = self.roots.entry(parent).or_insert_with_key(|parent| {
-            let root = Root::of(path).map(|root| root.folder().to_owned());
+            let root = self.disk.root_of(path).map(|root| root.folder().to_owned());
             root.unwrap_or_else(|_| parent.clone())
         });
         found.clone()
@@ -386,11 +404,11 @@ impl State {
 
     fn folder(&mut self, path: &Path) -> (PathBuf, &mut Folder) {
         let root = self.root(path);
-        let (defaults, shown) = (&self.defaults, &self.shown);
+        let (disk, defaults, shown) = (&self.disk, &self.defaults, &self.shown);
         let folder = self
             .folders
             .entry(root.clone())
-            .or_insert_with(|| Folder::load(path, &root, defaults, shown));
+            .or_insert_with(|| Folder::load(disk, path, &root, defaults, shown));
         (root, folder)
     }
 }

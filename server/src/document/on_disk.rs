@@ -7,7 +7,7 @@ use ladder_analysis::context::Context;
 use ladder_analysis::names::join::context;
 use ladder_analysis::{Exported, Exports, exports};
 use ladder_syntax::Parse;
-use ladder_workspace::Stamp;
+use ladder_workspace::{Disk, Stamp};
 
 /// The names of files that no editor shows are kept in workspaces with this many bytes of text; in larger ones they are read
 /// again when it is asked for.
@@ -19,6 +19,7 @@ pub(crate) struct OnDisk {
     pub(crate) name: Arc<str>,
     pub(super) stamp: Stamp,
     path: PathBuf,
+    disk: Arc<dyn Disk>,
     /// Its text. All else that is known of it is read again when it is asked for. Of a file that an editor shows the text too is
     /// read only if it is asked for: it is mostly the same that the editor has sent.
     text: OnceLock<String>,
@@ -29,29 +30,30 @@ pub(crate) struct OnDisk {
 
 impl OnDisk {
     /// Reads a program.
-    pub(super) fn read(root: &Path, path: &Path) -> Option<OnDisk> {
-        let stamp = Stamp::of(path);
-        let text = ladder_workspace::read_own(path).ok()?;
+    pub(super) fn read(disk: &Arc<dyn Disk>, root: &Path, path: &Path) -> Option<OnDisk> {
+        let stamp = disk.stamp(path);
+        let text = disk.read_own(path).ok()?;
         let name = name_in(root, path);
         let exports = exports_of(&text, &name);
         let text = OnceLock::from(text);
-        Some(OnDisk::new((path, stamp), name, exports, text))
+        Some(OnDisk::new(disk, (path, stamp), name, exports, text))
     }
 
     /// A program that an editor shows, before anything is known of it: as if it were empty.
-    pub(super) fn shown(root: &Path, path: &Path) -> OnDisk {
+    pub(super) fn shown(disk: &Arc<dyn Disk>, root: &Path, path: &Path) -> OnDisk {
         let name = name_in(root, path);
         let exports = exports_of("", &name);
-        OnDisk::new((path, Stamp::of(path)), name, exports, OnceLock::new())
+        OnDisk::new(disk, (path, disk.stamp(path)), name, exports, OnceLock::new())
     }
 
     /// The same, as it was written then, without its text, which is read again if it is asked for.
     pub(super) fn without_text(&self, stamp: Stamp) -> OnDisk {
         let (name, exports) = (Arc::clone(&self.name), Arc::clone(&self.exports));
-        OnDisk::new((&self.path, stamp), name, exports, OnceLock::new())
+        OnDisk::new(&self.disk, (&self.path, stamp), name, exports, OnceLock::new())
     }
 
     fn new(
+        disk: &Arc<dyn Disk>,
         (path, stamp): (&Path, Stamp),
         name: Arc<str>,
         exports: Arc<Exports>,
@@ -61,6 +63,7 @@ impl OnDisk {
             name,
             stamp,
             path: path.to_owned(),
+            disk: disk.clone(),
             text,
             exports,
             names: Mutex::default(),
@@ -70,7 +73,7 @@ impl OnDisk {
     /// Its text; empty if it cannot be read any more.
     pub(crate) fn text(&self) -> &str {
         self.text
-            .get_or_init(|| ladder_workspace::read_own(&self.path).unwrap_or_default())
+            .get_or_init(|| self.disk.read_own(&self.path).unwrap_or_default())
     }
 
     /// Whether its text is held.

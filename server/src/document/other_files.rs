@@ -12,7 +12,6 @@ use ladder_analysis::Exported;
 use ladder_analysis::context::Context;
 use ladder_ide::{ScenarioFile, Which, Workspace};
 use ladder_syntax::TextRange;
-use ladder_workspace::Named;
 use ropey::Rope;
 
 use super::on_disk::OnDisk;
@@ -177,7 +176,8 @@ impl OtherFiles {
     fn find_scenarios(&self) -> Option<Vec<Scenarios>> {
         let place = self.own.place()?;
         let folder = place.neighbours.folder_of(&place.path);
-        let (mut paths, _) = ladder_workspace::find_scenarios(&[folder]);
+        let disk = place.neighbours.disk();
+        let mut paths = disk.scenarios(&[folder]);
         let open: Vec<_> = self
             .companions
             .all()
@@ -202,11 +202,11 @@ impl OtherFiles {
             let revision = revision.map(|(_, revision)| Arc::clone(revision));
             let text = match &revision {
                 Some(revision) => revision.rope().to_string(),
-                None => ladder_workspace::read(&path).unwrap_or_default(),
+                None => disk.read(&path).unwrap_or_default(),
             };
             let suite = ladder_simulator::scenario::parse(&text);
             let program = suite.program.as_ref().and_then(|(program, _)| {
-                let next_to = Named::in_file(&path, program).locate().ok()?;
+                let next_to = disk.locate(&disk.named_in(&path, program)).ok()?;
                 Some(place.neighbours.view(&next_to).0)
             });
             let (name, _) = place.neighbours.view(&path);

@@ -255,7 +255,8 @@ impl Revision {
         let notation = self.kind.notation()?;
         self.fits().then(|| {
             self.opened.get_or_init(|| {
-                let file = self.place.as_ref().map(|place| &*place.path);
+                let file = self.place.as_ref();
+                let file = file.map(|place| (&**place.neighbours.disk(), &*place.path));
                 Opened::read(notation, &self.stem(), &self.text(), file, |parse| {
                     match &self.place {
                         Some(place) => {

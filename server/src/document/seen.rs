@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use ladder_syntax::{LineColumn, TextRange};
-use ladder_workspace::{Files, Root, SETTINGS_FILE, SettingError, Settings, Stamp};
+use ladder_workspace::{Disk, Files, Root, SETTINGS_FILE, SettingError, Settings, Stamp};
 
 /// A settings file as it was read.
 #[derive(Debug)]
@@ -20,9 +20,9 @@ pub(crate) struct SettingsFile {
 
 impl SettingsFile {
     /// Reads it, as far as it can be read.
-    pub(super) fn read(path: PathBuf) -> (Settings, SettingsFile) {
-        let stamp = Stamp::of(&path);
-        let (text, settings, errors) = match Settings::own_text(&path) {
+    pub(super) fn read(disk: &dyn Disk, path: PathBuf) -> (Settings, SettingsFile) {
+        let stamp = disk.stamp(&path);
+        let (text, settings, errors) = match disk.settings_text(&path) {
             Ok(text) => {
                 let (settings, errors) = Settings::examine(&path, &text);
                 (text, settings, errors)
@@ -58,11 +58,11 @@ pub(super) struct Seen {
 
 impl Seen {
     /// Those that are not so any more.
-    pub(super) fn changed(&self, root: &Path) -> Vec<PathBuf> {
+    pub(super) fn changed(&self, disk: &dyn Disk, root: &Path) -> Vec<PathBuf> {
         let settings_file = root.join(SETTINGS_FILE);
-        let now = Stamp::of(&settings_file);
+        let now = disk.stamp(&settings_file);
         // A link that leads nowhere is there, too: reading it says so.
-        let is_there = settings_file.symlink_metadata().is_ok();
+        let is_there = disk.is_there(&settings_file);
         if is_there != self.settings_file.is_some() || self.settings_file.is_some_and(|it| it != now) {
             return vec![settings_file];
         }
@@ -70,7 +70,7 @@ impl Seen {
             Some(_) => Root::Settings(root.to_owned()),
             None => Root::Folder(root.to_owned()),
         };
-        let there = found.programs(&self.files);
+        let there = disk.programs(&found, &self.files);
         let gone = self
             .programs
             .keys()
@@ -78,7 +78,7 @@ impl Seen {
         let mut changed: Vec<PathBuf> = gone.cloned().collect();
         let other = there
             .iter()
-            .filter(|path| self.programs.get(*path) != Some(&Stamp::of(path)));
+            .filter(|path| self.programs.get(*path) != Some(&disk.stamp(path)));
         changed.extend(other.cloned());
         changed
     }

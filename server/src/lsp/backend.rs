@@ -42,6 +42,7 @@ use tower_lsp::ls_types::{SignatureHelp, SignatureHelpParams};
 use tower_lsp::{Client, LanguageServer};
 
 use crate::busy::Busy;
+use crate::host::Host;
 use crate::lsp::documents::{configuration, file_operations, folders, pull, sync, typed, watch};
 use crate::lsp::features::{
     call_hierarchy, code_action, code_lens, comment, completion, cross_reference, debug, diagram,
@@ -50,7 +51,6 @@ use crate::lsp::features::{
     goto, hover, inlay_hint, links, notations, preview, references, rename, rule_page, semantic_tokens,
     signature, simulate, symbols,
 };
-use crate::lsp::session::parent;
 use crate::lsp::{
     capabilities,
     session::{agreed::Agreed, shared::Shared},
@@ -64,15 +64,10 @@ pub(crate) struct Backend {
 }
 
 impl Backend {
-    #[cfg(test)]
-    pub(crate) fn new(client: Client) -> Self {
-        Backend::counting(client, Busy::default())
-    }
-
-    /// A server that shows whether work is under way.
-    pub(crate) fn counting(client: Client, busy: Busy) -> Self {
+    /// A server, which shows whether work is under way.
+    pub(crate) fn new(client: Client, host: Arc<dyn Host>, busy: Busy) -> Self {
         Backend {
-            shared: Shared::new(client, busy),
+            shared: Shared::new(client, host, busy),
         }
     }
 
@@ -108,7 +103,11 @@ impl LanguageServer for Backend {
         folders::begin(&self.shared, &params);
         configuration::begin(&self.shared, params.initialization_options.as_ref());
         if let Some(process) = params.process_id {
-            tokio::spawn(parent::watch(process, self.shared.clone()));
+            let (gone, shared) = (self.shared.host.gone(process), self.shared.clone());
+            self.shared.spawn(async move {
+                gone.await;
+                shared.orphaned.give();
+            });
         }
         Ok(InitializeResult {
             capabilities: capabilities::offered(agreed),
@@ -121,7 +120,8 @@ impl LanguageServer for Backend {
     }
 
     async fn shutdown(&self) -> Result<()> {
-        self.shared.sessions.stop_everything().await;
+        let host = &*self.shared.host;
+        self.shared.sessions.stop_everything(host).await;
         Ok(())
     }
 
@@ -140,7 +140,7 @@ impl LanguageServer for Backend {
     async fn initialized(&self, _: InitializedParams) {
         // Together, and in this order: a session that is played again asks the same questions.
         let shared = self.shared.clone();
-        tokio::spawn(async move {
+        self.shared.spawn(async move {
             futures::join!(watch::register(&shared), configuration::register(&shared));
         });
         folders::index(&self.shared);

@@ -28,5 +28,5 @@ mod markup;
 mod session;
 pub(crate) mod transport;
 
-pub(crate) use transport::serve::serve_counting;
-pub use transport::serve::{Ending, serve};
+pub use transport::received::Received;
+pub use transport::serve::{Ended, Ending, serve};

@@ -22,6 +22,7 @@ use super::value::from_given;
 use super::view::View;
 use crate::document::position::Range;
 use crate::document::{OtherPlaces, Revision};
+use crate::host::World;
 
 /// This many faults are reported: those that happened last.
 const FAULTS: usize = 100;
@@ -63,6 +64,7 @@ impl Engine {
         revision: Arc<Revision>,
         options: &messages::Options,
         keeping: &Keeping,
+        world: &World,
     ) -> Result<(Self, Vec<String>), Failure> {
         let Some(analysis) = revision.analysis() else {
             return Err(Failure::Failed("the file is too large to be simulated".into()));
@@ -98,7 +100,7 @@ impl Engine {
             Keeping::In(file) => Some(file),
             Keeping::Nothing => None,
         };
-        let (retention, notes) = Retention::begin(file, revision.name(), &mut session);
+        let (retention, notes) = Retention::begin(world, file, revision.name(), &mut session);
         let mut engine = Engine {
             line_map: LineMap::new(revision.clone(), revision.clone()),
             session,

@@ -2,15 +2,19 @@
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use ladder_simulator::Brake;
 
 use super::action::Action;
 use crate::cancel::Cancel;
+use crate::host::{Clock, Host};
 
 /// What runs gives way to a command that is not urgent when it has taken this long.
 const PATIENCE: Duration = Duration::from_secs(1);
+
+/// Where no command arrives while there is work, a scan gives way after this time, and begins again.
+const DEAF: Duration = Duration::from_millis(500);
 
 /// A step, or the recording of a scenario, takes this long at most: a client that has asked for a billion scans is answered.
 const LONGEST: Duration = Duration::from_secs(10);
@@ -24,18 +28,21 @@ pub(super) struct Queue {
     texts: AtomicUsize,
     /// How many commands wait whose senders wait for the answer.
     awaited: AtomicUsize,
-    created: Instant,
-    /// When the work under way began, in milliseconds since `created`.
+    clock: Clock,
+    /// Whether commands arrive while there is work.
+    hears: bool,
+    /// When the work under way began, in milliseconds.
     begun: AtomicU64,
 }
 
 impl Queue {
-    pub(super) fn new() -> Arc<Queue> {
+    pub(super) fn new(host: &dyn Host) -> Arc<Queue> {
         Arc::new(Queue {
             urgent: Arc::default(),
             texts: AtomicUsize::new(0),
             awaited: AtomicUsize::new(0),
-            created: Instant::now(),
+            clock: host.world().clock.clone(),
+            hears: host.hears_while_working(),
             begun: AtomicU64::new(0),
         })
     }
@@ -73,7 +80,7 @@ impl Queue {
     }
 
     fn now(&self) -> u64 {
-        u64::try_from(self.created.elapsed().as_millis()).unwrap_or(u64::MAX)
+        u64::try_from(self.clock.now().as_millis()).unwrap_or(u64::MAX)
     }
 
     fn has_taken(&self, time: Duration) -> bool {
@@ -94,7 +101,7 @@ impl Queue {
     /// Stops a scan of a run that takes long, so that the session can serve a command.
     pub(super) fn brake_of_run(self: &Arc<Self>) -> Brake {
         let queue = self.clone();
-        Brake::new(move || queue.is_pressing())
+        Brake::new(move || queue.is_pressing() || (!queue.hears && queue.has_taken(DEAF)))
     }
 
     /// Stops what a command does.

@@ -1,9 +1,11 @@
 //! Retentive tags of a simulation, where the workspace names a file for them.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use ladder_simulator::Session;
 use ladder_workspace::{FileError, Found, Named, Problem, RetentiveFile};
+
+use crate::host::{Clock, World};
 
 /// Where retentive tags are kept.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -21,11 +23,11 @@ pub(crate) enum Keeping {
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// Opens the file. An editor that starts a simulation again may not wait until the one before has ended.
-fn patiently(file: &Named, program: &str) -> Result<(RetentiveFile, Found), FileError> {
-    let begun = Instant::now();
+fn patiently(world: &World, file: &Named, program: &str) -> Result<(RetentiveFile, Found), FileError> {
+    let end = world.clock.now() + PATIENCE;
     loop {
-        match RetentiveFile::open_named(file, program) {
-            Err(error) if matches!(error.problem, Problem::InUse) && begun.elapsed() < PATIENCE => {
+        match RetentiveFile::open_named(&*world.disk, file, program) {
+            Err(error) if matches!(error.problem, Problem::InUse) && world.clock.now() < end => {
                 std::thread::sleep(Duration::from_millis(20));
             }
             opened => return opened,
@@ -37,12 +39,14 @@ fn patiently(file: &Named, program: &str) -> Result<(RetentiveFile, Found), File
 #[derive(Debug)]
 pub(super) struct Retention {
     file: RetentiveFile,
+    clock: Clock,
 }
 
 impl Retention {
     /// Reads the file and begins with what it kept. Without a file, or with one that cannot be used, the simulation
     /// keeps nothing; the sentences are for the person.
     pub(super) fn begin(
+        world: &World,
         file: Option<&Named>,
         program: &str,
         session: &mut Session,
@@ -50,12 +54,13 @@ impl Retention {
         let Some(file) = file else {
             return (None, Vec::new());
         };
-        match patiently(file, program) {
+        match patiently(world, file, program) {
             Ok((file, found)) => {
                 let mut notes = found.notes;
                 let complaints = found.kept.map(|kept| session.warm_start(&kept));
                 notes.extend(complaints.into_iter().flatten());
-                (Some(Retention { file }), notes)
+                let clock = world.clock.clone();
+                (Some(Retention { file, clock }), notes)
             }
             Err(error) => (None, vec![error.to_string()]),
         }
@@ -63,7 +68,7 @@ impl Retention {
 
     /// Between two scans: saves if that is due. What cannot be written is tried again a second later.
     pub(super) fn keep(&mut self, session: &Session) {
-        if self.file.is_due(Instant::now()) {
+        if self.file.is_due(self.clock.now()) {
             self.save(session);
         }
     }

@@ -1,11 +1,12 @@
-//! The thread of a simulation: scans, and the commands between them.
+//! What a simulation does in its turns: scans, and the commands between them.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError};
-use std::time::{Duration, Instant};
+use std::task::{Context, Poll};
+use std::time::Duration;
 
-use tokio::sync::watch;
+use futures::StreamExt;
+use futures::channel::mpsc::UnboundedReceiver;
 
 use super::action::{Action, Answer, Pace};
 use super::debugging::Effect;
@@ -17,6 +18,8 @@ use super::session::Command;
 use crate::busy::Work;
 use crate::cancel::Cancel;
 use crate::document::Revision;
+use crate::host::{Clock, Moment, Turns, Wait};
+use crate::newest::Sender;
 
 /// How often a run reports: twenty times a second.
 pub(crate) const REPORT: Duration = Duration::from_millis(50);
@@ -32,71 +35,67 @@ const NEVER: Duration = Duration::from_secs(86_400);
 pub(super) struct Going {
     left: Option<u64>,
     /// When the next scan is due, and the time from one to the next, for a run that keeps to a clock.
-    due: Option<(Instant, Duration)>,
-    reported: Instant,
+    due: Option<(Moment, Duration)>,
+    reported: Moment,
 }
 
-/// The thread's own side.
+/// The session's own side.
 pub(super) struct Runner {
     pub(super) simulation: Simulation,
     pub(super) run: Option<Going>,
-    pub(super) inbox: Receiver<Command>,
+    pub(super) inbox: UnboundedReceiver<Command>,
     pub(super) queue: Arc<Queue>,
     /// Whether the client has shown what it was sent last.
     pub(super) has_shown: Arc<AtomicBool>,
     /// There is something that it has not been sent yet.
     pub(super) owes: bool,
     /// When it was last sent something.
-    pub(super) shown: Instant,
-    pub(super) states: watch::Sender<State>,
+    pub(super) shown: Moment,
+    pub(super) clock: Clock,
+    pub(super) states: Sender<State>,
     /// The last field: it counts until all others are dropped.
     pub(super) _running: Work,
 }
 
-impl Runner {
-    /// Serves commands and scans, until nobody can send any more or one says that it is over.
-    pub(super) fn work(mut self) {
-        loop {
-            let command = match self.run {
-                None => self.inbox.recv().map_err(|_| RecvTimeoutError::Disconnected),
-                Some(Going { due: None, .. }) => self.inbox.try_recv().map_err(|error| match error {
-                    TryRecvError::Empty => RecvTimeoutError::Timeout,
-                    TryRecvError::Disconnected => RecvTimeoutError::Disconnected,
-                }),
-                Some(Going {
-                    due: Some((due, _)), ..
-                }) => self.wait_until(due),
-            };
-            match command {
-                Ok(command) => {
-                    if self.serve(command) == Next::Leave {
-                        return;
-                    }
-                }
-                Err(RecvTimeoutError::Timeout) => self.go_on(),
-                Err(RecvTimeoutError::Disconnected) => {
-                    self.tell_debugger(Effect::End);
-                    self.simulation.engine.let_go_of_file();
-                    return;
-                }
+impl Turns for Runner {
+    /// Serves a command if there is one, else does a scan if one is due, until nobody can send any more or one says that it
+    /// is over.
+    fn turn(&mut self, context: &mut Context<'_>) -> Wait {
+        match self.inbox.poll_next_unpin(context) {
+            Poll::Ready(Some(command)) => return self.serve(command),
+            Poll::Ready(None) => {
+                self.tell_debugger(Effect::End);
+                self.simulation.engine.let_go_of_file();
+                return Wait::Over;
+            }
+            Poll::Pending => {}
+        }
+        let Some(run) = &self.run else {
+            return Wait::Arrival;
+        };
+        let now = self.clock.now();
+        match run.due {
+            Some((due, _)) if now < due => self.wait_until(now, due),
+            _ => {
+                self.go_on();
+                Wait::No
             }
         }
     }
+}
 
-    /// Waits for a command, until the next scan is due. What the client waits for meanwhile is sent in time.
-    fn wait_until(&mut self, due: Instant) -> Result<Command, RecvTimeoutError> {
+impl Runner {
+    /// The next scan is due later. What the client waits for meanwhile is sent in time.
+    fn wait_until(&mut self, now: Moment, due: Moment) -> Wait {
         let may_show = self.shown + SHOW;
-        if self.may_show() && self.owes && may_show < due {
-            let waited = self
-                .inbox
-                .recv_timeout(may_show.saturating_duration_since(Instant::now()));
-            if !matches!(waited, Err(RecvTimeoutError::Timeout)) {
-                return waited;
-            }
-            self.publish();
+        if !self.may_show() || !self.owes || may_show >= due {
+            return Wait::Until(due);
         }
-        self.inbox
-            .recv_timeout(due.saturating_duration_since(Instant::now()))
+        if now < may_show {
+            return Wait::Until(may_show);
+        }
+        self.publish();
+        Wait::No
     }
 
     /// Whether the client takes what it shows, and has shown what it was sent before.
@@ -111,12 +110,12 @@ impl Runner {
             cancel,
             reply,
         }: Command,
-    ) -> Next {
+    ) -> Wait {
         self.queue.leave(&action);
         let next = if matches!(action, Action::Stop) {
-            Next::Leave
+            Wait::Over
         } else {
-            Next::Stay
+            Wait::No
         };
         let outcome = match action {
             Action::Why(tag) => self
@@ -149,17 +148,17 @@ impl Runner {
             Action::Debug(beginning) => self.begin_debugging(beginning).map(|()| Answer::Debugged),
             Action::Message(message, _) => {
                 self.debug(&message);
-                return Next::Stay;
+                return Wait::No;
             }
             Action::HasShown => {
                 // A run publishes by itself.
                 if self.owes && self.run.is_none() {
                     self.publish();
                 }
-                return Next::Stay;
+                return Wait::No;
             }
             // What does not concern the program is no update for who shows it.
-            Action::FollowOthers(revision) if !self.concerned_by_others(&revision) => return Next::Stay,
+            Action::FollowOthers(revision) if !self.concerned_by_others(&revision) => return Wait::No,
             action => self.change(action, &cancel),
         };
         let _ = reply.send(outcome);
@@ -178,7 +177,7 @@ impl Runner {
                 self.publish();
             }
         } else if changes {
-            self.states.send_replace(state.clone());
+            self.states.send(state.clone());
         }
         Ok(Answer::State(Box::new(state)))
     }
@@ -310,15 +309,15 @@ impl Runner {
         if let Some(debugger) = self.simulation.debugger() {
             debugger.resumed();
         }
-        let mut reported = Instant::now();
+        let mut reported = self.clock.now();
         for _ in 0..scans {
             if self.queue.ends(cancel) || self.simulation.status != Status::Running {
                 break;
             }
             self.simulation.scan();
             self.owes = true;
-            if reported.elapsed() >= self.report() && self.publish() {
-                reported = Instant::now();
+            if self.clock.now() - reported >= self.report() && self.publish() {
+                reported = self.clock.now();
             }
         }
         self.simulation.engine.obey(self.queue.brake_of_run());
@@ -333,7 +332,7 @@ impl Runner {
             self.run = Some(Going {
                 left: scans,
                 due: self.first_due(),
-                reported: Instant::now(),
+                reported: self.clock.now(),
             });
         } else {
             self.pause();
@@ -348,14 +347,14 @@ impl Runner {
     }
 
     /// When a run that begins now is due, and the time from one scan to the next, if it keeps to a clock.
-    fn first_due(&self) -> Option<(Instant, Duration)> {
+    fn first_due(&self) -> Option<(Moment, Duration)> {
         let Pace::Times(speed) = self.simulation.pace else {
             return None;
         };
         let interval = self.simulation.engine.interval().as_secs_f64();
         // An interval that is too long to be counted never ends.
         let pace = Duration::try_from_secs_f64(interval / speed).unwrap_or(NEVER);
-        Some((Instant::now(), pace.min(NEVER)))
+        Some((self.clock.now(), pace.min(NEVER)))
     }
 
     /// One scan of a run.
@@ -364,7 +363,7 @@ impl Runner {
         self.queue.begin();
         let before = self.simulation.engine.scans();
         self.simulation.scan();
-        let now = Instant::now();
+        let now = self.clock.now();
         // A scan that was stopped by a command that waits is begun again.
         let done = self.simulation.engine.scans().saturating_sub(before);
         run.left = run.left.map(|left| left.saturating_sub(done));
@@ -400,14 +399,8 @@ impl Runner {
             return false;
         }
         self.owes = false;
-        self.shown = Instant::now();
-        self.states.send_replace(self.simulation.state(Detail::Picture));
+        self.shown = self.clock.now();
+        self.states.send(self.simulation.state(Detail::Picture));
         true
     }
-}
-
-#[derive(PartialEq, Eq)]
-enum Next {
-    Stay,
-    Leave,
 }

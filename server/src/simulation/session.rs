@@ -1,11 +1,10 @@
-//! One simulation, on a thread of its own.
+//! One simulation, which goes on by turns: on a thread of its own where there are threads.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{Sender, channel};
-use std::time::Instant;
 
-use tokio::sync::{oneshot, watch};
+use futures::channel::mpsc::{UnboundedSender, unbounded};
+use futures::channel::oneshot;
 
 use super::action::{Action, Answer, Pace};
 use super::engine::Engine;
@@ -19,8 +18,10 @@ use crate::busy::Busy;
 use crate::cancel::Cancel;
 use crate::document::Revision;
 use crate::document::position::Range;
+use crate::host::Host;
+use crate::newest::{Receiver, newest};
 
-/// A command on its way to the thread, and where its answer goes.
+/// A command on its way to the runner, and where its answer goes.
 pub(super) struct Command {
     pub(super) action: Action,
     pub(super) cancel: Cancel,
@@ -31,39 +32,40 @@ pub(super) struct Command {
 #[derive(Debug)]
 pub(crate) struct Begun {
     /// The newest state, from before the first scan on.
-    pub states: watch::Receiver<State>,
+    pub states: Receiver<State>,
     /// Sentences for the person.
     pub notes: Vec<String>,
     /// Where the first rung is.
     pub first: Option<Range>,
 }
 
-/// The handle of a session's thread. The thread ends when it is asked to stop, or when the handle is dropped.
+/// The handle of a session. That ends when it is asked to stop, or when the handle is dropped.
 #[derive(Debug)]
 pub(crate) struct Session {
     /// Its name.
     pub id: String,
     /// The document it runs.
     pub uri: Arc<str>,
-    commands: Sender<Command>,
+    commands: UnboundedSender<Command>,
     queue: Arc<Queue>,
     /// Whether the client has shown what it was sent last.
     has_shown: Arc<AtomicBool>,
 }
 
 impl Session {
-    /// Starts the thread of a program. Compiles it first: for a blocking thread. `running` counts the thread until it has let go of everything.
+    /// Starts a program. Compiles it first: for a blocking thread. `running` counts the session until it has let go of everything.
     pub(crate) fn start(
         id: String,
         revision: Arc<Revision>,
         options: &Options,
         keeping: &Keeping,
+        host: &dyn Host,
         running: &Busy,
     ) -> Result<(Self, Begun), Failure> {
-        let (commands, inbox) = channel();
-        let queue = Queue::new();
+        let (commands, inbox) = unbounded();
+        let queue = Queue::new(host);
         let uri = revision.uri.clone();
-        let (mut engine, notes) = Engine::start(revision, options, keeping)?;
+        let (mut engine, notes) = Engine::start(revision, options, keeping, host.world())?;
         engine.obey(queue.brake_of_run());
         let first = engine.first_rung();
         let mut simulation = Simulation {
@@ -75,7 +77,7 @@ impl Session {
             pace: Pace::default(),
             answers: 0,
         };
-        let (states, receiver) = watch::channel(simulation.state(Detail::Picture));
+        let (states, receiver) = newest(simulation.state(Detail::Picture));
         let has_shown = Arc::new(AtomicBool::new(true));
         let runner = Runner {
             simulation,
@@ -84,13 +86,12 @@ impl Session {
             queue: queue.clone(),
             has_shown: has_shown.clone(),
             owes: false,
-            shown: Instant::now(),
+            shown: host.world().clock.now(),
+            clock: host.world().clock.clone(),
             states,
             _running: running.begin(),
         };
-        std::thread::Builder::new()
-            .name(format!("simulation {id}"))
-            .spawn(move || runner.work())
+        host.give_turns(format!("simulation {id}"), Box::new(runner))
             .map_err(|error| Failure::Failed(format!("no thread for the simulation: {error}")))?;
         let session = Session {
             id,
@@ -116,8 +117,8 @@ impl Session {
             // A long step does not look at what waits.
             self.has_shown.store(true, Ordering::SeqCst);
         }
-        // When the thread is gone, so is the other end of `reply`: the caller sees that.
-        let _ = self.commands.send(Command {
+        // When the runner is gone, so is the other end of `reply`: the caller sees that.
+        let _ = self.commands.unbounded_send(Command {
             action,
             cancel,
             reply,

@@ -10,6 +10,7 @@ use super::session::Session;
 use crate::busy::Busy;
 use crate::cancel::Cancel;
 use crate::document::Revision;
+use crate::host::Host;
 
 /// No editor shows more simulations than this at once; a client that starts them in a loop is stopped here.
 const MOST: usize = 32;
@@ -103,17 +104,17 @@ impl Sessions {
         });
     }
 
-    /// Counts the threads of the sessions; those that were asked to stop too, until they have.
+    /// Counts the sessions that are under way; those that were asked to stop too, until they have.
     pub(crate) fn running(&self) -> Busy {
         self.running.clone()
     }
 
     /// Stops all simulations, and waits until they have saved what they keep: after this the process may end.
-    pub(crate) async fn stop_everything(&self) {
+    pub(crate) async fn stop_everything(&self, host: &dyn Host) {
         for session in std::mem::take(&mut self.lock().open).into_values() {
             drop(session.ask(Action::Stop, Cancel::default()));
         }
-        self.running.rest(SAVING).await;
+        self.running.rest(host, SAVING).await;
     }
 
     fn lock(&self) -> MutexGuard<'_, Table> {

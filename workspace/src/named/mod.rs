@@ -12,6 +12,7 @@ use crate::error::{FileError, Problem};
 use crate::root::Root;
 use crate::{regular, text};
 use std::fs::{File, Metadata};
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// A file that a workspace names. The file itself has not been checked yet.
@@ -36,8 +37,13 @@ impl Named {
 
     /// A name in another file of a workspace: seen from the folder of that file.
     pub fn in_file(file: &Path, name: &str) -> Named {
+        Named::seen_from(file, name, Root::of(file))
+    }
+
+    /// A file named in another, whose workspace is known if it has one.
+    pub(crate) fn seen_from(file: &Path, name: &str, root: io::Result<Root>) -> Named {
         let folder = file.parent().unwrap_or(Path::new("")).to_owned();
-        let root = Root::of(file).map_or_else(|_| folder.clone(), |root| root.folder().to_owned());
+        let root = root.map_or_else(|_| folder.clone(), |root| root.folder().to_owned());
         Named {
             root,
             folder,
@@ -67,6 +73,13 @@ impl Named {
         let refused = |problem| FileError::new(&self.path(), problem);
         let parts = name::parts(&self.name).map_err(refused)?;
         resolve::inside(&self.root, &self.folder, parts).map_err(refused)
+    }
+
+    /// The same where there are no links.
+    pub(crate) fn locate_without_links(&self) -> Result<PathBuf, FileError> {
+        let refused = |problem| FileError::new(&self.path(), problem);
+        let parts = name::parts(&self.name).map_err(refused)?;
+        resolve::without_links(&self.root, &self.folder, parts).map_err(refused)
     }
 
     /// The file's text.

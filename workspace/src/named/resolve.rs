@@ -13,9 +13,42 @@ const LINKS: usize = 40;
 /// Where the parts of a name lead, seen from a folder of the workspace. No link is left in the path below `root`, and the
 /// last part need not be there.
 pub(super) fn inside(root: &Path, folder: &Path, parts: Vec<PathComponent>) -> Result<PathBuf, Problem> {
-    let root = &whole(root)?;
-    let folder = whole(folder)?;
-    let mut pending: VecDeque<PathComponent> = below(root, &folder).ok_or(Problem::Outside)?.into();
+    follow(&whole(root)?, &whole(folder)?, parts, &link_at)
+}
+
+/// The same where there are no links; the paths are whole ones.
+pub(super) fn without_links(
+    root: &Path,
+    folder: &Path,
+    parts: Vec<PathComponent>,
+) -> Result<PathBuf, Problem> {
+    follow(root, folder, parts, &|_| Ok(None))
+}
+
+/// Where a link leads; nothing for what is no link, or not there.
+fn link_at(path: &Path) -> io::Result<Option<PathBuf>> {
+    match path.symlink_metadata() {
+        Ok(metadata) if metadata.is_symlink() => path.read_link().map(Some),
+        Ok(_) => Ok(None),
+        Err(error)
+            if matches!(
+                error.kind(),
+                io::ErrorKind::NotFound | io::ErrorKind::NotADirectory
+            ) =>
+        {
+            Ok(None)
+        }
+        Err(error) => Err(error),
+    }
+}
+
+fn follow(
+    root: &Path,
+    folder: &Path,
+    parts: Vec<PathComponent>,
+    link_at: &dyn Fn(&Path) -> io::Result<Option<PathBuf>>,
+) -> Result<PathBuf, Problem> {
+    let mut pending: VecDeque<PathComponent> = below(root, folder).ok_or(Problem::Outside)?.into();
     pending.extend(parts);
     let mut here: Vec<OsString> = Vec::new();
     let mut links = 0;
@@ -25,43 +58,31 @@ pub(super) fn inside(root: &Path, folder: &Path, parts: Vec<PathComponent>) -> R
             PathComponent::Up => continue,
             PathComponent::Name(name) => name,
         };
-        let mut at = root.clone();
+        let mut at = root.to_owned();
         at.extend(&here);
         at.push(&name);
-        match at.symlink_metadata() {
-            Ok(metadata) if metadata.is_symlink() => {
-                links += 1;
-                if links > LINKS {
-                    return Err(Problem::Read(io::Error::other("too many links lead on from it")));
-                }
-                let target = at.read_link().map_err(Problem::Read)?;
-                let on = if target.has_root() || target.is_absolute() {
-                    here.clear();
-                    absolute_link(root, &target).ok_or(Problem::Outside)?
-                } else {
-                    parts_of(&target).ok_or(Problem::Outside)?
-                };
-                for part in on.into_iter().rev() {
-                    pending.push_front(part);
-                }
-            }
-            Ok(_) => here.push(name),
-            // What is not there is not a link.
-            Err(error)
-                if matches!(
-                    error.kind(),
-                    io::ErrorKind::NotFound | io::ErrorKind::NotADirectory
-                ) =>
-            {
-                here.push(name);
-            }
-            Err(error) => return Err(Problem::Read(error)),
+        let Some(target) = link_at(&at).map_err(Problem::Read)? else {
+            here.push(name);
+            continue;
+        };
+        links += 1;
+        if links > LINKS {
+            return Err(Problem::Read(io::Error::other("too many links lead on from it")));
+        }
+        let on = if target.has_root() || target.is_absolute() {
+            here.clear();
+            absolute_link(root, &target).ok_or(Problem::Outside)?
+        } else {
+            parts_of(&target).ok_or(Problem::Outside)?
+        };
+        for part in on.into_iter().rev() {
+            pending.push_front(part);
         }
     }
     if here.is_empty() {
         return Err(Problem::Directory);
     }
-    let mut path = root.clone();
+    let mut path = root.to_owned();
     path.extend(&here);
     Ok(path)
 }

@@ -61,7 +61,11 @@ impl Client {
         std::fs::write(folder.path().join("own.clad"), text).unwrap();
         let written = Written::default();
         Client {
-            adapter: Adapter::new(framed(written.clone()), Arc::<AtomicUsize>::default()),
+            adapter: Adapter::new(
+                crate::native::world(),
+                framed(written.clone()),
+                Arc::<AtomicUsize>::default(),
+            ),
             written,
             folder,
             seq: 0,

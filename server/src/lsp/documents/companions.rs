@@ -7,7 +7,7 @@ use ladder_analysis::{Diagnostic as Finding, Severity};
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{self, ScenarioError};
 use ladder_syntax::TextRange;
-use ladder_workspace::{Named, Settings};
+use ladder_workspace::Settings;
 use tower_lsp::ls_types::Diagnostic;
 
 use super::{diagnostics, foreign, pull, settings_file};
@@ -26,7 +26,7 @@ pub(crate) fn refresh(shared: &Arc<Shared>, uri: &str) {
         return;
     }
     if let Some(revision) = shared.companions.begin_analysis(uri) {
-        tokio::spawn(look_at(shared.clone(), revision, shared.busy.begin()));
+        shared.spawn(look_at(shared.clone(), revision, shared.busy.begin()));
     }
 }
 
@@ -60,7 +60,7 @@ async fn look_at(shared: Arc<Shared>, first: Arc<Revision>, _work: Work) {
     while let Some(revision) = next {
         if shared.companions.is_current(&revision) {
             let (next_to, job) = (shared.clone(), revision.clone());
-            let looked = blocking(move |_| {
+            let looked = blocking(&*shared.host, move |_| {
                 if !next_to.agreed().pulls_diagnostics {
                     let found = diagnostics_of(&next_to, &job);
                     next_to
@@ -116,7 +116,8 @@ fn scenarios(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
     let mut errors = suite.errors.clone();
     let mut found = Vec::new();
     if let (Some((name, range)), Some(path)) = (&suite.program, address::path_of(&revision.uri)) {
-        let program = Named::in_file(&path, name).locate();
+        let disk = &shared.world().disk;
+        let program = disk.locate(&disk.named_in(&path, name));
         let program = program.map_err(|error| NotReady::Missing(error.to_string()));
         match program
             .and_then(|program| compiled(shared, &program, suite.interval.map(|(interval, _)| interval)))

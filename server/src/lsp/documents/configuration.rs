@@ -37,7 +37,7 @@ pub(crate) async fn register(shared: &Arc<Shared>) {
         };
         let asked = shared.client.register_capability(vec![registration]);
         // Without it the settings stay as they are at first.
-        let _ = tokio::time::timeout(PATIENCE, asked).await;
+        let _ = shared.within(PATIENCE, asked).await;
     }
     if shared.agreed().configuration {
         pull(shared.clone()).await;
@@ -47,7 +47,7 @@ pub(crate) async fn register(shared: &Arc<Shared>) {
 /// The settings were changed.
 pub(crate) fn changed(shared: &Arc<Shared>, params: &DidChangeConfigurationParams) {
     if shared.agreed().configuration {
-        tokio::spawn(pull(shared.clone()));
+        shared.spawn(pull(shared.clone()));
         return;
     }
     // The other sections, if there are any, are those of other servers.
@@ -68,7 +68,7 @@ async fn pull(shared: Arc<Shared>) {
         section: Some(SECTION.to_owned()),
     };
     let asked = shared.client.configuration(vec![item]);
-    let Ok(Ok(answer)) = tokio::time::timeout(PATIENCE, asked).await else {
+    let Some(Ok(answer)) = shared.within(PATIENCE, asked).await else {
         return;
     };
     // A client that has nothing set answers null; what came with `initialize` holds on.
@@ -97,14 +97,15 @@ fn follow(shared: &Arc<Shared>, settings: &Value) {
     take(shared, settings);
     let now = shared.editor();
     diagnostics::look_at_everything_again(shared);
-    let (shared, agreed) = (shared.clone(), shared.agreed());
-    tokio::spawn(async move {
+    let (next_to, agreed) = (shared.clone(), shared.agreed());
+    shared.spawn(async move {
+        let shared = next_to;
         // Whether the client answers is nobody's concern.
         if agreed.refreshes_inlay_hints && now.inlay_hints != before.inlay_hints {
-            let _ = tokio::time::timeout(PATIENCE, shared.client.inlay_hint_refresh()).await;
+            let _ = shared.within(PATIENCE, shared.client.inlay_hint_refresh()).await;
         }
         if agreed.refreshes_code_lenses && now.code_lens != before.code_lens {
-            let _ = tokio::time::timeout(PATIENCE, shared.client.code_lens_refresh()).await;
+            let _ = shared.within(PATIENCE, shared.client.code_lens_refresh()).await;
         }
     });
 }

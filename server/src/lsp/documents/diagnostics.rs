@@ -20,9 +20,11 @@ use crate::lsp::{convert, finding::Findings, session::agreed::Agreed, session::s
 /// Sees to it that the newest text of the document gets its diagnostics.
 pub(crate) fn refresh(shared: &Arc<Shared>, uri: &str) {
     if let Some(revision) = shared.documents.begin_analysis(uri) {
-        let (shared, work) = (shared.clone(), shared.busy.begin());
+        let (next_to, work) = (shared.clone(), shared.busy.begin());
         // All on one thread: what was allocated there is freed there, and a small edit costs less than a hop to another.
-        tokio::task::spawn_blocking(move || analyse(&shared, revision, work));
+        shared
+            .host
+            .work(Box::new(move || analyse(&next_to, revision, work)));
     }
 }
 

@@ -8,7 +8,6 @@ use std::sync::Arc;
 
 use ladder_format::Edit;
 use ladder_simulator::scenario;
-use ladder_workspace::{Root, find_scenarios};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{
     CreateFilesParams, DeleteFilesParams, DocumentChangeOperation, DocumentChanges, FileOperationFilter,
@@ -55,7 +54,7 @@ pub(crate) async fn will_rename(
     params: RenameFilesParams,
 ) -> Result<Option<WorkspaceEdit>> {
     let next_to = shared.clone();
-    blocking(move |cancel| {
+    blocking(&*shared.host, move |cancel| {
         let shared = next_to;
         let files = params.files.iter();
         let renames: Vec<(PathBuf, PathBuf)> = files
@@ -81,7 +80,7 @@ pub(crate) async fn will_rename(
 fn scenarios_near(shared: &Shared, renames: &[(PathBuf, PathBuf)]) -> Vec<PathBuf> {
     let mut roots = folders::open(shared);
     for (old, _) in renames {
-        if let Ok(root) = Root::of(old) {
+        if let Ok(root) = shared.world().disk.root_of(old) {
             roots.push(root.folder().to_owned());
         }
     }
@@ -94,7 +93,7 @@ fn scenarios_near(shared: &Shared, renames: &[(PathBuf, PathBuf)]) -> Vec<PathBu
             outer.push(root);
         }
     }
-    let mut found = find_scenarios(&outer).0;
+    let mut found = shared.world().disk.scenarios(&outer);
     let open = shared.companions.all();
     let open = open.iter().filter_map(|it| path_of(&it.uri));
     found.extend(open.filter(|path| ladder_workspace::is_scenario(path)));
@@ -110,7 +109,7 @@ fn text_of(shared: &Shared, file: &Path) -> Option<Arc<Revision>> {
         .into_iter()
         .find(|it| path_of(&it.uri).as_deref() == Some(file));
     open.or_else(|| {
-        let text = ladder_workspace::read(file).ok()?;
+        let text = shared.world().disk.read(file).ok()?;
         let place = Membership::new(file.to_owned(), &shared.neighbours);
         let revision = Revision::on_disk(&uri_of(file), shared.agreed().encoding, &text, place);
         Some(Arc::new(revision))

@@ -7,7 +7,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, PoisonError};
 
-use ladder_workspace::{SETTINGS_FILE, Survey, shown, survey};
+use ladder_workspace::{SETTINGS_FILE, Survey, shown};
 use tower_lsp::ls_types::{DidChangeWorkspaceFoldersParams, InitializeParams, WorkspaceFolder};
 
 use super::{pull, settings_file};
@@ -87,7 +87,7 @@ pub(crate) fn read(shared: &Shared, progress: &Progress, stop: &dyn Fn() -> bool
             settings_files,
             whole,
             refused,
-        } = survey(&folder, MOST, stop);
+        } = shared.world().disk.survey(&folder, MOST, stop);
         if !whole && !stop() {
             shared.outbox.log(format!(
                 "{}: this folder holds more than {MOST} files; programs that lie deep in it count when they are opened",

@@ -8,7 +8,6 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::Duration;
 
-use tokio::sync::watch;
 use tower_lsp::Client;
 use tower_lsp::ls_types::notification;
 use tower_lsp::ls_types::{
@@ -16,7 +15,9 @@ use tower_lsp::ls_types::{
     WorkDoneProgressBegin, WorkDoneProgressEnd, WorkDoneProgressReport,
 };
 
+use crate::host::{Host, within};
 use crate::lsp::session::shared::Shared;
+use crate::newest::{Receiver, Sender, newest};
 
 /// Work that takes no longer than this is not worth a line on the screen.
 const MOMENT: Duration = Duration::from_millis(200);
@@ -30,7 +31,7 @@ const PATIENCE: Duration = Duration::from_secs(30);
 /// Work that is under way. When it is dropped the work is done.
 #[derive(Debug)]
 pub(crate) struct Progress {
-    steps: Option<watch::Sender<Advance>>,
+    steps: Option<Sender<Advance>>,
 }
 
 /// How far the work is.
@@ -41,7 +42,7 @@ struct Advance {
 }
 
 impl Progress {
-    /// Of work that the server began by itself. Must be called within the runtime.
+    /// Of work that the server began by itself.
     pub(crate) fn begin(shared: &Arc<Shared>, title: &'static str) -> Progress {
         static SERIAL: AtomicU32 = AtomicU32::new(0);
         if !shared.agreed().progress {
@@ -49,28 +50,34 @@ impl Progress {
         }
         let serial = SERIAL.fetch_add(1, Ordering::Relaxed);
         let token = NumberOrString::String(format!("ladder-{serial}"));
-        let (sender, steps) = watch::channel(Advance::default());
-        let client = shared.client.clone();
-        tokio::spawn(async move {
+        let (sender, steps) = newest(Advance::default());
+        let (client, host) = (shared.client.clone(), shared.host.clone());
+        shared.spawn(async move {
             let mut steps = steps;
-            if ends_within(&mut steps, MOMENT).await {
+            if ends_within(&*host, &mut steps, MOMENT).await {
                 return;
             }
             let asked = client.create_work_done_progress(token.clone());
-            if let Ok(Ok(())) = tokio::time::timeout(PATIENCE, asked).await {
-                show(client, token, title, steps).await;
+            if let Some(Ok(())) = within(&*host, PATIENCE, asked).await {
+                show(client, host, token, title, steps).await;
             }
         });
         Progress { steps: Some(sender) }
     }
 
-    /// Of a request: shown if the client gave it a token. Must be called within the runtime.
+    /// Of a request: shown if the client gave it a token.
     pub(crate) fn of_request(shared: &Shared, token: Option<ProgressToken>, title: &'static str) -> Progress {
         let Some(token) = token else {
             return Progress { steps: None };
         };
-        let (sender, steps) = watch::channel(Advance::default());
-        tokio::spawn(show(shared.client.clone(), token, title, steps));
+        let (sender, steps) = newest(Advance::default());
+        shared.spawn(show(
+            shared.client.clone(),
+            shared.host.clone(),
+            token,
+            title,
+            steps,
+        ));
         Progress { steps: Some(sender) }
     }
 
@@ -82,22 +89,23 @@ impl Progress {
                 percentage: (done * 100 / all.max(1)) as u32,
                 message: format!("{done}/{all} {name}"),
             };
-            steps.send_replace(step);
+            steps.send(step);
         }
     }
 }
 
 /// Whether the work ends within this time.
-async fn ends_within(steps: &mut watch::Receiver<Advance>, time: Duration) -> bool {
-    let end = async { while steps.changed().await.is_ok() {} };
-    tokio::time::timeout(time, end).await.is_ok()
+async fn ends_within(host: &dyn Host, steps: &mut Receiver<Advance>, time: Duration) -> bool {
+    let end = async { while steps.next().await.is_some() {} };
+    within(host, time, end).await.is_some()
 }
 
 async fn show(
     client: Client,
+    host: Arc<dyn Host>,
     token: ProgressToken,
     title: &'static str,
-    mut steps: watch::Receiver<Advance>,
+    mut steps: Receiver<Advance>,
 ) {
     let tell = async |value| {
         let params = ProgressParams {
@@ -113,15 +121,14 @@ async fn show(
         percentage: Some(0),
     }))
     .await;
-    while steps.changed().await.is_ok() {
-        let step = steps.borrow_and_update().clone();
+    while let Some(step) = steps.next().await {
         tell(WorkDoneProgress::Report(WorkDoneProgressReport {
             cancellable: Some(false),
             message: Some(step.message),
             percentage: Some(step.percentage),
         }))
         .await;
-        tokio::time::sleep(PACE).await;
+        host.sleep(PACE).await;
     }
     tell(WorkDoneProgress::End(WorkDoneProgressEnd { message: None })).await;
 }

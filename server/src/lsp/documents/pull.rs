@@ -56,13 +56,15 @@ pub(crate) fn refresh(shared: &Arc<Shared>) {
     if shared.refresh_due.swap(true, Ordering::Relaxed) {
         return;
     }
-    let (shared, work) = (shared.clone(), shared.busy.begin());
-    tokio::spawn(async move {
-        tokio::time::sleep(GATHER).await;
+    let (next_to, work) = (shared.clone(), shared.busy.begin());
+    shared.spawn(async move {
+        let shared = next_to;
+        shared.host.sleep(GATHER).await;
         shared.refresh_due.store(false, Ordering::Relaxed);
         drop(work);
         // Whether it answers is nobody's concern.
-        let _ = tokio::time::timeout(PATIENCE, shared.client.workspace_diagnostic_refresh()).await;
+        let asked = shared.client.workspace_diagnostic_refresh();
+        let _ = shared.within(PATIENCE, asked).await;
     });
 }
 
@@ -75,7 +77,7 @@ pub(crate) async fn document(
     watch::look_around(shared);
     let next_to = shared.clone();
     let previous = params.previous_result_id;
-    blocking(move |_| {
+    blocking(&*shared.host, move |_| {
         let shared = next_to;
         let previous = previous.as_deref();
         if let Some(revision) = shared.companions.get(uri.as_str()) {
@@ -111,7 +113,7 @@ pub(crate) async fn workspace(
     let token = params.work_done_progress_params.work_done_token.clone();
     let progress = Progress::of_request(shared, token, "Checking ladder programs");
     let next_to = shared.clone();
-    let reports = blocking(move |cancel| {
+    let reports = blocking(&*shared.host, move |cancel| {
         let shared = next_to;
         folders::read(&shared, &progress, &|| cancel.is_cancelled());
         let known: HashMap<&str, &str> = params

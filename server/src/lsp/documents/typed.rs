@@ -114,7 +114,7 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
         return Ok(LSPAny::Null);
     };
     let next_to = shared.clone();
-    blocking(move |_| {
+    blocking(&*shared.host, move |_| {
         let stays = next_to.documents.get(&uri).is_some_and(|revision| {
             let at = TextRange::empty(revision.offset(Position { line, character: 0 }));
             let names = revision.names();

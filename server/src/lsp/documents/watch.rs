@@ -2,7 +2,7 @@
 //! for itself, now and then.
 
 use std::sync::{Arc, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use serde_json::json;
 use tower_lsp::ls_types::Registration;
@@ -30,7 +30,7 @@ pub(crate) async fn register(shared: &Arc<Shared>) {
     };
     let asked = shared.client.register_capability(vec![registration]);
     // Without it the server goes on with what it read at first.
-    let _ = tokio::time::timeout(PATIENCE, asked).await;
+    let _ = shared.within(PATIENCE, asked).await;
 }
 
 /// Looks whether files are other ones than those that were read, if the client does not report that. The one who
@@ -43,10 +43,11 @@ pub(crate) fn look_around(shared: &Arc<Shared>) {
         .looked_around
         .lock()
         .unwrap_or_else(PoisonError::into_inner);
-    if last.is_some_and(|last| last.elapsed() < PACE) {
+    let now = shared.world().clock.now();
+    if last.is_some_and(|last| now.saturating_sub(last) < PACE) {
         return;
     }
-    *last = Some(Instant::now());
+    *last = Some(now);
     drop(last);
     shared.in_background(|shared| {
         let changed = shared.neighbours.changed_on_disk();

@@ -38,7 +38,7 @@ pub(crate) async fn about<T: Send + 'static>(
         return Ok(None);
     };
     let (documents, companions) = (Arc::clone(&shared.documents), Arc::clone(&shared.companions));
-    blocking(move |cancel| {
+    blocking(&*shared.host, move |cancel| {
         let elsewhere = OtherFiles::of(&revision, &documents, &companions, cancel);
         let context = Arc::clone(revision.names()?.context());
         job(&Asked {

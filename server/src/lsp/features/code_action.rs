@@ -52,8 +52,9 @@ pub(crate) async fn code_action(
         return Ok(None);
     };
     let agreed = shared.agreed();
-    let shared = Arc::clone(shared);
-    blocking(move |_| {
+    let next_to = Arc::clone(shared);
+    blocking(&*shared.host, move |_| {
+        let shared = next_to;
         let analysis = revision.analysis()?;
         let place = |range| {
             let range = convert::our_range(range);
@@ -104,7 +105,7 @@ pub(crate) async fn resolve(shared: &Arc<Shared>, mut action: CodeAction) -> Res
         return Err(Error::content_modified());
     };
     let agreed = shared.agreed();
-    blocking(move |_| {
+    blocking(&*shared.host, move |_| {
         let range = within(&revision, &data);
         if let Some(analysis) = revision.analysis() {
             let offered = analysis.actions(range, range, |kind| Some(name(kind)) == action.kind);

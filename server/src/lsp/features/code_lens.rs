@@ -24,7 +24,7 @@ pub(crate) async fn code_lens(shared: &Arc<Shared>, params: CodeLensParams) -> R
     let Some(revision) = shared.documents.get(params.text_document.uri.as_str()) else {
         return Ok(None);
     };
-    blocking(move |_| {
+    blocking(&*shared.host, move |_| {
         let found = revision.names()?.lenses();
         let mut lenses = Vec::new();
         for lens in found {
@@ -70,8 +70,10 @@ fn data(revision: &Revision, kind: &str, name: TextSize) -> Value {
 
 /// The address of the scenarios next to a program, if there are any.
 fn scenarios(revision: &Revision) -> Option<String> {
-    let path = address::path_of(&revision.uri)?.with_extension("ladder-test");
-    path.is_file().then(|| address::uri_of(&path))
+    let place = revision.place()?;
+    let path = place.path.with_extension("ladder-test");
+    let is_there = place.neighbours.disk().is_file(&path);
+    is_there.then(|| address::uri_of(&path))
 }
 
 pub(crate) async fn resolve(shared: &Arc<Shared>, mut lens: CodeLens) -> Result<CodeLens> {

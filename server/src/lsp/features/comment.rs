@@ -24,7 +24,7 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
         let why = "this document is not open as a ladder program";
         return Err(error(Failure::Failed(why.to_owned())));
     };
-    let edited = blocking(move |_| toggle(&revision, &lines));
+    let edited = blocking(&*shared.host, move |_| toggle(&revision, &lines));
     json(&edited.await?.map_err(error)?)
 }
 

@@ -51,7 +51,7 @@ pub(crate) async fn completion(
     let Some(revision) = shared.documents.get(place.text_document.uri.as_str()) else {
         return Ok(None);
     };
-    blocking(move |_| {
+    blocking(&*shared.host, move |_| {
         let names = revision.names()?;
         let offset = revision.offset(convert::our_position(place.position));
         let found = names.completions(offset, trigger);
@@ -115,13 +115,11 @@ async fn in_scenarios(
 
 /// The programs in the folder of a scenario file, by name.
 fn programs_next_to(revision: &Revision) -> Vec<String> {
-    let folder = revision.place().and_then(|place| place.path.parent());
-    let Some(entries) = folder.and_then(|folder| std::fs::read_dir(folder).ok()) else {
+    let Some(place) = revision.place() else {
         return Vec::new();
     };
-    let names = entries
-        .take(MOST_FILES)
-        .filter_map(|entry| entry.ok()?.file_name().into_string().ok());
+    let folder = place.path.parent().unwrap_or(Path::new(""));
+    let names = place.neighbours.disk().names_in(folder, MOST_FILES).into_iter();
     let mut programs: Vec<String> = names.filter(|name| is_program(Path::new(name))).collect();
     programs.sort_unstable();
     programs
@@ -289,7 +287,10 @@ async fn documentation(shared: &Arc<Shared>, data: Value) -> Result<Option<Docum
         return Ok(None);
     };
     let agreed = shared.agreed();
-    blocking(move |_| card(agreed, &revision, revision.names()?, &topic)).await
+    blocking(&*shared.host, move |_| {
+        card(agreed, &revision, revision.names()?, &topic)
+    })
+    .await
 }
 
 /// What a topic of a text is documented by.

@@ -3,8 +3,9 @@
 use std::io;
 use std::sync::Arc;
 
+use futures::StreamExt;
+use futures::channel::mpsc::{UnboundedReceiver, unbounded};
 use serde_json::Value;
-use tokio::sync::mpsc::{UnboundedReceiver, unbounded_channel};
 use tower_lsp::Client;
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::LSPAny;
@@ -31,18 +32,19 @@ impl Notification for FromDebugger {
 
 /// Starts what a configuration names with a debugger, or lets one join the simulation of that program which is there.
 pub(super) async fn debug(shared: &Arc<Shared>, Debug { launch, mut options }: Debug) -> Result<LSPAny> {
-    let launch = blocking(move |_| Launch::read(&launch)).await?;
+    let world = shared.world().clone();
+    let launch = blocking(&*shared.host, move |_| Launch::read(&launch, world)).await?;
     let launch = launch.map_err(failed)?;
     let revision = program(shared, &launch).await?;
     let there = shared.sessions.of(&revision.uri).pop();
-    let (sent, messages) = unbounded_channel();
+    let (sent, messages) = unbounded();
     let output: debug::Output = Box::new(move |message| {
-        sent.send(message.clone())
+        sent.unbounded_send(message.clone())
             .map_err(|_| io::ErrorKind::BrokenPipe.into())
     });
     if let Some(session) = there.filter(|_| !launch.is_scenario()) {
         answer(&session, Action::Debug(launch.begin(output, true))).await?;
-        tokio::spawn(pass_on(shared.client.clone(), session.id.clone(), messages));
+        shared.spawn(pass_on(shared.client.clone(), session.id.clone(), messages));
         let state = act(shared, &session.id, Action::State).await?;
         return json(&Debugged {
             session: session.id.clone(),
@@ -63,7 +65,7 @@ pub(super) async fn debug(shared: &Arc<Shared>, Debug { launch, mut options }: D
         beginning: launch.begin(output, false),
     };
     let started = begin(shared, revision, options, Some(debugging)).await?;
-    tokio::spawn(pass_on(shared.client.clone(), started.session.clone(), messages));
+    shared.spawn(pass_on(shared.client.clone(), started.session.clone(), messages));
     json(&Debugged {
         session: started.session,
         joined: false,
@@ -80,9 +82,10 @@ async fn program(shared: &Arc<Shared>, launch: &Launch) -> Result<Arc<Revision>>
         return Ok(revision);
     }
     let name = ladder_workspace::shown::path(&path);
-    let shared = shared.clone();
-    let found = blocking(move |_| {
-        let path = path.canonicalize().ok()?;
+    let next_to = shared.clone();
+    let found = blocking(&*shared.host, move |_| {
+        let shared = next_to;
+        let path = shared.world().disk.canonicalize(&path).ok()?;
         shown(&shared, &path).or_else(|| on_disk(&shared, &path))
     });
     found
@@ -101,14 +104,14 @@ pub(crate) fn receive(shared: &Arc<Shared>, DebuggerMessage { session, message }
                 return;
             };
             let (client, params) = (shared.client.clone(), DebuggerMessage { session, message });
-            tokio::spawn(async move { client.send_notification::<FromDebugger>(params).await });
+            shared.spawn(async move { client.send_notification::<FromDebugger>(params).await });
         }
     }
 }
 
 /// Sends the client what its debugger says, in that order.
 async fn pass_on(client: Client, session: String, mut messages: UnboundedReceiver<Value>) {
-    while let Some(message) = messages.recv().await {
+    while let Some(message) = messages.next().await {
         let session = session.clone();
         client
             .send_notification::<FromDebugger>(DebuggerMessage { session, message })

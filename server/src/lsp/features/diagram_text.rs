@@ -23,6 +23,6 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
     let revision = shared.documents.get(&asked.uri);
     let revision = revision.ok_or_else(|| failed(format!("{} is not open in the editor", asked.uri)))?;
     let name = revision.name().to_owned();
-    let drawn = blocking(move |_| draw(&revision, &asked)).await?;
+    let drawn = blocking(&*shared.host, move |_| draw(&revision, &asked)).await?;
     json(&drawn.ok_or_else(|| failed(format!("{name} is too large to be drawn")))?)
 }

@@ -40,7 +40,7 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
     let Some(revision) = shared.documents.get(&uri) else {
         return Err(error(failed("this document is not open as a ladder program")));
     };
-    let edited = blocking(move |_| {
+    let edited = blocking(&*shared.host, move |_| {
         let names = revision.names();
         let (Some(names), Some(analysis)) = (names, revision.analysis()) else {
             return Err(failed("the file is too large"));

@@ -14,8 +14,8 @@ use crate::simulation::{Failure, argument_of};
 /// The command.
 pub(crate) const FENCE: &str = "ladder.fence";
 
-pub(crate) async fn execute(_: &Arc<Shared>, params: ExecuteCommandParams) -> Result<LSPAny> {
+pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) -> Result<LSPAny> {
     let asked: Fence = argument_of(FENCE, params.arguments).map_err(error)?;
-    let drawn = blocking(move |_| draw(&asked)).await?;
+    let drawn = blocking(&*shared.host, move |_| draw(&asked)).await?;
     json(&drawn.ok_or_else(|| error(Failure::Failed("the text is too large to be drawn".to_owned())))?)
 }

@@ -6,15 +6,17 @@ use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{Hover, HoverContents, Position};
 
 use crate::document::Revision;
+use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, markup};
 
 pub(crate) async fn hover(
+    shared: &Shared,
     markdown: bool,
     revision: Arc<Revision>,
     position: Position,
 ) -> Result<Option<Hover>> {
-    blocking(move |_| {
+    blocking(&*shared.host, move |_| {
         let opened = revision.opened()?.as_ref().ok()?;
         let offset = revision.offset(convert::our_position(position));
         let (range, text) = opened.hover(offset)?;

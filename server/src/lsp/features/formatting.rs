@@ -109,7 +109,7 @@ async fn current(
         return Ok(None);
     };
     let of = revision.clone();
-    let edits = blocking(move |_| {
+    let edits = blocking(&*shared.host, move |_| {
         if !of.fits() {
             return None;
         }

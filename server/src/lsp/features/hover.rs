@@ -14,7 +14,7 @@ pub(crate) async fn hover(shared: &Arc<Shared>, params: HoverParams) -> Result<O
     let place = &params.text_document_position_params;
     let companion = shared.companions.get(place.text_document.uri.as_str());
     if let Some(revision) = companion.filter(|it| it.kind().notation().is_some()) {
-        return foreign_hover::hover(markdown, revision, place.position).await;
+        return foreign_hover::hover(shared, markdown, revision, place.position).await;
     }
     if let Some(revision) = of_scenarios::scenarios_at(shared, &place.text_document.uri) {
         let position = place.position;

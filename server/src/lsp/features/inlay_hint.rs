@@ -19,7 +19,7 @@ pub(crate) async fn inlay_hint(
     let Some(revision) = shared.documents.get(params.text_document.uri.as_str()) else {
         return Ok(None);
     };
-    blocking(move |_| {
+    blocking(&*shared.host, move |_| {
         let range = convert::our_range(params.range);
         let (start, end) = (revision.offset(range.start), revision.offset(range.end));
         let within = TextRange::new(start.min(end), start.max(end));

@@ -9,20 +9,21 @@ use super::asked::about;
 use crate::document::address;
 use crate::lsp::{convert, session::shared::Shared};
 use ladder_ide::{LinkTarget, links};
-use ladder_workspace::Named;
 
 pub(crate) async fn document_links(
     shared: &Arc<Shared>,
     params: DocumentLinkParams,
 ) -> Result<Option<Vec<DocumentLink>>> {
     about(shared, &params.text_document.uri, |asked| {
-        let path = asked.revision.place().map(|place| place.path.clone());
+        let place = asked.revision.place();
         let found = links(&asked.context).into_iter().filter_map(|link| {
             let address = match &link.to {
                 LinkTarget::Web(address) => address.clone(),
                 LinkTarget::File(name) => {
-                    let file = Named::in_file(path.as_deref()?, name).locate().ok()?;
-                    file.is_file().then(|| address::uri_of(&file))?
+                    let place = place?;
+                    let disk = place.neighbours.disk();
+                    let file = disk.locate(&disk.named_in(&place.path, name)).ok()?;
+                    disk.is_file(&file).then(|| address::uri_of(&file))?
                 }
             };
             Some(DocumentLink {

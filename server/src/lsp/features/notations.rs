@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use ladder_notations::{Form, Source};
-use ladder_workspace::{Named, foreign_source, is_program};
+use ladder_workspace::{Disk, FileError, is_program};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
@@ -34,7 +34,8 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
     let wanted: Convert = argument_of(CONVERT, params.arguments).map_err(error)?;
     let open = shared.documents.get(&wanted.uri);
     let open = open.or_else(|| shared.companions.get(&wanted.uri));
-    let converted = blocking(move |_| {
+    let disk = shared.world().disk.clone();
+    let converted = blocking(&*shared.host, move |_| {
         let analysis = match (&wanted.text, &open) {
             (None, Some(revision)) if revision.kind() == Kind::Program => revision.analysis(),
             _ => None,
@@ -42,9 +43,9 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
         let text = wanted.text.clone();
         let text = text.or_else(|| open.as_ref().map(|revision| revision.text()));
         let kind = open.as_ref().map_or(Kind::Program, |revision| revision.kind());
-        let program = Program::of(&wanted, text, kind)?;
+        let program = Program::of(&*disk, &wanted, text, kind)?;
         let task = Task {
-            source: &program.source()?,
+            source: &program.source(&*disk)?,
             from: program.from,
             to: program.to,
         };
@@ -67,12 +68,17 @@ struct Program {
 
 impl Program {
     /// What is wanted, with the text that the editor has, of this kind; else with what is on disk.
-    fn of(wanted: &Convert, text: Option<String>, kind: Kind) -> std::result::Result<Program, Failure> {
+    fn of(
+        disk: &dyn Disk,
+        wanted: &Convert,
+        text: Option<String>,
+        kind: Kind,
+    ) -> std::result::Result<Program, Failure> {
         let failed = |message: String| Failure::Failed(message);
         let path = path_of(&wanted.uri);
         let bytes = match (text, &path) {
             (Some(text), _) => text.into_bytes(),
-            (None, Some(path)) => read(path).map_err(|error| failed(error.to_string()))?,
+            (None, Some(path)) => read(disk, path).map_err(|error| failed(error.to_string()))?,
             (None, None) => {
                 return Err(failed(format!("{} is not a file; send its text", wanted.uri)));
             }
@@ -117,9 +123,10 @@ impl Program {
     }
 
     /// The program with what belongs to it.
-    fn source(&self) -> std::result::Result<Source<'_>, Failure> {
+    fn source(&self, disk: &dyn Disk) -> std::result::Result<Source<'_>, Failure> {
         if let (Form::Foreign(notation), true) = (self.from, self.is_on_disk) {
-            return foreign_source(notation, &self.path, &self.bytes)
+            return disk
+                .foreign_source(notation, &self.path, &self.bytes)
                 .map_err(|error| Failure::Failed(error.to_string()));
         }
         let name = self.path.file_stem().and_then(|stem| stem.to_str());
@@ -134,7 +141,7 @@ impl Program {
 }
 
 /// A file of a folder that may be anybody's: a regular one that lies in it.
-fn read(path: &Path) -> std::result::Result<Vec<u8>, ladder_workspace::FileError> {
+fn read(disk: &dyn Disk, path: &Path) -> std::result::Result<Vec<u8>, FileError> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    Named::in_file(path, &name).read_bytes()
+    disk.read_named(&disk.named_in(path, &name))
 }

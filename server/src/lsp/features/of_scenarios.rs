@@ -17,7 +17,6 @@ use crate::lsp::{convert, session::shared::Shared};
 use ladder_ide::{Alone, Scenarios};
 use ladder_simulator::scenario::{self, Suite};
 use ladder_syntax::TextSize;
-use ladder_workspace::Named;
 
 /// A scenario file that is asked about.
 pub(crate) struct AskedScenarios {
@@ -61,8 +60,9 @@ pub(crate) async fn about_scenarios<T: Send + 'static>(
     revision: Arc<Revision>,
     job: impl FnOnce(&AskedScenarios) -> Option<T> + Send + 'static,
 ) -> Result<Option<T>> {
-    let shared = shared.clone();
-    blocking(move |cancel| {
+    let next_to = shared.clone();
+    blocking(&*shared.host, move |cancel| {
+        let shared = next_to;
         if !revision.fits() {
             return None;
         }
@@ -82,9 +82,9 @@ pub(crate) async fn about_scenarios<T: Send + 'static>(
 /// The program that a scenario file names: as the editor shows it if it is open, else as it is on disk.
 fn program(shared: &Shared, revision: &Revision, suite: &Suite, cancel: &Cancel) -> Option<Asked> {
     let (name, _) = suite.program.as_ref()?;
-    let path = Named::in_file(&address::path_of(&revision.uri)?, name)
-        .locate()
-        .ok()?;
+    let disk = &shared.world().disk;
+    let named = disk.named_in(&address::path_of(&revision.uri)?, name);
+    let path = disk.locate(&named).ok()?;
     let program = shown(shared, &path).or_else(|| on_disk(shared, &path))?;
     let context = Arc::clone(program.names()?.context());
     let elsewhere = OtherFiles::of(&program, &shared.documents, &shared.companions, cancel);
@@ -101,7 +101,7 @@ pub(super) fn shown(shared: &Shared, path: &Path) -> Option<Arc<Revision>> {
 }
 
 pub(super) fn on_disk(shared: &Shared, path: &Path) -> Option<Arc<Revision>> {
-    let text = ladder_workspace::read_own(path).ok()?;
+    let text = shared.world().disk.read_own(path).ok()?;
     let place = Membership::new(path.to_owned(), &shared.neighbours);
     let uri = address::uri_of(path);
     Some(Arc::new(Revision::on_disk(

@@ -26,7 +26,7 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
             )))
         })?;
     let next_to = shared.clone();
-    let previewed = blocking(move |_| {
+    let previewed = blocking(&*shared.host, move |_| {
         let failed = |message: String| Err(Failure::Failed(format!("{}:{message}", revision.name())));
         match revision.opened() {
             Some(Ok(opened)) => {

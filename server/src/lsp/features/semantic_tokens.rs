@@ -95,7 +95,7 @@ async fn tokens(
         return Ok(None);
     };
     let several_lines = shared.agreed().multiline_tokens;
-    blocking(move |_| {
+    blocking(&*shared.host, move |_| {
         let names = revision.names()?;
         let encode = |tokens: &[Token]| encoded(&revision, tokens, several_lines);
         let Some(range) = range else {

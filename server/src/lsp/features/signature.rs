@@ -33,7 +33,7 @@ pub(crate) async fn signature_help(
     let asked = params
         .context
         .is_none_or(|context| context.trigger_kind == SignatureHelpTriggerKind::INVOKED);
-    blocking(move |_| {
+    blocking(&*shared.host, move |_| {
         let offset = revision.offset(convert::our_position(place.position));
         let help = revision.names()?.signature_help(offset)?;
         let active = &help.signatures[help.active];

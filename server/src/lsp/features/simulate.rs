@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use serde::Serialize;
 use serde_json::Value;
-use tokio::sync::watch;
 use tower_lsp::Client;
 use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
 use tower_lsp::ls_types::notification::Notification;
@@ -13,9 +12,11 @@ use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny, Position};
 use super::debug;
 use crate::cancel::Cancel;
 use crate::document::Revision;
+use crate::host::Host;
 use crate::lsp::convert;
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::{answered::answered, blocking::blocking};
+use crate::newest::Receiver;
 use crate::simulation::messages::{OfSession, Options, Show, Shown, Start, Started, State, Status, Stopped};
 use crate::simulation::{
     Action, Answer, Beginning, Begun, Failure, Given, Keeping, Pace, REPORT, Request, Session, status_text,
@@ -139,7 +140,7 @@ pub(crate) async fn values_at(shared: &Arc<Shared>, uri: &str, position: Positio
     for session in shared.sessions.of(uri) {
         let offset = revision.offset(convert::our_position(position));
         let answer = session.ask(Action::ValuesAt(offset), Cancel::default());
-        if let Ok(Ok(Ok(Answer::Values(values)))) = tokio::time::timeout(PATIENCE, answer).await {
+        if let Some(Ok(Ok(Answer::Values(values)))) = shared.within(PATIENCE, answer).await {
             sent.extend(values);
         }
     }
@@ -175,14 +176,14 @@ pub(super) async fn begin(
         Some(it) => (it.keeping, Some((it.pace, it.beginning))),
         None => (Keeping::default(), None),
     };
-    let started = blocking(move |_| Session::start(name, job, &options, &keeping, &running)).await?;
+    let host = shared.host.clone();
+    let started = blocking(&*shared.host, move |_| {
+        Session::start(name, job, &options, &keeping, &*host, &running)
+    });
+    let started = started.await?;
     let (session, begun) = started.map_err(error)?;
-    let Begun {
-        mut states,
-        notes,
-        first,
-    } = begun;
-    let mut state = states.borrow_and_update().clone();
+    let Begun { states, notes, first } = begun;
+    let mut state = states.get();
     if let Some((pace, beginning)) = debugging {
         answer(&session, Action::Debug(beginning)).await?;
         drop(session.ask(Action::Pace(pace), Cancel::default()));
@@ -191,10 +192,11 @@ pub(super) async fn begin(
     let session = shared.sessions.add(session).map_err(error)?;
     // All of what is shown.
     state.delta = false;
-    let reports = report(shared.client.clone(), state.clone(), states, deltas);
+    let host = shared.host.clone();
+    let reports = report(shared.client.clone(), host, state.clone(), states, deltas);
     // A client that does not know the session yet would not take a state, and would wait for the next one for ever.
     let answered = answered();
-    tokio::spawn(async {
+    shared.spawn(async {
         answered.await;
         reports.await;
     });
@@ -257,9 +259,14 @@ pub(super) async fn answer(session: &Session, action: Action) -> Result<Answer> 
 /// Sends states to the client: the newest, at most one in each interval, and the last one always. With `deltas` only
 /// what has changed since the one before, which at first is `before`; the first after an answer is whole, for it may be
 /// older than that.
-async fn report(client: Client, mut before: State, mut states: watch::Receiver<State>, deltas: bool) {
-    while states.changed().await.is_ok() {
-        let state = states.borrow_and_update().clone();
+async fn report(
+    client: Client,
+    host: Arc<dyn Host>,
+    mut before: State,
+    mut states: Receiver<State>,
+    deltas: bool,
+) {
+    while let Some(state) = states.next().await {
         if state.commands.is_some() {
             // What has changed already, and sent only to a client that waits for it.
             client.send_notification::<SimulationState>(state).await;
@@ -272,11 +279,11 @@ async fn report(client: Client, mut before: State, mut states: watch::Receiver<S
         };
         before = state;
         client.send_notification::<SimulationState>(sent).await;
-        tokio::time::sleep(REPORT).await;
+        host.sleep(REPORT).await;
     }
     // A thread that ends without saying so has met an error in the scan engine; the client must not go on
     // showing a program that runs.
-    let last = states.borrow().clone();
+    let last = states.get();
     if last.status != Status::Ended {
         let mut ended = State {
             status: Status::Ended,
@@ -313,14 +320,23 @@ mod tests {
     use tower_lsp::LspService;
 
     use super::*;
+    use crate::busy::Busy;
+    use crate::host::testing::TestHost;
+    use crate::host::{EventLoop, within};
     use crate::lsp::backend::Backend;
     use crate::lsp::transport::guard::{Answer, Guard};
+    use crate::newest::newest;
 
     /// A client that is slow to take an answer sees this: the state of a change must not overtake the answer to the
     /// start. Which of the two the framework writes first cannot be told from outside.
-    #[tokio::test]
-    async fn no_state_goes_out_before_the_answer_to_the_start() {
-        let (service, socket) = LspService::new(Backend::new);
+    #[test]
+    fn no_state_goes_out_before_the_answer_to_the_start() {
+        let host = TestHost::new();
+        host.run(start_and_change(host.host.clone()));
+    }
+
+    async fn start_and_change(host: Arc<EventLoop>) {
+        let (service, socket) = LspService::new(|client| Backend::new(client, host.clone(), Busy::default()));
         let outbox = service.inner().shared().outbox.clone();
         let mut guard = Guard::new(service, outbox);
         let mut call = async |message: Value| -> Answer {
@@ -352,8 +368,8 @@ mod tests {
 
         let (sent, _answers) = socket.split();
         let mut states = sent.filter(|it| std::future::ready(it.method() == SimulationState::METHOD));
-        let early = tokio::time::timeout(Duration::from_millis(200), states.next()).await;
-        assert!(early.is_err(), "{early:?}");
+        let early = within(&*host, Duration::from_millis(200), states.next()).await;
+        assert!(early.is_none(), "{early:?}");
 
         let (answer, left) = started;
         assert!(
@@ -362,13 +378,19 @@ mod tests {
                 .contains(r#""session":"s1""#)
         );
         drop(left);
-        let state = tokio::time::timeout(Duration::from_secs(10), states.next()).await;
+        let state = within(&*host, Duration::from_secs(10), states.next()).await;
         assert_eq!(state.unwrap().unwrap().params().unwrap()["version"], 2);
     }
 
-    #[tokio::test]
-    async fn a_session_whose_thread_is_gone_is_shown_as_ended() {
-        let (mut service, socket) = LspService::new(Backend::new);
+    #[test]
+    fn a_session_whose_runner_is_gone_is_shown_as_ended() {
+        let host = TestHost::new();
+        host.run(end_early(host.host.clone()));
+    }
+
+    async fn end_early(host: Arc<EventLoop>) {
+        let (mut service, socket) =
+            LspService::new(|client| Backend::new(client, host.clone(), Busy::default()));
         let initialize = serde_json::json!({"jsonrpc": "2.0", "id": 1, "method": "initialize", "params": {"capabilities": {}}});
         service
             .call(serde_json::from_value(initialize).unwrap())
@@ -400,10 +422,10 @@ mod tests {
             operands: Vec::new(),
             labels: None,
         };
-        let (states, seen) = watch::channel(state.clone());
+        let (states, seen) = newest(state.clone());
         let client = service.inner().shared().client.clone();
-        tokio::spawn(report(client, state.clone(), seen, false));
-        states.send_replace(State {
+        host.spawn(Box::pin(report(client, host.clone(), state.clone(), seen, false)));
+        states.send(State {
             status: Status::Running,
             scan: 7,
             ..state

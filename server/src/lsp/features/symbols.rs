@@ -123,7 +123,7 @@ pub(crate) async fn symbols(
     params: WorkspaceSymbolParams,
 ) -> Result<Option<WorkspaceSymbolResponse>> {
     let (documents, companions) = (Arc::clone(&shared.documents), Arc::clone(&shared.companions));
-    blocking(move |cancel| {
+    blocking(&*shared.host, move |cancel| {
         let mut found = Vec::new();
         let mut seen: HashSet<Arc<str>> = HashSet::new();
         for revision in documents.all() {

@@ -4,7 +4,6 @@
 pub(crate) mod agreed;
 pub(crate) mod commands;
 pub(crate) mod outbox;
-pub(crate) mod parent;
 pub(crate) mod previews;
 pub(crate) mod shared;
 pub(crate) mod tokens_sent;

@@ -6,8 +6,9 @@
 
 use std::sync::Arc;
 
+use futures::StreamExt;
+use futures::channel::mpsc;
 use ladder_workspace::shown;
-use tokio::sync::mpsc;
 use tower_lsp::Client;
 use tower_lsp::ls_types::notification::Notification;
 use tower_lsp::ls_types::{Diagnostic, MessageType};
@@ -15,6 +16,7 @@ use tower_lsp::ls_types::{Diagnostic, MessageType};
 use super::previews::Previews;
 use crate::busy::{Busy, Work};
 use crate::document::{Documents, Revision};
+use crate::host::Host;
 use crate::lsp::convert;
 use crate::notation::messages::Previewed;
 
@@ -35,10 +37,10 @@ enum Note {
 }
 
 impl Outbox {
-    /// Starts the task that sends. Must be called within the runtime.
-    pub(crate) fn open(client: Client, busy: Busy) -> Self {
-        let (notes, inbox) = mpsc::unbounded_channel();
-        tokio::spawn(send(client, inbox));
+    /// Starts the task that sends.
+    pub(crate) fn open(client: Client, host: &dyn Host, busy: Busy) -> Self {
+        let (notes, inbox) = mpsc::unbounded();
+        host.spawn(Box::pin(send(client, inbox)));
         Outbox { notes, busy }
     }
 
@@ -90,7 +92,7 @@ impl Outbox {
 
     fn note(&self, note: Note) {
         // The task is gone only when the session is.
-        let _ = self.notes.send((note, self.busy.begin()));
+        let _ = self.notes.unbounded_send((note, self.busy.begin()));
     }
 }
 
@@ -109,7 +111,7 @@ fn written_out(message: impl Into<String>) -> String {
 }
 
 async fn send(client: Client, mut inbox: mpsc::UnboundedReceiver<(Note, Work)>) {
-    while let Some((note, work)) = inbox.recv().await {
+    while let Some((note, work)) = inbox.next().await {
         match note {
             Note::Diagnostics(documents, revision, _) if !documents.is_current(&revision) => {}
             Note::Preview(documents, revision, previews, previewed) => {
@@ -147,6 +149,7 @@ mod tests {
 
     use super::*;
     use crate::document::position::Encoding;
+    use crate::host::testing::TestHost;
 
     struct Quiet;
 
@@ -162,12 +165,17 @@ mod tests {
 
     /// The session's own tests cannot make the client slow at the right moment; here nothing is sent until the
     /// notes are all there.
-    #[tokio::test]
-    async fn diagnostics_of_a_text_that_is_no_longer_shown_are_not_sent() {
+    #[test]
+    fn diagnostics_of_a_text_that_is_no_longer_shown_are_not_sent() {
+        let host = TestHost::new();
+        host.run(open_close_and_open_again(&*host.host));
+    }
+
+    async fn open_close_and_open_again(host: &dyn Host) {
         let documents = Arc::<Documents>::default();
         let mut outbox = None;
         let (mut service, socket) = LspService::new(|client| {
-            outbox = Some(Outbox::open(client, Busy::default()));
+            outbox = Some(Outbox::open(client, host, Busy::default()));
             Quiet
         });
         let initialize =

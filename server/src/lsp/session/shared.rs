@@ -4,9 +4,8 @@ use std::collections::{BTreeMap, HashMap};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError, RwLock};
-use std::time::Instant;
+use std::time::Duration;
 
-use tokio::sync::Notify;
 use tower_lsp::Client;
 use tower_lsp::ls_types::Diagnostic;
 
@@ -19,6 +18,8 @@ use crate::busy::Busy;
 use crate::document::Documents;
 use crate::document::neighbours::Neighbours;
 use crate::document::on_disk::OnDisk;
+use crate::host::{Host, Moment, World, within};
+use crate::signal::Signal;
 use crate::simulation::Sessions;
 use ladder_analysis::Exported;
 use ladder_workspace::EditorSettings;
@@ -46,7 +47,7 @@ pub(crate) struct Shared {
     /// Whether the client is about to be notified that diagnostics have changed.
     pub(crate) refresh_due: AtomicBool,
     /// When the files on disk were last checked for a client that does not report changes.
-    pub(crate) looked_around: Mutex<Option<Instant>>,
+    pub(crate) looked_around: Mutex<Option<Moment>>,
     /// The folders that the client has open.
     pub(crate) folders: Mutex<Vec<PathBuf>>,
     pub(crate) client: Client,
@@ -67,12 +68,14 @@ pub(crate) struct Shared {
     pub(crate) outbox: Outbox,
     /// The semantic tokens that the client has.
     pub(crate) tokens_sent: TokensSent,
-    /// Notified when the process that started the server is gone.
-    pub(crate) orphaned: Notify,
+    /// Given when the process that started the server is gone.
+    pub(crate) orphaned: Signal,
+    /// Where the server runs.
+    pub(crate) host: Arc<dyn Host>,
 }
 
 impl Shared {
-    pub(crate) fn new(client: Client, busy: Busy) -> Arc<Self> {
+    pub(crate) fn new(client: Client, host: Arc<dyn Host>, busy: Busy) -> Arc<Self> {
         Arc::new(Shared {
             agreed: OnceLock::new(),
             editor: RwLock::default(),
@@ -83,17 +86,18 @@ impl Shared {
             refresh_due: AtomicBool::new(false),
             looked_around: Mutex::new(None),
             folders: Mutex::default(),
-            outbox: Outbox::open(client.clone(), busy.clone()),
+            outbox: Outbox::open(client.clone(), &*host, busy.clone()),
             busy,
             client,
             documents: Arc::default(),
             companions: Arc::default(),
             previews: Arc::default(),
-            neighbours: Arc::default(),
+            neighbours: Arc::new(Neighbours::on(host.world().disk.clone())),
             tokens_sent: TokensSent::default(),
             sessions: Sessions::default(),
             typed: Typed::default(),
-            orphaned: Notify::new(),
+            orphaned: Signal::default(),
+            host,
         })
     }
 
@@ -141,13 +145,28 @@ impl Shared {
         *last = complaint;
     }
 
+    /// The files and the clock.
+    pub(crate) fn world(&self) -> &World {
+        self.host.world()
+    }
+
+    /// Does a task, which nobody waits for.
+    pub(crate) fn spawn(&self, task: impl Future<Output = ()> + Send + 'static) {
+        self.host.spawn(Box::pin(task));
+    }
+
+    /// What a future resolves to, if it does so in this time.
+    pub(crate) async fn within<T>(&self, time: Duration, future: impl Future<Output = T>) -> Option<T> {
+        within(&*self.host, time, future).await
+    }
+
     /// Does something on a thread that may read the disk. Nobody waits for it.
     pub(crate) fn in_background(self: &Arc<Self>, job: impl FnOnce(&Arc<Shared>) + Send + 'static) {
         let (shared, work) = (self.clone(), self.busy.begin());
-        tokio::task::spawn_blocking(move || {
+        self.host.work(Box::new(move || {
             job(&shared);
             drop(work);
-        });
+        }));
     }
 
     /// The text of a document is another one now: simulations of it go on with that.

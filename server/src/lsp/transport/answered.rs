@@ -1,11 +1,12 @@
 //! What becomes of the answer of a handler: when it has its place in what is written, and large ones as text.
 
-use std::cell::Cell;
-use std::future::Future;
+use std::cell::RefCell;
+use std::future::{Future, poll_fn};
+use std::pin::pin;
 
+use futures::channel::oneshot;
 use serde::Serialize;
 use serde_json::value::{RawValue, to_raw_value};
-use tokio::sync::oneshot;
 
 /// Dropped when an answer has its place, or will never have one.
 pub(crate) type Place = oneshot::Sender<()>;
@@ -19,18 +20,14 @@ pub(crate) struct Left {
     pub(crate) text: Option<Box<RawValue>>,
 }
 
-tokio::task_local! {
-    static LEFT: Cell<Left>;
+thread_local! {
+    /// What the handler that is polled now has left. Nothing outside of a session, as in tests.
+    static LEFT: RefCell<Option<Left>> = const { RefCell::new(None) };
 }
 
-/// Changes what is left; false outside of a session, as in tests, where nothing would take it.
+/// Changes what is left; false outside of a session, where nothing would take it.
 fn leave(change: impl FnOnce(&mut Left)) -> bool {
-    let changed = LEFT.try_with(|cell| {
-        let mut left = cell.take();
-        change(&mut left);
-        cell.set(left);
-    });
-    changed.is_ok()
+    LEFT.with_borrow_mut(|left| left.as_mut().map(change).is_some())
 }
 
 /// Resolves when the answer to the request that is being handled has its place: what is sent from then on comes after it.
@@ -52,11 +49,17 @@ pub(crate) fn as_text<T: Serialize>(answer: Option<T>) -> Option<T> {
     answer.filter(|_| !is_text)
 }
 
-/// Runs a handler; with its outcome comes what it leaves.
+/// Runs a handler; with its outcome comes what it leaves. It must not panic while it is polled.
 pub(super) async fn handle<F: Future>(handler: F) -> (F::Output, Left) {
-    let run = async {
-        let outcome = handler.await;
-        (outcome, LEFT.with(Cell::take))
-    };
-    LEFT.scope(Cell::default(), run).await
+    let mut handler = pin!(handler);
+    let mut left = Left::default();
+    // Handlers take turns on their threads: what one leaves is there only while it is polled.
+    let outcome = poll_fn(|cx| {
+        let before = LEFT.replace(Some(std::mem::take(&mut left)));
+        let polled = handler.as_mut().poll(cx);
+        left = LEFT.replace(before).unwrap_or_default();
+        polled
+    })
+    .await;
+    (outcome, left)
 }

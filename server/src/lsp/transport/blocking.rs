@@ -3,27 +3,30 @@
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use futures::channel::oneshot;
 use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
 
 use crate::cancel::Cancel;
+use crate::host::Host;
 
-/// Runs a job on a blocking thread. When the handler that awaits it is dropped (the client cancelled the
+/// Has a job done where it may take its time. When the handler that awaits it is dropped (the client cancelled the
 /// request), a job that has not begun never begins, and one that runs is stopped by its [`Cancel`].
-pub(crate) async fn blocking<T, F>(job: F) -> Result<T>
+pub(crate) async fn blocking<T, F>(host: &dyn Host, job: F) -> Result<T>
 where
     T: Send + 'static,
     F: FnOnce(&Cancel) -> T + Send + 'static,
 {
     let cancel = Cancel::default();
     let _guard = cancel.on_drop();
-    let task = tokio::task::spawn_blocking(move || (!cancel.is_cancelled()).then(|| job(&cancel)));
-    match task.await {
-        Ok(Some(value)) => Ok(value),
-        Ok(None) => Err(Error::request_cancelled()),
-        Err(error) => Err(match error.try_into_panic() {
-            Ok(panic) => internal_error(panic.as_ref()),
-            Err(_) => Error::request_cancelled(),
-        }),
+    let (done, outcome) = oneshot::channel();
+    host.work(Box::new(move || {
+        let outcome = (!cancel.is_cancelled()).then(|| caught(|| job(&cancel)));
+        let _ = done.send(outcome);
+    }));
+    match outcome.await {
+        Ok(Some(outcome)) => outcome,
+        // It was given up before it began.
+        Ok(None) | Err(oneshot::Canceled) => Err(Error::request_cancelled()),
     }
 }
 
@@ -49,41 +52,57 @@ pub(crate) fn internal_error(panic: &(dyn Any + Send)) -> Error {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::atomic::{AtomicBool, Ordering};
+    use std::sync::{Arc, Mutex};
     use std::time::Duration;
 
+    use futures::FutureExt;
     use tower_lsp::jsonrpc::ErrorCode;
 
     use super::*;
+    use crate::host::testing::TestHost;
 
-    #[tokio::test]
-    async fn a_panic_is_an_answer() {
-        let error = blocking(|_| -> u32 { panic!("planted") }).await.unwrap_err();
+    #[test]
+    fn a_panic_is_an_answer() {
+        let host = TestHost::new();
+        let blocking = |job: fn() -> u32| host.run(blocking(&*host.host, move |_| job()));
+        let error = blocking(|| panic!("planted")).unwrap_err();
         assert_eq!(error.code, ErrorCode::InternalError);
         assert!(error.message.contains("planted"));
-        assert_eq!(blocking(|_| 7).await, Ok(7));
+        assert_eq!(blocking(|| 7), Ok(7));
         let error = caught(|| -> u32 { panic!("planted") }).unwrap_err();
         assert_eq!(error.code, ErrorCode::InternalError);
         assert_eq!(caught(|| 7), Ok(7));
     }
 
-    #[tokio::test]
-    async fn a_dropped_handler_stops_its_job() {
-        let (stopped, seen) = std::sync::mpsc::channel();
-        let handler = blocking(move |cancel| {
-            for _ in 0..10_000 {
-                if cancel.is_cancelled() {
-                    let _ = stopped.send(());
-                    return;
-                }
-                std::thread::sleep(Duration::from_millis(1));
-            }
-        });
-        assert!(
-            tokio::time::timeout(Duration::from_millis(20), handler)
-                .await
-                .is_err()
+    #[test]
+    fn a_dropped_handler_stops_its_job() {
+        let host = TestHost::new();
+        let (begun, done) = (
+            Arc::<AtomicBool>::default(),
+            Arc::<Mutex<Option<Cancel>>>::default(),
         );
-        let seen = tokio::task::spawn_blocking(move || seen.recv());
-        assert!(seen.await.unwrap().is_ok());
+        let (seen, kept) = (begun.clone(), done.clone());
+        let handler = blocking(&*host.host, move |cancel| {
+            seen.store(true, Ordering::Relaxed);
+            *kept.lock().unwrap() = Some(cancel.clone());
+        });
+        let mut handler = Box::pin(handler);
+        assert!(handler.as_mut().now_or_never().is_none());
+        drop(handler);
+        // What has not begun never begins.
+        host.host.turn(Duration::MAX);
+        assert!(!begun.load(Ordering::Relaxed));
+
+        let kept = done.clone();
+        let mut handler = Box::pin(blocking(&*host.host, move |cancel| {
+            *kept.lock().unwrap() = Some(cancel.clone());
+        }));
+        assert!(handler.as_mut().now_or_never().is_none());
+        host.host.turn(Duration::MAX);
+        let cancel = done.lock().unwrap().take().unwrap();
+        assert!(!cancel.is_cancelled());
+        drop(handler);
+        assert!(cancel.is_cancelled());
     }
 }

@@ -15,7 +15,6 @@ use std::task::{Poll, Waker};
 
 use futures::FutureExt;
 use futures::future::BoxFuture;
-use tokio::sync::Notify;
 use tower::Service;
 use tower_lsp::ExitedError;
 use tower_lsp::jsonrpc::{Error, Request, Response};
@@ -25,12 +24,13 @@ use super::blocking::internal_error;
 use super::misread::misread;
 use crate::lsp::capabilities::since_3_18;
 use crate::lsp::session::outbox::Outbox;
+use crate::signal::Signal;
 
 /// The state of the session.
 #[derive(Debug, Default)]
 pub(crate) struct Life {
     state: Mutex<State>,
-    exit: Notify,
+    exit: Signal,
 }
 
 #[derive(Debug, Default)]
@@ -44,7 +44,7 @@ struct State {
 impl Life {
     /// Resolves when the client has sent `exit`.
     pub(crate) async fn exited(&self) {
-        self.exit.notified().await;
+        self.exit.given().await;
     }
 
     /// Whether the client has asked for the shutdown, which is what makes an exit a clean one.
@@ -115,7 +115,7 @@ where
         }
         let step = match request.method() {
             "exit" => {
-                self.life.exit.notify_one();
+                self.life.exit.give();
                 LifeStage::Other
             }
             "initialize" => LifeStage::Initialize,
@@ -208,13 +208,15 @@ mod tests {
     use tower_lsp::{LanguageServer, LspService, jsonrpc};
 
     use super::*;
+    use crate::host::testing::TestHost;
+    use crate::host::{EventLoop, Host};
 
     /// A server that panics in its handlers.
-    struct Faulty;
+    struct Faulty(Arc<EventLoop>);
 
     impl LanguageServer for Faulty {
         async fn initialize(&self, _: InitializeParams) -> jsonrpc::Result<InitializeResult> {
-            tokio::time::sleep(Duration::from_millis(20)).await;
+            self.0.sleep(Duration::from_millis(20)).await;
             Ok(InitializeResult::default())
         }
 
@@ -224,7 +226,7 @@ mod tests {
 
         async fn hover(&self, params: HoverParams) -> jsonrpc::Result<Option<Hover>> {
             assert_ne!(params.text_document_position_params.position.line, 7, "planted");
-            tokio::task::yield_now().await;
+            self.0.sleep(Duration::ZERO).await;
             assert_ne!(
                 params.text_document_position_params.position.line, 8,
                 "planted too"
@@ -233,11 +235,11 @@ mod tests {
         }
     }
 
-    fn guarded() -> Guard<LspService<Faulty>> {
+    fn guarded(host: &Arc<EventLoop>) -> Guard<LspService<Faulty>> {
         let mut outbox = None;
         let (service, socket) = LspService::new(|client| {
-            outbox = Some(Outbox::open(client, crate::busy::Busy::default()));
-            Faulty
+            outbox = Some(Outbox::open(client, &**host, crate::busy::Busy::default()));
+            Faulty(host.clone())
         });
         // The loopback has to live, or sending fails.
         std::mem::forget(socket);
@@ -263,48 +265,63 @@ mod tests {
         json!({"jsonrpc": "2.0", "id": 0, "method": "initialize", "params": {"capabilities": {}}})
     }
 
-    #[tokio::test]
-    async fn a_panicking_handler_answers_and_the_server_lives_on() {
-        let mut guard = guarded();
-        call(&mut guard, initialize()).await;
-        for (id, line, words) in [(1, 7, "planted"), (2, 8, "planted too")] {
-            let answer = call(&mut guard, hover(id, line)).await.unwrap();
-            assert_eq!(answer["id"], id);
-            assert_eq!(answer["error"]["code"], -32603);
-            assert!(
-                answer["error"]["message"].as_str().unwrap().contains(words),
-                "{answer}"
-            );
-        }
-        let answer = call(&mut guard, hover(3, 1)).await.unwrap();
-        assert_eq!(answer, json!({"jsonrpc": "2.0", "id": 3, "result": null}));
+    #[test]
+    fn a_panicking_handler_answers_and_the_server_lives_on() {
+        let test = TestHost::new();
+        let host = &test.host;
+        test.run(async {
+            let mut guard = guarded(host);
+            call(&mut guard, initialize()).await;
+            for (id, line, words) in [(1, 7, "planted"), (2, 8, "planted too")] {
+                let answer = call(&mut guard, hover(id, line)).await.unwrap();
+                assert_eq!(answer["id"], id);
+                assert_eq!(answer["error"]["code"], -32603);
+                assert!(
+                    answer["error"]["message"].as_str().unwrap().contains(words),
+                    "{answer}"
+                );
+            }
+            let answer = call(&mut guard, hover(3, 1)).await.unwrap();
+            assert_eq!(answer, json!({"jsonrpc": "2.0", "id": 3, "result": null}));
+        });
     }
 
-    #[tokio::test]
-    async fn what_comes_after_initialize_waits_for_it() {
-        let mut guard = guarded();
-        let request = serde_json::from_value(initialize()).unwrap();
-        guard.ready().await.unwrap();
-        let first = guard.call(request);
-        let first = tokio::spawn(first);
-        // Without the barrier this is answered with "not initialized".
-        let answer = call(&mut guard, hover(1, 1)).await.unwrap();
-        assert_eq!(answer["result"], Value::Null, "{answer}");
-        assert_eq!(answer.get("error"), None);
-        first.await.unwrap();
+    #[test]
+    fn what_comes_after_initialize_waits_for_it() {
+        let test = TestHost::new();
+        let host = &test.host;
+        test.run(async {
+            let mut guard = guarded(host);
+            let request = serde_json::from_value(initialize()).unwrap();
+            guard.ready().await.unwrap();
+            let first = guard.call(request);
+            let (done, first_done) = futures::channel::oneshot::channel();
+            host.spawn(Box::pin(async move {
+                let _ = done.send(first.await.0.is_some());
+            }));
+            // Without the barrier this is answered with "not initialized".
+            let answer = call(&mut guard, hover(1, 1)).await.unwrap();
+            assert_eq!(answer["result"], Value::Null, "{answer}");
+            assert_eq!(answer.get("error"), None);
+            assert_eq!(first_done.await, Ok(true));
+        });
     }
 
-    #[tokio::test]
-    async fn shutdown_is_recorded_when_it_was_granted() {
-        let shutdown = || json!({"jsonrpc": "2.0", "id": 1, "method": "shutdown", "params": {}});
-        let mut guard = guarded();
-        let answer = call(&mut guard, shutdown()).await.unwrap();
-        assert_eq!(answer["error"]["code"], -32002);
-        assert!(!guard.life().is_shut_down());
-        call(&mut guard, initialize()).await;
-        assert_eq!(call(&mut guard, shutdown()).await.unwrap()["result"], Value::Null);
-        assert!(guard.life().is_shut_down());
-        call(&mut guard, json!({"jsonrpc": "2.0", "method": "exit"})).await;
-        guard.life().exited().await;
+    #[test]
+    fn shutdown_is_recorded_when_it_was_granted() {
+        let test = TestHost::new();
+        let host = &test.host;
+        test.run(async {
+            let shutdown = || json!({"jsonrpc": "2.0", "id": 1, "method": "shutdown", "params": {}});
+            let mut guard = guarded(host);
+            let answer = call(&mut guard, shutdown()).await.unwrap();
+            assert_eq!(answer["error"]["code"], -32002);
+            assert!(!guard.life().is_shut_down());
+            call(&mut guard, initialize()).await;
+            assert_eq!(call(&mut guard, shutdown()).await.unwrap()["result"], Value::Null);
+            assert!(guard.life().is_shut_down());
+            call(&mut guard, json!({"jsonrpc": "2.0", "method": "exit"})).await;
+            guard.life().exited().await;
+        });
     }
 }

@@ -1,7 +1,7 @@
 //! How messages come in and go out, and which thread does the work. Nothing here knows ladder programs. Each file keeps a
 //! promise that the framework does not:
 //!
-//! - [`received`], with [`frames`](crate::frames): whatever bytes come, the session goes on; what is not a message is answered with what is
+//! - [`received`]: whatever comes, the session goes on; what is not a message is answered with what is
 //!   wrong with it, and the next message is found. No message is longer than a limit.
 //! - [`surrogates`]: texts with half a character in them, which editors can hold, are read.
 //! - [`misread`]: a notification that makes no sense is logged.
@@ -14,6 +14,6 @@ pub(crate) mod answered;
 pub(crate) mod blocking;
 pub(crate) mod guard;
 mod misread;
-mod received;
+pub(crate) mod received;
 pub(crate) mod serve;
 mod surrogates;

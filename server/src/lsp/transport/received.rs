@@ -1,22 +1,24 @@
-//! The client's bytes as messages; what is not one is answered.
+//! What a client sends as messages; what is not one is answered.
 //!
 //! Broken JSON, bytes that are not UTF-8, numbers or nesting that the reader of JSON refuses, a header in small letters or
-//! with the wrong length: none of them ends the session. The bytes are split into [`frames`](crate::frames), and what cannot
-//! be understood becomes the error that it is answered with.
+//! with the wrong length: none of them ends the session. What cannot be understood becomes the error that it is answered
+//! with. How the bytes are split into messages is for the program around the server to know.
+
+use std::fmt;
 
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 use serde_json::Value;
-use tokio::io::AsyncRead;
-use tokio::sync::mpsc::Sender;
 use tower_lsp::jsonrpc::{Error, ErrorCode, Id, Request, Response};
 
 use super::surrogates::replace_lone_surrogates;
-use crate::frames::{Frame, Frames, LONGEST_MESSAGE};
 
 /// What the client has sent.
 #[derive(Debug)]
-pub(crate) enum Received {
+pub struct Received(pub(super) Kind);
+
+#[derive(Debug)]
+pub(super) enum Kind {
     /// A request, or a notification.
     Request(Request),
     /// The answer to a request of the server.
@@ -25,55 +27,57 @@ pub(crate) enum Received {
     Broken(Response),
 }
 
-/// Passes the client's messages on until either side ends.
-pub(crate) async fn receive(input: impl AsyncRead + Unpin, messages: Sender<Received>) {
-    let mut frames = Frames::of(input);
-    while let Ok(Some(frame)) = frames.next().await {
-        let message = match frame {
-            Frame::Body(body) => message(body, &mut frames),
-            Frame::TooLong(length) => broken(
-                ErrorCode::InvalidRequest,
-                format!(
-                    "a message of {length} bytes is longer than the server accepts ({LONGEST_MESSAGE}); it was skipped"
-                ),
-                Id::Null,
+impl Received {
+    /// The message in a body.
+    pub fn read(body: &mut [u8]) -> Received {
+        replace_lone_surrogates(body);
+        Received(read(body))
+    }
+
+    /// A message of so many bytes, which is longer than the `longest` that the server accepts.
+    pub fn too_long(length: u64, longest: u64) -> Received {
+        Received(broken(
+            ErrorCode::InvalidRequest,
+            format!(
+                "a message of {length} bytes is longer than the server accepts ({longest}); it was skipped"
             ),
-            Frame::Stray => broken(
-                ErrorCode::ParseError,
-                "a message header has no Content-Length that is a number, or there is none; what followed was skipped up to the next one",
-                Id::Null,
-            ),
-        };
-        if messages.send(message).await.is_err() {
-            return;
-        }
+            Id::Null,
+        ))
+    }
+
+    /// Bytes between messages.
+    pub fn stray() -> Received {
+        Received(broken(
+            ErrorCode::ParseError,
+            "a message header has no Content-Length that is a number, or there is none; what followed was skipped up to the next one",
+            Id::Null,
+        ))
+    }
+
+    /// Whether it cannot be understood.
+    pub fn is_broken(&self) -> bool {
+        matches!(self.0, Kind::Broken(_))
     }
 }
 
-fn broken(code: ErrorCode, message: impl Into<String>, id: Id) -> Received {
+fn broken(code: ErrorCode, message: impl Into<String>, id: Id) -> Kind {
     let error = Error {
         code,
         message: message.into().into(),
         data: None,
     };
-    Received::Broken(Response::from_error(id, error))
+    Kind::Broken(Response::from_error(id, error))
 }
 
-/// The message in a body, which may have the next header at its end.
-fn message<R: AsyncRead + Unpin>(mut body: Vec<u8>, frames: &mut Frames<R>) -> Received {
-    replace_lone_surrogates(&mut body);
-    let read = read(&body);
-    if !matches!(read, Received::Broken(_)) {
-        return read;
+/// As JSON; of what cannot be understood the answer to it.
+impl fmt::Display for Received {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let json = match &self.0 {
+            Kind::Request(request) => serde_json::to_string(request),
+            Kind::Answer(answer) | Kind::Broken(answer) => serde_json::to_string(answer),
+        };
+        f.write_str(&json.map_err(|_| fmt::Error)?)
     }
-    if frames.end_at_header(&mut body) {
-        let shorter = self::read(&body);
-        if !matches!(shorter, Received::Broken(_)) {
-            return shorter;
-        }
-    }
-    frames.skip_quietly();
-    read
 }
 
 /// As much of a message that is not read as says whom to answer.
@@ -83,7 +87,7 @@ struct Addressed {
     id: Option<Value>,
 }
 
-fn read(body: &[u8]) -> Received {
+fn read(body: &[u8]) -> Kind {
     let Ok(text) = std::str::from_utf8(body) else {
         return broken(ErrorCode::ParseError, "the message is not UTF-8", Id::Null);
     };
@@ -116,12 +120,12 @@ fn read(body: &[u8]) -> Received {
         "the message does not say \"jsonrpc\": \"2.0\""
     } else if is_request {
         match serde_json::from_value(value) {
-            Ok(request) => return Received::Request(request),
+            Ok(request) => return Kind::Request(request),
             Err(_) => "the method is not text, or the id is neither a whole number nor text",
         }
     } else {
         match serde_json::from_value(value) {
-            Ok(answer) => return Received::Answer(answer),
+            Ok(answer) => return Kind::Answer(answer),
             Err(_) => "the message is neither a request nor an answer",
         }
     };
@@ -132,60 +136,9 @@ fn read(body: &[u8]) -> Received {
 mod tests {
     use super::*;
 
-    /// What is read in these bytes, a message a line.
-    fn received(input: &[u8]) -> String {
-        let (sender, mut messages) = tokio::sync::mpsc::channel(100);
-        tokio::runtime::Builder::new_current_thread()
-            .build()
-            .unwrap()
-            .block_on(receive(input, sender));
-        let mut all = String::new();
-        while let Ok(message) = messages.try_recv() {
-            all += &match message {
-                Received::Request(request) => serde_json::to_string(&request),
-                Received::Answer(answer) => serde_json::to_string(&answer),
-                Received::Broken(answer) => serde_json::to_string(&answer),
-            }
-            .unwrap();
-            all.push('\n');
-        }
-        all
-    }
-
-    fn frame(body: &str) -> String {
-        format!("Content-Length: {}\r\n\r\n{body}", body.len())
-    }
-
-    const EXIT: &str = r#"{"jsonrpc":"2.0","method":"exit"}"#;
-
-    #[test]
-    fn messages_and_answers() {
-        let answer = r#"{"jsonrpc":"2.0","result":null,"id":3}"#;
-        assert_eq!(
-            received((frame(EXIT) + &frame(answer)).as_bytes()),
-            format!("{EXIT}\n{answer}\n")
-        );
-    }
-
-    #[test]
-    fn headers_are_read_generously() {
-        let length = EXIT.len();
-        let odd = format!(
-            "\r\ncontent-length:{length}\r\nContent-Type: application/vscode-jsonrpc\r\n\r\n{EXIT}\
-             Content-Length: {length}\n\n{EXIT}"
-        );
-        assert_eq!(received(odd.as_bytes()), format!("{EXIT}\n{EXIT}\n"));
-    }
-
-    #[test]
-    fn the_next_message_is_found_after_a_bad_one() {
-        let bad = frame(r#"{"jsonrpc":"2.0","method":"#) + &frame(EXIT);
-        let received = received(bad.as_bytes());
-        assert!(
-            received.contains("-32700") && received.contains("\"id\":null"),
-            "{received}"
-        );
-        assert!(received.ends_with(&format!("{EXIT}\n")), "{received}");
+    /// What is read in a body, as JSON.
+    fn received(body: &str) -> String {
+        Received::read(&mut body.to_owned().into_bytes()).to_string()
     }
 
     #[test]
@@ -209,23 +162,11 @@ mod tests {
             (r#"["2.0","x",1]"#, "null", -32600),
             ("not json", "null", -32700),
         ] {
-            let received = received(frame(body).as_bytes());
+            let received = received(body);
             assert!(
                 received.contains(&format!("\"id\":{id}}}")) && received.contains(&code.to_string()),
                 "{body}: {received}"
             );
         }
-    }
-
-    #[test]
-    fn a_header_without_a_length_and_bytes_that_are_no_text_are_answered() {
-        assert!(received(b"X-Other: 1\r\n\r\n").contains("no Content-Length"));
-        assert!(received(b"Content-Length: 2\r\n\r\n\xff\xfe").contains("not UTF-8"));
-    }
-
-    #[test]
-    fn an_unfinished_message_is_dropped() {
-        assert_eq!(received(b"Content-Length: 100\r\n\r\n{"), "");
-        assert_eq!(received(b"Content-Le"), "");
     }
 }

@@ -1,20 +1,22 @@
-//! One session, from the first byte to the end.
+//! One session, from the first message to the end.
 
-use std::fmt::Write as _;
+use std::pin::pin;
+use std::sync::Arc;
 use std::time::Duration;
 
-use futures::{SinkExt, StreamExt};
+use futures::channel::mpsc::{Sender, channel};
+use futures::future::{Either, select};
+use futures::{SinkExt, Stream, StreamExt};
 use serde::Serialize;
 use serde_json::value::RawValue;
-use tokio::io::{AsyncRead, AsyncWrite, AsyncWriteExt};
-use tokio::sync::mpsc;
 use tower_lsp::LspService;
 use tower_lsp::jsonrpc::{Id, Response};
 
 use super::answered::Left;
 use super::guard::Guard;
-use super::received::{Received, receive};
+use super::received::{Kind, Received};
 use crate::busy::Busy;
+use crate::host::Host;
 use crate::lsp::backend::Backend;
 
 /// Handlers that run at once. Four of them, the framework's own limit, are soon all waiting for something.
@@ -35,23 +37,26 @@ pub enum Ending {
     Abrupt,
 }
 
-/// Serves one client until it says `exit`, its input ends, or its process dies. The input need not end for the
-/// session to: some editors keep it open and wait for the server to go.
-pub async fn serve<I, O>(input: I, output: O) -> Ending
-where
-    I: AsyncRead + Send + Unpin + 'static,
-    O: AsyncWrite,
-{
-    serve_counting(input, output, Busy::default()).await
+/// The end of a session.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Ended {
+    /// How it ended.
+    pub ending: Ending,
+    /// Whether there are no more messages to answer: what was said last is still for the client to read.
+    pub all_is_said: bool,
 }
 
-/// As [`serve`], and shows whether work is under way.
-pub(crate) async fn serve_counting<I, O>(input: I, output: O, busy: Busy) -> Ending
-where
-    I: AsyncRead + Send + Unpin + 'static,
-    O: AsyncWrite,
-{
-    let (service, socket) = LspService::build(|client| Backend::counting(client, busy))
+/// Serves one client until it says `exit`, there are no more messages, or its process dies. There may be more messages, and
+/// the session ends nevertheless: some editors go on and wait for the server to go.
+///
+/// What it says goes out as JSON, a message at a time. `busy` shows whether work is under way that nobody asked for.
+pub async fn serve(
+    host: Arc<dyn Host>,
+    messages: impl Stream<Item = Received> + Send,
+    out: Sender<String>,
+    busy: Busy,
+) -> Ended {
+    let (service, socket) = LspService::build(|client| Backend::new(client, host.clone(), busy))
         .custom_method("textDocument/rangesFormatting", Backend::ranges_formatting)
         .custom_method("ladder/simulationShown", Backend::simulation_shown)
         .custom_method("ladder/toDebugger", Backend::to_debugger)
@@ -61,22 +66,19 @@ where
     let life = guard.life();
     let (mut questions, mut answers_of_client) = socket.split();
 
-    let (messages, mut received) = mpsc::channel(1);
-    let reader = tokio::spawn(receive(input, messages));
-    // All that is written goes through one channel: what was put into it first comes first.
-    let (out, mut written) = mpsc::channel::<String>(1);
-    let (mut handlers, waiting) = futures::channel::mpsc::channel(WAITING);
+    let (mut handlers, waiting) = channel(WAITING);
     let dispatch = async move {
-        while let Some(message) = received.recv().await {
+        let mut messages = pin!(messages);
+        while let Some(Received(message)) = messages.next().await {
             let handler = match message {
-                Received::Request(request) => {
+                Kind::Request(request) => {
                     if guard.ready().await.is_err() {
                         return;
                     }
                     guard.call(request)
                 }
-                Received::Broken(answer) => Box::pin(std::future::ready((Some(answer), Left::default()))),
-                Received::Answer(answer) => {
+                Kind::Broken(answer) => Box::pin(std::future::ready((Some(answer), Left::default()))),
+                Kind::Answer(answer) => {
                     let _ = answers_of_client.send(answer).await;
                     continue;
                 }
@@ -84,60 +86,47 @@ where
             let _ = handlers.send(handler).await;
         }
     };
-    let answers = out.clone();
-    let answer = waiting
-        .buffer_unordered(CONCURRENCY)
-        .for_each(move |(answer, Left { place, text })| {
-            let out = answers.clone();
-            async move {
-                if let Some(answer) = answer {
-                    let frame = match &text {
-                        Some(result) if answer.is_ok() => framed(&AsText::of(&answer, result)),
-                        _ => framed(&answer),
-                    };
-                    // The writer is gone only when the client is.
-                    let _ = out.send(frame).await;
-                }
-                drop(place);
+    // All that is said goes through one channel: what was put into it first comes first.
+    let mut answers = out.clone();
+    let answer = async move {
+        let mut done = pin!(waiting.buffer_unordered(CONCURRENCY));
+        while let Some((answer, Left { place, text })) = done.next().await {
+            if let Some(answer) = answer {
+                let json = match &text {
+                    Some(result) if answer.is_ok() => json(&AsText::of(&answer, result)),
+                    _ => json(&answer),
+                };
+                // Nobody reads it only when the client is gone.
+                let _ = answers.send(json).await;
             }
-        });
+            drop(place);
+        }
+    };
+    let mut asked = out;
     let ask = async move {
         while let Some(question) = questions.next().await {
-            let _ = out.send(framed(&question)).await;
+            let _ = asked.send(json(&question)).await;
         }
         std::future::pending::<()>().await;
     };
     // When there is nothing more to answer, nothing is asked either.
-    let talk = async {
-        tokio::select! {
-            _ = futures::future::join(dispatch, answer) => {}
-            () = ask => {}
-        }
-    };
-    let write = async {
-        tokio::pin!(output);
-        while let Some(frame) = written.recv().await {
-            if output.write_all(frame.as_bytes()).await.is_err() || output.flush().await.is_err() {
-                return;
-            }
-        }
-    };
-    let server = futures::future::join(talk, write);
-    let exit = async {
+    let answering = pin!(futures::future::join(dispatch, answer));
+    let asking = pin!(ask);
+    let exit = pin!(async {
         life.exited().await;
-        tokio::time::sleep(GRACE).await;
-    };
-    tokio::select! {
-        _ = server => {}
-        () = exit => {}
-        () = shared.orphaned.notified() => {}
-    }
-    reader.abort();
-    shared.sessions.stop_everything().await;
-    if life.is_shut_down() {
-        Ending::Clean
-    } else {
-        Ending::Abrupt
+        host.sleep(GRACE).await;
+    });
+    let orphaned = pin!(shared.orphaned.given());
+    let stopped = select(exit, orphaned);
+    let all_is_said = matches!(select(select(answering, asking), stopped).await, Either::Left(_));
+    shared.sessions.stop_everything(&*host).await;
+    Ended {
+        ending: if life.is_shut_down() {
+            Ending::Clean
+        } else {
+            Ending::Abrupt
+        },
+        all_is_said,
     }
 }
 
@@ -159,11 +148,8 @@ impl<'a> AsText<'a> {
     }
 }
 
-/// A message as it is written.
-fn framed(message: &impl Serialize) -> String {
+/// A message as it is sent.
+fn json(message: &impl Serialize) -> String {
     // What the framework gives has texts as its keys, and no numbers that JSON does not have.
-    let json = serde_json::to_string(message).unwrap_or_default();
-    let mut frame = String::with_capacity(json.len() + 40);
-    let _ = write!(frame, "Content-Length: {}\r\n\r\n{json}", json.len());
-    frame
+    serde_json::to_string(message).unwrap_or_default()
 }

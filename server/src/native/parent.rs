@@ -2,26 +2,22 @@
 //!
 //! The end of the input usually tells as much, but not when another process has inherited the pipe.
 
-use std::sync::Arc;
 use std::time::Duration;
 
 use sysinfo::{Pid, ProcessRefreshKind, ProcessStatus, ProcessesToUpdate, System};
 
-use crate::lsp::session::shared::Shared;
-
 /// How often the parent is checked.
 const INTERVAL: Duration = Duration::from_secs(2);
 
-/// Tells [`Shared::orphaned`] when the process is gone. Its starting time is compared too, since the system
+/// Resolves when the process is gone. Its starting time is compared too, since the system
 /// gives the number of a dead process to a new one.
-pub(crate) async fn watch(process: u32, shared: Arc<Shared>) {
+pub(super) async fn gone(process: u32) {
     let mut system = System::new();
     let started = started(&mut system, process);
     loop {
         tokio::time::sleep(INTERVAL).await;
         let now = self::started(&mut system, process);
         if now.is_none() || now != started {
-            shared.orphaned.notify_one();
             return;
         }
     }

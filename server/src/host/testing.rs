@@ -1,0 +1,57 @@
+//! A host for tests: files in memory, and a clock that goes on only when there is nothing else to do.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::task::{Context, Poll, Waker};
+use std::time::Duration;
+
+use ladder_workspace::MemoryDisk;
+
+use super::event_loop::Alarm;
+use super::{Clock, EventLoop, Wait, World};
+
+/// A loop with its clock.
+#[derive(Debug, Clone)]
+pub(crate) struct TestHost {
+    pub(crate) host: Arc<EventLoop>,
+    /// In nanoseconds.
+    time: Arc<AtomicU64>,
+}
+
+impl TestHost {
+    pub(crate) fn new() -> TestHost {
+        let time = Arc::<AtomicU64>::default();
+        let shown = time.clone();
+        let world = World {
+            disk: Arc::new(MemoryDisk::default()),
+            clock: Clock::new(move || Duration::from_nanos(shown.load(Ordering::Relaxed))),
+        };
+        TestHost {
+            host: Arc::new(EventLoop::new(world)),
+            time,
+        }
+    }
+
+    /// What a future resolves to, which the loop helps to get there.
+    ///
+    /// # Panics
+    /// It waits for what never comes.
+    pub(crate) fn run<T>(&self, future: impl Future<Output = T>) -> T {
+        let mut future = std::pin::pin!(future);
+        let alarm = Arc::new(Alarm(AtomicBool::new(true)));
+        let waker = Waker::from(alarm.clone());
+        loop {
+            if alarm.0.swap(false, Ordering::AcqRel)
+                && let Poll::Ready(value) = future.as_mut().poll(&mut Context::from_waker(&waker))
+            {
+                return value;
+            }
+            match self.host.turn(Duration::ZERO) {
+                _ if alarm.0.load(Ordering::Acquire) => {}
+                Wait::Until(moment) => self.time.store(moment.as_nanos() as u64, Ordering::Relaxed),
+                Wait::No | Wait::Over => {}
+                Wait::Arrival => panic!("nothing more happens"),
+            }
+        }
+    }
+}
