@@ -1,79 +1,35 @@
-//! The language server for ladder text: what `ladder lsp` runs.
+//! What `ladder lsp` and `ladder dap` run: the language server and the debug adapter of [`ladder_service`], with files, a clock,
+//! threads, and standard input and output.
 //!
 //! ```text
-//! client's bytes -> lsp::transport -> tower-lsp -> lsp::backend -> lsp::features, a file for each
-//!                                                                                |
-//!                       document: open texts, revisions, positions <-------------+
-//!                       language: asks the inner crates about a text <----------+
-//!                       simulation: sessions, each on a thread of its own <------+
-//!                                                                                |
-//! client <- tower-lsp <- answers, and what lsp::documents says without being asked
+//! client's bytes -> standard_input -> frames -> received -> ladder_service
+//! client <- serve: headers <-------------------------------------+
 //! ```
 //!
-//! - `document` holds the editor's texts in ropes. A change makes a new `Revision`, which never changes again:
-//!   a thread that works on one is not disturbed, and whether it is still shown is asked at the end. A revision computes
-//!   two layers, each once, when first asked: the names of its text, and what is found in it. Most features ask
-//!   for names only, and wait for no rule.
-//! - `language` is where the server asks about a text: findings, hovers, layout, in bytes.
-//! - `diagram` draws programs for a page next to their text, `diagram_text` with characters.
-//! - `simulation` runs programs for the editor, on the scan engine. It knows the custom messages, but nothing of
-//!   the framework.
-//! - `notation` translates programs of other systems for the editor, and reads those that are open; it knows the custom
-//!   messages of that.
-//! - `debug` is the debug adapter, `ladder dap`, over the same engine.
-//! - `settling` gives memory back when the server has come to rest.
-//! - `frames` splits what comes in into messages, for `lsp` and for `debug`.
+//! - `native` is the host: a runtime, threads, the disk.
+//! - `frames` splits what comes in into messages, for `serve` and for `debug`.
 //! - `standard_input` reads what the client sends, on a thread of its own.
 //! - `recording` and `replay` keep what a client sent, and play it again.
-//! - `lsp` speaks the protocol. It is the only folder that names `tower-lsp`, and its page has the rules that
-//!   keep a server on it alive, in order and answering.
-//!
-//! The messages are described in `docs/protocol.md`, whose examples the tests play against this code.
+//! - `debug` is the debug adapter over standard input and output.
+//! - `settling` gives memory back when the server has come to rest.
 
 #![deny(clippy::print_stdout)]
 
-mod busy;
-mod cancel;
-mod cross_reference;
 mod debug;
-mod diagram;
-mod diagram_text;
-mod document;
-#[doc(hidden)]
-mod fence;
 mod frames;
-mod host;
-mod language;
-mod lsp;
 mod native;
-mod newest;
-mod notation;
-pub mod probe;
 mod received;
 mod recording;
 mod replay;
-mod rule_page;
 mod serve;
 mod settling;
-mod signal;
-mod simulation;
 mod standard_input;
-pub mod typing_messages;
 
 use std::path::Path;
 use std::process::ExitCode;
 
-pub use cross_reference::{CrossReference, CrossReferenced, ReferencedPlace, ReferencedTag};
-pub use diagram::{Diagram, Drawn, DrawnPiece, PieceKind};
-pub use diagram_text::{DiagramText, DrawnBlock, DrawnLine, DrawnText, InkName};
-pub use document::position::{Position, Range};
-pub use fence::{DrawnFence, Fence, FencePicture, FenceWord};
-pub use host::{Clock, EventLoop, Host, Moment, Turns, Wait, World};
-pub use lsp::{Ended, Ending, Received};
-pub use notation::messages as notation_messages;
-pub use rule_page::{AskedPage, RulePage};
+pub use ladder_service::Ending;
 pub use serve::serve;
-pub use simulation::messages;
 
 /// Threads that read, write and dispatch messages. The work itself runs on blocking threads.
 const WORKERS: usize = 2;

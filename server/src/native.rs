@@ -12,7 +12,7 @@ use futures::future::BoxFuture;
 use ladder_workspace::SystemDisk;
 use tokio::runtime::Handle;
 
-use crate::host::{Clock, Host, Turns, Wait, World};
+use ladder_service::{Clock, Host, Turns, Wait, World};
 
 /// The files of the operating system, and its clock.
 pub(crate) fn world() -> World {

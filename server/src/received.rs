@@ -5,7 +5,7 @@ use futures::channel::mpsc::Sender;
 use tokio::io::AsyncRead;
 
 use crate::frames::{Frame, Frames, LONGEST_MESSAGE};
-use crate::lsp::Received;
+use ladder_service::Received;
 
 /// Passes the client's messages on until either side ends.
 pub(crate) async fn receive(input: impl AsyncRead + Unpin, mut messages: Sender<Received>) {

@@ -13,10 +13,10 @@ use tokio::io::{AsyncBufReadExt, AsyncRead, AsyncReadExt, AsyncWrite, AsyncWrite
 use tokio::sync::Notify;
 use tokio::time::{Instant, sleep_until, timeout};
 
-use crate::busy::Busy;
 use crate::native::Native;
 use crate::recording::Piece;
 use crate::serve::serve_counting;
+use ladder_service::Busy;
 
 /// Bytes between the player and the server.
 const PIPE: usize = 64 << 10;

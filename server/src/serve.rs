@@ -7,10 +7,10 @@ use futures::channel::mpsc;
 use futures::future::{Either, select};
 use tokio::io::{AsyncRead, AsyncWrite, AsyncWriteExt};
 
-use crate::busy::Busy;
 use crate::native::Native;
 use crate::received::receive;
-use crate::{Ending, lsp};
+use ladder_service::Busy;
+use ladder_service::Ending;
 
 /// Serves one client until it says `exit`, its input ends, or its process dies. The input need not end for the
 /// session to: some editors keep it open and wait for the server to go.
@@ -31,7 +31,7 @@ where
     let (messages, received) = mpsc::channel(0);
     let reader = tokio::spawn(receive(input, messages));
     let (out, written) = mpsc::channel(0);
-    let talk = pin!(lsp::serve(Native::here(), received, out, busy));
+    let talk = pin!(ladder_service::serve(Native::here(), received, out, busy));
     let write = pin!(write(output, written));
     let ended = match select(talk, write).await {
         Either::Left((ended, write)) => {

@@ -49,7 +49,8 @@ pub struct Found {
 }
 
 impl RetentiveFile {
-    /// Opens the file that a workspace names: see [`RetentiveFile::open`].
+    /// Opens the file that a workspace names: see [`RetentiveFile::open`]. Another run that uses it may let go of it in the
+    /// time `patience`.
     ///
     /// # Errors
     /// As there, or it lies outside of the workspace.
@@ -57,8 +58,9 @@ impl RetentiveFile {
         disk: &dyn Disk,
         file: &Named,
         program: &str,
+        patience: Duration,
     ) -> Result<(RetentiveFile, Found), FileError> {
-        RetentiveFile::open_in(disk.keeper(file)?, program)
+        RetentiveFile::open_in(disk.keeper(file)?, program, patience)
     }
 
     /// Opens the file for a program and reads what it kept. A file that is not there yet is not an error. A damaged one
@@ -69,17 +71,21 @@ impl RetentiveFile {
     /// It is not a file of retentive values, another run uses it, or the operating system refuses to read it or to put it
     /// aside.
     pub fn open(path: &Path, program: &str) -> Result<(RetentiveFile, Found), FileError> {
-        RetentiveFile::open_in(Box::new(KeptFile::at(path)), program)
+        RetentiveFile::open_in(Box::new(KeptFile::at(path)), program, Duration::ZERO)
     }
 
-    fn open_in(mut keeper: Box<dyn Keeper>, program: &str) -> Result<(RetentiveFile, Found), FileError> {
+    fn open_in(
+        mut keeper: Box<dyn Keeper>,
+        program: &str,
+        patience: Duration,
+    ) -> Result<(RetentiveFile, Found), FileError> {
         let read = |keeper: &dyn Keeper| match keeper.read()? {
             Some(bytes) if !has_head(&bytes) => Err(FileError::new(keeper.path(), Problem::NotOurs)),
             read => Ok(read),
         };
         // Checked before a lock is made for it: what is not ours is not touched.
         read(&*keeper)?;
-        keeper.lock()?;
+        keeper.lock(patience)?;
         let bytes = read(&*keeper)?;
         let mut file = RetentiveFile {
             keeper,

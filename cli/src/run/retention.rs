@@ -5,7 +5,7 @@ use crate::terminal;
 use ladder_simulator::Simulation;
 use ladder_workspace::{Named, RetentiveFile, SystemDisk, shown};
 use std::path::Path;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// Which file keeps what is retentive.
 #[derive(Debug, Clone, Copy)]
@@ -40,7 +40,7 @@ impl Retention {
         let name = program.file_name().unwrap_or_default().to_string_lossy();
         let (opened, found) = match file {
             KeptIn::File(file) => RetentiveFile::open(file, &name)?,
-            KeptIn::OfWorkspace(file) => RetentiveFile::open_named(&SystemDisk, file, &name)?,
+            KeptIn::OfWorkspace(file) => RetentiveFile::open_named(&SystemDisk, file, &name, Duration::ZERO)?,
         };
         for note in &found.notes {
             terminal::warning(&note);

@@ -1,49 +1,11 @@
-//! The debug adapter: what `ladder dap` runs. It speaks the Debug Adapter Protocol and drives the scan engine.
+//! The debug adapter over standard input and output: what `ladder dap` runs.
 //!
 //! ```text
-//! client's bytes -> wire, on a thread of its own -> serve -> adapter: one function for each request
-//!                                                              |
-//!      target: the program, its files, its session <-----------+--> breakpoints, variables, stack, console
-//!                                                              |
-//! client <- wire <- answers, and after them events <----------+
+//! client's bytes -> wire, on a thread of its own -> serve -> the adapter
+//! client <- wire <- answers and events <-------------------------+
 //! ```
-//!
-//! - A request is answered by the thread that runs the program, between two scans or where it has stopped. A long scan
-//!   is given up for `pause` and its like, so that these never wait.
-//! - Every request gets exactly one answer, also after a panic. Events go out after the answer that they follow from.
-//! - What is stopped in front of the first network of a scan is between two scans: what is set there counts for the
-//!   next one.
-//!
-//! `docs/src/guide/debugging.md` is the page for people.
 
-mod adapter;
-mod asked;
-mod attached;
-mod breakpoint_places;
-mod breakpoint_requests;
-mod breakpoints;
-mod capabilities;
-mod condition;
-mod configuration;
-mod console;
-mod launch;
-mod marker;
-mod messages;
-mod once;
-mod play;
-mod running;
 mod serve;
-mod small_program;
-mod sources;
-mod stack;
-mod stepping;
-mod target;
-#[cfg(test)]
-mod tests;
-mod variables;
-mod watch;
 mod wire;
 
-pub(crate) use attached::{Launch, answer_of_none, is_urgent};
 pub(crate) use serve::serve;
-pub(crate) use wire::Output;

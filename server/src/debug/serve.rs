@@ -1,15 +1,13 @@
 //! One session, from the first byte to the end.
 
 use std::io::Write;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError, channel};
 
+use ladder_service::debug::Adapter;
 use tokio::io::AsyncRead;
 
-use super::adapter::Adapter;
-use super::messages::Request;
 use super::wire::{self, Incoming};
 use crate::native;
 
@@ -40,10 +38,10 @@ where
                 if request.is_urgent() {
                     urgent.fetch_sub(1, Ordering::SeqCst);
                 }
-                handle(&mut adapter, &request);
+                adapter.handle(&request);
             }
             Ok(Incoming::Broken { seq, problem }) => adapter.refuse(seq, problem),
-            Err(RecvTimeoutError::Timeout) => go_on(&mut adapter),
+            Err(RecvTimeoutError::Timeout) => adapter.run_on(),
             Err(RecvTimeoutError::Disconnected) => adapter.leave(),
         }
     }
@@ -56,26 +54,10 @@ fn next(inbox: &Receiver<Incoming>, adapter: &Adapter) -> Result<Incoming, RecvT
         return inbox.recv().map_err(|_| RecvTimeoutError::Disconnected);
     }
     match adapter.due() {
-        Some(due) => inbox.recv_timeout(due.saturating_sub(adapter.world.clock.now())),
+        Some(due) => inbox.recv_timeout(due.saturating_sub(adapter.clock().now())),
         None => inbox.try_recv().map_err(|error| match error {
             TryRecvError::Empty => RecvTimeoutError::Timeout,
             TryRecvError::Disconnected => RecvTimeoutError::Disconnected,
         }),
     }
-}
-
-/// Answers a request, whatever happens.
-pub(super) fn handle(adapter: &mut Adapter, request: &Request) {
-    let outcome = catch_unwind(AssertUnwindSafe(|| adapter.answer(request)));
-    let outcome =
-        outcome.unwrap_or_else(|_| Err("the adapter has met an error of its own; please report it".into()));
-    adapter.handle(request, outcome);
-}
-
-/// Goes on with a run, whatever happens.
-pub(super) fn go_on(adapter: &mut Adapter) {
-    if catch_unwind(AssertUnwindSafe(|| adapter.go_on())).is_err() {
-        adapter.give_up();
-    }
-    adapter.send_events();
 }

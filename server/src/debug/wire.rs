@@ -1,14 +1,13 @@
 //! Messages on their way in and out.
 
-use std::io::{self, Write};
+use std::io::Write;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::Sender;
 
-use serde_json::{Value as Json, json};
+use ladder_service::debug::{Output, Request};
 use tokio::io::AsyncRead;
 
-use super::messages::Request;
 use crate::frames::{Frame, Frames};
 
 /// What comes in.
@@ -61,9 +60,6 @@ pub(super) async fn read(input: impl AsyncRead + Unpin, to: Sender<Incoming>, ur
     }
 }
 
-/// Takes a message to the client; an error if that is gone.
-pub(crate) type Output = Box<dyn FnMut(&Json) -> io::Result<()> + Send>;
-
 /// Messages with the length of each in front of it.
 pub(super) fn framed(mut output: impl Write + Send + 'static) -> Output {
     Box::new(move |message| {
@@ -71,62 +67,4 @@ pub(super) fn framed(mut output: impl Write + Send + 'static) -> Output {
         write!(output, "Content-Length: {}\r\n\r\n{body}", body.len())?;
         output.flush()
     })
-}
-
-/// Where messages go out.
-pub(super) struct Outlet {
-    output: Output,
-    seq: i64,
-    /// The client does not take anything any more.
-    is_broken: bool,
-}
-
-impl Outlet {
-    pub(super) fn new(output: Output) -> Outlet {
-        Outlet {
-            output,
-            seq: 0,
-            is_broken: false,
-        }
-    }
-
-    /// Whether the client still takes messages.
-    pub(super) fn is_broken(&self) -> bool {
-        self.is_broken
-    }
-
-    pub(super) fn answer(&mut self, request: i64, command: &str, outcome: Result<Json, String>) {
-        let mut message = json!({
-            "type": "response",
-            "request_seq": request,
-            "command": command,
-            "success": outcome.is_ok(),
-        });
-        match outcome {
-            Ok(Json::Null) => {}
-            Ok(body) => message["body"] = body,
-            Err(problem) => {
-                // A client would take braces in the format for the names of variables.
-                message["body"] = json!({"error": {
-                    "id": 1, "format": "{problem}", "variables": {"problem": problem}, "showUser": true,
-                }});
-                message["message"] = problem.into();
-            }
-        }
-        self.send(message);
-    }
-
-    pub(super) fn event(&mut self, event: &str, body: Json) {
-        let mut message = json!({"type": "event", "event": event});
-        if !body.is_null() {
-            message["body"] = body;
-        }
-        self.send(message);
-    }
-
-    fn send(&mut self, mut message: Json) {
-        self.seq += 1;
-        message["seq"] = self.seq.into();
-        self.is_broken |= (self.output)(&message).is_err();
-    }
 }

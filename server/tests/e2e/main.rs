@@ -13,7 +13,6 @@ mod features;
 mod follow;
 mod history;
 mod hostile;
-mod house;
 mod lenses;
 mod lifecycle;
 mod navigate;

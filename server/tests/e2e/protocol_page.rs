@@ -6,8 +6,8 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use ladder_server::typing_messages::{Cursor, EditDrawing, EditedDrawing, ToggleComment};
-use ladder_server::{
+use ladder_service::typing_messages::{Cursor, EditDrawing, EditedDrawing, ToggleComment};
+use ladder_service::{
     AskedPage, CrossReference, CrossReferenced, Diagram, DiagramText, Drawn, DrawnFence, DrawnText, Fence,
     messages, notation_messages,
 };

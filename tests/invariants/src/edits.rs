@@ -6,8 +6,8 @@
 
 use crate::input::{Numbers, parts, text};
 use crate::model::Model;
-use ladder_server::probe::{Document, Unit};
-use ladder_server::{Position, Range};
+use ladder_service::probe::{Document, Unit};
+use ladder_service::{Position, Range};
 
 /// More changes tell nothing new.
 const MOST_CHANGES: usize = 12;

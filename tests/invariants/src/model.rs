@@ -1,7 +1,7 @@
 //! A text as an editor sees it, kept as a plain string: the server's ropes must agree with it.
 
-use ladder_server::probe::Unit;
-use ladder_server::{Position, Range};
+use ladder_service::probe::Unit;
+use ladder_service::{Position, Range};
 
 /// A text, and the unit in which its positions count.
 #[derive(Debug)]

@@ -14,7 +14,7 @@ const LANGUAGE: [&str; 6] = [
 ];
 
 /// What a crate may use: those of the language only what is here, the others also all of the language.
-const RULES: [(&str, &[&str]); 13] = [
+const RULES: [(&str, &[&str]); 15] = [
     ("syntax", &[]),
     ("instructions", &[]),
     ("library", &[]),
@@ -30,9 +30,11 @@ const RULES: [(&str, &[&str]); 13] = [
     ("ide", &["simulator"]),
     ("workspace", &["simulator", "notation"]),
     (
-        "server",
+        "service",
         &["simulator", "ide", "picture", "notations", "workspace"],
     ),
+    ("server", &["service", "workspace"]),
+    ("playground", &["service", "workspace"]),
     (
         "cli",
         &["simulator", "ide", "picture", "notations", "workspace", "server"],

@@ -14,6 +14,7 @@ use std::collections::BTreeMap;
 use std::io;
 use std::path::{Component, Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 
 /// Files in memory. Clones have the same files. Paths begin with a `/`, on every system.
 #[derive(Debug, Clone, Default)]
@@ -123,9 +124,10 @@ impl Disk for MemoryDisk {
     }
 
     fn canonicalize(&self, path: &Path) -> io::Result<PathBuf> {
-        match self.is_there(path) {
-            true => Ok(plain(path)),
-            false => Err(io::ErrorKind::NotFound.into()),
+        if self.is_there(path) {
+            Ok(plain(path))
+        } else {
+            Err(io::ErrorKind::NotFound.into())
         }
     }
 
@@ -243,7 +245,7 @@ impl Keeper for KeptInMemory {
         Ok(self.disk.bytes(&self.path).ok().map(|bytes| bytes.to_vec()))
     }
 
-    fn lock(&mut self) -> Result<(), FileError> {
+    fn lock(&mut self, _patience: Duration) -> Result<(), FileError> {
         Ok(())
     }
 

@@ -22,6 +22,7 @@ use ladder_notation::{Companion, Notation, Source};
 use std::fmt::Debug;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// A place with files.
 pub trait Disk: Debug + Send + Sync {
@@ -158,11 +159,11 @@ pub trait Keeper: Debug + Send {
     /// It cannot be read.
     fn read(&self) -> Result<Option<Vec<u8>>, FileError>;
 
-    /// Keeps others from the file until this is dropped.
+    /// Keeps others from the file until this is dropped. One that has it may let go of it in the time `patience`.
     ///
     /// # Errors
     /// Another run uses it.
-    fn lock(&mut self) -> Result<(), FileError>;
+    fn lock(&mut self, patience: Duration) -> Result<(), FileError>;
 
     /// Writes it, whole or not at all.
     ///

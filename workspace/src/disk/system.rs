@@ -15,6 +15,11 @@ use ladder_syntax::MAX_FILE_BYTES;
 use std::fs::{self, File};
 use std::io::{self, Read as _};
 use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// Whether a file is free is asked again after this time.
+const AGAIN: Duration = Duration::from_millis(20);
 
 /// The disk of the operating system.
 #[derive(Debug, Clone, Copy, Default)]
@@ -140,8 +145,16 @@ impl Keeper for KeptFile {
         Ok(Some(bytes))
     }
 
-    fn lock(&mut self) -> Result<(), FileError> {
-        self.lock = Lock::of(&self.path)?;
+    fn lock(&mut self, patience: Duration) -> Result<(), FileError> {
+        let begun = Instant::now();
+        self.lock = loop {
+            match Lock::of(&self.path) {
+                Err(error) if matches!(error.problem, Problem::InUse) && begun.elapsed() < patience => {
+                    thread::sleep(AGAIN);
+                }
+                locked => break locked?,
+            }
+        };
         Ok(())
     }
 

@@ -182,8 +182,14 @@ fn a_workspace_names_a_file_of_its_own() {
     let folder = tempfile::tempdir().unwrap();
     let plant = folder.path().join("plant");
     fs::create_dir(&plant).unwrap();
-    let open =
-        |name: &str| RetentiveFile::open_named(&SystemDisk, &Named::in_settings(&plant, name), "motor.clad");
+    let open = |name: &str| {
+        RetentiveFile::open_named(
+            &SystemDisk,
+            &Named::in_settings(&plant, name),
+            "motor.clad",
+            Duration::ZERO,
+        )
+    };
     open("motor.retain").unwrap().0.save(&[]).unwrap();
     assert_eq!(names(&plant), ["motor.retain"]);
     for name in [
@@ -206,8 +212,13 @@ fn a_link_leads_to_no_file_outside() {
     std::os::unix::fs::symlink("../profile", plant.join("a.retain")).unwrap();
     std::os::unix::fs::symlink("..", plant.join("up")).unwrap();
     for name in ["a.retain", "up/profile"] {
-        let error = RetentiveFile::open_named(&SystemDisk, &Named::in_settings(&plant, name), "motor.clad")
-            .unwrap_err();
+        let error = RetentiveFile::open_named(
+            &SystemDisk,
+            &Named::in_settings(&plant, name),
+            "motor.clad",
+            Duration::ZERO,
+        )
+        .unwrap_err();
         assert!(
             error.to_string().contains("leads out of the workspace"),
             "{error}"
@@ -216,8 +227,13 @@ fn a_link_leads_to_no_file_outside() {
     // One that is there already, with content that the tools would take for their own.
     fs::write(folder.path().join("profile"), "ladder-retain 1\n").unwrap();
     assert!(
-        RetentiveFile::open_named(&SystemDisk, &Named::in_settings(&plant, "a.retain"), "motor.clad")
-            .is_err()
+        RetentiveFile::open_named(
+            &SystemDisk,
+            &Named::in_settings(&plant, "a.retain"),
+            "motor.clad",
+            Duration::ZERO
+        )
+        .is_err()
     );
     assert_eq!(
         fs::read_to_string(folder.path().join("profile")).unwrap(),

@@ -302,7 +302,6 @@ mod tests {
     use std::sync::atomic::{AtomicUsize, Ordering};
 
     use super::super::membership::Membership;
-    use super::super::neighbours::Neighbours;
     use super::super::position::Encoding;
     use super::*;
 
@@ -310,7 +309,7 @@ mod tests {
     fn nothing_is_read_for_an_answer_that_nobody_waits_for() {
         let folder = tempfile::tempdir().unwrap();
         let (documents, companions) = (Arc::<Documents>::default(), Arc::<Documents>::default());
-        let neighbours = Arc::<Neighbours>::default();
+        let neighbours = crate::host::testing::neighbours();
         let open = |name: &str| {
             let path = folder.path().join(name);
             std::fs::write(&path, "+--[ ]( a )--( )( b )--+\n").unwrap();

@@ -78,7 +78,7 @@ mod tests {
     #[test]
     fn a_new_file_is_looked_at_again_if_another_has_changed_meanwhile() {
         let folder = workspace(&[]);
-        let neighbours = Arc::<Neighbours>::default();
+        let neighbours = crate::host::testing::neighbours();
         let open = |name: &str, text: &str| shown(&neighbours, folder.path().join(name), text);
         let caller = open("caller.clad", "+--( )( z )--<CALL>( count )--+\n");
         let called = open("called.clad", FUNCTION);
@@ -96,7 +96,7 @@ mod tests {
         let folder = workspace(&[("own.clad", &function("saved")), ("other.clad", "")]);
         let own = folder.path().join("own.clad");
         let other = folder.path().join("other.clad");
-        let neighbours = Arc::<Neighbours>::default();
+        let neighbours = crate::host::testing::neighbours();
         let open = |path: &PathBuf, text: &str| {
             neighbours.opened(path);
             shown(&neighbours, path.clone(), text)
@@ -129,7 +129,7 @@ mod tests {
         let folder = workspace(&[("called.clad", FUNCTION), ("caller.clad", "")]);
         let called = folder.path().join("called.clad");
         let caller = folder.path().join("caller.clad");
-        let neighbours = Arc::<Neighbours>::default();
+        let neighbours = crate::host::testing::neighbours();
         neighbours.opened(&called);
         neighbours.opened(&caller);
         let called = shown(&neighbours, called, FUNCTION);

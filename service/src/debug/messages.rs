@@ -7,23 +7,28 @@ use serde_json::{Map, Value as Json};
 
 /// A request.
 #[derive(Debug, Clone, Deserialize)]
-pub(super) struct Request {
-    pub seq: i64,
-    pub command: String,
+pub struct Request {
+    pub(super) seq: i64,
+    pub(super) command: String,
     #[serde(default)]
-    pub arguments: Json,
+    pub(super) arguments: Json,
 }
 
 /// Why a message is not a request.
 #[derive(Debug)]
-pub(super) struct NoRequest {
+pub struct NoRequest {
     /// Its number; 0 if it has none.
     pub seq: i64,
+    /// What is wrong with it.
     pub message: String,
 }
 
 impl Request {
-    pub(super) fn read(body: &[u8]) -> Result<Request, NoRequest> {
+    /// Reads a message.
+    ///
+    /// # Errors
+    /// It is not a request.
+    pub fn read(body: &[u8]) -> Result<Request, NoRequest> {
         let message: Json = serde_json::from_slice(body).map_err(|error| NoRequest {
             seq: 0,
             message: format!("the message is not JSON: {error}"),
@@ -46,7 +51,7 @@ impl Request {
     }
 
     /// Whether a long scan is given up for it.
-    pub(super) fn is_urgent(&self) -> bool {
+    pub fn is_urgent(&self) -> bool {
         matches!(
             self.command.as_str(),
             "pause" | "disconnect" | "terminate" | "restart" | "stepBack" | "reverseContinue"

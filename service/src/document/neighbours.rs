@@ -26,13 +26,6 @@ pub(crate) struct Neighbours {
     state: Mutex<State>,
 }
 
-#[cfg(test)]
-impl Default for Neighbours {
-    fn default() -> Self {
-        Neighbours::on(Arc::new(ladder_workspace::SystemDisk))
-    }
-}
-
 #[derive(Debug)]
 struct State {
     disk: Arc<dyn Disk>,

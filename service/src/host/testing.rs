@@ -3,12 +3,27 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::task::{Context, Poll, Waker};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-use ladder_workspace::MemoryDisk;
+use ladder_workspace::{MemoryDisk, SystemDisk};
 
 use super::event_loop::Alarm;
 use super::{Clock, EventLoop, Wait, World};
+use crate::document::neighbours::Neighbours;
+
+/// The files and the clock of the operating system.
+pub(crate) fn on_disk() -> World {
+    let begun = Instant::now();
+    World {
+        disk: Arc::new(SystemDisk),
+        clock: Clock::new(move || begun.elapsed()),
+    }
+}
+
+/// The workspaces on the disk of the operating system.
+pub(crate) fn neighbours() -> Arc<Neighbours> {
+    Arc::new(Neighbours::on(Arc::new(SystemDisk)))
+}
 
 /// A loop with its clock.
 #[derive(Debug, Clone)]

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use ladder_simulator::Session;
-use ladder_workspace::{FileError, Found, Named, Problem, RetentiveFile};
+use ladder_workspace::{Named, RetentiveFile};
 
 use crate::host::{Clock, World};
 
@@ -19,21 +19,8 @@ pub(crate) enum Keeping {
     Nothing,
 }
 
-/// A simulation that was asked to stop lets go of its file in this time.
+/// A simulation that was asked to stop lets go of its file in this time. An editor that starts it again may not wait until then.
 const PATIENCE: Duration = Duration::from_secs(1);
-
-/// Opens the file. An editor that starts a simulation again may not wait until the one before has ended.
-fn patiently(world: &World, file: &Named, program: &str) -> Result<(RetentiveFile, Found), FileError> {
-    let end = world.clock.now() + PATIENCE;
-    loop {
-        match RetentiveFile::open_named(&*world.disk, file, program) {
-            Err(error) if matches!(error.problem, Problem::InUse) && world.clock.now() < end => {
-                std::thread::sleep(Duration::from_millis(20));
-            }
-            opened => return opened,
-        }
-    }
-}
 
 /// The file, while a simulation runs.
 #[derive(Debug)]
@@ -54,7 +41,7 @@ impl Retention {
         let Some(file) = file else {
             return (None, Vec::new());
         };
-        match patiently(world, file, program) {
+        match RetentiveFile::open_named(&*world.disk, file, program, PATIENCE) {
             Ok((file, found)) => {
                 let mut notes = found.notes;
                 let complaints = found.kept.map(|kept| session.warm_start(&kept));

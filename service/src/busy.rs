@@ -9,21 +9,21 @@ use crate::host::Host;
 
 /// How much work is under way. Clones count together.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Busy(Arc<AtomicUsize>);
+pub struct Busy(Arc<AtomicUsize>);
 
 /// Work that is under way until this is dropped.
 #[derive(Debug)]
-pub(crate) struct Work(Busy);
+pub struct Work(Busy);
 
 impl Busy {
     /// Work begins.
-    pub(crate) fn begin(&self) -> Work {
+    pub fn begin(&self) -> Work {
         self.0.fetch_add(1, Ordering::AcqRel);
         Work(self.clone())
     }
 
     /// Waits until nothing is under way, but no longer than this.
-    pub(crate) async fn rest(&self, host: &dyn Host, patience: Duration) {
+    pub async fn rest(&self, host: &dyn Host, patience: Duration) {
         let clock = &host.world().clock;
         let end = clock.now() + patience;
         while self.0.load(Ordering::Acquire) > 0 && clock.now() < end {

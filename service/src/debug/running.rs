@@ -84,7 +84,7 @@ impl Adapter {
     }
 
     /// When the next scan is due; none while it is at once.
-    pub(super) fn due(&self) -> Option<Moment> {
+    pub fn due(&self) -> Option<Moment> {
         let is_open = self
             .target
             .as_ref()

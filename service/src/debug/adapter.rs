@@ -21,14 +21,14 @@ use super::messages::{
     Completions, Evaluate, Force, Initialize, Request, Scopes, SetExpression, SetVariable, StackTrace,
     StepArguments, Variables,
 };
+use super::outlet::{Outlet, Output};
 use super::running::{Going, Stopped};
 use super::sources::{Counting, Source};
 use super::stack;
 use super::stepping::Stepping;
 use super::target::Target;
 use super::variables::{self, Handles};
-use super::wire::{Outlet, Output};
-use crate::host::World;
+use crate::host::{Clock, World};
 
 /// A program has one thread.
 pub(super) const THREAD: i64 = 1;
@@ -49,7 +49,7 @@ pub(super) enum Phase {
 }
 
 /// A session of the debug adapter.
-pub(super) struct Adapter {
+pub struct Adapter {
     pub(super) world: World,
     out: Outlet,
     /// What goes out after the answer.
@@ -81,7 +81,8 @@ pub(super) struct Adapter {
 }
 
 impl Adapter {
-    pub(super) fn new(world: World, output: Output, urgent: Arc<AtomicUsize>) -> Adapter {
+    /// A session of which nothing is known yet. `urgent` counts the requests that a long scan is given up for.
+    pub fn new(world: World, output: Output, urgent: Arc<AtomicUsize>) -> Adapter {
         let client = Initialize::default();
         Adapter {
             world,
@@ -107,24 +108,29 @@ impl Adapter {
         }
     }
 
+    /// Its clock.
+    pub fn clock(&self) -> &Clock {
+        &self.world.clock
+    }
+
     /// Whether there is nothing more to be done.
-    pub(super) fn is_over(&self) -> bool {
+    pub fn is_over(&self) -> bool {
         self.is_left || self.out.is_broken()
     }
 
     /// Whether the program runs.
-    pub(super) fn is_running(&self) -> bool {
+    pub fn is_running(&self) -> bool {
         self.going.is_some()
     }
 
     /// Answers a request, and sends what follows from it.
-    pub(super) fn handle(&mut self, request: &Request, outcome: Result<Json, String>) {
+    pub(super) fn answered(&mut self, request: &Request, outcome: Result<Json, String>) {
         self.out.answer(request.seq, &request.command, outcome);
         self.send_events();
     }
 
     /// Answers something that is not a request.
-    pub(super) fn refuse(&mut self, seq: i64, problem: String) {
+    pub fn refuse(&mut self, seq: i64, problem: String) {
         self.out.answer(seq, "", Err(problem));
     }
 
@@ -169,7 +175,7 @@ impl Adapter {
     }
 
     /// The client's session is over: what is kept is saved.
-    pub(super) fn leave(&mut self) {
+    pub fn leave(&mut self) {
         self.is_left = true;
         self.going = None;
         if self.lent.is_some()

@@ -316,7 +316,7 @@ impl Runner {
             }
             self.simulation.scan();
             self.owes = true;
-            if self.clock.now() - reported >= self.report() && self.publish() {
+            if self.clock.now().saturating_sub(reported) >= self.report() && self.publish() {
                 reported = self.clock.now();
             }
         }
@@ -377,7 +377,7 @@ impl Runner {
             return;
         }
         // To a client that is late the next state goes with the first scan after its word that it has shown the last one.
-        if now - run.reported >= self.report() && self.publish() {
+        if now.saturating_sub(run.reported) >= self.report() && self.publish() {
             run.reported = now;
         }
         self.run = Some(run);

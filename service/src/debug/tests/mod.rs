@@ -3,7 +3,6 @@
 mod hostile;
 mod watches;
 
-use std::io::{self, Write};
 use std::sync::atomic::AtomicUsize;
 use std::sync::{Arc, Mutex};
 
@@ -12,37 +11,16 @@ use tempfile::TempDir;
 
 use super::adapter::Adapter;
 use super::messages::Request;
-use super::serve::{go_on, handle};
-use super::wire::framed;
+use crate::host::testing::on_disk;
 
 /// What the adapter writes.
 #[derive(Debug, Clone, Default)]
-struct Written(Arc<Mutex<Vec<u8>>>);
-
-impl Write for Written {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.0.lock().unwrap().extend_from_slice(bytes);
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        Ok(())
-    }
-}
+struct Written(Arc<Mutex<Vec<Json>>>);
 
 impl Written {
     /// The messages since this was asked last.
     fn take(&self) -> Vec<Json> {
-        let bytes = std::mem::take(&mut *self.0.lock().unwrap());
-        let text = String::from_utf8(bytes).unwrap();
-        let messages = text.split("Content-Length: ").skip(1);
-        messages
-            .map(|message| {
-                let (length, body) = message.split_once("\r\n\r\n").unwrap();
-                assert_eq!(length.parse::<usize>().unwrap(), body.len());
-                serde_json::from_str(body).unwrap()
-            })
-            .collect()
+        std::mem::take(&mut *self.0.lock().unwrap())
     }
 }
 
@@ -60,10 +38,14 @@ impl Client {
         std::fs::write(folder.path().join("ladder.toml"), "").unwrap();
         std::fs::write(folder.path().join("own.clad"), text).unwrap();
         let written = Written::default();
+        let out = written.clone();
         Client {
             adapter: Adapter::new(
-                crate::native::world(),
-                framed(written.clone()),
+                on_disk(),
+                Box::new(move |message| {
+                    out.0.lock().unwrap().push(message.clone());
+                    Ok(())
+                }),
                 Arc::<AtomicUsize>::default(),
             ),
             written,
@@ -84,12 +66,12 @@ impl Client {
             command: command.to_owned(),
             arguments,
         };
-        handle(&mut self.adapter, &request);
+        self.adapter.handle(&request);
         for _ in 0..100 {
             if !self.adapter.is_running() {
                 break;
             }
-            go_on(&mut self.adapter);
+            self.adapter.run_on();
         }
         let said = self.written.take();
         let answers = said.iter().filter(|message| message["type"] == "response");

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 use std::sync::Arc;
+use std::time::Duration;
 
 use ladder_analysis::program::Program;
 use ladder_analysis::{Analysis, NotWhole};
@@ -40,8 +41,9 @@ pub(super) fn load(configuration: &Configuration, world: &World) -> Result<(Targ
     let retention = match retain {
         Some(file) => {
             let name = asked.program().file_name().unwrap_or_default();
-            let (file, found) = RetentiveFile::open_named(&*world.disk, &file, &name.to_string_lossy())
-                .map_err(|error| error.to_string())?;
+            let (file, found) =
+                RetentiveFile::open_named(&*world.disk, &file, &name.to_string_lossy(), Duration::ZERO)
+                    .map_err(|error| error.to_string())?;
             notes.extend(found.notes);
             notes.extend(found.kept.iter().flat_map(|kept| session.warm_start(kept)));
             Some(file)

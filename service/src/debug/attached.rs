@@ -14,12 +14,11 @@ use super::asked::Asked;
 use super::configuration::Configuration;
 use super::launch::must_be_program;
 use super::messages::Request;
+use super::outlet::Output;
 use super::running::{Going, Stopped};
-use super::serve::{go_on, handle};
 use super::sources::Source;
 use super::stepping::Stepping;
 use super::target::Target;
-use super::wire::Output;
 use crate::host::World;
 use crate::simulation::{Beginning, Debugger, Ground, Halt, Keeping, ProgramFile};
 
@@ -149,7 +148,7 @@ impl Debugger for Attached {
         let seq = message.get("seq").and_then(Json::as_i64).unwrap_or(0);
         match Request::of(message.clone()) {
             Ok(request) => {
-                self.with(session, |adapter| handle(adapter, &request));
+                self.with(session, |adapter| adapter.handle(&request));
                 request.changes()
             }
             Err(problem) => {
@@ -160,7 +159,7 @@ impl Debugger for Attached {
     }
 
     fn go_on(&mut self, session: &mut Session) {
-        self.with(session, go_on);
+        self.with(session, Adapter::run_on);
     }
 
     fn step(&mut self, session: &mut Session, by_block: bool) {

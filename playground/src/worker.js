@@ -1,0 +1,95 @@
+// The worker in which the server of `../server` runs. `../README.md` says how a page speaks with it.
+
+import { Server } from "./server.js";
+
+/** Set once the server is there. */
+let server;
+/** What has come before. */
+let early = [];
+/** The call of `goOn` that is to come: a timer, or `true` if it comes as soon as the messages that wait are read. */
+let due;
+
+// Unlike a timer it is not held back when nested, and lets messages of the page pass first.
+const soon = new MessageChannel();
+soon.port1.onmessage = () => {
+    due = undefined;
+    safely(goOn);
+};
+
+self.onmessage = ({ data }) => {
+    if (server) {
+        safely(() => take(data));
+    } else if (early.push(data) === 1) {
+        begin(data).catch(fail);
+    }
+};
+
+async function begin({ wasm = new URL("ladder.wasm", import.meta.url).href }) {
+    const answer = await fetch(wasm);
+    if (!answer.ok) {
+        throw new Error(`${wasm} cannot be loaded: ${answer.status}`);
+    }
+    // A file server need not know the type of such a file.
+    server = await Server.start(await WebAssembly.compile(await answer.arrayBuffer()));
+    const all = early;
+    early = [];
+    safely(() => all.forEach(take));
+}
+
+function take(data) {
+    if (typeof data === "string") {
+        server.receive(data);
+        goOnAfter(0);
+        return;
+    }
+    for (const [name, content] of Object.entries(data.files ?? {})) {
+        server.write(name, content);
+    }
+}
+
+function goOn() {
+    const wait = server.turn();
+    for (const message of server.said()) {
+        self.postMessage(message);
+    }
+    if (wait >= 0) {
+        goOnAfter(wait);
+    }
+}
+
+/** In so many milliseconds; at once, if that is not a whole one. */
+function goOnAfter(wait) {
+    if (due === true) {
+        return;
+    }
+    clearTimeout(due);
+    if (wait < 1) {
+        due = true;
+        soon.port2.postMessage(null);
+    } else {
+        due = setTimeout(() => {
+            due = undefined;
+            safely(goOn);
+        }, wait);
+    }
+}
+
+function safely(work) {
+    if (!server) {
+        return;
+    }
+    try {
+        work();
+    } catch (error) {
+        const ended = server;
+        server = undefined;
+        clearTimeout(due);
+        fail(error, ended);
+    }
+}
+
+function fail(error, ended) {
+    // What the page says from now on is for nobody.
+    self.onmessage = null;
+    self.postMessage({ failed: ended?.failure(error) || String(error) });
+}
