@@ -1,0 +1,158 @@
+//! The server on one thread, with files in memory and a clock that goes on only when there is nothing else to do: what is seen
+//! here is the same each time.
+
+mod session;
+
+use serde_json::{Value, json};
+use session::Session;
+
+const URI: &str = "file:///plant/motor.clad";
+const CONTACT: &str = "+--[ ]( a )--( )( y )--+\n";
+
+/// A client that has opened a program, in a workspace with these files besides.
+fn opened(text: &str, files: &[(&str, &str)]) -> Session {
+    let mut session = Session::with(files);
+    session.ask(
+        "initialize",
+        json!({"rootUri": "file:///plant", "capabilities": {}}),
+    );
+    session.notify("initialized", json!({}));
+    session.open(URI, text);
+    session
+}
+
+fn command(session: &mut Session, name: &str, given: Value) -> Value {
+    let answer = session.ask(
+        "workspace/executeCommand",
+        json!({"command": format!("ladder.simulate.{name}"), "arguments": [given]}),
+    );
+    answer["result"].clone()
+}
+
+#[test]
+fn a_run_scans_at_its_times() {
+    let mut session = opened(CONTACT, &[]);
+    command(
+        &mut session,
+        "start",
+        json!({"uri": URI, "options": {"intervalMs": 10}}),
+    );
+    command(&mut session, "run", json!({"session": "s1"}));
+    session.wait(995);
+    let state = command(&mut session, "state", json!({"session": "s1"}));
+    assert_eq!(
+        (&state["status"], &state["scan"]),
+        (&json!("running"), &json!(100))
+    );
+    command(&mut session, "speed", json!({"session": "s1", "speed": 10.0}));
+    session.wait(99);
+    let state = command(&mut session, "pause", json!({"session": "s1"}));
+    assert_eq!(state["scan"], 200);
+    let states = session.heard("ladder/simulationState");
+    // Twenty in a second.
+    assert!((20..26).contains(&states.len()), "{}", states.len());
+    session.wait(10_000);
+    let state = command(&mut session, "state", json!({"session": "s1"}));
+    assert_eq!(state["scan"], 200, "it is paused");
+}
+
+#[test]
+fn a_scan_without_end_keeps_no_message_waiting() {
+    let text = "+--<LBL>( again )--( )( y )--+\n+--<JMP>( again )--+\n";
+    let mut session = opened(text, &[("ladder.toml", "[simulate]\nwatchdog = 1000000000\n")]);
+    let started = command(&mut session, "start", json!({"uri": URI}));
+    assert_eq!(
+        started["session"],
+        "s1",
+        "{:?}",
+        session.heard("textDocument/publishDiagnostics")
+    );
+    // Each look at the clock takes a moment, as work does.
+    session.time_passes_with_work();
+    command(&mut session, "run", json!({"session": "s1"}));
+    let state = command(&mut session, "pause", json!({"session": "s1"}));
+    assert_eq!((&state["status"], &state["scan"]), (&json!("paused"), &json!(0)));
+}
+
+#[test]
+fn retentive_tags_are_kept_in_the_files_that_there_are() {
+    let text = "VAR RETAIN n: DINT; END_VAR\n+--[ ]( a )--[CALC]( n, n + 1 )--+\n";
+    let mut session = opened(
+        text,
+        &[("ladder.toml", "[simulate]\nretain = \"plant.retain\"\n")],
+    );
+    let started = command(
+        &mut session,
+        "start",
+        json!({"uri": URI, "options": {"inputs": {"a": true}}}),
+    );
+    assert_eq!(
+        started["session"],
+        "s1",
+        "{:?}",
+        session.heard("textDocument/publishDiagnostics")
+    );
+    command(&mut session, "step", json!({"session": "s1", "scans": 7}));
+    command(&mut session, "stop", json!({"session": "s1"}));
+    let kept = session.file("plant.retain");
+    assert!(
+        kept.starts_with("ladder-retain 1\nprogram motor.clad\nn\tDINT\t7\n"),
+        "{kept}"
+    );
+    command(&mut session, "start", json!({"uri": URI}));
+    let state = command(&mut session, "state", json!({"session": "s2"}));
+    assert!(state["tags"].to_string().contains(r#""n""#), "{state}");
+    assert!(state["tags"].to_string().contains("7"), "{state}");
+}
+
+#[test]
+fn the_other_files_of_the_workspace_count() {
+    let called = "+--( )( y )--+\n+--<FUN>( count )--( )( y )--+\n";
+    let session = opened(
+        "+--( )( z )--<CALL>( count )--+\n",
+        &[("ladder.toml", ""), ("line/called.clad", called)],
+    );
+    let found = session.heard("textDocument/publishDiagnostics");
+    assert_eq!(found.last().unwrap()["diagnostics"], json!([]));
+    let alone = opened("+--( )( z )--<CALL>( count )--+\n", &[]);
+    let found = alone.heard("textDocument/publishDiagnostics");
+    assert_eq!(
+        found.last().unwrap()["diagnostics"][0]["code"],
+        "unknown-function"
+    );
+}
+
+#[test]
+fn the_page_about_the_protocol_shows_what_is_answered_here_too() {
+    const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/protocol.md");
+    let page = std::fs::read_to_string(PAGE).unwrap();
+    let mut session = Session::with(&[]);
+    let mut compared = 0;
+    for example in page.split("```json\n").skip(1) {
+        let example: Value = serde_json::from_str(example.split("```").next().unwrap()).unwrap();
+        let is_of_client = |method| {
+            let notifications = [
+                "initialized",
+                "exit",
+                "ladder/simulationShown",
+                "ladder/toDebugger",
+            ];
+            notifications.contains(&method)
+                || matches!(method, "textDocument/didOpen" | "textDocument/didChange")
+        };
+        match (example.get("id"), example["method"].as_str()) {
+            (Some(_), Some(_)) => session.send(&example),
+            (None, Some(method)) if is_of_client(method) => session.send(&example),
+            (Some(id), None) => {
+                assert_eq!(session.answer(id), Some(&example));
+                compared += 1;
+            }
+            // How many states come depends on the clock.
+            (None, Some("ladder/simulationState")) => {}
+            (None, Some(_)) => assert!(session.has_said(&example), "{example}"),
+            (None, None) => panic!("{example}"),
+        }
+    }
+    assert!(compared > 40, "{compared}");
+    assert!(session.is_over());
+}
