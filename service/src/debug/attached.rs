@@ -64,7 +64,7 @@ impl Launch {
         self.0.keeping()
     }
 
-    /// The debugger, for the thread of the simulation. Its messages go out there.
+    /// The debugger, for the turns of the simulation, in which its messages go out.
     pub(crate) fn begin(self, output: Output, is_joined: bool) -> Beginning {
         let world = self.0.world().clone();
         Beginning(Box::new(move |ground: Ground<'_>| {

@@ -1,6 +1,6 @@
 //! What a debugger is to a simulation: it is lent the session, and says with it what stops a run.
 //!
-//! The thread of the simulation stays the only one that runs scans. While a debugger is there it asks that to do each of
+//! The simulation stays the only one that runs scans. While a debugger is there it asks that to do each of
 //! them, and tells it of all that the editor's own commands do.
 
 use std::fmt;
@@ -83,7 +83,7 @@ pub(crate) struct Ground<'s> {
 
 type Begin = dyn FnOnce(Ground<'_>) -> Result<Box<dyn Debugger>, String> + Send;
 
-/// Makes a debugger, on the thread of the simulation.
+/// Makes a debugger, in a turn of the simulation.
 pub(crate) struct Beginning(pub Box<Begin>);
 
 impl fmt::Debug for Beginning {

@@ -1,7 +1,7 @@
 //! Simulations that an editor starts, steps and watches.
 //!
 //! [`request`] reads a command, [`messages`] are its arguments and answers, [`sessions`] knows who runs, and each
-//! [`session`] is a thread of its own, which drives an [`engine`]: a long run stops nobody, and a command is seen
+//! [`session`] goes on by turns, in which its [`runner`] drives an [`engine`]: a long run stops nobody, and a command is seen
 //! between two scans. The folder knows nothing of the protocol's framework: states go out through a channel that keeps
 //! only the newest.
 
