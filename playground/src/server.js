@@ -39,7 +39,7 @@ export class Server {
         this.#exports.receive();
     }
 
-    /** Works for a moment. Gives the milliseconds after which it has to be called again, negative for never. */
+    /** Works for a moment. Returns the milliseconds after which it has to be called again, negative for never. */
     turn() {
         return this.#exports.turn();
     }

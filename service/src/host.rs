@@ -1,4 +1,4 @@
-//! What the server needs of where it runs: files, the time, and somebody who does its work.
+//! What the server needs of where it runs: files, the time, and a place where its work is done.
 //!
 //! `ladder lsp` has a runtime with threads, a page one thread for everything. The server knows neither: it asks a [`Host`].
 
@@ -66,7 +66,7 @@ pub trait Host: fmt::Debug + Send + Sync {
     /// message waiting.
     fn work(&self, job: Box<dyn FnOnce() + Send>);
 
-    /// Gives something its turns until it is over: where there are threads, on one of its own with this name.
+    /// Lets something have its turns until it is over: where there are threads, on one of its own with this name.
     ///
     /// # Errors
     /// There is no thread for it: what the operating system says.

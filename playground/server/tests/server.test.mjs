@@ -37,7 +37,7 @@ function newest(groups) {
     return groups;
 }
 
-test("a recorded session gives the answers of the native server", async () => {
+test("a recorded session is answered as by the native server", async () => {
     const messages = messagesOf(readFileSync(new URL("recording", import.meta.url)));
     const session = await Session.start(module, files());
     for (const message of messages) {
@@ -66,7 +66,7 @@ test("a recorded session gives the answers of the native server", async () => {
     }
 });
 
-test("the session of the page about the protocol gives the answers that are printed there", async () => {
+test("the session of the page about the protocol is answered as it is printed there", async () => {
     const page = readFileSync(path.join(root, "docs/protocol.md"), "utf8");
     const shown = [...page.matchAll(/```json\n(.*?)```/gs)].map(([, json]) => JSON.parse(json));
     const ofClient = ["ladder/toDebugger", "ladder/simulationShown", "initialized", "textDocument/didOpen", "textDocument/didChange", "exit"];

@@ -4,7 +4,8 @@
 use std::sync::Arc;
 
 use ladder_syntax::{TextRange, TextSize};
-use similar::{Algorithm, DiffOp};
+use similar::DiffOp;
+use similar::algorithms::{Capture, Compact, Replace, myers};
 
 use crate::document::Revision;
 use crate::document::position::Range;
@@ -139,8 +140,11 @@ pub(super) fn corresponding(old: &Revision, new: &Revision) -> Vec<Option<u32>> 
     if old_middle.len().max(new_middle.len()) > MOST_COMPARED {
         return found;
     }
-    let middles = (&old_lines[old_middle], &new_lines[new_middle]);
-    for op in similar::capture_diff_slices(Algorithm::Myers, middles.0, middles.1) {
+    let (old, new) = (&old_lines[old_middle], &new_lines[new_middle]);
+    // Its function for all algorithms would bring all of them into the program.
+    let mut diff = Compact::new(Replace::new(Capture::new()), old, new);
+    let Ok(()) = myers::diff(&mut diff, old, 0..old.len(), new, 0..new.len());
+    for op in diff.into_inner().into_inner().into_ops() {
         if let DiffOp::Equal {
             old_index,
             new_index,

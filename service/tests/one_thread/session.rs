@@ -19,7 +19,7 @@ pub(crate) struct Session {
     host: EventLoop,
     /// In nanoseconds.
     time: Arc<AtomicU64>,
-    /// By how many it goes on whenever somebody asks.
+    /// By how many it goes on whenever it is asked.
     per_look: Arc<AtomicU64>,
     messages: UnboundedSender<Received>,
     said: Arc<Mutex<Vec<Value>>>,
@@ -106,7 +106,7 @@ impl Session {
         self.turn(Duration::from_millis(time));
     }
 
-    /// From now on the clock goes on whenever somebody looks at it.
+    /// From now on the clock goes on whenever it is asked.
     pub(crate) fn time_passes_with_work(&self) {
         self.per_look.store(1_000_000, Ordering::Relaxed);
     }
