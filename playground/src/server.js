@@ -51,11 +51,6 @@ export class Server {
         }
     }
 
-    /** Why it is not there any more, after a call has thrown `error`. */
-    failure(error) {
-        return this.#spoken() || String(error);
-    }
-
     #comesIn(...parts) {
         let at = this.#exports.room(parts.reduce((length, part) => length + part.length, 0));
         for (const part of parts) {

@@ -20,7 +20,7 @@ self.onmessage = ({ data }) => {
     if (server) {
         safely(() => take(data));
     } else if (early.push(data) === 1) {
-        begin(data).catch(fail);
+        begin(data).catch((error) => fail(error.message));
     }
 };
 
@@ -81,15 +81,14 @@ function safely(work) {
     try {
         work();
     } catch (error) {
-        const ended = server;
         server = undefined;
         clearTimeout(due);
-        fail(error, ended);
+        fail(`The language server has met an error of its own (${error.message}).`);
     }
 }
 
-function fail(error, ended) {
+function fail(sentence) {
     // What the page says from now on is for nobody.
     self.onmessage = null;
-    self.postMessage({ failed: ended?.failure(error) || String(error) });
+    self.postMessage({ failed: sentence });
 }

@@ -29,7 +29,7 @@ thread_local! {
 
 /// Where as many bytes can be written.
 #[unsafe(no_mangle)]
-pub extern "C" fn room(length: usize) -> *mut u8 {
+pub(crate) extern "C" fn room(length: usize) -> *mut u8 {
     COMES_IN.with_borrow_mut(|bytes| {
         bytes.clear();
         bytes.resize(length, 0);
@@ -37,16 +37,15 @@ pub extern "C" fn room(length: usize) -> *mut u8 {
     })
 }
 
-/// Begins. What goes wrong later is said by [`spoken`] after the trap.
+/// Begins.
 #[unsafe(no_mangle)]
-pub extern "C" fn begin() {
-    std::panic::set_hook(Box::new(|panic| GOES_OUT.set(panic.to_string())));
+pub(crate) extern "C" fn begin() {
     PAGE.with(|_| {});
 }
 
 /// The bytes that came in are a name of this length and a file.
 #[unsafe(no_mangle)]
-pub extern "C" fn write(name: usize) {
+pub(crate) extern "C" fn write(name: usize) {
     let bytes = COMES_IN.take();
     if let Some((name, content)) = bytes.split_at_checked(name) {
         PAGE.with(|page| page.write(&String::from_utf8_lossy(name), content));
@@ -55,14 +54,14 @@ pub extern "C" fn write(name: usize) {
 
 /// The bytes that came in are the name of a file that goes.
 #[unsafe(no_mangle)]
-pub extern "C" fn remove() {
+pub(crate) extern "C" fn remove() {
     let name = COMES_IN.take();
     PAGE.with(|page| page.remove(&String::from_utf8_lossy(&name)));
 }
 
 /// The bytes that came in are a message.
 #[unsafe(no_mangle)]
-pub extern "C" fn receive() {
+pub(crate) extern "C" fn receive() {
     let message = COMES_IN.take();
     PAGE.with(|page| page.receive(message));
 }
@@ -70,7 +69,7 @@ pub extern "C" fn receive() {
 /// Works for a moment. So many milliseconds later it has to be called again; never, if that is less than nothing and no message
 /// comes.
 #[unsafe(no_mangle)]
-pub extern "C" fn turn() -> f64 {
+pub(crate) extern "C" fn turn() -> f64 {
     PAGE.with(|page| match page.turn(TURN) {
         Wait::No => 0.0,
         Wait::Until(moment) => page.time_until(moment).as_secs_f64() * 1000.0,
@@ -80,7 +79,7 @@ pub extern "C" fn turn() -> f64 {
 
 /// Takes the next thing that the server has said: whether there is one.
 #[unsafe(no_mangle)]
-pub extern "C" fn next() -> bool {
+pub(crate) extern "C" fn next() -> bool {
     let said = PAGE.with(Page::said);
     let is_there = said.is_some();
     GOES_OUT.set(said.unwrap_or_default());
@@ -89,12 +88,12 @@ pub extern "C" fn next() -> bool {
 
 /// Where lies what was taken.
 #[unsafe(no_mangle)]
-pub extern "C" fn spoken() -> *const u8 {
+pub(crate) extern "C" fn spoken() -> *const u8 {
     GOES_OUT.with_borrow(|text| text.as_ptr())
 }
 
 /// How long that is, in bytes.
 #[unsafe(no_mangle)]
-pub extern "C" fn length() -> usize {
+pub(crate) extern "C" fn length() -> usize {
     GOES_OUT.with_borrow(String::len)
 }
