@@ -21,10 +21,10 @@ const { metafile } = await build({
 });
 
 // The pages of views: each a script and a style of its own, for the browser that the editor is.
-const pages = readdirSync('webview', { withFileTypes: true }).filter((entry) => entry.isDirectory());
-for (const { name } of pages) {
+const panels = '../../panels';
+for (const name of ['diagram', 'trace']) {
     await build({
-        entryPoints: { [name]: `webview/${name}/main.ts`, [`${name}.style`]: `webview/${name}/${name}.css` },
+        entryPoints: { [name]: `${panels}/${name}/main.ts`, [`${name}.style`]: `${panels}/${name}/${name}.css` },
         entryNames: '[name]',
         outdir: 'dist/webview',
         bundle: true,

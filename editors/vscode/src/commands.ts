@@ -1,6 +1,8 @@
 // The commands of package.json.
 import * as vscode from 'vscode';
 
+import type { Speed, Tag } from '../../../panels/protocol.ts';
+import type { WhyRow } from '../../../panels/whyTree.ts';
 import { CLICK, type Click } from './click.ts';
 import { convert, exportAs } from './conversion.ts';
 import type { CrossReferenceView } from './crossReferenceView.ts';
@@ -10,14 +12,12 @@ import { openExample } from './example.ts';
 import { renameMadeUp, showReferences } from './lenses.ts';
 import { askValue, pickTag } from './prompts.ts';
 import { forceVariable, releaseVariable, startDebugging, stepBackScan } from './debugger.ts';
-import type { Speed, Tag } from './protocol.ts';
 import { record } from './record.ts';
 import type { Server } from './server.ts';
 import type { Simulation } from './simulation.ts';
 import { goToStop } from './tabStops.ts';
 import type { TestExplorer } from './testExplorer.ts';
 import type { TraceView } from './trace/traceView.ts';
-import type { WhyRow } from './whyTree.ts';
 import type { WhyView } from './whyView.ts';
 
 /** The tag of a row, or the one at the cursor if it is wanted, or one that is asked for. */

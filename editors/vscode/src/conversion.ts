@@ -4,7 +4,7 @@ import { posix } from 'node:path';
 
 import * as vscode from 'vscode';
 
-import { hasReport, report, summary } from './conversionReport.ts';
+import { hasReport, report, summary } from '../../../panels/conversionReport.ts';
 import type { Server } from './server.ts';
 
 /** The file of a menu, else that of the active editor. */

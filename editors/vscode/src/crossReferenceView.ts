@@ -1,7 +1,7 @@
 // The view "Cross-Reference": every tag of the program that is shown, and where it is read, written, set and reset.
 import * as vscode from 'vscode';
 
-import { type CrossReferenced, type ReferenceRow, referenceRows } from './crossReference.ts';
+import { type CrossReferenced, type ReferenceRow, referenceRows } from '../../../panels/crossReference.ts';
 import type { Server } from './server.ts';
 import { toRange } from './simulation.ts';
 

@@ -1,11 +1,11 @@
 // Power flow and values drawn over the text; nothing is ever put between its characters.
 import * as vscode from 'vscode';
 
-import { Flicker } from './flicker.ts';
-import { Pace, withTheRest } from './pace.ts';
-import { type Look, type PowerRanges, powerRanges } from './powerRanges.ts';
-import type { Label, Power, Tag } from './protocol.ts';
-import { Restless } from './restless.ts';
+import { Flicker } from '../../../panels/flicker.ts';
+import { Pace, withTheRest } from '../../../panels/pace.ts';
+import { type Look, type PowerRanges, powerRanges } from '../../../panels/powerRanges.ts';
+import type { Label, Power, Tag } from '../../../panels/protocol.ts';
+import { Restless } from '../../../panels/restless.ts';
 import type { Session } from './session.ts';
 import { type Simulation, toRange } from './simulation.ts';
 

@@ -1,5 +1,5 @@
 // The ladder text of open Click programs: which document shows whose, and what it shows.
-import type { Previewed } from './protocol.ts';
+import type { Previewed } from '../../../panels/protocol.ts';
 
 /** The scheme of documents that show the ladder text of a Click program: they are not files, and nobody edits them. */
 export const SCHEME = 'ladder-click';

@@ -2,8 +2,8 @@
 // become comments. Each is one step of undo.
 import * as vscode from 'vscode';
 
-import type { Lines } from './diagram/messages.ts';
-import type { EditedDrawing, EditKind } from './protocol.ts';
+import type { Lines } from '../../../panels/diagram/messages.ts';
+import type { EditedDrawing, EditKind } from '../../../panels/protocol.ts';
 import type { Server } from './server.ts';
 
 /** Makes a change of the drawing at the selection. */

@@ -1,6 +1,7 @@
 // The extension's beginning and end: what there is, and what is wired to what.
 import * as vscode from 'vscode';
 
+import type { State } from '../../../panels/protocol.ts';
 import { Click } from './click.ts';
 import { registerCommands } from './commands.ts';
 import { CrossReferenceView } from './crossReferenceView.ts';
@@ -11,7 +12,6 @@ import { showFaults } from './faults.ts';
 import { linksInHovers } from './hover.ts';
 import { lensesFollow } from './lenses.ts';
 import { Fences } from './markdown/fences.ts';
-import type { State } from './protocol.ts';
 import { showRulePages } from './rulePages.ts';
 import { Server } from './server.ts';
 import { Simulation } from './simulation.ts';

@@ -1,8 +1,8 @@
 // Hovers of a running program: what is under the pointer can be switched, set and forced from there.
 import * as vscode from 'vscode';
 
+import { operandAt } from '../../../panels/operands.ts';
 import { LINKED, hoverLinks } from './hoverLinks.ts';
-import { operandAt } from './operands.ts';
 import type { Simulation } from './simulation.ts';
 
 export function linksInHovers(simulation: Simulation): vscode.Disposable {

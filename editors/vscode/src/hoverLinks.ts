@@ -1,6 +1,6 @@
 // What can be done with the tags under the pointer, as links below what the server says of them.
+import type { Tag } from '../../../panels/protocol.ts';
 import { escaped } from './markdown.ts';
-import type { Tag } from './protocol.ts';
 
 /** The commands that the links may run. */
 export const LINKED = [

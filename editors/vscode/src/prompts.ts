@@ -1,7 +1,7 @@
 // Asks for a tag and for a value.
 import * as vscode from 'vscode';
 
-import type { Given, Tag } from './protocol.ts';
+import type { Given, Tag } from '../../../panels/protocol.ts';
 
 export async function pickTag(tags: readonly Tag[], title: string, wanted: (tag: Tag) => boolean): Promise<Tag | undefined> {
     const items = tags.filter(wanted).map((tag) => ({

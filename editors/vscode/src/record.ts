@@ -1,8 +1,8 @@
 // What was done in a simulation, as a test next to the program.
 import * as vscode from 'vscode';
 
+import type { Recorded } from '../../../panels/protocol.ts';
 import { freshName } from './freshName.ts';
-import type { Recorded } from './protocol.ts';
 import type { Simulation } from './simulation.ts';
 import type { TestExplorer } from './testExplorer.ts';
 

@@ -1,8 +1,8 @@
 // What scenarios exercise, drawn next to the networks.
 import * as vscode from 'vscode';
 
+import { missing, unitsBefore, type Covered } from '../../../panels/scenarioResults.ts';
 import { textOf } from './diskText.ts';
-import { missing, unitsBefore, type Covered } from './scenarioResults.ts';
 
 /** Coverage with what it was made of. */
 export class CoveredFile extends vscode.FileCoverage {

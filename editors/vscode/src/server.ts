@@ -7,8 +7,6 @@ import { promisify } from 'node:util';
 import * as vscode from 'vscode';
 import { CodeLensRequest, LanguageClient, State as ClientState } from 'vscode-languageclient/node';
 
-import { lensCommands, lensesOf } from './lenses.ts';
-import { offer, whenThere } from './missingServer.ts';
 import {
     fromDebuggerNotification,
     previewNotification,
@@ -19,11 +17,13 @@ import {
     type OtherCommands,
     type Previewed,
     type State,
-} from './protocol.ts';
+} from '../../../panels/protocol.ts';
+import type { Send } from '../../../panels/session.ts';
+import { lensCommands, lensesOf } from './lenses.ts';
+import { offer, whenThere } from './missingServer.ts';
 import { rulePageLinks } from './rulePages.ts';
 import { cannotStart, findCargo, findServer, type Place, type Surroundings } from './serverPath.ts';
 import { fit, misfit } from './serverVersion.ts';
-import type { Send } from './session.ts';
 import { TypedAhead } from './typedAhead.ts';
 
 const execute = promisify(execFile);

@@ -1,12 +1,12 @@
 // The simulations that are open, at most one a document, and the commands about them.
 import * as vscode from 'vscode';
 
+import type { Lines } from '../../../panels/diagram/messages.ts';
+import { operandAt } from '../../../panels/operands.ts';
+import { withTheRest } from '../../../panels/pace.ts';
+import type { Commands, Operand, Recorded, Shown, State, Tag, Why } from '../../../panels/protocol.ts';
 import type { Server } from './server.ts';
 import { breakpointLines, toggled } from './breakpoints.ts';
-import type { Lines } from './diagram/messages.ts';
-import type { Commands, Operand, Recorded, Shown, State, Tag, Why } from './protocol.ts';
-import { operandAt } from './operands.ts';
-import { withTheRest } from './pace.ts';
 import { Session } from './session.ts';
 
 /** So many lines above and below an editor's part of the text are kept ready for scrolling. */

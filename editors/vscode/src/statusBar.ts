@@ -1,8 +1,8 @@
 // The status bar item: how the current simulation is, in the server's words.
 import * as vscode from 'vscode';
 
-import { Pace } from './pace.ts';
-import type { State } from './protocol.ts';
+import { Pace } from '../../../panels/pace.ts';
+import type { State } from '../../../panels/protocol.ts';
 import type { Simulation } from './simulation.ts';
 
 /** Nobody reads it more often, and the editor lays its bar out again each time. In milliseconds. */

@@ -1,10 +1,10 @@
 // The view "Tags": every tag with its value; a click on a BOOL inverts it. Only what is unfolded is kept up to date.
 import * as vscode from 'vscode';
 
-import type { Tag } from './protocol.ts';
+import type { Tag } from '../../../panels/protocol.ts';
+import { filtered, opened, partsOf, type Row, rowId, type TagGroup, tagGroups, tagRow, unfoldedGroup, watchedGroup, watchedRows } from '../../../panels/tagTree.ts';
 import type { Session } from './session.ts';
 import type { Simulation } from './simulation.ts';
-import { filtered, opened, partsOf, type Row, rowId, type TagGroup, tagGroups, tagRow, unfoldedGroup, watchedGroup, watchedRows } from './tagTree.ts';
 import type { WatchList } from './watchList.ts';
 
 type Node = TagGroup | Row;

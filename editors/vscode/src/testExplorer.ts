@@ -4,12 +4,12 @@ import { homedir } from 'node:os';
 
 import * as vscode from 'vscode';
 
+import { failingStretches, type FileResult, type Results, type Stretch } from '../../../panels/scenarioResults.ts';
 import { textOf, whole } from './diskText.ts';
 import { CoveredFile, details } from './scenarioCoverage.ts';
 import { debugOne } from './scenarioDebugging.ts';
 import { scenariosOf } from './scenarioFile.ts';
 import { report } from './scenarioReport.ts';
-import { failingStretches, type FileResult, type Results, type Stretch } from './scenarioResults.ts';
 import type { Server } from './server.ts';
 
 const PATTERN = '**/*.ladder-test';

@@ -2,9 +2,9 @@
 // stop power are marked.
 import * as vscode from 'vscode';
 
+import { stillStopping, stoppingBlocks, type WhyRow, whyRow } from '../../../panels/whyTree.ts';
 import type { Session } from './session.ts';
 import { type Simulation, toRange } from './simulation.ts';
-import { stillStopping, stoppingBlocks, type WhyRow, whyRow } from './whyTree.ts';
 
 export class WhyView implements vscode.Disposable, vscode.TreeDataProvider<WhyRow> {
     readonly #simulation: Simulation;

@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
+import type { Tag } from '../../../panels/protocol.ts';
 import { hoverLinks } from '../src/hoverLinks.ts';
-import type { Tag } from '../src/protocol.ts';
 
 const tag = (more: Partial<Tag>): Tag => ({ name: 'start', type: 'BOOL', value: false, text: '0', role: 'input', forced: false, ...more });
 const titles = (markdown: string) => [...markdown.matchAll(/\[([^\]]+)\]\(command:([.\w]+)/g)].map(([, title, command]) => `${title} ${command}`);

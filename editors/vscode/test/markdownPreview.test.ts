@@ -2,8 +2,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
+import type { DrawnFence } from '../../../panels/protocol.ts';
 import { Fences, type Markdown } from '../src/markdown/fences.ts';
-import type { DrawnFence } from '../src/protocol.ts';
 
 const escapeHtml = (text: string) => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');
 

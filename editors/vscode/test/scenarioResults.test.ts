@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
+import { failingStretches, missing, unitsBefore } from '../../../panels/scenarioResults.ts';
 import { scenariosOf } from '../src/scenarioFile.ts';
-import { failingStretches, missing, unitsBefore } from '../src/scenarioResults.ts';
 
 test('the scenarios of a file, and where they end', () => {
     const text = 'program motor.clad\r\n\r\nscenario "start"\r\nstart _-\r\nrun => _-\r\n\r\n# next #\r\n  scenario "stop"\nstop -\nscenario "start"\n# scenario "none" #\n';

@@ -1,11 +1,11 @@
 // One diagram of a program: draws what its page shows, tells it what runs, and does what a person asks there.
 import * as vscode from 'vscode';
 
-import { withTheRest } from '../pace.ts';
+import { Feed } from '../../../../panels/diagram/feed.ts';
+import type { FromPage, Lines, LiveUpdate, Place, ToPage } from '../../../../panels/diagram/messages.ts';
+import { withTheRest } from '../../../../panels/pace.ts';
 import type { Server } from '../server.ts';
 import type { Simulation } from '../simulation.ts';
-import { Feed } from './feed.ts';
-import type { FromPage, Lines, LiveUpdate, Place, ToPage } from './messages.ts';
 
 /** Nobody reads values and the number of scans more often. In milliseconds. */
 const VALUES_EVERY = 200;

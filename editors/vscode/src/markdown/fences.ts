@@ -2,7 +2,7 @@
 //
 // The preview wants its page at once, and the server takes a moment. So a fence is shown as plain text at first; when the
 // server has answered, the preview is asked to show its page again, and this time the answer is there.
-import type { DrawnFence } from '../protocol.ts';
+import type { DrawnFence } from '../../../../panels/protocol.ts';
 
 /** As much of markdown-it as is used. */
 export interface Markdown {

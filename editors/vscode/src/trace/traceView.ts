@@ -3,11 +3,11 @@ import { randomBytes } from 'node:crypto';
 
 import * as vscode from 'vscode';
 
+import { added, atFirst, moved, MOST, picked, removed, renamed } from '../../../../panels/trace/chosenTags.ts';
+import type { FromPage, Situation, ToPage, TraceAsked } from '../../../../panels/trace/messages.ts';
+import { page } from '../../../../panels/trace/page.ts';
 import type { Session } from '../session.ts';
 import type { Simulation } from '../simulation.ts';
-import { added, atFirst, moved, MOST, picked, removed, renamed } from './chosenTags.ts';
-import type { FromPage, Situation, ToPage, TraceAsked } from './messages.ts';
-import { page } from './page.ts';
 
 export class TraceView implements vscode.WebviewViewProvider, vscode.Disposable {
     readonly #simulation: Simulation;

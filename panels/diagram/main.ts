@@ -1,0 +1,165 @@
+// The page of the diagram: puts its parts together and talks with the extension.
+import type { FromPage, ToPage } from './messages.ts';
+import { Hands } from './hands.ts';
+import { Inspector } from './inspector.ts';
+import { Live } from './live.ts';
+import { Page } from './page.ts';
+import { describe } from './speech.ts';
+import { Toolbar } from './toolbar.ts';
+
+interface Saved {
+    readonly scale?: number;
+}
+
+declare function acquireVsCodeApi(): {
+    postMessage(message: FromPage): void;
+    getState(): Saved | undefined;
+    setState(state: Saved): void;
+};
+
+const SCALES = [0.5, 3] as const;
+
+const editor = acquireVsCodeApi();
+const send = (message: FromPage) => editor.postMessage(message);
+
+function part(tag: string, className: string): HTMLElement {
+    const node = document.createElement(tag);
+    node.className = className;
+    return node;
+}
+
+const bar = part('header', 'toolbar');
+const view = part('main', 'view');
+const canvas = part('div', 'canvas');
+const empty = part('p', 'empty');
+const strip = part('footer', 'inspector');
+const spoken = part('div', 'spoken');
+view.tabIndex = 0;
+view.setAttribute('role', 'application');
+spoken.setAttribute('role', 'status');
+spoken.setAttribute('aria-live', 'polite');
+strip.setAttribute('aria-label', 'Tags of the element');
+view.append(canvas, empty);
+// The strip of buttons is above, and the tabulator comes to the drawing first.
+document.body.append(view, bar, strip, spoken);
+
+const live = new Live();
+const page = new Page(view, canvas, live, send);
+const inspector = new Inspector(strip, send);
+const toolbar = new Toolbar(bar, send, zoom);
+new Hands(view, page, live, send, inspect);
+
+/** The size that a person has chosen; without one the diagram fits to the width of the page. */
+let { scale: chosen } = editor.getState() ?? {};
+
+function limited(scale: number): number {
+    return Math.min(Math.max(scale, SCALES[0]), SCALES[1]);
+}
+
+function zoom(factor: number | undefined): void {
+    chosen = factor === undefined ? undefined : limited(page.scale * factor);
+    editor.setState(chosen === undefined ? {} : { scale: chosen });
+    resize();
+}
+
+function resize(): void {
+    const scale = limited(chosen ?? page.fitting);
+    if (Math.abs(scale - page.scale) > 0.005) {
+        page.zoom(scale);
+    }
+    toolbar.scale(page.scale);
+}
+
+/** The strip below is about the element that has the focus. */
+function inspect(): void {
+    const found = live.state && page.selection;
+    const tags = found ? found.drawing.tagsOf(found.part, live) : [];
+    const name = found ? [found.part.name, ...found.part.operands.map(({ text }) => text)].join(' ') : '';
+    inspector.show(tags.length > 0 ? name : '', tags);
+}
+
+/** Said aloud when a person has done something, or the simulation is differently. */
+function say(text: string): void {
+    if (spoken.textContent !== text) {
+        spoken.textContent = text;
+    }
+}
+
+let status: string | undefined;
+let elementSaid = '';
+
+function speak(): void {
+    const state = live.state;
+    if (state?.status !== status) {
+        status = state?.status;
+        say(`Simulation ${state?.text ?? 'at rest'}`);
+    }
+    const found = page.selection;
+    if (!found || !document.activeElement?.closest('g.element') || state?.status === 'running') {
+        return;
+    }
+    const { drawing, part } = found;
+    const power = live.power(drawing.first + part.at[0], part.at[1]);
+    const words = describe({ ...part, operands: part.operands.map(({ text }) => text) }, power, drawing.tagsOf(part, live));
+    const key = `${drawing.first}:${part.at.join(':')}`;
+    // The reader itself says what gets the focus; what changes under it is said here.
+    if (elementSaid.startsWith(`${key} `) && elementSaid !== `${key} ${words}`) {
+        say(words);
+    }
+    elementSaid = `${key} ${words}`;
+}
+
+function receive(message: ToPage): void {
+    switch (message.type) {
+        case 'open':
+            document.title = message.name;
+            view.setAttribute('aria-label', `Ladder diagram of ${message.name}`);
+            empty.textContent = '';
+            page.open(message.version, message.lineCount, message.line);
+            break;
+        case 'edited':
+            live.edit(message.changes);
+            page.edit(message.version, message.lineCount, message.changes);
+            break;
+        case 'drawn':
+            page.take(message.drawn);
+            resize();
+            page.makeReachable();
+            empty.textContent = page.isEmpty && message.drawn.lineCount < 50 ? 'There is no network in this program yet.' : '';
+            inspect();
+            break;
+        case 'failed':
+            page.fail(message.version);
+            empty.textContent = page.isEmpty ? message.message : '';
+            break;
+        case 'live': {
+            const changed = live.take(message.update);
+            document.body.classList.toggle('simulating', message.update !== undefined);
+            page.show(changed);
+            toolbar.show(message.update);
+            inspect();
+            speak();
+            // When the frame is on the screen the next state may come.
+            requestAnimationFrame(() => setTimeout(() => send({ type: 'painted' })));
+            break;
+        }
+        case 'cursor':
+            page.cursorAt(message.place);
+            break;
+    }
+}
+
+window.addEventListener('message', ({ data }: MessageEvent<ToPage>) => receive(data));
+view.addEventListener(
+    'wheel',
+    (event) => {
+        if (event.ctrlKey) {
+            event.preventDefault();
+            zoom(event.deltaY < 0 ? 1.1 : 1 / 1.1);
+        }
+    },
+    { passive: false },
+);
+new ResizeObserver(resize).observe(view);
+resize();
+send({ type: 'ready' });

@@ -1,0 +1,387 @@
+// The scrolling part of the page: asks for what comes into sight, and keeps only that on the page.
+import type { Drawn, FromPage, LineChange, Place } from './messages.ts';
+import { Drawing, type Part } from './drawing.ts';
+import { Layout, moved } from './layout.ts';
+import type { Changed, Live } from './live.ts';
+
+/** Pieces are kept ready so far above and below what is seen, in pixels. */
+const MARGIN = 400;
+/** So many lines more are asked for than seem to be in sight. */
+const AHEAD = 20;
+/** So many drawings are remembered. */
+const REMEMBERED = 2000;
+/** While a program runs, elements are not put into words more often. In milliseconds. */
+const WORDS_EVERY = 500;
+/** The width of a letter of a drawing, and what a drawing has next to its rails, in pixels. */
+const LETTER = 8;
+const NEXT_TO = 80;
+/** The right rail is where the page ends, but no further left or right than this, in letters. */
+const RAILS = [44, 110] as const;
+
+/** An element, and the drawing that it is in. */
+export interface Found {
+    readonly drawing: Drawing;
+    readonly part: Part;
+}
+
+export class Page {
+    readonly layout = new Layout();
+    /** What the arrow keys and the strip below are about. */
+    selected: { line: number; character: number } | undefined;
+
+    readonly #view: HTMLElement;
+    readonly #canvas: HTMLElement;
+    readonly #live: Live;
+    readonly #send: (message: FromPage) => void;
+    readonly #drawings = new Map<number, Drawing>();
+    readonly #svgs = new Map<string, string>();
+    #rail = 0;
+    /** When elements were last put into words. */
+    #spoken = 0;
+    /** The widest piece that was in sight since the text was opened, in pixels at its own size. */
+    #widest = 0;
+    /** A question is on its way. */
+    #isAsking = false;
+    /** The version of a text of which there is no drawing. */
+    #failed: number | undefined;
+    #sees = '';
+    #cursor: Place | undefined;
+
+    constructor(view: HTMLElement, canvas: HTMLElement, live: Live, send: (message: FromPage) => void) {
+        this.#view = view;
+        this.#canvas = canvas;
+        this.#live = live;
+        this.#send = send;
+        view.addEventListener('scroll', () => this.update(), { passive: true });
+        new ResizeObserver(() => this.#fit()).observe(view);
+    }
+
+    get scale(): number {
+        return this.layout.scale;
+    }
+
+    zoom(scale: number): void {
+        const anchor = this.#anchor();
+        this.layout.scale = scale;
+        this.layout.place();
+        for (const drawing of this.#drawings.values()) {
+            drawing.resize(scale);
+        }
+        this.#fit();
+        this.#stay(anchor);
+        this.update();
+    }
+
+    /** The scale, 1 at most, at which nothing that was in sight is cut off at the right. */
+    get fitting(): number {
+        const { clientWidth } = this.#view;
+        return clientWidth > 0 && this.#widest > clientWidth ? clientWidth / this.#widest : 1;
+    }
+
+    open(version: number, lineCount: number, line: number): void {
+        this.#clear();
+        this.#widest = 0;
+        this.layout.open(version, lineCount);
+        this.#isAsking = false;
+        this.#failed = undefined;
+        this.update();
+        if (line > 0) {
+            this.#view.scrollTop = this.layout.topOf(line);
+        }
+        this.update();
+    }
+
+    edit(version: number, lineCount: number, changes: readonly LineChange[]): void {
+        const anchor = this.#anchor();
+        this.layout.edit(version, lineCount, changes);
+        anchor.line = moved(anchor.line, changes);
+        if (this.selected) {
+            this.selected.line = moved(this.selected.line, changes);
+        }
+        this.#stay(anchor);
+        this.update();
+    }
+
+    take(drawn: Drawn): void {
+        for (const { key, svg } of drawn.pieces) {
+            if (svg !== undefined) {
+                this.#svgs.delete(key);
+                this.#svgs.set(key, svg);
+            }
+        }
+        const anchor = this.#anchor();
+        this.#isAsking = false;
+        if (this.layout.take(drawn)) {
+            this.#stay(anchor);
+            this.#forget();
+        }
+        this.update();
+        this.#markCursor(false);
+    }
+
+    /** There is no drawing of this text: it is asked for again with the next one. */
+    fail(version: number): void {
+        this.#isAsking = false;
+        this.#failed = version;
+        this.update();
+    }
+
+    get isEmpty(): boolean {
+        return this.#drawings.size === 0;
+    }
+
+    /** What is in sight is put on the page, and asked for if it is not known. */
+    update(): void {
+        const { layout } = this;
+        const [top, bottom] = [this.#view.scrollTop, this.#view.scrollTop + this.#view.clientHeight];
+        this.#canvas.style.height = `${layout.height}px`;
+        const segments = layout.between(top - MARGIN, bottom + MARGIN);
+        const seen = new Set<number>();
+        let width = 0;
+        for (const { piece, first, top: at } of segments) {
+            const svg = piece && this.#svgs.get(piece.key);
+            if (!piece || svg === undefined) {
+                continue;
+            }
+            seen.add(piece.id);
+            width = Math.max(width, piece.width * layout.scale);
+            this.#widest = Math.max(this.#widest, piece.width);
+            let drawing = this.#drawings.get(piece.id);
+            if (!drawing) {
+                drawing = new Drawing(piece, svg, first);
+                drawing.resize(layout.scale);
+                this.#drawings.set(piece.id, drawing);
+                this.#insert(drawing);
+                drawing.show(this.#live);
+            } else if (drawing.first !== first) {
+                drawing.move(first);
+                drawing.show(this.#live);
+            }
+            drawing.node.style.transform = `translateY(${at}px)`;
+            drawing.node.dataset['top'] = String(at);
+        }
+        this.#drop(seen);
+        this.#canvas.style.minWidth = `${width}px`;
+        this.#ask(top, bottom);
+    }
+
+    /** The state of the program is another one. */
+    show(changed: Changed): void {
+        const isHurried = this.#live.state?.status === 'running' && Date.now() - this.#spoken < WORDS_EVERY;
+        if (!isHurried) {
+            this.#spoken = Date.now();
+        }
+        for (const drawing of this.#drawings.values()) {
+            if (drawing.isAbout(changed) || (drawing.owesWords && !isHurried)) {
+                drawing.show(this.#live, isHurried);
+            }
+        }
+    }
+
+    /** In the order of the text, which is that of the tabulator and of screen readers. */
+    #insert(drawing: Drawing): void {
+        const below = [...this.#drawings.values()]
+            .filter(({ first, node }) => first > drawing.first && node.parentNode)
+            .sort((a, b) => a.first - b.first)[0];
+        this.#canvas.insertBefore(drawing.node, below?.node ?? null);
+    }
+
+    /** Takes off the page what is not seen; if it had the focus, that goes to what took its place. */
+    #drop(seen: ReadonlySet<number>): void {
+        let hadFocus = false;
+        for (const [id, { node }] of this.#drawings) {
+            if (!seen.has(id)) {
+                hadFocus ||= node.contains(document.activeElement);
+                node.remove();
+                this.#drawings.delete(id);
+            }
+        }
+        if (hadFocus) {
+            const found = this.#selectedPart();
+            if (found) {
+                this.select(found, false);
+            } else {
+                this.#view.focus({ preventScroll: true });
+            }
+        }
+    }
+
+    #ask(top: number, bottom: number): void {
+        const sees = { first: this.layout.lineAt(top), last: this.layout.lineAt(bottom) };
+        const last = this.layout.at(sees.last)?.last ?? sees.last;
+        if (JSON.stringify([sees.first, last]) !== this.#sees) {
+            this.#sees = JSON.stringify([sees.first, last]);
+            this.#send({ type: 'sees', lines: { first: sees.first, last } });
+        }
+        const lines = this.layout.wanted(top - MARGIN, bottom + MARGIN);
+        // One question at a time: what is asked while a user scrolls is about the place where he has arrived.
+        if (!lines || this.#rail === 0 || this.#isAsking || this.#failed === this.layout.version) {
+            return;
+        }
+        this.#isAsking = true;
+        const known = this.layout.segments.filter(({ first, last }) => first <= lines.last + 200 && last >= lines.first - 200);
+        const keys = known.flatMap(({ piece }) => (piece && this.#svgs.has(piece.key) ? [piece.key] : []));
+        // Declarations take no room: what comes after them may be in sight, too.
+        const ahead = { first: lines.first, last: lines.last + AHEAD };
+        this.#send({ type: 'ask', lines: ahead, rail: this.#rail, known: [...new Set(keys)] });
+    }
+
+    /** The rail goes to the right end of the page. */
+    #fit(): void {
+        const letters = Math.floor((this.#view.clientWidth / this.layout.scale - NEXT_TO) / LETTER);
+        const rail = Math.min(Math.max(letters - (letters % 2), RAILS[0]), RAILS[1]);
+        if (rail !== this.#rail && this.#view.clientWidth > 0) {
+            this.#rail = rail;
+            this.layout.outdate();
+        }
+        this.update();
+    }
+
+    #forget(): void {
+        for (const key of this.#svgs.keys()) {
+            if (this.#svgs.size <= REMEMBERED) {
+                break;
+            }
+            if (![...this.#drawings.values()].some(({ piece }) => piece.key === key)) {
+                this.#svgs.delete(key);
+            }
+        }
+    }
+
+    #clear(): void {
+        this.#canvas.replaceChildren();
+        this.#drawings.clear();
+        this.selected = undefined;
+    }
+
+    #anchor() {
+        return this.layout.anchorAt(this.#view.scrollTop);
+    }
+
+    #stay(anchor: ReturnType<Layout['anchorAt']>): void {
+        this.#canvas.style.height = `${this.layout.height}px`;
+        const top = this.layout.heightOfAnchor(anchor);
+        if (Math.abs(top - this.#view.scrollTop) >= 1) {
+            this.#view.scrollTop = top;
+        }
+    }
+
+    /** All elements that are on the page, with their places there. */
+    spots(): { readonly found: Found; readonly x: number; readonly y: number }[] {
+        const drawings = [...this.#drawings.values()].sort((a, b) => a.first - b.first);
+        return drawings.flatMap((drawing) =>
+            drawing.parts.map((part) => {
+                const top = Number(drawing.node.dataset['top'] ?? 0);
+                return { found: { drawing, part }, ...drawing.spotOf(part, top, this.layout.scale) };
+            }),
+        );
+    }
+
+    /** The element that a node of the page belongs to. */
+    find(node: EventTarget | null): Found | undefined {
+        const group = node instanceof Element ? node.closest('g.element') : null;
+        for (const drawing of group ? this.#drawings.values() : []) {
+            const part = drawing.parts.find((part) => part.node === group);
+            if (part) {
+                return { drawing, part };
+            }
+        }
+        return undefined;
+    }
+
+    #selectedPart(): Found | undefined {
+        const place = this.selected;
+        const drawing = place && [...this.#drawings.values()].find(({ first, node }) => {
+            const segment = this.layout.at(place.line);
+            return segment?.first === first && node.isConnected;
+        });
+        const part = place && drawing?.partAt(place.line, place.character);
+        return drawing && part && { drawing, part };
+    }
+
+    /** The element that has the focus, or had it last. */
+    get selection(): Found | undefined {
+        return this.#selectedPart();
+    }
+
+    /** The tabulator comes back to this element. */
+    hasFocus({ drawing, part }: Found): void {
+        for (const node of this.#canvas.querySelectorAll('g.element[tabindex="0"]')) {
+            node.setAttribute('tabindex', '-1');
+        }
+        part.node.setAttribute('tabindex', '0');
+        this.selected = { line: drawing.first + part.at[0], character: part.at[1] };
+    }
+
+    /** Gives an element the focus. */
+    select({ drawing, part }: Found, scrolls = true): void {
+        this.hasFocus({ drawing, part });
+        part.node.focus({ preventScroll: true });
+        if (scrolls) {
+            this.#bringIntoView({ drawing, part });
+        }
+    }
+
+    /** So that the tabulator comes to some element, and to the page itself only while there is none. */
+    makeReachable(): void {
+        this.#view.tabIndex = this.isEmpty ? 0 : -1;
+        if (!this.#canvas.querySelector('g.element[tabindex="0"]')) {
+            const { part } = this.selection ?? this.spots()[0]?.found ?? {};
+            part?.node.setAttribute('tabindex', '0');
+        }
+    }
+
+    #bringIntoView({ drawing, part }: Found): void {
+        const { box } = part;
+        const scale = this.layout.scale;
+        const top = Number(drawing.node.dataset['top'] ?? 0) + box.y * scale;
+        const view = this.#view;
+        const [height, width] = [box.height * scale, box.width * scale];
+        if (top < view.scrollTop) {
+            view.scrollTop = top - 24;
+        } else if (top + height > view.scrollTop + view.clientHeight) {
+            view.scrollTop = top + height + 24 - view.clientHeight;
+        }
+        const left = box.x * scale;
+        if (left < view.scrollLeft || left + width > view.scrollLeft + view.clientWidth) {
+            view.scrollLeft = Math.max(left - 48, 0);
+        }
+    }
+
+    /** The cursor of the text is here: its element is marked, and comes into sight. */
+    cursorAt(place: Place): void {
+        this.#cursor = place;
+        const segment = this.layout.at(place.line);
+        if (!segment?.piece || !this.#drawings.has(segment.piece.id)) {
+            const top = this.layout.topOf(place.line);
+            const isSeen = top >= this.#view.scrollTop && top < this.#view.scrollTop + this.#view.clientHeight - 40;
+            if (!isSeen) {
+                this.#view.scrollTop = Math.max(top - this.#view.clientHeight / 3, 0);
+                this.update();
+            }
+        }
+        this.#markCursor(true);
+    }
+
+    #markCursor(scrolls: boolean): void {
+        const place = this.#cursor;
+        const piece = place && this.layout.at(place.line)?.piece;
+        const drawing = piece && this.#drawings.get(piece.id);
+        const part = place && drawing?.partAt(place.line, place.character);
+        for (const node of this.#canvas.querySelectorAll('g.element.cursor')) {
+            if (node !== part?.node) {
+                node.classList.remove('cursor');
+            }
+        }
+        for (const node of this.#canvas.querySelectorAll('.piece.here')) {
+            node.classList.toggle('here', node === drawing?.node);
+        }
+        drawing?.node.classList.add('here');
+        if (drawing && part) {
+            part.node.classList.add('cursor');
+            if (scrolls) {
+                this.#bringIntoView({ drawing, part });
+            }
+        }
+    }
+}
