@@ -174,6 +174,12 @@ export interface Recorded {
     readonly notes?: readonly string[];
 }
 
+/** What tags held after each of the last scans, the oldest first. */
+export interface History {
+    readonly firstScan: number;
+    readonly tags: readonly { readonly name: string; readonly type: string; readonly values: readonly Value[] }[];
+}
+
 /** The answer of `start`. */
 export interface Started {
     readonly session: string;
@@ -201,6 +207,7 @@ export interface Commands {
     breakpoints: { argument: { lines: number[]; tags: string[] }; answer: State };
     why: { argument: { tag: string }; answer: Why };
     trace: { argument: TraceAsked & { tags: readonly string[] }; answer: Traced };
+    history: { argument: { tags: readonly string[]; scans: number }; answer: History };
     record: { argument: { outputs?: readonly string[] }; answer: Recorded };
     warmRestart: { argument: object; answer: State };
     run: { argument: object; answer: State };

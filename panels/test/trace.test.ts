@@ -148,7 +148,7 @@ test('the tags of a trace', () => {
 });
 
 test('the page lets in nothing but the script and the style of the extension', () => {
-    const html = page({ script: 'https://x/trace.js', style: 'https://x/trace.css', styles: 'https://x', nonce: 'abc' });
+    const html = page({ script: 'https://x/trace.js', style: 'https://x/trace.css', styles: 'https://x', scripts: "'nonce-abc'", nonce: 'abc' });
     const [, policy] = /Content-Security-Policy" content="([^"]*)"/.exec(html) ?? [];
     assert.equal(policy, "default-src 'none'; style-src https://x; script-src 'nonce-abc'");
     assert.doesNotMatch(html, /unsafe|\son\w+=|style="|<style/);

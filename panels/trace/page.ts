@@ -6,8 +6,10 @@ export interface Sources {
     readonly style: string;
     /** From where alone styles are taken. */
     readonly styles: string;
-    /** The script with this alone is run. */
-    readonly nonce: string;
+    /** From where alone scripts are taken. */
+    readonly scripts: string;
+    /** What a script has to have where `scripts` asks for it. */
+    readonly nonce?: string;
 }
 
 const KEYS = [
@@ -24,12 +26,12 @@ const KEYS = [
     'Escape clears the cursors',
 ].join('; ');
 
-export function page({ script, style, styles, nonce }: Sources): string {
+export function page({ script, style, styles, scripts, nonce }: Sources): string {
     return `<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src ${styles}; script-src 'nonce-${nonce}'">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src ${styles}; script-src ${scripts}">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <link rel="stylesheet" href="${style}">
 <title>Trace</title>
@@ -54,7 +56,7 @@ export function page({ script, style, styles, nonce }: Sources): string {
 </table>
 </div>
 <div id="said" role="status" aria-live="polite"></div>
-<script nonce="${nonce}" src="${script}"></script>
+<script${nonce === undefined ? '' : ` nonce="${nonce}"`} src="${script}"></script>
 </body>
 </html>
 `;

@@ -1,38 +1,24 @@
 // One diagram of a program: draws what its page shows, tells it what runs, and does what a person asks there.
 import * as vscode from 'vscode';
 
-import { Feed } from '../../../../panels/diagram/feed.ts';
-import type { FromPage, Lines, LiveUpdate, Place, ToPage } from '../../../../panels/diagram/messages.ts';
+import type { FromPage, Place, ToPage } from '../../../../panels/diagram/messages.ts';
+import { Teller } from '../../../../panels/diagram/teller.ts';
 import { withTheRest } from '../../../../panels/pace.ts';
 import type { Server } from '../server.ts';
 import type { Simulation } from '../simulation.ts';
 
-/** Nobody reads values and the number of scans more often. In milliseconds. */
-const VALUES_EVERY = 200;
 /** The place of the cursor is not sent more often. In milliseconds. */
 const CURSOR_EVERY = 50;
-
-function isNews({ whole, power, operands, tags }: LiveUpdate): boolean {
-    return whole || power.length > 0 || operands.length > 0 || tags.length > 0;
-}
 
 export class DiagramPanel implements vscode.Disposable {
     readonly document: vscode.TextDocument;
     readonly #panel: vscode.WebviewPanel;
     readonly #server: Server;
     readonly #simulation: Simulation;
-    readonly #feed = new Feed();
+    readonly #teller: Teller;
     readonly #subscriptions: vscode.Disposable;
-    /** The lines that the page shows. */
-    #lines: Lines | undefined;
     #isReady = false;
-    /** The page has something to paint, and says when it has. */
-    #isPainting = false;
-    #owes = false;
     #later: NodeJS.Timeout | undefined;
-    #soon: NodeJS.Timeout | undefined;
-    /** When values were sent last. */
-    #valued = 0;
     /** What the page itself has shown in the text: the cursor is there because of that. */
     #revealed: vscode.Range | undefined;
 
@@ -41,6 +27,7 @@ export class DiagramPanel implements vscode.Disposable {
         this.#panel = panel;
         this.#server = server;
         this.#simulation = simulation;
+        this.#teller = new Teller((message) => this.#send(message), () => simulation.of(document), () => panel.visible);
         this.#subscriptions = vscode.Disposable.from(
             panel.webview.onDidReceiveMessage((message: FromPage) => void this.#receive(message)),
             panel.onDidChangeViewState(() => this.#appear()),
@@ -48,15 +35,13 @@ export class DiagramPanel implements vscode.Disposable {
             vscode.window.onDidChangeTextEditorSelection((event) => this.#cursor(event)),
             simulation.onDidChange((changed) => {
                 if (changed === document) {
-                    withTheRest(() => this.#tellLive());
+                    withTheRest(() => this.#teller.tell());
                 }
             }),
-            simulation.alsoShows((other) => (other === document && this.#panel.visible ? this.#lines : undefined)),
+            simulation.alsoShows((other) => (other === document && this.#panel.visible ? this.#teller.lines : undefined)),
             server.onDidStart(() => this.#open()),
-            new vscode.Disposable(() => {
-                clearTimeout(this.#later);
-                clearTimeout(this.#soon);
-            }),
+            this.#teller,
+            new vscode.Disposable(() => clearTimeout(this.#later)),
         );
         this.#appear();
     }
@@ -88,9 +73,7 @@ export class DiagramPanel implements vscode.Disposable {
         const line = editor?.visibleRanges[0]?.start.line ?? 0;
         const name = document.uri.path.split('/').at(-1) ?? '';
         this.#send({ type: 'open', name, version: document.version, lineCount: document.lineCount, line });
-        this.#feed.forget();
-        this.#isPainting = false;
-        this.#tellLive();
+        this.#teller.begin();
     }
 
     async #receive(message: FromPage): Promise<void> {
@@ -104,15 +87,12 @@ export class DiagramPanel implements vscode.Disposable {
                 await this.#draw(message);
                 break;
             case 'sees':
-                this.#lines = message.lines;
+                this.#teller.lines = message.lines;
                 simulation.look();
-                this.#tellLive();
+                this.#teller.tell();
                 break;
             case 'painted':
-                this.#isPainting = false;
-                if (this.#owes) {
-                    this.#tellLive();
-                }
+                this.#teller.painted();
                 break;
             case 'reveal':
                 await this.reveal(message.from, message.to, message.focus);
@@ -204,44 +184,5 @@ export class DiagramPanel implements vscode.Disposable {
             return;
         }
         await vscode.window.showTextDocument(document, { viewColumn, selection, preserveFocus: !focus });
-    }
-
-    /** Tells the page how the program is: the next time when it has painted the last one. */
-    #tellLive(): void {
-        if (!this.#isReady) {
-            return;
-        }
-        if (this.#isPainting || !this.#panel.visible) {
-            this.#owes = true;
-            return;
-        }
-        this.#owes = false;
-        const session = this.#simulation.of(this.document);
-        if (!session) {
-            this.#feed.forget();
-            this.#send({ type: 'live', update: undefined });
-        } else if (!session.stale) {
-            const wait = session.state.status === 'running' ? VALUES_EVERY - (Date.now() - this.#valued) : 0;
-            const update = this.#feed.changes(session, this.#lines ?? { first: 0, last: -1 }, wait <= 0);
-            if (wait > 0) {
-                this.#soon ??= setTimeout(() => {
-                    this.#soon = undefined;
-                    this.#tellLive();
-                }, wait);
-                if (!isNews(update)) {
-                    return;
-                }
-            } else {
-                clearTimeout(this.#soon);
-                this.#soon = undefined;
-                this.#valued = Date.now();
-            }
-            session.isDrawing = true;
-            this.#send({ type: 'live', update });
-        } else {
-            // Of a text that is newer than what is known nothing is sent until the server has seen it.
-            return;
-        }
-        this.#isPainting = true;
     }
 }

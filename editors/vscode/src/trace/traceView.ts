@@ -40,11 +40,13 @@ export class TraceView implements vscode.WebviewViewProvider, vscode.Disposable 
                 subscriptions.dispose();
             }),
         );
+        const nonce = randomBytes(16).toString('base64');
         webview.html = page({
             script: served('trace.js'),
             style: served('trace.style.css'),
             styles: webview.cspSource,
-            nonce: randomBytes(16).toString('base64'),
+            scripts: `'nonce-${nonce}'`,
+            nonce,
         });
     }
 
