@@ -1,7 +1,7 @@
 // Tab and Shift+Tab in ladder files: from operand to operand on a rung, what the editor does elsewhere.
 import * as vscode from 'vscode';
 
-import { isDrawn, nextStop } from './nextStop.ts';
+import { isDrawn, nextStop } from '../../../panels/nextStop.ts';
 
 export async function goToStop(backwards: boolean): Promise<void> {
     const editor = vscode.window.activeTextEditor;

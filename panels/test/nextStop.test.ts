@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { isDrawn, nextStop } from '../src/nextStop.ts';
+import { isDrawn, nextStop } from '../nextStop.ts';
 
 /** A `^` under each place that Tab leads to from the line's start. */
 function marks(line: string): string {

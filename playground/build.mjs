@@ -1,0 +1,91 @@
+// Builds the page into a folder that any web server can serve.
+//
+//   node build.mjs [--out dist] [--server FOLDER]
+//
+// FOLDER has the language server as `ladder.wasm`, and the worker that runs it, `worker.js`.
+import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { parseArgs } from 'node:util';
+
+import { build } from 'esbuild';
+
+import { page } from '../panels/trace/page.ts';
+import { programs } from './programs.mjs';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const { values } = parseArgs({ options: { out: { type: 'string', default: join(here, 'dist') }, server: { type: 'string' } } });
+const { out } = values;
+
+rmSync(out, { recursive: true, force: true });
+mkdirSync(out, { recursive: true });
+
+const { metafile } = await build({
+    absWorkingDir: here,
+    entryPoints: {
+        main: 'src/main.ts',
+        diagram: 'src/frames/diagram.ts',
+        trace: 'src/frames/trace.ts',
+        'diagram.style': '../panels/diagram/diagram.css',
+        'trace.style': '../panels/trace/trace.css',
+        theme: 'page/theme.css',
+        page: 'page/page.css',
+        frame: 'page/frame.css',
+    },
+    outdir: out,
+    bundle: true,
+    platform: 'browser',
+    target: 'es2022',
+    format: 'esm',
+    minify: true,
+    metafile: true,
+    logLevel: 'warning',
+});
+
+const POLICY = "default-src 'none'; style-src 'self'; script-src 'self'";
+/** What a panel needs in a frame: its colours, and no buttons that the page has already. */
+const STYLES = '<link rel="stylesheet" href="theme.css">\n<link rel="stylesheet" href="frame.css">';
+const withStyles = (html) => html.replace('</head>', `${STYLES}\n</head>`);
+
+const diagram = `<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="${POLICY}">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<link rel="stylesheet" href="diagram.style.css">
+<title>Diagram</title>
+</head>
+<body>
+<script src="diagram.js"></script>
+</body>
+</html>
+`;
+writeFileSync(join(out, 'diagram.html'), withStyles(diagram));
+writeFileSync(join(out, 'trace.html'), withStyles(page({ script: 'trace.js', style: 'trace.style.css', styles: "'self'", scripts: "'self'" })));
+writeFileSync(join(out, 'examples.json'), JSON.stringify(programs(join(here, '..'))));
+copyFileSync(join(here, 'page/index.html'), join(out, 'index.html'));
+copyFileSync(join(here, '../editors/vscode/images/icon.svg'), join(out, 'icon.svg'));
+
+const server = values.server ?? join(here, 'server');
+for (const [name, folders] of [['ladder.wasm', [server]], ['worker.js', [server, join(here, 'src')]]]) {
+    const found = folders.map((folder) => join(folder, name)).find(existsSync);
+    if (!found) {
+        console.error(`build: there is no ${name} in ${server}; playground/README.md says how it is made.`);
+        process.exit(1);
+    }
+    copyFileSync(found, join(out, name));
+}
+
+// The licences of the bundled packages ask to go with every copy of them.
+function licence(folder) {
+    const { name, version } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
+    const file = readdirSync(folder).find((entry) => /^licen[cs]e(\.(md|txt))?$/i.test(entry));
+    if (!file) {
+        throw new Error(`${name} has no licence file: it cannot be shipped`);
+    }
+    return `${name} ${version}\n\n${readFileSync(join(folder, file), 'utf8').trim()}\n`;
+}
+const folders = Object.keys(metafile.inputs).map((path) => /^(?:.*\/)?node_modules\/(?:@[^/]+\/)?[^/]+/.exec(path)?.[0]);
+const packages = [...new Set(folders)].filter((folder) => folder !== undefined).sort();
+writeFileSync(join(out, 'licenses.txt'), packages.map((folder) => licence(join(here, folder))).join(`\n${'-'.repeat(80)}\n\n`));

@@ -1,0 +1,62 @@
+// The programs that come with the page: those of `examples/`, and those of the chapters that begin with nothing.
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+
+/** Chapters whose programs follow one another, with the title of their group. */
+const CHAPTERS = [
+    ['guide/first-program', 'A first program'],
+    ['guide/drawing-rungs', 'Drawing rungs'],
+    ['guide/for-electricians', 'For electricians'],
+];
+
+const title = (stem) => stem.charAt(0).toUpperCase() + stem.slice(1).replaceAll('_', ' ');
+
+function ofFolder(folder) {
+    const names = readdirSync(folder).filter((name) => name.endsWith('.clad')).sort();
+    // The one that the book and the README begin with comes first.
+    names.sort((a, b) => Number(b === 'motor.clad') - Number(a === 'motor.clad'));
+    return names.map((name) => {
+        const stem = name.replace(/\.clad$/, '');
+        const tests = join(folder, `${stem}.ladder-test`);
+        return {
+            group: 'Examples',
+            title: title(stem),
+            name,
+            text: readFileSync(join(folder, name), 'utf8'),
+            ...(existsSync(tests) ? { scenarios: readFileSync(tests, 'utf8') } : {}),
+        };
+    });
+}
+
+/** As mdBook makes them. */
+const anchor = (heading) => heading.toLowerCase().replaceAll(/[^\w\s-]/g, '').trim().replaceAll(/\s+/g, '-');
+
+function ofChapter(root, [chapter, group]) {
+    const lines = readFileSync(join(root, 'docs/src', `${chapter}.md`), 'utf8').split('\n');
+    const found = [];
+    let heading = '';
+    for (let at = 0; at < lines.length; at += 1) {
+        const line = lines[at];
+        heading = /^#+ (.*)$/.exec(line)?.[1] ?? heading;
+        const fence = /^```(\S*)(.*)$/.exec(line);
+        if (!fence) {
+            continue;
+        }
+        const end = lines.indexOf('```', at + 1);
+        const words = `${fence[1]}${fence[2]}`.split(/[\s,]+/);
+        if (words[0] === 'clad') {
+            const name = words.find((word) => word.startsWith('file='))?.slice('file='.length) ?? 'program.clad';
+            found.push({ group, heading, name, text: `${lines.slice(at + 1, end).join('\n')}\n`, chapter: `${chapter}.html#${anchor(heading)}` });
+        }
+        at = end;
+    }
+    return found.map(({ heading, ...rest }, at) => {
+        const same = found.filter((other) => other.heading === heading);
+        const number = same.length > 1 ? ` (${same.indexOf(found[at]) + 1})` : '';
+        return { ...rest, title: `${at + 1}. ${heading.replaceAll('`', '')}${number}` };
+    });
+}
+
+export function programs(root) {
+    return [...ofFolder(join(root, 'examples')), ...CHAPTERS.flatMap((chapter) => ofChapter(root, chapter))];
+}

@@ -1,0 +1,114 @@
+// What the server finds in a text: marked in its editor with the fixes there are, and told to whoever lists it.
+import { type Diagnostic, setDiagnostics } from '@codemirror/lint';
+import { LSPPlugin, type LSPClient, type LSPClientExtension } from '@codemirror/lsp-client';
+import { EditorView, ViewPlugin, type ViewUpdate } from '@codemirror/view';
+
+import type { Range } from '../../panels/protocol.ts';
+
+export interface Finding {
+    readonly range: Range;
+    /** 1 is an error, 2 a warning, 3 information, 4 a hint. */
+    readonly severity?: 1 | 2 | 3 | 4;
+    /** The rule. */
+    readonly code?: string;
+    readonly message: string;
+    readonly data?: { readonly fixes?: readonly string[] };
+}
+
+interface TextEdit {
+    readonly range: Range;
+    readonly newText: string;
+}
+
+interface CodeAction {
+    readonly title: string;
+    readonly kind?: string;
+    readonly isPreferred?: boolean;
+    readonly edit?: { readonly changes?: Readonly<Record<string, readonly TextEdit[]>> };
+}
+
+const severities = { 1: 'error', 2: 'warning', 3: 'info', 4: 'hint' } as const;
+
+/** Sends what is typed as soon as the editor has taken it in. */
+const sending = ViewPlugin.fromClass(
+    class {
+        update(update: ViewUpdate): void {
+            if (update.docChanged) {
+                queueMicrotask(() => LSPPlugin.get(update.view)?.client.sync());
+            }
+        }
+    },
+);
+
+/** What can be done in a range, in the order of the server. */
+export async function actionsAt(view: EditorView, range: Range, only: readonly string[]): Promise<readonly CodeAction[]> {
+    const plugin = LSPPlugin.get(view);
+    if (!plugin) {
+        return [];
+    }
+    plugin.client.sync();
+    const asked = { textDocument: { uri: plugin.uri }, range, context: { diagnostics: [], only } };
+    return (await plugin.client.request<typeof asked, readonly CodeAction[] | null>('textDocument/codeAction', asked)) ?? [];
+}
+
+/** Makes the edits of an action in all texts that are open, each in one step of undo. */
+export function make(client: LSPClient, { edit }: CodeAction): void {
+    for (const [uri, edits] of Object.entries(edit?.changes ?? {})) {
+        const view = client.workspace.getFile(uri)?.getView();
+        if (view) {
+            view.dispatch({ changes: changesOf(view, edits), userEvent: 'input.fix' });
+        }
+    }
+}
+
+/** The edits of an answer as changes of the text that it is about, which must be that of the editor. */
+export function changesOf(view: EditorView, edits: readonly TextEdit[]) {
+    const { doc } = view.state;
+    const offset = ({ line, character }: Range['start']) => {
+        const at = doc.line(Math.min(line + 1, doc.lines));
+        return Math.min(at.from + character, at.to);
+    };
+    return edits.map(({ range: { start, end }, newText }) => ({ from: offset(start), to: offset(end), insert: newText }));
+}
+
+/** Applies the fix of this title to what was found in a range. */
+export async function fix(view: EditorView, range: Range, title: string): Promise<void> {
+    const client = LSPPlugin.get(view)?.client;
+    const { doc } = view.state;
+    const action = (await actionsAt(view, range, ['quickfix'])).find((it) => it.title === title);
+    if (client && action && view.state.doc === doc) {
+        make(client, action);
+    }
+}
+
+export function findings(found: (uri: string, all: readonly Finding[]) => void): LSPClientExtension {
+    return {
+        clientCapabilities: {
+            textDocument: { publishDiagnostics: { versionSupport: true, relatedInformation: true, dataSupport: true } },
+        },
+        notificationHandlers: {
+            'textDocument/publishDiagnostics': (client, { uri, version, diagnostics }: { uri: string; version?: number; diagnostics: readonly Finding[] }) => {
+                const file = client.workspace.getFile(uri);
+                const view = file?.getView();
+                const plugin = view && LSPPlugin.get(view);
+                if (!file || !view || !plugin || (version !== undefined && version !== file.version)) {
+                    return true;
+                }
+                const { syncedDoc, unsyncedChanges } = plugin;
+                const offset = (place: Range['start']) => unsyncedChanges.mapPos(plugin.fromPosition(place, syncedDoc));
+                const shown = diagnostics.map(({ range, severity = 1, code, message, data }): Diagnostic => ({
+                    from: offset(range.start),
+                    to: offset(range.end),
+                    severity: severities[severity],
+                    message,
+                    ...(code === undefined ? {} : { source: code }),
+                    actions: (data?.fixes ?? []).map((title) => ({ name: title, apply: (of) => void fix(of, range, title) })),
+                }));
+                view.dispatch(setDiagnostics(view.state, shown));
+                found(uri, diagnostics);
+                return true;
+            },
+        },
+        editorExtension: sending,
+    };
+}

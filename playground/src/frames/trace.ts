@@ -1,0 +1,2 @@
+import './host.ts';
+import '../../../panels/trace/main.ts';

@@ -1,0 +1,104 @@
+// The language server as the page sees it: its commands with their types, and what it says unasked.
+import { LSPClient, type LSPClientConfig, type LSPClientExtension } from '@codemirror/lsp-client';
+import type { Extension } from '@codemirror/state';
+
+import { type Commands, type OtherCommands, shownNotification, type State, stateNotification } from '../../panels/protocol.ts';
+import { Connection } from './connection.ts';
+import { sanitized } from './sanitized.ts';
+import type { Results } from '../../panels/scenarioResults.ts';
+
+/** The folder that the server works in. */
+export const FOLDER = 'file:///work';
+/** The first answer waits until the server has been loaded. In milliseconds. */
+const TIMEOUT = 60_000;
+
+/** What only a page asks, which can start no program. */
+interface PageCommands extends OtherCommands {
+    'ladder.test': { argument: { uri: string; coverage: boolean }; answer: Results };
+}
+
+export interface ServerEvents {
+    state(state: State): void;
+    /** A sentence for people. */
+    message(text: string): void;
+    /** The server has ended. */
+    failed(reason: string): void;
+}
+
+const capabilities: LSPClientExtension = {
+    clientCapabilities: {
+        textDocument: {
+            codeAction: {
+                codeActionLiteralSupport: { codeActionKind: { valueSet: ['quickfix', 'refactor', 'source'] } },
+                isPreferredSupport: true,
+            },
+            onTypeFormatting: {},
+        },
+    },
+};
+
+export class Server {
+    readonly client: LSPClient;
+    readonly #events: ServerEvents;
+    #connection: Connection;
+
+    constructor(extensions: readonly (Extension | LSPClientExtension)[], events: ServerEvents) {
+        this.#events = events;
+        const config: LSPClientConfig = {
+            rootUri: FOLDER,
+            timeout: TIMEOUT,
+            sanitizeHTML: sanitized,
+            extensions: [capabilities, ...extensions],
+            notificationHandlers: {
+                [stateNotification]: (_, state: State) => {
+                    events.state(state);
+                    return true;
+                },
+                'window/showMessage': (_, { message }: { message: string }) => {
+                    events.message(message);
+                    return true;
+                },
+            },
+        };
+        this.client = new LSPClient(config);
+        this.#connection = this.#connect();
+    }
+
+    #connect(): Connection {
+        const connection = new Connection({}, (reason) => this.#events.failed(reason));
+        this.client.connect(connection);
+        return connection;
+    }
+
+    /** Starts the server again, with what the editors hold. */
+    restart(): void {
+        this.#connection.end();
+        this.client.disconnect();
+        this.#connection = this.#connect();
+    }
+
+    /** What was typed is sent before anything is asked about it. */
+    execute<Name extends keyof PageCommands>(command: Name, argument: PageCommands[Name]['argument']): Promise<PageCommands[Name]['answer']> {
+        return this.#execute(command, argument);
+    }
+
+    simulate<Name extends keyof Commands>(name: Name, argument: object): Promise<Commands[Name]['answer']> {
+        return this.#execute(`ladder.simulate.${name}`, argument);
+    }
+
+    /** The last state of a session is on the screen. */
+    hasShown(session: string): void {
+        this.client.notification(shownNotification, { session });
+    }
+
+    async #execute<Answer>(command: string, argument: object): Promise<Answer> {
+        this.client.sync();
+        return this.client.request('workspace/executeCommand', { command, arguments: [argument] });
+    }
+}
+
+/** What went wrong, for people: an error of the protocol is an object with a message. */
+export function reasonOf(error: unknown): string {
+    const message: unknown = typeof error === 'object' && error !== null && 'message' in error ? error.message : error;
+    return String(message);
+}

@@ -1,0 +1,118 @@
+// What the drawing does of itself while a person types: the server says how a rung that is complete is laid out, and what
+// Enter begins.
+import { acceptCompletion, completionStatus, moveCompletionSelection } from '@codemirror/autocomplete';
+import { LSPPlugin } from '@codemirror/lsp-client';
+import { EditorSelection, type Extension, Prec, type StateCommand } from '@codemirror/state';
+import { type Command, EditorView, keymap, ViewPlugin, type ViewUpdate } from '@codemirror/view';
+
+import { isDrawn, nextStop } from '../../panels/nextStop.ts';
+import type { Range } from '../../panels/protocol.ts';
+import type { Server } from './server.ts';
+import { changesOf } from './findings.ts';
+
+interface Edit {
+    readonly range: Range;
+    readonly newText: string;
+}
+
+function triggers(view: EditorView): readonly string[] {
+    const provider = LSPPlugin.get(view)?.client.serverCapabilities?.documentOnTypeFormattingProvider;
+    return provider ? [provider.firstTriggerCharacter, ...(provider.moreTriggerCharacter ?? [])] : [];
+}
+
+/** Makes what the server answers to a typed character, unless more was typed meanwhile. */
+async function typed(view: EditorView, ch: string): Promise<void> {
+    const plugin = LSPPlugin.get(view);
+    if (!plugin) {
+        return;
+    }
+    plugin.client.sync();
+    const { doc, selection } = view.state;
+    const position = plugin.toPosition(selection.main.head);
+    const asked = { textDocument: { uri: plugin.uri }, position, ch, options: { tabSize: 4, insertSpaces: true } };
+    const edits = await plugin.client.request<typeof asked, readonly Edit[] | null>('textDocument/onTypeFormatting', asked);
+    if (!edits || edits.length === 0 || view.state.doc !== doc) {
+        return;
+    }
+    // What comes after the cursor leaves it where it is, but that a new line begins with.
+    const head = view.state.selection.main.head;
+    const changes = view.state.changes(changesOf(view, edits));
+    view.dispatch({ changes, selection: { anchor: changes.mapPos(head, ch === '\n' ? 1 : -1) }, userEvent: 'input.type.format', scrollIntoView: true });
+}
+
+const drawing = ViewPlugin.fromClass(
+    class {
+        update(update: ViewUpdate): void {
+            const last = update.transactions.at(-1);
+            if (!last?.docChanged || !last.isUserEvent('input') || last.isUserEvent('input.type.format') || last.isUserEvent('input.fix')) {
+                return;
+            }
+            let text = '';
+            last.changes.iterChanges((_from, _to, _start, _end, inserted) => (text = inserted.toString()));
+            const ch = text.startsWith('\n') ? '\n' : text;
+            if (triggers(update.view).includes(ch)) {
+                queueMicrotask(() => void typed(update.view, ch).catch(() => undefined));
+            }
+        }
+    },
+);
+
+const stop =
+    (isBackwards: boolean): StateCommand =>
+    ({ state, dispatch }) => {
+        const { head } = state.selection.main;
+        const line = state.doc.lineAt(head);
+        if (!isDrawn(line.text)) {
+            return false;
+        }
+        const to = line.from + nextStop(line.text, head - line.from, isBackwards);
+        dispatch(state.update({ selection: EditorSelection.cursor(to), scrollIntoView: true }));
+        return true;
+    };
+
+const takeFirst: Command = (view) => {
+    if (completionStatus(view.state) !== 'active') {
+        return false;
+    }
+    return acceptCompletion(view) || (moveCompletionSelection(true)(view) && acceptCompletion(view));
+};
+
+/** Enter begins a line with nothing: what a rung begins with the server knows. */
+const enter: StateCommand = ({ state, dispatch }) => {
+    dispatch(state.update(state.replaceSelection('\n'), { userEvent: 'input', scrollIntoView: true }));
+    return true;
+};
+
+/** Says where the cursor is, so that a rung that is half typed is not full of errors. */
+function cursor(server: Server): Extension {
+    let said: string | undefined;
+    const tell = (view: EditorView, line: number | null) => {
+        const uri = LSPPlugin.get(view)?.uri;
+        const key = `${uri} ${line}`;
+        if (uri !== undefined && key !== said) {
+            said = key;
+            void server.execute('ladder.cursor', { uri, line }).catch(() => undefined);
+        }
+    };
+    return EditorView.updateListener.of(({ view, state, docChanged, selectionSet, focusChanged }) => {
+        if ((docChanged || selectionSet || focusChanged) && view.hasFocus) {
+            tell(view, state.doc.lineAt(state.selection.main.head).number - 1);
+        } else if (focusChanged) {
+            tell(view, null);
+        }
+    });
+}
+
+export function typing(server: Server): Extension {
+    return [
+        drawing,
+        cursor(server),
+        Prec.high(
+            keymap.of([
+                { key: 'Tab', run: takeFirst },
+                { key: 'Tab', run: stop(false), shift: stop(true) },
+                { key: 'Enter', run: enter },
+            ]),
+        ),
+    ];
+}
