@@ -1,10 +1,10 @@
 // The two texts, what is around them, and how all of it hangs together.
-import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } from '@codemirror/autocomplete';
+import { closeBrackets, closeBracketsKeymap, completionKeymap } from '@codemirror/autocomplete';
 import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
 import { bracketMatching } from '@codemirror/language';
 import { lintGutter, lintKeymap } from '@codemirror/lint';
 import {
-    findReferencesKeymap, formatKeymap, hoverTooltips, jumpToDefinitionKeymap, renameKeymap, serverCompletion, signatureHelp,
+    findReferencesKeymap, formatKeymap, hoverTooltips, jumpToDefinitionKeymap, renameKeymap, signatureHelp,
 } from '@codemirror/lsp-client';
 import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
 import { EditorState, type Extension } from '@codemirror/state';
@@ -15,6 +15,7 @@ import {
 import { look } from './appearance.ts';
 import { actionKeymap, links } from './actions.ts';
 import { breakpoints } from './breakpoints.ts';
+import { completion } from './completion.ts';
 import { DiagramPanel } from './diagramPanel.ts';
 import { byId, element } from './element.ts';
 import { findings } from './findings.ts';
@@ -42,8 +43,6 @@ const common: Extension = [
     highlightSelectionMatches(),
     bracketMatching(),
     closeBrackets(),
-    // Nothing is taken by an Enter that was meant for the next rung.
-    autocompletion({ selectOnOpen: false }),
     search({ top: true }),
     lintGutter(),
     EditorState.tabSize.of(4),
@@ -54,7 +53,7 @@ const common: Extension = [
 ];
 
 const languageServer = [
-    serverCompletion(),
+    completion,
     hoverTooltips(),
     signatureHelp(),
     keymap.of([...formatKeymap, ...renameKeymap, ...jumpToDefinitionKeymap, ...findReferencesKeymap]),
