@@ -4,7 +4,7 @@
 //
 // FOLDER has the language server as `ladder.wasm`, and the worker that runs it, `worker.js`.
 import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { dirname, join } from 'node:path';
+import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 
@@ -17,6 +17,18 @@ const here = dirname(fileURLToPath(import.meta.url));
 const { values } = parseArgs({ options: { out: { type: 'string', default: join(here, 'dist') }, server: { type: 'string' } } });
 const { out } = values;
 
+/** The first of these that is there. */
+function found(name, folders) {
+    const path = folders.map((folder) => join(folder, name)).find(existsSync);
+    if (!path) {
+        console.error(`build: there is no ${name} in ${folders[0]}; playground/README.md says how it is made.`);
+        process.exit(1);
+    }
+    return path;
+}
+const server = resolve(values.server ?? join(here, 'server'));
+const wasm = found('ladder.wasm', [server]);
+
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
 
@@ -24,6 +36,7 @@ const { metafile } = await build({
     absWorkingDir: here,
     entryPoints: {
         main: 'src/main.ts',
+        worker: found('worker.js', [server, join(here, 'src')]),
         diagram: 'src/frames/diagram.ts',
         trace: 'src/frames/trace.ts',
         'diagram.style': '../panels/diagram/diagram.css',
@@ -67,15 +80,7 @@ writeFileSync(join(out, 'examples.json'), JSON.stringify(programs(join(here, '..
 copyFileSync(join(here, 'page/index.html'), join(out, 'index.html'));
 copyFileSync(join(here, '../editors/vscode/images/icon.svg'), join(out, 'icon.svg'));
 
-const server = values.server ?? join(here, 'server');
-for (const [name, folders] of [['ladder.wasm', [server]], ['worker.js', [server, join(here, 'src')]]]) {
-    const found = folders.map((folder) => join(folder, name)).find(existsSync);
-    if (!found) {
-        console.error(`build: there is no ${name} in ${server}; playground/README.md says how it is made.`);
-        process.exit(1);
-    }
-    copyFileSync(found, join(out, name));
-}
+copyFileSync(wasm, join(out, 'ladder.wasm'));
 
 // The licences of the bundled packages ask to go with every copy of them.
 function licence(folder) {

@@ -84,7 +84,11 @@ export async function fix(view: EditorView, range: Range, title: string): Promis
 export function findings(found: (uri: string, all: readonly Finding[]) => void): LSPClientExtension {
     return {
         clientCapabilities: {
-            textDocument: { publishDiagnostics: { versionSupport: true, relatedInformation: true, dataSupport: true } },
+            textDocument: {
+                publishDiagnostics: { versionSupport: true, relatedInformation: true, dataSupport: true },
+                // The package says that it asks for diagnostics, which it does not. In JSON a function is nothing.
+                diagnostic: () => undefined,
+            },
         },
         notificationHandlers: {
             'textDocument/publishDiagnostics': (client, { uri, version, diagnostics }: { uri: string; version?: number; diagnostics: readonly Finding[] }) => {
