@@ -11,6 +11,8 @@ export interface Finding {
     readonly severity?: 1 | 2 | 3 | 4;
     /** The rule. */
     readonly code?: string;
+    /** The page of the rule, if it is one: `ladder-rule:/double-coil.md`. */
+    readonly codeDescription?: { readonly href: string };
     readonly message: string;
     readonly data?: { readonly fixes?: readonly string[] };
 }
@@ -84,6 +86,7 @@ export async function fix(view: EditorView, range: Range, title: string): Promis
 export function findings(found: (uri: string, all: readonly Finding[]) => void): LSPClientExtension {
     return {
         clientCapabilities: {
+            experimental: { rulePages: true },
             textDocument: {
                 publishDiagnostics: { versionSupport: true, relatedInformation: true, dataSupport: true },
                 // The package says that it asks for diagnostics, which it does not. In JSON a function is nothing.

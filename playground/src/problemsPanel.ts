@@ -39,14 +39,15 @@ export class ProblemsPanel {
         this.#list.replaceChildren(...(rows.length > 0 ? rows : [element('li', { class: 'hint' }, 'Nothing is found in this program.')]));
     }
 
-    #row(text: OpenText, { range, severity = 1, code, message, data }: Finding): HTMLElement {
+    #row(text: OpenText, { range, severity = 1, code, codeDescription, message, data }: Finding): HTMLElement {
         const go = () => {
             this.#show(text);
             text.select(range, true);
         };
         const place = `${text.name}, line ${range.start.line + 1}`;
         const fixes = (data?.fixes ?? []).map((title) => element('button', { type: 'button', onclick: () => void fix(text.view, range, title) }, title));
-        const rule = code === undefined ? [] : [element('a', { href: `../rules/${code}.html`, target: '_blank' }, code)];
+        const page = /^ladder-rule:\/([a-z-]+)\.md$/.exec(codeDescription?.href ?? '')?.[1];
+        const rule = page === undefined ? [code ?? ''] : [element('a', { href: `../rules/${page}.html`, target: '_blank' }, page)];
         return element(
             'li',
             { class: `severity-${severity}` },
