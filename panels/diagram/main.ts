@@ -28,8 +28,8 @@ function part(tag: string, className: string): HTMLElement {
     return node;
 }
 
-const bar = part('header', 'toolbar');
-const view = part('main', 'view');
+const bar = part('div', 'toolbar');
+const view = part('div', 'view');
 const canvas = part('div', 'canvas');
 const empty = part('p', 'empty');
 const strip = part('footer', 'inspector');

@@ -37,7 +37,7 @@ export function page({ script, style, styles, scripts, nonce }: Sources): string
 <title>Trace</title>
 </head>
 <body class="idle">
-<header role="toolbar" aria-label="Trace">
+<div class="toolbar" role="toolbar" aria-label="Trace">
 <button id="choose" title="Choose the tags of the trace">Tags…</button>
 <button id="out" title="Zoom out (-)" aria-label="Zoom out">−</button>
 <button id="in" title="Zoom in (+)" aria-label="Zoom in">+</button>
@@ -46,12 +46,12 @@ export function page({ script, style, styles, scripts, nonce }: Sources): string
 <button id="clear" title="Clear the cursors (Escape)" disabled>Clear</button>
 <span id="measure"></span>
 <span id="place"></span>
-</header>
+</div>
 <div id="notice">Nothing is simulated.</div>
 <div id="trace" tabindex="0" role="group" aria-label="Trace" aria-description="${KEYS}">
 <table id="table" hidden>
 <colgroup><col class="name"><col class="now"><col><col class="reading A"><col class="reading B"><col class="reading difference"></colgroup>
-<thead><tr><th scope="col">Tag</th><th scope="col">Now</th><th scope="col" id="axis" class="wave" aria-label="Waveform"></th><th scope="col" class="reading A">A</th><th scope="col" class="reading B">B</th><th scope="col" class="reading difference">B − A</th></tr></thead>
+<thead><tr><th scope="col">Tag</th><th scope="col">Now</th><th scope="col" id="axis" class="wave"><span class="spoken">Waveform</span></th><th scope="col" class="reading A">A</th><th scope="col" class="reading B">B</th><th scope="col" class="reading difference">B − A</th></tr></thead>
 <tbody id="rows"></tbody>
 </table>
 </div>

@@ -74,7 +74,7 @@ export function setUp(say: (text: string) => void) {
     const failure = byId('failure');
     const programPanel = byId('program');
     const scenariosText = byId('scenarios');
-    const label = (text: string) => EditorView.contentAttributes.of({ 'aria-label': text });
+    const label = (text: string) => EditorView.contentAttributes.of({ 'aria-label': text, tabindex: '0' });
     const follow: Extension = EditorView.updateListener.of((update) => diagram?.followed(update));
     const program: OpenText = new OpenText(programPanel, server, 'program.clad', [
         breakpoints((lines) => simulation.setBreakpoints(lines)),
@@ -87,7 +87,7 @@ export function setUp(say: (text: string) => void) {
         label('Program'),
     ]);
     const scenarios: OpenText = new OpenText(scenariosText, server, 'program.ladder-test', [common, ladderTest, typing(server), links(() => scenarios), label('Scenarios')]);
-    const simulation: Simulation = new Simulation(server, program, { message: say, stopped: (range) => program.select(range, false) });
+    const simulation: Simulation = new Simulation(server, program, { message: say, stopped: (range) => program.reveal(range.start) });
     const documents = new Tabs(byId('documents'), 'Texts', () => undefined);
     documents.add('program', program.name, programPanel);
     documents.add('scenarios', scenarios.name, scenariosText);

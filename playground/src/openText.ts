@@ -56,6 +56,10 @@ export class OpenText implements SimulatedText {
         return { line: number - 1, character: offset - from };
     }
 
+    reveal(place: Range['start']): void {
+        this.view.dispatch({ effects: EditorView.scrollIntoView(this.offset(place), { y: 'nearest', yMargin: 60 }) });
+    }
+
     select({ start, end }: Range, focus: boolean): void {
         const selection = { anchor: this.offset(start), head: this.offset(end) };
         this.view.dispatch({ selection, effects: EditorView.scrollIntoView(selection.anchor, { y: 'nearest', yMargin: 60 }) });

@@ -207,12 +207,17 @@ export function powerIn(simulation: () => Simulation, place: (offset: number) =>
             }
         }),
         EditorView.domEventHandlers({
-            click(event, view) {
-                const offset = event.target instanceof Element && event.target.closest('.switch') ? view.posAtCoords(event) : null;
+            // Not a click: the editor may make the line again between the press and its end.
+            mousedown(event, view) {
+                const isPlain = event.button === 0 && !event.shiftKey && !event.ctrlKey && !event.metaKey && !event.altKey;
+                const isSwitch = isPlain && event.target instanceof Element && event.target.closest('.switch') !== null;
+                const offset = isSwitch ? view.posAtCoords(event) : null;
                 const tag = offset === null ? undefined : simulation().operandAt(place(offset))?.tags[0];
-                if (tag !== undefined) {
-                    void simulation().toggle(tag);
+                if (tag === undefined) {
+                    return false;
                 }
+                void simulation().toggle(tag);
+                return true;
             },
         }),
         EditorView.theme({

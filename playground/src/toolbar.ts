@@ -65,7 +65,7 @@ export class Toolbar {
         this.#buttons = actions.map((action) => {
             const button = element(
                 'button',
-                { type: 'button', title: action.title, 'aria-label': action.title, class: `act-${action.label.toLowerCase()}`, onclick: () => void (action.isFor(simulation) && action.act(simulation)) },
+                { type: 'button', title: action.title, class: `act-${action.label.toLowerCase()}`, onclick: () => void (action.isFor(simulation) && action.act(simulation)) },
                 icon(action.icon),
                 element('span', {}, action.label),
             );

@@ -1,0 +1,119 @@
+// Programs that come and go: examples, steps of the book, links, files of other systems, and all that is exported.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+
+import { Playground } from './page.mjs';
+import { step } from './steps.mjs';
+
+const { LADDER_ROOT } = process.env;
+
+export async function sharing(site) {
+    const it = await Playground.open(site);
+    const failed = (name) => it.picture(`failed ${name}`);
+    const text = async () => (await it.lines()).join('\n');
+    await step('the first visit shows an example', async () => {
+        await it.until('the example', async () => (await text()).includes('A motor starter'));
+        await it.picture('first visit');
+    }, failed);
+    await step('every example opens, and holds no error', async () => {
+        const options = await it.page.locator('#examples optgroup[label="Examples"] option').evaluateAll((all) => all.map((option) => option.value));
+        assert.ok(options.length >= 5);
+        for (const value of options) {
+            await it.page.locator('#examples').selectOption(value);
+            await it.page.waitForTimeout(250);
+            assert.equal(await it.page.locator('#program .cm-lintRange-error').count(), 0);
+        }
+    }, failed);
+    await step('the steps of a chapter follow one another, each with its place in the book', async () => {
+        await it.page.locator('#examples').selectOption({ label: '1. One rung' });
+        await it.until('the first step', async () => (await text()).includes('+--[ ]( start )--( )( run )--+'));
+        const link = it.page.locator('#step a');
+        assert.match(await link.getAttribute('href'), /guide\/first-program\.html#one-rung$/);
+        await it.page.locator('#step button', { hasText: 'Next' }).click();
+        await it.until('the second step', async () => (await text()).startsWith('+-\\-[ ]( start )'));
+        await it.picture('step');
+    }, failed);
+    await step('a link holds the program and its scenarios', async () => {
+        await it.page.locator('#program .cm-content').click();
+        await it.page.keyboard.press('Control+a');
+        await it.page.keyboard.insertText('# ünïcode <b>& "quotes" + % # \n+--[ ]( a )--( )( b )--+\n');
+        const before = await text();
+        await it.page.locator('#share').click();
+        await it.page.locator('#message', { hasText: 'The link is copied' }).waitFor();
+        const link = await it.page.evaluate(() => navigator.clipboard.readText());
+        assert.equal(link, it.page.url());
+        const other = await Playground.open(site, { fragment: new URL(link).hash });
+        await other.until('the program', async () => (await other.lines()).join('\n') === before);
+        await other.close();
+    }, failed);
+    await step('a link that cannot be read says so, and one that unfolds without end is refused', async () => {
+        for (const [fragment, words] of [['#program=%%%', 'cannot be read'], ['#program=AAAA', 'cannot be read']]) {
+            const other = await Playground.open(site, { fragment });
+            await other.page.locator('#message', { hasText: words }).waitFor();
+            await other.close();
+        }
+        const bomb = await it.page.evaluate(async () => {
+            const stream = new Blob([new Uint8Array(64 << 20)]).stream().pipeThrough(new CompressionStream('deflate-raw'));
+            const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
+            return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join('')).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
+        });
+        const other = await Playground.open(site, { fragment: `#program=${bomb}` });
+        await other.page.locator('#message', { hasText: 'too long' }).waitFor();
+        await other.close();
+    }, failed);
+    await step('a file of another system that is dropped opens as ladder text', async () => {
+        const content = readFileSync(join(LADDER_ROOT, 'tests/editors/fixtures/motor.rung'), 'utf8');
+        const transfer = await it.page.evaluateHandle((words) => {
+            const made = new DataTransfer();
+            made.items.add(new File([words], 'motor.rung'));
+            return made;
+        }, content);
+        await it.page.dispatchEvent('#program .cm-content', 'drop', { dataTransfer: transfer });
+        await it.until('the program', async () => (await text()).includes('+--'));
+        await it.page.locator('#message', { hasText: 'translated' }).waitFor();
+        await it.page.locator('#tab-program', { hasText: 'motor.clad' }).waitFor();
+        if (await it.page.locator('#choice').evaluate((dialog) => dialog.open)) {
+            await it.picture('dropped');
+            await it.page.locator('#choice button').click();
+        }
+    }, failed);
+    const exported = async (title) => {
+        await it.page.locator('#export').click();
+        const [download] = await Promise.all([it.page.waitForEvent('download'), it.page.getByRole('menuitem', { name: title }).click()]);
+        return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+    };
+    await step('text, picture and trace are exported', async () => {
+        await it.page.locator('#examples').selectOption({ label: 'Motor' });
+        await it.until('the example', async () => (await text()).includes('A motor starter'));
+        const program = await exported(/^Program/);
+        assert.equal(program.name, 'motor.clad');
+        assert.equal(program.bytes.toString(), readFileSync(join(LADDER_ROOT, 'examples/motor.clad'), 'utf8'));
+        const svg = await exported('Picture (SVG)');
+        assert.match(svg.bytes.toString(), /^<svg[^]*<\/svg>\s*$/);
+        const png = await exported('Picture (PNG)');
+        assert.equal(png.bytes.subarray(1, 4).toString(), 'PNG');
+        assert.ok(png.bytes.length > 3000);
+        await it.page.keyboard.press('F10');
+        await it.page.keyboard.press('F10');
+        await it.standing('scan 2');
+        const csv = await exported('Trace of the simulation (CSV)');
+        const rows = csv.bytes.toString().trimEnd().split('\n');
+        assert.match(rows[0], /^scan,time_ms,start,stop,run,/);
+        assert.ok(rows.length >= 3, rows.join('\n'));
+        await it.page.keyboard.press('Shift+F5');
+    }, failed);
+    await step('a program is exported in another notation', async () => {
+        const { name, bytes } = await exported('As Click program in Python');
+        assert.equal(name, 'motor.py');
+        assert.match(bytes.toString(), /def main/);
+    }, failed);
+    await step('what was typed is there again on the next visit', async () => {
+        await it.page.locator('#program .cm-content').click();
+        await it.page.keyboard.press('Control+Home');
+        await it.type('# kept # ');
+        await it.page.goto(`${site}/playground/index.html`);
+        await it.until('the text', async () => (await text()).startsWith('# kept #'));
+    }, failed);
+    await it.close().catch((error) => step('nothing leaves the browser', () => Promise.reject(error)));
+}

@@ -1,0 +1,91 @@
+// How fast it is, and how large. What a machine decides is printed; what must hold anywhere is checked.
+import assert from 'node:assert/strict';
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { gzipSync } from 'node:zlib';
+
+import { Playground } from './page.mjs';
+import { step } from './steps.mjs';
+
+const MOST = 1.5e6;
+const rungs = (count) => Array.from({ length: count }, (_, at) => `+--[ ]( in${at} )--[/]( off${at % 50} )${'-'.repeat(30)}( )( out${at} )--+\n`).join('');
+
+const print = (words) => console.log(`      ${words}`);
+
+/** Puts a long text into the editor, and waits until it has been checked. */
+async function put(it, text) {
+    await it.page.locator('#program .cm-content').click();
+    await it.page.keyboard.press('Control+a');
+    await it.page.keyboard.insertText(text);
+    await it.page.waitForTimeout(1500);
+}
+
+export async function speed(site) {
+    await step('all of it, compressed, is under 1.5 MB', async () => {
+        const folder = join(process.env.LADDER_SITE, 'playground');
+        const sizes = readdirSync(folder).map((name) => [name, gzipSync(readFileSync(join(folder, name)), { level: 9 }).length]);
+        const total = sizes.reduce((sum, [, size]) => sum + size, 0);
+        const largest = sizes.toSorted((a, b) => b[1] - a[1]).slice(0, 3).map(([name, size]) => `${name} ${Math.round(size / 1000)} kB`);
+        print(`${Math.round(total / 1000)} kB: ${largest.join(', ')}`);
+        assert.ok(total < MOST, `${total} bytes`);
+    });
+    await step('the first diagnostics are there within a second', async () => {
+        const times = [];
+        for (let turn = 0; turn < 3; turn += 1) {
+            const it = await Playground.open(site, { text: '+--[ ]( go )--\n' });
+            await it.page.locator('.cm-lintRange').first().waitFor({ state: 'attached' });
+            times.push(Math.round(await it.page.evaluate(() => performance.now())));
+            await it.close();
+        }
+        print(`${times.join(', ')} ms after the page was asked for`);
+        assert.ok(Math.min(...times) < 1000, times.join());
+    });
+    const it = await Playground.open(site, { text: '' });
+    await step('keys typed into 1,000 rungs', async () => {
+        await put(it, rungs(1000));
+        await it.page.keyboard.press('Control+Home');
+        await it.page.keyboard.press('End');
+        await it.page.evaluate(() => {
+            window.frames_ = [];
+            const watch = (now) => {
+                window.frames_.push(now);
+                window.watching = requestAnimationFrame(watch);
+            };
+            requestAnimationFrame(watch);
+        });
+        await it.type('\n[ ]( a )--[/]( b )--[TON]( t, T#1s )--( )( c )--+\n', 40);
+        const frames = await it.page.evaluate(() => {
+            cancelAnimationFrame(window.watching);
+            return window.frames_.slice(1).map((at, index) => at - window.frames_[index]);
+        });
+        const late = frames.filter((time) => time > 34).length;
+        print(`${frames.length} frames, ${late} later than two, the longest ${Math.round(Math.max(...frames))} ms`);
+        await it.picture('1000 rungs');
+    });
+    await step('1,000 rungs run as fast as they go', async () => {
+        await it.page.locator('#simulation select').selectOption('max');
+        await it.page.keyboard.press('F5');
+        await it.standing('running');
+        const scan = async () => Number(/scan ([\d,]+)/.exec(await it.page.locator('#simulation .standing').textContent())[1].replaceAll(',', ''));
+        await it.page.waitForTimeout(1000);
+        const [before, began] = [await scan(), Date.now()];
+        await it.page.waitForTimeout(3000);
+        const scans = (await scan()) - before;
+        print(`${((Date.now() - began) * 1000 / scans).toFixed(1)} us a scan, with what the page draws of it`);
+        await it.page.keyboard.press('Shift+F5');
+        assert.ok(scans > 0);
+    });
+    await step('10,000 rungs are opened and scrolled through', async () => {
+        await put(it, rungs(10_000));
+        const began = Date.now();
+        await it.page.keyboard.press('Control+End');
+        await it.page.locator('#program .cm-line', { hasText: 'out9999 ' }).waitFor();
+        await it.page.keyboard.press('F5');
+        await it.standing('running');
+        await it.page.locator('#program .power').first().waitFor();
+        await it.diagram.locator('g.element text', { hasText: /^out9999$/ }).waitFor();
+        print(`${Date.now() - began} ms to the end of it, running`);
+        await it.picture('10000 rungs');
+    });
+    await it.close().catch((error) => step('nothing strange happens', () => Promise.reject(error)));
+}

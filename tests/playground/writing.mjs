@@ -1,0 +1,116 @@
+// Writing: what is found while a person types, what the server proposes, explains, fixes, aligns and renames.
+import assert from 'node:assert/strict';
+
+import { Playground } from './page.mjs';
+import { step } from './steps.mjs';
+
+const MOTOR = `+--\\--[ ]( start )--\\--[/]( stop )---------------------------------( )( run )--+
+|  /--[ ]( run )----/                                                          |
+
++--[ ]( run )-----------------------------[TON]( warmup, T#5s )--( )( ready )--+
+`;
+
+export async function writing(site) {
+    let it = await Playground.open(site, { text: '' });
+    const failed = (name) => it.picture(`failed ${name}`);
+    await step('a program typed key by key is aligned while it grows', async () => {
+        await it.page.locator('#program .cm-content').click();
+        await it.type('+--\\--[ ]( go )--[/]( halt )--( )( run )--+\n');
+        await it.until('the branch that Enter begins', async () => (await it.lines())[1] === '|  /--');
+        await it.type('[ ]( run )--/');
+        await it.until('the aligned drawing', async () => {
+            const [first, second] = await it.lines();
+            return first.length === 80 && second.length === 80 && second.startsWith('|  /--[ ]( run )--/');
+        });
+        await it.picture('typed');
+    }, failed);
+    await step('Tab takes the first proposal, and goes through what it asks for', async () => {
+        await it.page.keyboard.press('Control+End');
+        await it.type('\n');
+        await it.until('the rung that Enter begins', async () => (await it.lines())[2] === '+--');
+        await it.type('[ ]( run )--[TO', 60);
+        const proposals = it.page.locator('.cm-tooltip-autocomplete li');
+        await proposals.filter({ hasText: '[TON]' }).first().waitFor();
+        await it.picture('completion');
+        await it.page.keyboard.press('Tab');
+        await it.until('the timer', async () => (await it.lines())[2].startsWith('+--[ ]( run )--[TON]( t, T#1s )--'));
+        await it.type('warm');
+        await it.page.keyboard.press('Tab');
+        await it.type('T#3s');
+        await it.page.keyboard.press('Tab');
+        await it.type('( )( hot )--+');
+        await it.until('the aligned rung', async () => /^\+--\[ \]\( run \)-+\[TON\]\( warm, T#3s \)--\( \)\( hot \)--\+$/.test((await it.lines())[2]));
+    }, failed);
+    await step('what is wrong is underlined while a person types, and listed', async () => {
+        await it.page.keyboard.press('Control+End');
+        await it.type('\n[ ]( hot )--[SET]( y )--+');
+        await it.page.keyboard.press('Control+Home');
+        await it.page.locator('.cm-lintRange-error').first().waitFor();
+        await it.tab('problems');
+        await it.page.locator('.problems li', { hasText: 'SET' }).first().waitFor();
+        await it.picture('problems');
+    }, failed);
+    await step('a fix is one press', async () => {
+        await it.page.locator('.problems .fixes button').first().click();
+        await it.until('the fix', async () => !(await it.lines()).join('\n').includes('[SET]'));
+    }, failed);
+    await step('the page of a rule is one press', async () => {
+        await it.page.locator('#program .cm-content').click();
+        await it.page.keyboard.press('Control+End');
+        await it.type('\n+--[ ]( hot )--( )( hot )--+');
+        await it.page.keyboard.press('Control+Home');
+        const link = it.page.locator('.problems a', { hasText: 'double-coil' }).first();
+        await link.waitFor();
+        const [other] = await Promise.all([it.context.waitForEvent('page'), link.click()]);
+        await other.waitForLoadState();
+        assert.match(await other.title(), /double-coil/);
+        await other.close();
+    }, failed);
+    await it.close().catch((error) => step('nothing strange happens while writing', () => Promise.reject(error)));
+
+    it = await Playground.open(site, { text: MOTOR });
+    await step('a hover explains a timer with its timing diagram', async () => {
+        await it.page.locator('#program .cm-line span', { hasText: '[TON]' }).first().hover();
+        const hover = it.page.locator('.cm-tooltip-hover');
+        await hover.waitFor();
+        const said = await hover.textContent();
+        assert.match(said, /On-delay timer/);
+        assert.match(said, /EN\s+[_-]{8,}/);
+        await it.picture('hover');
+        await it.page.mouse.move(5, 600);
+    }, failed);
+    await step('rename reaches all places, and the drawing stays aligned', async () => {
+        await it.cursor(1, 65);
+        await it.until('the tag at the cursor', async () => (await it.lines())[0].includes('( run )'));
+        const column = (await it.lines())[0].indexOf('run') + 1;
+        await it.cursor(1, column);
+        await it.page.keyboard.press('F2');
+        await it.page.locator('.cm-lsp-rename-panel input').fill('motor_runs');
+        await it.page.keyboard.press('Enter');
+        await it.until('the other name', async () => (await it.lines()).join('\n').match(/motor_runs/g)?.length === 3);
+        assert.ok((await it.lines()).filter((line) => line !== '').every((line) => line.length === 80), (await it.lines()).join('\n'));
+    }, failed);
+    await step('references are listed', async () => {
+        await it.cursor(1, (await it.lines())[0].indexOf('motor_runs') + 1);
+        await it.page.keyboard.press('Shift+F12');
+        await it.page.locator('.cm-lsp-reference').first().waitFor();
+        assert.equal(await it.page.locator('.cm-lsp-reference').count(), 3);
+        await it.picture('references');
+        await it.page.keyboard.press('Escape');
+    }, failed);
+    await step('what can be drawn in another way is in a list at the cursor', async () => {
+        await it.cursor(1, 9);
+        await it.page.keyboard.press('Control+.');
+        await it.page.locator('.menu[aria-label="What can be done here"] button').first().waitFor();
+        await it.picture('actions');
+        await it.page.keyboard.press('Escape');
+    }, failed);
+    await step('Format aligns the text', async () => {
+        await it.page.locator('#program .cm-content').click();
+        await it.page.keyboard.press('Control+a');
+        await it.page.keyboard.insertText('+-[ ]( a )-( )( b )-+');
+        await it.page.locator('#format').click();
+        await it.until('the aligned text', async () => (await it.lines())[0] === `+--[ ]( a )${'-'.repeat(58)}( )( b )--+`);
+    }, failed);
+    await it.close().catch((error) => step('nothing strange happens while writing', () => Promise.reject(error)));
+}
