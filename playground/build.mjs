@@ -11,7 +11,7 @@ import { parseArgs } from 'node:util';
 import { build } from 'esbuild';
 
 import { page } from '../panels/trace/page.ts';
-import { programs } from './programs.mjs';
+import { programs } from './programs.ts';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const { values } = parseArgs({ options: { out: { type: 'string', default: join(here, 'dist') }, server: { type: 'string' } } });

@@ -131,7 +131,7 @@ export async function running(site) {
         await coilIs('run', true);
         await it.page.keyboard.press('F4');
         await it.page.keyboard.press('Control+End');
-        await it.type('\n[ ]( run )--( )( lamp )--+');
+        await it.type('+--[ ]( run )--( )( lamp )--+');
         await coilIs('lamp', true);
         await it.standing('running');
     }, failed);

@@ -2,16 +2,18 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 
+import type { Example } from './src/examples.ts';
+
 /** Chapters whose programs follow one another, with the title of their group. */
-const CHAPTERS = [
+const CHAPTERS: readonly (readonly [chapter: string, group: string])[] = [
     ['guide/first-program', 'A first program'],
     ['guide/drawing-rungs', 'Drawing rungs'],
     ['guide/for-electricians', 'For electricians'],
 ];
 
-const title = (stem) => stem.charAt(0).toUpperCase() + stem.slice(1).replaceAll('_', ' ');
+const title = (stem: string) => stem.charAt(0).toUpperCase() + stem.slice(1).replaceAll('_', ' ');
 
-function ofFolder(folder) {
+function ofFolder(folder: string): Example[] {
     const names = readdirSync(folder).filter((name) => name.endsWith('.clad')).sort();
     // The one that the book and the README begin with comes first.
     names.sort((a, b) => Number(b === 'motor.clad') - Number(a === 'motor.clad'));
@@ -29,34 +31,34 @@ function ofFolder(folder) {
 }
 
 /** As mdBook makes them. */
-const anchor = (heading) => heading.toLowerCase().replaceAll(/[^\w\s-]/g, '').trim().replaceAll(/\s+/g, '-');
+const anchor = (heading: string) => heading.toLowerCase().replaceAll(/[^\w\s-]/g, '').trim().replaceAll(/\s+/g, '-');
 
-function ofChapter(root, [chapter, group]) {
+function ofChapter(root: string, [chapter, group]: readonly [string, string]): Example[] {
     const lines = readFileSync(join(root, 'docs/src', `${chapter}.md`), 'utf8').split('\n');
-    const found = [];
+    const found: (Omit<Example, 'title'> & { readonly heading: string })[] = [];
     let heading = '';
     for (let at = 0; at < lines.length; at += 1) {
-        const line = lines[at];
+        const line = lines[at] ?? '';
         heading = /^#+ (.*)$/.exec(line)?.[1] ?? heading;
-        const fence = /^```(\S*)(.*)$/.exec(line);
-        if (!fence) {
+        if (!line.startsWith('```')) {
             continue;
         }
         const end = lines.indexOf('```', at + 1);
-        const words = `${fence[1]}${fence[2]}`.split(/[\s,]+/);
+        const words = line.slice('```'.length).split(/[\s,]+/);
         if (words[0] === 'clad') {
             const name = words.find((word) => word.startsWith('file='))?.slice('file='.length) ?? 'program.clad';
             found.push({ group, heading, name, text: `${lines.slice(at + 1, end).join('\n')}\n`, chapter: `${chapter}.html#${anchor(heading)}` });
         }
         at = end;
     }
-    return found.map(({ heading, ...rest }, at) => {
+    return found.map((step, at) => {
+        const { heading, ...rest } = step;
         const same = found.filter((other) => other.heading === heading);
-        const number = same.length > 1 ? ` (${same.indexOf(found[at]) + 1})` : '';
+        const number = same.length > 1 ? ` (${same.indexOf(step) + 1})` : '';
         return { ...rest, title: `${at + 1}. ${heading.replaceAll('`', '')}${number}` };
     });
 }
 
-export function programs(root) {
+export function programs(root: string): Example[] {
     return [...ofFolder(join(root, 'examples')), ...CHAPTERS.flatMap((chapter) => ofChapter(root, chapter))];
 }
