@@ -234,7 +234,7 @@ export function powerIn(simulation: () => Simulation, place: (offset: number) =>
             '.power.flickers': { textDecoration: 'underline dotted' },
             '.next': { outline: '1px solid var(--focus)', backgroundColor: 'var(--next)' },
             '.stops': { outline: '1px dashed var(--blocks)' },
-            '.switch': { cursor: 'pointer', backgroundColor: 'var(--switch)', borderRadius: '3px' },
+            '.switch': { cursor: 'pointer', backgroundColor: 'var(--switch)', borderRadius: '3px', boxShadow: 'inset 0 0 0 1px var(--edge)' },
         }),
     ];
 }
