@@ -15,6 +15,8 @@ const WORDS_EVERY = 500;
 /** The width of a letter of a drawing, and what a drawing has next to its rails, in pixels. */
 const LETTER = 8;
 const NEXT_TO = 80;
+/** Where line numbers are, to the left of each drawing: `--gutter` of the style. In pixels. */
+const GUTTER = 44;
 /** The right rail is where the page ends, but no further left or right than this, in letters. */
 const RAILS = [44, 110] as const;
 
@@ -74,8 +76,8 @@ export class Page {
 
     /** The scale, 1 at most, at which nothing that was in sight is cut off at the right. */
     get fitting(): number {
-        const { clientWidth } = this.#view;
-        return clientWidth > 0 && this.#widest > clientWidth ? clientWidth / this.#widest : 1;
+        const room = this.#view.clientWidth - GUTTER;
+        return room > 0 && this.#widest > room ? room / this.#widest : 1;
     }
 
     open(version: number, lineCount: number, line: number): void {
@@ -161,7 +163,7 @@ export class Page {
             drawing.node.dataset['top'] = String(at);
         }
         this.#drop(seen);
-        this.#canvas.style.minWidth = `${width}px`;
+        this.#canvas.style.minWidth = `${width + GUTTER}px`;
         this.#ask(top, bottom);
     }
 
