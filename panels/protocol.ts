@@ -180,6 +180,32 @@ export interface History {
     readonly tags: readonly { readonly name: string; readonly type: string; readonly values: readonly Value[] }[];
 }
 
+/** The answer to `ladder.runScenarios`. */
+export interface ScenariosRun {
+    readonly uri: string;
+    readonly version: number;
+    readonly program: string;
+    readonly scenarios: readonly ScenarioRun[];
+    readonly coverage?: Exercised;
+}
+
+export interface ScenarioRun {
+    readonly name: string;
+    readonly range: Range;
+    readonly passed: boolean;
+    readonly scans: number;
+    readonly differences: readonly { readonly tag: string; readonly ranges: readonly Range[]; readonly message: string }[];
+    readonly faults: readonly { readonly message: string; readonly scan: number; readonly range?: Range }[];
+    /** Both waveforms, with what differs. */
+    readonly diagram?: string;
+}
+
+/** What scenarios exercised: of a part, whether it was closed (a coil: with power), and whether it was open. */
+export interface Exercised {
+    readonly networks: readonly { readonly range: Range; readonly scans: number }[];
+    readonly parts: readonly { readonly kind: 'contact' | 'comparison' | 'coil'; readonly range: Range; readonly on: boolean; readonly off: boolean }[];
+}
+
 /** The answer of `start`. */
 export interface Started {
     readonly session: string;
@@ -284,6 +310,7 @@ export interface OtherCommands {
     'ladder.cursor': { argument: { uri: string; line: number | null }; answer: null };
     'ladder.preview': { argument: { uri: string }; answer: Previewed };
     'ladder.convert': { argument: { uri: string; text?: string; from?: string; to: string }; answer: Converted };
+    'ladder.runScenarios': { argument: { uri: string; coverage: boolean }; answer: ScenariosRun };
     'ladder.notations': {
         argument: object;
         answer: { notations: readonly { name: string; title: string; extensions: readonly string[] }[] };

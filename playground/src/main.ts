@@ -162,6 +162,8 @@ const why = async (): Promise<void> => {
     const tag = simulation.operandAt(range)?.tags[0];
     await (tag === undefined ? say('There is no tag at the cursor.') : panels.why(tag));
 };
+/** What a click does is said once. */
+let hasHint = false;
 const toolbar = new Toolbar(byId('simulation'), simulation, announce);
 simulationKeys(simulation, {
     toggle: async () => {
@@ -170,7 +172,13 @@ simulationKeys(simulation, {
     },
     why,
 });
-simulation.onChange(() => toolbar.show());
+simulation.onChange(() => {
+    toolbar.show();
+    if (simulation.isRunning && !hasHint && document.querySelector('.switch')) {
+        hasHint = true;
+        say('Click a contact of an input, in the text or in the diagram, to switch it.');
+    }
+});
 
 async function begin(): Promise<void> {
     const loading = examples(openExample).then((loaded) => (all = loaded));

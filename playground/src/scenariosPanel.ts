@@ -2,7 +2,7 @@
 import { type Extension, StateEffect, StateField } from '@codemirror/state';
 import { Decoration, type DecorationSet, EditorView } from '@codemirror/view';
 
-import { type Covered, failingStretches, type FileResult, missing, type ScenarioResult, unitsBefore } from '../../panels/scenarioResults.ts';
+import type { Exercised, Range, ScenarioRun, ScenariosRun } from '../../panels/protocol.ts';
 import { element } from './element.ts';
 import type { OpenText } from './openText.ts';
 import { reasonOf, type Server } from './server.ts';
@@ -30,6 +30,14 @@ export const marksOfRuns: Extension = [
 
 const failed = Decoration.mark({ class: 'failed' });
 
+type Part = Exercised['parts'][number];
+
+/** What is missing of a contact, comparison or coil to have been seen both ways. */
+function missing({ kind, on, off }: Part): string[] {
+    const [isOn, isOff] = kind === 'coil' ? ['on', 'off'] : ['closed', 'open'];
+    return [...(on ? [] : [isOn]), ...(off ? [] : [isOff])];
+}
+
 export class ScenariosPanel {
     readonly #server: Server;
     readonly #program: OpenText;
@@ -38,6 +46,7 @@ export class ScenariosPanel {
     readonly #show: (text: OpenText) => void;
     readonly #results = element('div', { class: 'results' });
 
+    /** @param show puts one of the texts in front of a person */
     constructor(panel: HTMLElement, server: Server, program: OpenText, scenarios: OpenText, say: (text: string) => void, show: (text: OpenText) => void) {
         this.#server = server;
         this.#program = program;
@@ -59,80 +68,72 @@ export class ScenariosPanel {
 
     async run(): Promise<void> {
         try {
-            const { files, coverage = [] } = await this.#server.execute('ladder.test', { uri: this.#scenarios.uri, coverage: true });
-            const [file] = files;
-            if (file) {
-                this.#put(file, coverage);
-            }
+            const run = await this.#server.execute('ladder.runScenarios', { uri: this.#scenarios.uri, coverage: true });
+            this.#put(run);
+            this.#mark(run);
         } catch (error) {
             this.#results.replaceChildren(element('p', { class: 'error' }, reasonOf(error)));
-            this.#say(reasonOf(error));
+            this.#say(`The scenarios were not run: ${reasonOf(error)}`);
         }
     }
 
-    #put(file: FileResult, coverage: readonly Covered[]): void {
-        const passed = file.scenarios.filter((scenario) => scenario.passed).length;
-        const summary = `${passed} of ${file.scenarios.length} scenarios passed`;
-        const errors = file.mistakes.map(({ line, message }) => element('p', { class: 'error' }, `line ${line}: ${message}`));
-        const covered = coverage.map((it) => this.#coverage(it));
-        this.#results.replaceChildren(element('p', { class: 'summary' }, summary), ...errors, ...file.scenarios.map((scenario) => this.#row(scenario)), ...covered);
-        this.#say(errors.length > 0 ? `The scenarios could not be run: ${file.mistakes[0]?.message ?? ''}` : `${summary}.`);
-        this.#mark(file, coverage);
+    #put({ scenarios, coverage }: ScenariosRun): void {
+        const passed = scenarios.filter((scenario) => scenario.passed).length;
+        const summary = `${passed} of ${scenarios.length} scenarios passed`;
+        const covered = coverage ? [this.#coverage(coverage)] : [];
+        this.#results.replaceChildren(element('p', { class: 'summary' }, summary), ...scenarios.map((scenario) => this.#row(scenario)), ...covered);
+        this.#say(`${summary}.`);
     }
 
-    #row({ name, line, passed, differences, faults, diagram }: ScenarioResult): HTMLElement {
+    /** A button that leads to a place of a text. */
+    #link(title: string, text: OpenText, range: Range): HTMLElement {
         const go = () => {
-            this.#show(this.#scenarios);
-            const place = { line: line - 1, character: 0 };
-            this.#scenarios.select({ start: place, end: place }, true);
+            this.#show(text);
+            text.select(range, true);
         };
-        const title = element('button', { type: 'button', class: 'link', onclick: go }, `${passed ? '✓ passed' : '✗ failed'}  ${name}`);
+        return element('button', { type: 'button', class: 'link', onclick: go }, title);
+    }
+
+    #row({ name, range, passed, differences, faults, diagram }: ScenarioRun): HTMLElement {
+        const title = this.#link(`${passed ? '✓ passed' : '✗ failed'}  ${name}`, this.#scenarios, range);
         const said = [...differences.map(({ message }) => message), ...faults.map(({ message, scan }) => `fault in scan ${scan}: ${message}`)];
         const words = said.map((text) => element('p', { class: 'error' }, text));
-        const drawn = diagram === undefined ? [] : [element('pre', { tabindex: '0', 'aria-label': `Waveforms of ${name}` }, diagram)];
+        const drawn = diagram === undefined ? [] : [element('pre', { tabindex: '0', role: 'group', 'aria-label': `Waveforms of ${name}` }, diagram)];
         return element('section', { class: passed ? 'passed' : 'not-passed' }, title, ...words, ...drawn);
     }
 
-    #coverage({ networks, parts }: Covered): HTMLElement {
+    #coverage({ networks, parts }: Exercised): HTMLElement {
+        const reached = networks.filter(({ scans }) => scans > 0).length;
         const ways = parts.flatMap((part) => missing(part).map((way) => ({ part, way })));
-        const all = parts.length * 2;
-        const { text } = this.#program;
-        const lines = text.split('\n');
-        const rows = ways.map(({ part: { kind, line, column }, way }) => {
-            const character = unitsBefore(lines[line - 1] ?? '', column);
-            const start = { line: line - 1, character };
-            const words = (/^[^()]*\([^()]*\)(?:\([^()]*\))?|^\[[^\]]*\]\([^()]*\)/.exec((lines[line - 1] ?? '').slice(character)) ?? [kind])[0];
-            const go = () => {
-                this.#show(this.#program);
-                this.#program.select({ start, end: { line: line - 1, character: character + words.length } }, true);
-            };
-            return element('li', {}, element('button', { type: 'button', class: 'link', onclick: go }, `line ${line}: ${words} was never ${way}`));
+        const rows = ways.map(({ part: { range }, way }) => {
+            const words = this.#program.view.state.sliceDoc(this.#program.offset(range.start), this.#program.offset(range.end));
+            return element('li', {}, this.#link(`line ${range.start.line + 1}: ${words} was never ${way}`, this.#program, range));
         });
-        const summary = `Coverage: ${networks.exercised} of ${networks.all} networks were exercised, and ${all - ways.length} of ${all} ways of their parts.`;
+        const all = parts.length * 2;
+        const summary = `Coverage: ${reached} of ${networks.length} networks were exercised, and ${all - ways.length} of ${all} ways of their contacts and coils.`;
         return element('section', { class: 'coverage' }, element('p', { class: 'summary' }, summary), element('ul', {}, ...rows));
     }
 
     /** Draws in both texts what was found. */
-    #mark({ scenarios }: FileResult, coverage: readonly Covered[]): void {
-        const texts = this.#scenarios.text.split('\n');
-        const at = ({ line, start, end }: { line: number; start: number; end: number }, text: OpenText) =>
-            [text.offset({ line, character: start }), text.offset({ line, character: end })] as const;
-        const differences = scenarios.flatMap((scenario) => scenario.differences).flatMap((difference) => failingStretches(texts, difference));
-        const failures = differences.map((stretch) => at(stretch, this.#scenarios)).filter(([from, to]) => from < to);
-        this.#scenarios.view.dispatch({ effects: setMarks.of(Decoration.set(failures.map(([from, to]) => failed.range(from, to)), true)) });
-        const lines = this.#program.text.split('\n');
-        const marks = coverage.flatMap(({ rungs, parts }) => [
-            ...rungs.map(({ line, scans }) => {
-                const from = this.#program.offset({ line: line - 1, character: 0 });
+    #mark({ scenarios, coverage }: ScenariosRun): void {
+        const within = (text: OpenText, range: Range, mark: Decoration) => {
+            const [from, to] = [text.offset(range.start), text.offset(range.end)];
+            return from < to ? [mark.range(from, to)] : [];
+        };
+        const ranges = scenarios.flatMap(({ differences }) => differences.flatMap((difference) => difference.ranges));
+        const failures = ranges.flatMap((range) => within(this.#scenarios, range, failed));
+        this.#scenarios.view.dispatch({ effects: setMarks.of(Decoration.set(failures, true)) });
+        const lines = (coverage?.networks ?? []).flatMap(({ range: { start, end }, scans }) =>
+            // A network ends where the line after it begins.
+            Array.from({ length: Math.max(end.line - start.line + (end.character > 0 ? 1 : 0), 1) }, (_, at) => {
+                const from = this.#program.offset({ line: start.line + at, character: 0 });
                 return Decoration.line({ class: scans > 0 ? 'exercised' : 'untried' }).range(from);
             }),
-            ...parts.flatMap((part) => {
-                const ways = missing(part);
-                const start = unitsBefore(lines[part.line - 1] ?? '', part.column);
-                const [from, to] = at({ line: part.line - 1, start, end: start + 3 }, this.#program);
-                return ways.length > 0 && from < to ? [Decoration.mark({ class: 'half', attributes: { title: `never ${ways.join(', never ')}` } }).range(from, to)] : [];
-            }),
-        ]);
-        this.#program.view.dispatch({ effects: setMarks.of(Decoration.set(marks, true)) });
+        );
+        const halves = (coverage?.parts ?? []).flatMap((part) => {
+            const ways = missing(part);
+            return ways.length > 0 ? within(this.#program, part.range, Decoration.mark({ class: 'half', attributes: { title: `never ${ways.join(', never ')}` } })) : [];
+        });
+        this.#program.view.dispatch({ effects: setMarks.of(Decoration.set([...lines, ...halves], true)) });
     }
 }

@@ -5,17 +5,11 @@ import type { Extension } from '@codemirror/state';
 import { type Commands, type OtherCommands, shownNotification, type State, stateNotification } from '../../panels/protocol.ts';
 import { Connection } from './connection.ts';
 import { sanitized } from './sanitized.ts';
-import type { Results } from '../../panels/scenarioResults.ts';
 
 /** The folder that the server works in. */
 export const FOLDER = 'file:///work';
 /** The first answer waits until the server has been loaded. In milliseconds. */
 const TIMEOUT = 60_000;
-
-/** What only a page asks, which can start no program. */
-interface PageCommands extends OtherCommands {
-    'ladder.test': { argument: { uri: string; coverage: boolean }; answer: Results };
-}
 
 export interface ServerEvents {
     state(state: State): void;
@@ -78,7 +72,7 @@ export class Server {
     }
 
     /** What was typed is sent before anything is asked about it. */
-    execute<Name extends keyof PageCommands>(command: Name, argument: PageCommands[Name]['argument']): Promise<PageCommands[Name]['answer']> {
+    execute<Name extends keyof OtherCommands>(command: Name, argument: OtherCommands[Name]['argument']): Promise<OtherCommands[Name]['answer']> {
         return this.#execute(command, argument);
     }
 

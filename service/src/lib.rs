@@ -48,6 +48,7 @@ mod newest;
 mod notation;
 pub mod probe;
 mod rule_page;
+mod scenario_run;
 mod signal;
 mod simulation;
 pub mod typing_messages;
@@ -62,4 +63,7 @@ pub use host::{Clock, EventLoop, Host, Moment, Turns, Wait, World};
 pub use lsp::{Ended, Ending, Received, serve};
 pub use notation::messages as notation_messages;
 pub use rule_page::{AskedPage, RulePage};
+pub use scenario_run::{
+    Exercised, FaultOfScenario, NetworkReached, PartSeen, RowDiffers, RunScenarios, ScenarioRun, ScenariosRun,
+};
 pub use simulation::messages;

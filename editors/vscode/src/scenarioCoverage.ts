@@ -1,7 +1,7 @@
 // What scenarios exercise, drawn next to the networks.
 import * as vscode from 'vscode';
 
-import { missing, unitsBefore, type Covered } from '../../../panels/scenarioResults.ts';
+import { missing, unitsBefore, type Covered } from './scenarioResults.ts';
 import { textOf } from './diskText.ts';
 
 /** Coverage with what it was made of. */

@@ -1,7 +1,7 @@
 // What came of a scenario, as a message of the Test Explorer.
 import * as vscode from 'vscode';
 
-import { unitsBefore, type FileResult, type ScenarioResult } from '../../../panels/scenarioResults.ts';
+import { unitsBefore, type FileResult, type ScenarioResult } from './scenarioResults.ts';
 import { whole } from './diskText.ts';
 import { escaped, fenced } from './markdown.ts';
 

@@ -4,7 +4,7 @@ import { homedir } from 'node:os';
 
 import * as vscode from 'vscode';
 
-import { failingStretches, type FileResult, type Results, type Stretch } from '../../../panels/scenarioResults.ts';
+import { failingStretches, type FileResult, type Results, type Stretch } from './scenarioResults.ts';
 import { textOf, whole } from './diskText.ts';
 import { CoveredFile, details } from './scenarioCoverage.ts';
 import { debugOne } from './scenarioDebugging.ts';

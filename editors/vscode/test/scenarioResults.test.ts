@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { failingStretches, missing, unitsBefore } from '../../../panels/scenarioResults.ts';
+import { failingStretches, missing, unitsBefore } from '../src/scenarioResults.ts';
 import { scenariosOf } from '../src/scenarioFile.ts';
 
 test('the scenarios of a file, and where they end', () => {

@@ -18,7 +18,7 @@ use crate::document::position::Encoding;
 use crate::lsp::documents::{file_operations, pull, typed};
 use crate::lsp::features::{
     code_action::KINDS, comment, completion, cross_reference, diagram, diagram_text, edit, fence, notations,
-    preview, rule_page, semantic_tokens, signature,
+    preview, rule_page, run_scenarios, semantic_tokens, signature,
 };
 use crate::lsp::session::agreed::Agreed;
 use crate::simulation::COMMANDS;
@@ -100,6 +100,7 @@ pub(crate) fn offered(agreed: Agreed) -> ServerCapabilities {
                     edit::EDIT,
                     comment::COMMENT,
                     rule_page::RULE_PAGE,
+                    run_scenarios::RUN_SCENARIOS,
                 ])
                 .map(ToString::to_string)
                 .collect(),

@@ -148,14 +148,20 @@ fn scenarios(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
     found
 }
 
-/// Why scenarios cannot be compared with their program.
-enum NotReady {
+/// Why scenarios cannot be compared with their program, or run.
+pub(crate) enum NotReady {
     Missing(String),
     Errors(String),
 }
 
+impl From<NotReady> for String {
+    fn from((NotReady::Missing(message) | NotReady::Errors(message)): NotReady) -> String {
+        message
+    }
+}
+
 /// The program of scenarios, ready to run: as the editor shows it if it is open, else as it is on disk.
-fn compiled(shared: &Shared, path: &Path, interval: Option<i64>) -> Result<Simulation, NotReady> {
+pub(crate) fn compiled(shared: &Shared, path: &Path, interval: Option<i64>) -> Result<Simulation, NotReady> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let analysis = shared
         .neighbours

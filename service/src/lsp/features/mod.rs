@@ -26,6 +26,7 @@ pub(crate) mod preview;
 pub(crate) mod references;
 pub(crate) mod rename;
 pub(crate) mod rule_page;
+pub(crate) mod run_scenarios;
 pub(crate) mod semantic_tokens;
 pub(crate) mod signature;
 pub(crate) mod simulate;

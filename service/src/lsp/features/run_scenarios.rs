@@ -1,0 +1,72 @@
+//! `ladder.runScenarios`: an open file of scenarios is run, for a client that can start no program.
+
+use std::sync::Arc;
+
+use ladder_simulator::scenario;
+use tower_lsp::jsonrpc::Result;
+use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
+
+use super::of_scenarios::{on_disk, shown};
+use super::simulate::{error, json};
+use crate::cancel::Cancel;
+use crate::document::{Kind, Revision, address};
+use crate::lsp::documents::companions::compiled;
+use crate::lsp::session::shared::Shared;
+use crate::lsp::transport::blocking::blocking;
+use crate::scenario_run::{Files, RunScenarios, ScenariosRun, run};
+use crate::simulation::{Failure, argument_of};
+
+/// The command.
+pub(crate) const RUN_SCENARIOS: &str = "ladder.runScenarios";
+
+pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) -> Result<LSPAny> {
+    let asked: RunScenarios = argument_of(RUN_SCENARIOS, params.arguments).map_err(error)?;
+    let failed = |message: String| error(Failure::Failed(message));
+    let revision = shared.companions.get(&asked.uri);
+    let revision = revision
+        .filter(|revision| revision.kind() == Kind::Scenarios && revision.fits())
+        .ok_or_else(|| {
+            failed(format!(
+                "{} is no file of scenarios that is open in the editor",
+                asked.uri
+            ))
+        })?;
+    let next_to = shared.clone();
+    let answer = blocking(&*shared.host, move |cancel| {
+        play(&next_to, &revision, &asked, cancel)
+    })
+    .await?;
+    json(&answer.map_err(failed)?)
+}
+
+fn play(
+    shared: &Shared,
+    scenarios: &Revision,
+    asked: &RunScenarios,
+    cancel: &Cancel,
+) -> std::result::Result<ScenariosRun, String> {
+    let suite = scenario::parse(&scenarios.text());
+    let Some((name, _)) = &suite.program else {
+        return Err("the scenarios name no program: their file begins with `program NAME.clad`".to_owned());
+    };
+    let disk = &shared.world().disk;
+    let path = address::path_of(&scenarios.uri).ok_or("the scenarios lie in no folder")?;
+    let path = disk
+        .locate(&disk.named_in(&path, name))
+        .map_err(|error| error.to_string())?;
+    let simulation = compiled(shared, &path, suite.interval.map(|(interval, _)| interval))?;
+    let program = shown(shared, &path).or_else(|| on_disk(shared, &path));
+    let program = program.ok_or_else(|| format!("{name} cannot be read any more"))?;
+    let files = Files {
+        scenarios,
+        program: &program,
+    };
+    run(
+        &files,
+        &suite,
+        simulation,
+        asked.coverage,
+        &shared.world().clock,
+        cancel,
+    )
+}
