@@ -3,7 +3,7 @@ import { hasReport, report, summary } from '../../panels/conversionReport.ts';
 import { nameOf } from './link.ts';
 import { FOLDER, type Server } from './server.ts';
 
-/** A larger file is none that somebody has written. */
+/** A larger file is no program. In bytes. */
 const MOST = 8 << 20;
 
 export interface Opened {

@@ -41,6 +41,15 @@ export async function writing(site) {
         await it.type('( )( hot )--+');
         await it.until('the aligned rung', async () => /^\+--\[ \]\( run \)-+\[TON\]\( warm, T#3s \)--\( \)\( hot \)--\+$/.test((await it.lines())[2]));
     }, failed);
+    await step('a rung that Enter has begun goes again when the cursor leaves it', async () => {
+        await it.page.keyboard.press('Control+End');
+        await it.type('\n');
+        await it.until('the rung', async () => (await it.lines())[3] === '+--');
+        await it.page.keyboard.press('ArrowUp');
+        await it.until('it to go', async () => (await it.lines())[3] === '');
+        await it.page.keyboard.press('Control+End');
+        await it.page.keyboard.press('Backspace');
+    }, failed);
     await step('what is wrong is underlined while a person types, and listed', async () => {
         await it.page.keyboard.press('Control+End');
         await it.type('\n[ ]( hot )--[SET]( y )--+');
