@@ -41,6 +41,7 @@ export const look = EditorView.theme({
     'li[aria-selected] .cm-completionDetail': { color: 'inherit' },
     '.cm-panels': { backgroundColor: 'var(--raised)', color: 'var(--ink)' },
     '.cm-panels-bottom': { borderTop: '1px solid var(--edge)' },
+    '.cm-placeholder': { color: 'var(--quiet)' },
     '.cm-textfield': { backgroundColor: 'var(--paper)', color: 'var(--ink)', border: '1px solid var(--edge)' },
     '.cm-button': { backgroundImage: 'none', backgroundColor: 'var(--raised)', color: 'var(--ink)', border: '1px solid var(--edge)' },
     '.cm-diagnostic': { borderLeftWidth: '4px', whiteSpace: 'pre-wrap' },

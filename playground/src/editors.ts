@@ -9,7 +9,7 @@ import {
 import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
 import { EditorState, type Extension } from '@codemirror/state';
 import {
-    drawSelection, dropCursor, EditorView, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers,
+    drawSelection, dropCursor, EditorView, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers, placeholder,
 } from '@codemirror/view';
 
 import { look } from './appearance.ts';
@@ -31,6 +31,16 @@ import { TagsPanel } from './tagsPanel.ts';
 import { TracePanel } from './tracePanel.ts';
 import { typing } from './typing.ts';
 import { WhyPanel } from './whyPanel.ts';
+
+/** What is in the place of scenarios where there are none. */
+const EXAMPLE = `program motor.clad
+step 100ms
+
+scenario "it runs on after start is let go"
+start  _-_
+run => _--
+
+(Write your own, for the tags of your program.)`;
 
 const common: Extension = [
     lineNumbers(),
@@ -86,7 +96,7 @@ export function setUp(say: (text: string) => void) {
         links(() => program),
         label('Program'),
     ]);
-    const scenarios: OpenText = new OpenText(scenariosText, server, 'program.ladder-test', [common, ladderTest, typing(server), links(() => scenarios), label('Scenarios')]);
+    const scenarios: OpenText = new OpenText(scenariosText, server, 'program.ladder-test', [common, ladderTest, placeholder(EXAMPLE), typing(server), links(() => scenarios), label('Scenarios')]);
     const simulation: Simulation = new Simulation(server, program, { message: say, stopped: (range) => program.reveal(range.start) });
     const documents = new Tabs(byId('documents'), 'Texts', () => undefined);
     documents.add('program', program.name, programPanel);

@@ -50,7 +50,7 @@ panels.onReady(() => panels.frames.forEach((frame) => (frame.theme = document.do
 async function open({ name, text, scenarios: tests }: Linked): Promise<void> {
     await simulation.stop();
     program.open(name, text);
-    scenarios.open(`${stemOf(name)}.ladder-test`, tests ?? `program ${name}\nstep 100ms\n`);
+    scenarios.open(`${stemOf(name)}.ladder-test`, tests ?? '');
     panels.forget();
     documents.title('program', name);
     documents.title('scenarios', scenarios.name);

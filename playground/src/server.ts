@@ -1,8 +1,9 @@
 // The language server as the page sees it: its commands with their types, and what it says unasked.
-import { LSPClient, type LSPClientConfig, type LSPClientExtension } from '@codemirror/lsp-client';
+import type { LSPClientConfig, LSPClientExtension } from '@codemirror/lsp-client';
 import type { Extension } from '@codemirror/state';
 
 import { type Commands, type OtherCommands, shownNotification, type State, stateNotification } from '../../panels/protocol.ts';
+import { Client } from './client.ts';
 import { Connection } from './connection.ts';
 import { sanitized } from './sanitized.ts';
 
@@ -32,7 +33,7 @@ const capabilities: LSPClientExtension = {
 };
 
 export class Server {
-    readonly client: LSPClient;
+    readonly client: Client;
     readonly #events: ServerEvents;
     #connection: Connection;
 
@@ -54,7 +55,7 @@ export class Server {
                 },
             },
         };
-        this.client = new LSPClient(config);
+        this.client = new Client(config);
         this.#connection = this.#connect();
     }
 

@@ -31,6 +31,7 @@ export async function writing(site) {
         await it.type('[ ]( run )--[TO', 60);
         const proposals = it.page.locator('.cm-tooltip-autocomplete li');
         await proposals.filter({ hasText: '[TON]' }).first().waitFor();
+        assert.equal(await it.page.locator('.cm-lintRange-error').count(), 0, 'a rung that is half typed has no errors');
         await it.picture('completion');
         await it.page.keyboard.press('Tab');
         await it.until('the timer', async () => (await it.lines())[2].startsWith('+--[ ]( run )--[TON]( t, T#1s )--'));
