@@ -62,6 +62,30 @@ export async function sharing(site) {
         await other.page.locator('#message', { hasText: 'too long' }).waitFor();
         await other.close();
     }, failed);
+    await step('what a linked program says is never markup, and no script but the page\'s own is run', async () => {
+        const evil = '<img src=x onerror="window.strange=1"><script>window.strange=2</script>';
+        const other = await Playground.open(site, { text: `# ${evil} #\nVAR_INPUT  go : BOOL;  # ${evil} #  END_VAR\n+--[ ]( go )--( )( b )--+\n` });
+        await other.page.locator('#program .cm-line span', { hasText: /^go$/ }).last().hover();
+        await other.page.locator('.cm-tooltip-hover').waitFor();
+        await other.tab('problems');
+        assert.equal(await other.page.locator('.cm-tooltip-hover img, .cm-tooltip-hover script, .problems img').count(), 0);
+        const strange = await other.page.evaluate(async () => {
+            const script = document.createElement('script');
+            script.textContent = 'window.strange = 3';
+            document.body.append(script);
+            const plain = document.createElement('div');
+            plain.setAttribute('onclick', 'window.strange = 4');
+            document.body.append(plain);
+            plain.click();
+            const fetched = await fetch('https://example.org/').then(() => true, () => false);
+            return { strange: window.strange, fetched };
+        });
+        assert.deepEqual(strange, { strange: undefined, fetched: false });
+        // The browser says what it has refused.
+        assert.ok(other.strange.every((words) => /Content Security Policy|violates/.test(words)), other.strange.join('\n'));
+        other.strange.length = 0;
+        await other.close();
+    }, failed);
     await step('a file of another system that is dropped opens as ladder text', async () => {
         const content = readFileSync(join(LADDER_ROOT, 'tests/editors/fixtures/motor.rung'), 'utf8');
         const transfer = await it.page.evaluateHandle((words) => {
