@@ -172,6 +172,11 @@ async fn the_page_shows_every_command_whole() {
                 is_whole::<Drawn>(answer);
                 continue;
             }
+            "runScenarios" => {
+                is_whole::<ladder_service::RunScenarios>(argument);
+                is_whole::<ladder_service::ScenariosRun>(answer);
+                continue;
+            }
             "crossReference" => {
                 is_whole::<CrossReference>(argument);
                 is_whole::<CrossReferenced>(answer);
