@@ -158,3 +158,43 @@ async fn errors_in_scenarios_stand_at_their_places_and_follow_the_program() {
     close(&mut client, &test).await;
     client.finish().await;
 }
+
+#[tokio::test]
+async fn scenarios_run_in_the_server_against_the_text_of_the_editor() {
+    let plant = Plant::with(&[("a.clad", "+--[ ]( x )--( )( y )--+\n")]);
+    let (test, program) = (plant.uri("a.ladder-test"), plant.uri("a.clad"));
+    let mut client = Client::new().await;
+    let ask = json!({"command": "ladder.runScenarios", "arguments": [{"uri": test}]});
+    let closed = client.request("workspace/executeCommand", ask.clone()).await;
+    let message = closed.unwrap_err().1;
+    assert!(
+        message.ends_with("is no file of scenarios that is open in the editor"),
+        "{message}"
+    );
+    let text = "program a.clad\nstep 100ms\nscenario \"s\"\nx    -_\ny => -_\n";
+    open(&mut client, &test, "ladder-test", text).await;
+    let run = client
+        .request("workspace/executeCommand", ask.clone())
+        .await
+        .unwrap();
+    assert_eq!(run["scenarios"][0]["passed"], true);
+    assert!(run.get("coverage").is_none());
+    // What the editor shows counts, not what is on disk.
+    client.open_as(&program, 1, "+--[/]( x )--( )( y )--+\n").await;
+    let run = client
+        .request("workspace/executeCommand", ask.clone())
+        .await
+        .unwrap();
+    assert_eq!(run["scenarios"][0]["passed"], false);
+    assert_eq!(run["program"], program);
+    let wrong = "program a.clad\nstep 100ms\nscenario \"s\"\nnone => -_\n";
+    let params = json!({"textDocument": {"uri": test, "version": 2}, "contentChanges": [{"text": wrong}]});
+    client.notify("textDocument/didChange", params).await;
+    let message = client
+        .request("workspace/executeCommand", ask)
+        .await
+        .unwrap_err()
+        .1;
+    assert!(message.starts_with("line 4: "), "{message}");
+    client.finish().await;
+}
