@@ -300,6 +300,8 @@ export interface OtherCommands {
     'ladder.fence': { argument: { text: string }; answer: DrawnFence };
     /** The page of a rule, in Markdown. */
     'ladder.rulePage': { argument: { rule: string }; answer: { markdown: string } };
+    /** The source of a block of the library. */
+    'ladder.libraryBlock': { argument: { block: string }; answer: { text: string } };
     'ladder.comment': { argument: { uri: string; lines: readonly Lines[] }; answer: EditedDrawing };
     'ladder.edit': { argument: { uri: string; range: Range; edit: EditKind }; answer: EditedDrawing };
     'ladder.diagram': {

@@ -21,6 +21,8 @@ return {
       commands = { 'ladder.simulation.start', 'ladder.test', 'ladder.showReferences', 'ladder.completion.cut', 'ladder.rename' },
       -- Findings link the pages of their rules, which `:Ladder explain` shows.
       rulePages = true,
+      -- Definitions lead into the library, whose sources the plugin opens.
+      libraryBlocks = true,
     },
   },
   commands = {

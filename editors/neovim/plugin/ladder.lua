@@ -54,6 +54,14 @@ vim.api.nvim_create_autocmd('LspAttach', {
   end,
 })
 
+vim.api.nvim_create_autocmd('BufReadCmd', {
+  group = group,
+  pattern = 'ladder-library:/*',
+  callback = function(event)
+    require('ladder.library')(event.buf, event.match)
+  end,
+})
+
 vim.api.nvim_create_user_command('LadderClick', function()
   require('ladder.click').open(vim.api.nvim_get_current_buf())
 end, { desc = 'Open this Python file as a Click program' })

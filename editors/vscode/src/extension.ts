@@ -12,6 +12,7 @@ import { showFaults } from './faults.ts';
 import { linksInHovers } from './hover.ts';
 import { lensesFollow } from './lenses.ts';
 import { Fences } from './markdown/fences.ts';
+import { showLibraryBlocks } from './libraryBlocks.ts';
 import { showRulePages } from './rulePages.ts';
 import { Server } from './server.ts';
 import { Simulation } from './simulation.ts';
@@ -71,6 +72,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
         showTags(simulation, new WatchList(context.workspaceState)),
         sayTypedLine(server),
         showRulePages(server),
+        showLibraryBlocks(server),
         vscode.workspace.onDidGrantWorkspaceTrust(() => server?.start()),
         vscode.workspace.onDidChangeConfiguration((event) => {
             if (event.affectsConfiguration('ladder.server.path')) {

@@ -21,6 +21,7 @@ import {
 import type { Send } from '../../../panels/session.ts';
 import { lensCommands, lensesOf } from './lenses.ts';
 import { offer, whenThere } from './missingServer.ts';
+import { libraryAddresses } from './libraryBlocks.ts';
 import { rulePageLinks } from './rulePages.ts';
 import { cannotStart, findCargo, findServer, type Place, type Surroundings } from './serverPath.ts';
 import { fit, misfit } from './serverVersion.ts';
@@ -167,6 +168,7 @@ export class Server implements vscode.Disposable {
         );
         client.registerFeature(lensCommands);
         client.registerFeature(rulePageLinks);
+        client.registerFeature(libraryAddresses);
         client.onNotification(stateNotification, (state: State) => this.#stateReceived.fire(state));
         client.onNotification(fromDebuggerNotification, (said: DebuggerMessage) => this.#debuggerSaid.fire(said));
         client.onNotification(previewNotification, (previewed: Previewed) => this.#previewReceived.fire(previewed));

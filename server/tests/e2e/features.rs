@@ -415,6 +415,34 @@ async fn a_finding_links_the_page_of_its_rule() {
 }
 
 #[tokio::test]
+async fn a_definition_leads_into_the_library() {
+    let can = json!({"experimental": {"libraryBlocks": true}});
+    for (client, leads) in [(can, true), (json!({}), false)] {
+        let mut client = Client::with(client).await;
+        client
+            .open("+--[$Debounce]( button )--( )( y )--+\n+--[$Debounce]( 5 )--( )( z )--+\n")
+            .await;
+        let place = json!({"textDocument": {"uri": URI}, "position": {"line": 0, "character": 6}});
+        let found = client.request("textDocument/definition", place).await.unwrap();
+        assert_eq!(
+            found[0]["uri"].as_str(),
+            leads.then_some("ladder-library:/Debounce.clad"),
+            "{found}"
+        );
+        let ask = |block: &str| json!({"command": "ladder.libraryBlock", "arguments": [{"block": block}]});
+        let source = client
+            .request("workspace/executeCommand", ask("$debounce"))
+            .await
+            .unwrap();
+        let text = include_str!("../../../library/Debounce.clad");
+        assert_eq!(source, json!({"text": text}));
+        let unknown = client.request("workspace/executeCommand", ask("$No")).await;
+        assert_eq!(unknown.unwrap_err().1, "the library has no block `$No`");
+        client.finish().await;
+    }
+}
+
+#[tokio::test]
 async fn the_page_of_a_rule_is_the_books() {
     let mut client = Client::new().await;
     let ask = |rule: &str| json!({"command": "ladder.rulePage", "arguments": [{"rule": rule}]});

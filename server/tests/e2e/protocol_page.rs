@@ -8,8 +8,8 @@ use std::fmt::Write;
 
 use ladder_service::typing_messages::{Cursor, EditDrawing, EditedDrawing, ToggleComment};
 use ladder_service::{
-    AskedPage, CrossReference, CrossReferenced, Diagram, DiagramText, Drawn, DrawnFence, DrawnText, Fence,
-    messages, notation_messages,
+    AskedBlock, AskedPage, CrossReference, CrossReferenced, Diagram, DiagramText, Drawn, DrawnFence,
+    DrawnText, Fence, messages, notation_messages,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -195,6 +195,10 @@ async fn the_page_shows_every_command_whole() {
             "rulePage" => {
                 // A page has fences of its own: the answer is not shown.
                 is_whole::<AskedPage>(argument);
+                continue;
+            }
+            "libraryBlock" => {
+                is_whole::<AskedBlock>(argument);
                 continue;
             }
             "cursor" => {

@@ -19,6 +19,7 @@ use super::position::{self, Range};
 use super::positions::Positions;
 use super::{Documents, Kind, Revision, address, in_parallel};
 use crate::cancel::Cancel;
+use crate::library_block;
 
 /// The files of a document's workspace, the document itself among them. They are looked for when they are first asked
 /// for: most requests stay within their document.
@@ -247,6 +248,9 @@ impl OtherFiles {
                 revision,
                 encoding,
             ));
+        }
+        if let Some((address, text)) = library_block::file(name) {
+            return Some(FileText::of_file(address, text, encoding));
         }
         if let Some((path, file)) = self.files().closed(name) {
             return Some(FileText::of_file(address::uri_of(path), file.text(), encoding));

@@ -19,6 +19,7 @@ use super::neighbours::Affected;
 use super::position::{self, Encoding, Position, Range};
 use super::positions::Positions;
 use crate::language::{Analysis, Names};
+use crate::library_block;
 use crate::notation::Opened;
 
 /// What was made of a text.
@@ -375,8 +376,11 @@ impl Revision {
         position::range(&self.rope, self.encoding, range.into())
     }
 
-    /// Address and text of another file of the workspace, by the name that findings and programs know it by.
+    /// Address and text of another file of the workspace or of the library, by the name that findings and programs know it by.
     pub(crate) fn text_next_to(&self, file: &str) -> Option<(String, String)> {
+        if let Some((address, text)) = library_block::file(file) {
+            return Some((address, text.to_owned()));
+        }
         let place = self.place.as_ref()?;
         let (path, text) = place.neighbours.text_of(&place.path, file)?;
         Some((super::address::uri_of(&path), text))

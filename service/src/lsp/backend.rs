@@ -48,8 +48,8 @@ use crate::lsp::features::{
     call_hierarchy, code_action, code_lens, comment, completion, cross_reference, debug, diagram,
     diagram_text, edit, fence, folding,
     formatting::{self, DocumentRangesFormattingParams},
-    goto, hover, inlay_hint, links, notations, preview, references, rename, rule_page, run_scenarios,
-    semantic_tokens, signature, simulate, symbols,
+    goto, hover, inlay_hint, library_block, links, notations, preview, references, rename, rule_page,
+    run_scenarios, semantic_tokens, signature, simulate, symbols,
 };
 use crate::lsp::{
     capabilities,
@@ -371,6 +371,7 @@ impl LanguageServer for Backend {
             comment::COMMENT => comment::execute(&self.shared, params).await,
             rule_page::RULE_PAGE => rule_page::execute(params),
             run_scenarios::RUN_SCENARIOS => run_scenarios::execute(&self.shared, params).await,
+            library_block::LIBRARY_BLOCK => library_block::execute(params),
             command if notations::COMMANDS.contains(&command) => {
                 notations::execute(&self.shared, params).await
             }

@@ -17,8 +17,8 @@ use tower_lsp::ls_types::{
 use crate::document::position::Encoding;
 use crate::lsp::documents::{file_operations, pull, typed};
 use crate::lsp::features::{
-    code_action::KINDS, comment, completion, cross_reference, diagram, diagram_text, edit, fence, notations,
-    preview, rule_page, run_scenarios, semantic_tokens, signature,
+    code_action::KINDS, comment, completion, cross_reference, diagram, diagram_text, edit, fence,
+    library_block, notations, preview, rule_page, run_scenarios, semantic_tokens, signature,
 };
 use crate::lsp::session::agreed::Agreed;
 use crate::simulation::COMMANDS;
@@ -101,6 +101,7 @@ pub(crate) fn offered(agreed: Agreed) -> ServerCapabilities {
                     comment::COMMENT,
                     rule_page::RULE_PAGE,
                     run_scenarios::RUN_SCENARIOS,
+                    library_block::LIBRARY_BLOCK,
                 ])
                 .map(ToString::to_string)
                 .collect(),

@@ -12,6 +12,7 @@ use crate::document::other_files::{FileText, OtherFiles};
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, session::shared::Shared};
 use ladder_analysis::context::Context;
+use ladder_analysis::library;
 use ladder_syntax::{TextRange, TextSize};
 
 /// A document that is asked about.
@@ -19,6 +20,8 @@ pub(crate) struct Asked {
     pub(crate) revision: Arc<Revision>,
     pub(crate) context: Arc<Context>,
     pub(crate) elsewhere: OtherFiles,
+    /// Whether the client can open the library's sources.
+    pub(crate) opens_library: bool,
 }
 
 impl Asked {
@@ -37,6 +40,7 @@ pub(crate) async fn about<T: Send + 'static>(
     let Some(revision) = shared.documents.get(uri.as_str()) else {
         return Ok(None);
     };
+    let opens_library = shared.agreed().library_blocks;
     let (documents, companions) = (Arc::clone(&shared.documents), Arc::clone(&shared.companions));
     blocking(&*shared.host, move |cancel| {
         let elsewhere = OtherFiles::of(&revision, &documents, &companions, cancel);
@@ -45,6 +49,7 @@ pub(crate) async fn about<T: Send + 'static>(
             revision,
             context,
             elsewhere,
+            opens_library,
         })
     })
     .await
@@ -65,6 +70,7 @@ pub(crate) async fn about_place<T: Send + 'static>(
 /// The files that an answer names, each read once.
 pub(crate) struct Places<'e> {
     elsewhere: &'e OtherFiles,
+    opens_library: bool,
     files: HashMap<Arc<str>, Option<(Uri, FileText)>>,
 }
 
@@ -72,6 +78,7 @@ impl<'e> Places<'e> {
     pub(crate) fn of(asked: &'e Asked) -> Self {
         Places {
             elsewhere: &asked.elsewhere,
+            opens_library: asked.opens_library,
             files: HashMap::new(),
         }
     }
@@ -80,6 +87,9 @@ impl<'e> Places<'e> {
     pub(crate) fn file(&mut self, name: &Arc<str>) -> Option<&(Uri, FileText)> {
         let files = self.files.entry(Arc::clone(name));
         let found = files.or_insert_with(|| {
+            if !self.opens_library && library::source(name).is_some() {
+                return None;
+            }
             let file = self.elsewhere.text(name)?;
             Some((convert::uri(&file.uri)?, file))
         });

@@ -19,6 +19,7 @@ pub(crate) mod formatting;
 pub(crate) mod goto;
 pub(crate) mod hover;
 pub(crate) mod inlay_hint;
+pub(crate) mod library_block;
 pub(crate) mod links;
 pub(crate) mod notations;
 mod of_scenarios;

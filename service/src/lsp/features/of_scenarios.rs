@@ -92,6 +92,7 @@ fn program(shared: &Shared, revision: &Revision, suite: &Suite, cancel: &Cancel)
         revision: program,
         context,
         elsewhere,
+        opens_library: shared.agreed().library_blocks,
     })
 }
 

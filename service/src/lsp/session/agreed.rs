@@ -21,6 +21,8 @@ pub(crate) struct Agreed {
     pub(crate) diagnostic_data: bool,
     /// The pages of rules that diagnostics link can be opened: the client asks for their text.
     pub(crate) rule_pages: bool,
+    /// The addresses of the library's sources can be opened: the client asks for their text.
+    pub(crate) library_blocks: bool,
     /// Edits may name the version of the document that they are for.
     pub(crate) versioned_edits: bool,
     /// The edits of a code action may be asked for later.
@@ -151,10 +153,8 @@ impl Agreed {
                 .and_then(|it| it.data_support)
                 .or(pull.and_then(|it| it.data_support))
                 .unwrap_or(false),
-            rule_pages: client
-                .experimental
-                .as_ref()
-                .is_some_and(|it| it["rulePages"] == true),
+            rule_pages: says(client, "rulePages"),
+            library_blocks: says(client, "libraryBlocks"),
             versioned_edits: edit.and_then(|it| it.document_changes).unwrap_or(false),
             file_operations: Reported::by(workspace.and_then(|workspace| workspace.file_operations.as_ref())),
             pulls_diagnostics: pull.is_some(),
@@ -266,6 +266,11 @@ fn takes_unnecessary(tags: &ClientDiagnosticsTagOptions) -> bool {
         .is_some_and(|tags| tags.contains(&unnecessary))
 }
 
+/// Whether a client says that it can do something which the protocol has no word for.
+fn says(client: &ClientCapabilities, what: &str) -> bool {
+    client.experimental.as_ref().is_some_and(|it| it[what] == true)
+}
+
 #[cfg(test)]
 mod tests {
     use serde_json::{Value, json};
@@ -346,6 +351,7 @@ mod tests {
                 unnecessary_tag: true,
                 diagnostic_data: true,
                 rule_pages: true,
+                library_blocks: true,
                 versioned_edits: true,
                 resolves_edits: true,
                 disabled_actions: true,
