@@ -27,7 +27,7 @@ pub(crate) struct Arguments {
     folder: PathBuf,
 }
 
-/// The files, with the words that [`Words`] fills in, in their names too.
+/// The files, with the words that [`filled_in`] fills in, in their names too.
 const TEMPLATE: [(&str, &str); 11] = [
     ("NAME.clad", include_str!("../../template/NAME.clad")),
     (
