@@ -2,6 +2,7 @@
 
 use super::named_types::NamedTypes;
 use super::problem::NameProblem;
+use super::refused_name::refused_name;
 use super::type_spec::{self, Constants, Declared, Initial, TypeSpec};
 use crate::names::cold::{Cold, ColdFacts};
 use crate::names::scope::{Origin, Scope, SectionKind, TagFacts, type_by_form};
@@ -13,9 +14,7 @@ use crate::still_wanted::StillWanted;
 use crate::values::constant;
 use ladder_syntax::ast::{AstNode, Declaration, NodeView, SectionHeader};
 use ladder_syntax::rowan::GreenNode;
-use ladder_syntax::{
-    Line, LineKind, Name, Parse, Section, TextRange, TextSize, Trees, is_declaration_keyword, is_reserved,
-};
+use ladder_syntax::{Line, LineKind, Name, Parse, Section, TextRange, TextSize, Trees};
 use std::sync::Arc;
 
 /// What a section's first line says of the declarations in it; none if it cannot be read.
@@ -255,15 +254,4 @@ fn refused_address(context: Around) -> Option<&'static str> {
     }
     (context.kind == SectionKind::External)
         .then_some("VAR_EXTERNAL names a global that is declared elsewhere, with its address: take AT away")
-}
-
-/// Why a name may not be declared.
-pub(super) fn refused_name(text: &str, in_block: bool) -> Option<String> {
-    if is_reserved(text) || is_declaration_keyword(text) {
-        return Some(format!("`{text}` is a word of the language: choose another name"));
-    }
-    if in_block && (text.eq_ignore_ascii_case("EN") || text.eq_ignore_ascii_case("ENO")) {
-        return Some(format!("a block has `{text}` of its own: choose another name"));
-    }
-    None
 }

@@ -15,12 +15,14 @@ pub(crate) mod did_you_mean;
 pub(crate) mod infer;
 #[cfg(test)]
 mod infer_tests;
+mod instances;
 pub mod join;
 pub(crate) mod joined;
 pub mod named_types;
 pub(crate) mod operand_value;
 pub(crate) mod path_type;
 pub(crate) mod problem;
+mod refused_name;
 pub mod scope;
 pub(crate) mod shared;
 pub(crate) mod skeleton;

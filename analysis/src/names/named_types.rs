@@ -1,7 +1,7 @@
 //! What the names of types mean in a file: its own, and those that other files declare.
 
 use super::problem::NameProblem;
-use super::type_section::DeclaredType;
+use super::type_spec::DeclaredType;
 use super::type_spec::{self, Declared, SpecKind, TypeSpec};
 use crate::other_files::others::Others;
 use crate::values::compound::{

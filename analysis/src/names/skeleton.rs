@@ -5,6 +5,7 @@ use super::at_address::AtAddress;
 use super::block_definition;
 use super::cold::Cold;
 use super::declare;
+use super::instances::Instances;
 use super::joined::Joined;
 use super::named_types::NamedTypes;
 use super::problem::NameProblem;
@@ -61,12 +62,14 @@ pub(crate) fn skeleton(
     let signatures = user_block::signatures(&user_blocks) ^ instances.unwrap_or(0);
     let mut kept = before.map(|before| Kept::of(before, parse, signatures));
     unknown_blocks(&scopes, &types, (&user_blocks, others), &mut problems);
-    let mut known = KnownBlocks::new(
-        user_blocks,
+    let mut declarations = Instances {
+        scopes: &scopes,
+        types: &mut types,
         others,
-        &mut types,
-        (instances.map(|_| scopes.as_slice()), profile.semantics()),
-    );
+        semantics: profile.semantics(),
+        any: instances.is_some(),
+    };
+    let mut known = KnownBlocks::new(user_blocks, others, &mut declarations);
     let mut reading = Reading::default();
     let mut networks = Networks::with_capacity(structure.networks.len());
     for (number, drawn) in structure.networks.iter().enumerate() {

@@ -1,26 +1,13 @@
 //! Sections of types: what they declare, as they write it.
 
-use super::declare::refused_name;
 use super::problem::NameProblem;
-use super::type_spec::{self, Constants, Declared, Initial, MemberSpec, SpecKind, TypeSpec};
+use super::refused_name::refused_name;
+use super::type_spec::{self, Constants, Declared, DeclaredType, Initial, MemberSpec, SpecKind, TypeSpec};
 use crate::values::literal::Literal;
 use ladder_syntax::ast::{AstNode, Declaration, NodeView, SectionHeader, StructEnd, StructHeader, TokenView};
 use ladder_syntax::{Line, LineKind, Name, Parse, Section, TextRange, TextSize};
 use smol_str::SmolStr;
 use std::sync::Arc;
-
-/// A type as its file declares it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct DeclaredType {
-    /// As declared.
-    pub name: SmolStr,
-    /// As it is compared.
-    pub key: Name,
-    /// Where its name is, from the start of the file.
-    pub at: TextRange,
-    /// What it says.
-    pub declared: Arc<Declared>,
-}
 
 /// Whether a section declares types.
 pub fn is_of_types(parse: &Parse, section: &Section) -> bool {

@@ -1,6 +1,7 @@
 //! Types as declarations write them, before the names in them are looked up. That follows from a file's own text alone, so
 //! this is what one file shows to the others.
 
+use super::refused_name::refused_name;
 use crate::names::did_you_mean;
 use crate::networks::facts::{self, Node};
 use crate::values::literal::{Literal, literal};
@@ -11,6 +12,7 @@ use ladder_syntax::ast::{AstNode, Bound, Expression, TypeRef};
 use ladder_syntax::{Name, SyntaxKind, TextRange, TextSize};
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
+use std::sync::Arc;
 
 /// The longest array: what still shows and saves quickly.
 const MAX_ELEMENTS: i128 = 1_000_000;
@@ -82,6 +84,19 @@ pub struct Initial {
     pub start: TextSize,
     /// Without blanks, to compare two.
     text: SmolStr,
+}
+
+/// A type as its file declares it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DeclaredType {
+    /// As declared.
+    pub name: SmolStr,
+    /// As it is compared.
+    pub key: Name,
+    /// Where its name is, from the start of the file.
+    pub at: TextRange,
+    /// What it says.
+    pub declared: Arc<Declared>,
 }
 
 impl PartialEq for TypeSpec {
@@ -326,7 +341,7 @@ fn enumeration(
     for value in type_ref.values() {
         let Some(name) = value.name() else { return Ok(None) };
         let range = name.text_range();
-        if let Some(message) = super::declare::refused_name(name.text(), false) {
+        if let Some(message) = refused_name(name.text(), false) {
             return Err((range, message));
         }
         if let Some(own) = value.number() {

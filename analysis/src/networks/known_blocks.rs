@@ -1,35 +1,39 @@
 //! The user-defined blocks that a file can use: its own, then those of other files that it does use.
 
-use crate::names::named_types::NamedTypes;
-use crate::names::path_type::path_type;
-use crate::names::scope::{Origin, Scope, SectionKind};
+use crate::names::type_spec::Declared;
 use crate::networks::facts::Node;
 use crate::networks::user_block::UserBlockFacts;
 use crate::other_files::others::Others;
 use crate::values::types::Type;
-use ladder_instructions::{Semantics, Shape};
+use ladder_instructions::Shape;
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;
+use std::sync::Arc;
+
+/// What is declared around the networks that are read.
+pub(crate) trait Declarations {
+    /// The type that a declaration of another file means.
+    fn type_in(&mut self, declared: &Declared, file: &Arc<str>) -> Option<Type>;
+
+    /// Whether an operand of a network in a scope is the state of a block.
+    fn is_instance(&mut self, scope: usize, node: &Node, block: &Name) -> bool;
+}
 
 /// Blocks by name. What other files define is taken in when it is first asked for.
 pub(crate) struct KnownBlocks<'o> {
     list: Vec<UserBlockFacts>,
     first: FxHashMap<Name, usize>,
     others: &'o Others,
-    types: &'o mut NamedTypes,
-    /// The tags that are declared, if one of them is the state of a block.
-    instances: Option<&'o [Scope]>,
+    declarations: &'o mut dyn Declarations,
     /// The scope whose networks are being read.
     pub(crate) scope: usize,
-    semantics: &'static Semantics,
 }
 
 impl<'o> KnownBlocks<'o> {
     pub(crate) fn new(
         own: Vec<UserBlockFacts>,
         others: &'o Others,
-        types: &'o mut NamedTypes,
-        (instances, semantics): (Option<&'o [Scope]>, &'static Semantics),
+        declarations: &'o mut dyn Declarations,
     ) -> KnownBlocks<'o> {
         let mut first = FxHashMap::default();
         for (index, block) in own.iter().enumerate() {
@@ -39,10 +43,8 @@ impl<'o> KnownBlocks<'o> {
             list: own,
             first,
             others,
-            types,
-            instances,
+            declarations,
             scope: 0,
-            semantics,
         }
     }
 
@@ -62,8 +64,7 @@ impl<'o> KnownBlocks<'o> {
         let mut facts = block.imported_from(file);
         for parameter in &mut facts.parameters {
             if let Some(declared) = &parameter.declared {
-                let meaning = self.types.meaning_in(declared, &file.file);
-                parameter.ty = meaning.map(|(ty, _)| ty);
+                parameter.ty = self.declarations.type_in(declared, &file.file);
             }
         }
         self.list.push(facts);
@@ -73,35 +74,8 @@ impl<'o> KnownBlocks<'o> {
 
     /// Whether an operand is the state of a block, which is known by this index.
     pub(crate) fn is_instance(&mut self, node: &Node, index: usize) -> bool {
-        let Some(scopes) = self.instances else {
-            return false;
-        };
-        let (scope, others) = (self.scope, self.others);
-        let types = &mut *self.types;
-        let mut root = |node: &Node| {
-            let key = Name::new(node.name()?);
-            let own = scopes[scope].find(&key).map(|tag| &scopes[scope].tags[tag]);
-            let global = || {
-                let mut all = scopes
-                    .iter()
-                    .filter_map(|scope| Some(&scope.tags[scope.find(&key)?]));
-                all.find(|tag| tag.origin == Origin::Declared(SectionKind::Global))
-            };
-            match own.or_else(global) {
-                Some(tag) => tag.ty,
-                None => {
-                    let (file, global) = others.globals(&key).next()?;
-                    let declared = global.declared.as_ref()?;
-                    types.meaning_in(declared, &file.file).map(|(ty, _)| ty)
-                }
-            }
-        };
-        match path_type(node, self.semantics, &mut root) {
-            Some((Type::Compound(id), 0)) => id
-                .block()
-                .is_some_and(|block| Name::new(&block) == self.list[index].key),
-            _ => false,
-        }
+        self.declarations
+            .is_instance(self.scope, node, &self.list[index].key)
     }
 
     pub(crate) fn get(&self, index: usize) -> &UserBlockFacts {

@@ -4,8 +4,7 @@
 
 use super::import::Import;
 use super::outward::Outward;
-use crate::names::type_section::DeclaredType;
-use crate::names::type_spec::Declared;
+use crate::names::type_spec::{Declared, DeclaredType};
 use crate::networks::user_block::UserBlockFacts;
 use crate::program::Role;
 use crate::values::types::Type;

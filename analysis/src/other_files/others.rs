@@ -1,6 +1,6 @@
 //! The other files of a workspace, as one of its files sees them: their [`Exports`], found by name.
 
-use crate::names::type_section::DeclaredType;
+use crate::names::type_spec::DeclaredType;
 use crate::other_files::exports::{ExportedBlock, ExportedFunction, Exports, Global};
 use crate::other_files::outward::TagUse;
 use ladder_syntax::Name;
