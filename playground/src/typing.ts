@@ -123,9 +123,16 @@ function cursor(server: Server): Extension {
             void server.execute('ladder.cursor', { uri, line }).catch(() => undefined);
         }
     };
-    return EditorView.updateListener.of(({ view, state, docChanged, selectionSet, focusChanged }) => {
+    return EditorView.updateListener.of(({ view, state, changes, docChanged, selectionSet, focusChanged }) => {
+        const here = state.doc.lineAt(state.selection.main.head);
+        let isElsewhere = false;
+        changes.iterChanges((_from, _to, from, to) => (isElsewhere ||= to < here.from || from > here.to));
+        if (isElsewhere) {
+            // The server takes the change for typing, and is told once more that the cursor is not there.
+            said = undefined;
+        }
         if ((docChanged || selectionSet || focusChanged) && view.hasFocus) {
-            tell(view, state.doc.lineAt(state.selection.main.head).number - 1);
+            tell(view, here.number - 1);
         } else if (focusChanged) {
             tell(view, null);
         }
