@@ -77,6 +77,7 @@ export async function speed(site) {
         const scans = (await scan()) - before;
         print(`${((Date.now() - began) * 1000 / scans).toFixed(1)} us a scan, with what the page draws of it`);
         await it.page.keyboard.press('Shift+F5');
+        await it.standing('at rest');
         assert.ok(scans > 0);
     });
     await step('10,000 rungs are opened and scrolled through', async () => {
@@ -91,6 +92,6 @@ export async function speed(site) {
         await it.diagram.locator('g.element text', { hasText: /^out9999$/ }).waitFor();
         print(`${Date.now() - began} ms to the end of it, running`);
         await it.picture('10000 rungs');
-    });
+    }, (name) => it.picture(`failed ${name}`));
     await it.close().catch((error) => step('nothing strange happens', () => Promise.reject(error)));
 }
