@@ -52,6 +52,9 @@ export class TagsPanel {
     }
 
     async #refresh(): Promise<void> {
+        if (!this.#isSeen) {
+            return;
+        }
         const { session } = this.#simulation;
         const known = session ? `${session.id} ${session.state.program ?? 0}` : '';
         if (known !== this.#known) {
@@ -65,12 +68,10 @@ export class TagsPanel {
             this.#put();
             this.#simulation.look();
         }
-        if (this.#isSeen) {
-            for (const { name, update } of this.#rows) {
-                const tag = session?.tag(name);
-                if (tag) {
-                    update(tag);
-                }
+        for (const { name, update } of this.#rows) {
+            const tag = session?.tag(name);
+            if (tag) {
+                update(tag);
             }
         }
     }
