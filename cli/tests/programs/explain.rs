@@ -111,7 +111,7 @@ fn a_word_leads_to_what_it_stands_for() {
         error: no rule or instruction is called `contact`; did you mean `[ ]` (open contact), `[/]` (closed contact), `[P]` (rising-edge contact), `[N]` (falling-edge contact) or `contact-after-coil`?
         error: no rule or instruction is called `counter`; did you mean `[CTU]` (up counter), `[CTD]` (down counter), `[CTUD]` (up-down counter), `[CTC]` (circular counter), `(RES)` (reset timer or counter) or `duplicate-counter`?
         error: no rule or instruction is called `Latched`; did you mean `latched-power`?
-        error: no rule or instruction is called `edge`; did you mean `[P]` (rising-edge contact), `[N]` (falling-edge contact), `(P)` (rising-edge coil) or `(N)` (falling-edge coil)?
+        error: no rule or instruction is called `edge`; did you mean `[P]` (rising-edge contact), `[N]` (falling-edge contact), `(P)` (rising-edge coil), `(N)` (falling-edge coil) or `edge-of-varying-index`?
     "#]].assert_eq(
         &["timer", "coil", "contact", "counter", "Latched", "edge"]
             .map(explain)
