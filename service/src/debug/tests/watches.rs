@@ -59,7 +59,7 @@ fn errors_are_reported_in_words() {
         ),
         (
             "a[i + 2]",
-            "error: an index is one tag or one number, no expression",
+            "error: index 4 is outside the array [1..3]: nothing was written; limit the index before this block",
         ),
     ]);
 }
