@@ -102,7 +102,7 @@ fn retentive_tags_are_kept_in_the_files_that_there_are() {
     command(&mut session, "start", json!({"uri": URI}));
     let state = command(&mut session, "state", json!({"session": "s2"}));
     assert!(state["tags"].to_string().contains(r#""n""#), "{state}");
-    assert!(state["tags"].to_string().contains("7"), "{state}");
+    assert!(state["tags"].to_string().contains('7'), "{state}");
 }
 
 #[test]

@@ -85,7 +85,7 @@ impl Session {
         self.send(&json!({"jsonrpc": "2.0", "id": id, "method": method, "params": params}));
         let begun = self.host.world().clock.now();
         while self.answer(&id).is_none() {
-            let waited = self.host.world().clock.now() - begun;
+            let waited = self.host.world().clock.now().saturating_sub(begun);
             assert!(waited < SOON, "{method} has no answer");
             self.turn(Duration::from_millis(1));
         }
