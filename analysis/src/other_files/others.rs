@@ -210,11 +210,10 @@ impl Others {
             .flat_map(|file| file.globals.iter().map(move |global| (file, global)))
     }
 
-    /// All types of the others, and after them those of the library.
+    /// All types of the others. The library has blocks only.
     pub fn all_types(&self) -> impl Iterator<Item = (&Exports, &DeclaredType)> {
-        let library = self.library().into_iter().flat_map(|library| &library.files);
-        let files = self.files().chain(library.map(|file| &**file));
-        files.flat_map(|file| file.types.iter().map(move |ty| (file, ty)))
+        self.files()
+            .flat_map(|file| file.types.iter().map(move |ty| (file, ty)))
     }
 
     /// Whether one of the others mentions a type of a name.

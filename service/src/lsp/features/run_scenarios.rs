@@ -54,9 +54,11 @@ fn play(
     let path = disk
         .locate(&disk.named_in(&path, name))
         .map_err(|error| error.to_string())?;
-    let simulation = compiled(shared, &path, suite.interval.map(|(interval, _)| interval))?;
     let program = shown(shared, &path).or_else(|| on_disk(shared, &path));
     let program = program.ok_or_else(|| format!("{name} cannot be read any more"))?;
+    // The files next to it, and what is compiled, know a text that was just typed once it is analysed.
+    program.analysis();
+    let simulation = compiled(shared, &path, suite.interval.map(|(interval, _)| interval))?;
     let files = Files {
         scenarios,
         program: &program,

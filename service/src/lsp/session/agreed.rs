@@ -341,7 +341,7 @@ mod tests {
                 "codeLens": {"refreshSupport": true}
             },
             "general": {"positionEncodings": ["utf-8"]},
-            "experimental": {"commands": ["ladder.completion.cut", "ladder.rename"], "rulePages": true}
+            "experimental": {"commands": ["ladder.completion.cut", "ladder.rename"], "rulePages": true, "libraryBlocks": true}
         });
         assert_eq!(
             agreed(client),

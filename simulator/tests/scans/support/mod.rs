@@ -15,10 +15,10 @@ pub(crate) fn simulation(text: &str) -> Simulation {
 
 /// The same with options.
 pub(crate) fn simulation_with(text: &str, options: Options) -> Simulation {
-    let analysis = analyze(&Arc::new(syntax::parse(text)), "test.clad");
-    match analysis.program().cloned() {
-        Some(program) => Simulation::new(program, options).unwrap_or_else(|error| panic!("{error}")),
-        None => {
+    let analysis = Arc::new(analyze(&Arc::new(syntax::parse(text)), "test.clad"));
+    match link(&analysis, &|_| None) {
+        Ok(program) => Simulation::new(program, options).unwrap_or_else(|error| panic!("{error}")),
+        Err(_) => {
             let messages: Vec<&str> = analysis
                 .diagnostics()
                 .iter()
