@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use ladder_analysis::{Diagnostic as Finding, Severity};
+use ladder_analysis::{Analysis, Diagnostic as Finding, Severity};
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{self, ScenarioError};
 use ladder_syntax::TextRange;
@@ -162,16 +162,26 @@ impl From<NotReady> for String {
 
 /// The program of scenarios, ready to run: as the editor shows it if it is open, else as it is on disk.
 pub(crate) fn compiled(shared: &Shared, path: &Path, interval: Option<i64>) -> Result<Simulation, NotReady> {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
     let analysis = shared
         .neighbours
         .analysis_of(path)
         .map_err(|error| NotReady::Missing(error.to_string()))?;
+    compiled_from(shared, path, &analysis, interval)
+}
+
+/// The program of a file that is analysed, ready to run.
+pub(crate) fn compiled_from(
+    shared: &Shared,
+    path: &Path,
+    analysis: &Arc<Analysis>,
+    interval: Option<i64>,
+) -> Result<Simulation, NotReady> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
     let errors = |of: &str| NotReady::Errors(format!("{of} has errors; its scenarios run when it has none"));
     if analysis.diagnostics().iter().any(is_error) {
         return Err(errors(&name));
     }
-    let program = shared.neighbours.link(path, &analysis).map_err(|_| {
+    let program = shared.neighbours.link(path, analysis).map_err(|_| {
         NotReady::Errors(format!(
             "a file that {name} uses has errors; its scenarios run when that has none"
         ))

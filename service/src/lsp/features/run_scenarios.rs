@@ -10,7 +10,7 @@ use super::of_scenarios::{on_disk, shown};
 use super::simulate::{error, json};
 use crate::cancel::Cancel;
 use crate::document::{Kind, Revision, address};
-use crate::lsp::documents::companions::compiled;
+use crate::lsp::documents::companions::compiled_from;
 use crate::lsp::session::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
 use crate::scenario_run::{Files, RunScenarios, ScenariosRun, run};
@@ -56,9 +56,13 @@ fn play(
         .map_err(|error| error.to_string())?;
     let program = shown(shared, &path).or_else(|| on_disk(shared, &path));
     let program = program.ok_or_else(|| format!("{name} cannot be read any more"))?;
-    // The files next to it, and what is compiled, know a text that was just typed once it is analysed.
-    program.analysis();
-    let simulation = compiled(shared, &path, suite.interval.map(|(interval, _)| interval))?;
+    // This very text: its neighbours know it a moment later.
+    let analysis = program
+        .analysis()
+        .ok_or_else(|| format!("{name} is too large"))?
+        .whole();
+    let interval = suite.interval.map(|(interval, _)| interval);
+    let simulation = compiled_from(shared, &path, analysis, interval)?;
     let files = Files {
         scenarios,
         program: &program,
