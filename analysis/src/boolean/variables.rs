@@ -6,6 +6,7 @@ use super::value_space::{Bound, Regions};
 use super::written::written;
 use crate::context::Context;
 use crate::names::operand_value::tag;
+use crate::names::path_type::path_type;
 use crate::networks::access::Access;
 use crate::networks::facts::{Node, NodeKind};
 use crate::networks::named::access;
@@ -13,7 +14,7 @@ use crate::networks::network::{Formal, Meaning};
 use crate::networks::{BlockAt, NetworkAt};
 use crate::program::Step;
 use crate::values::literal::Literal;
-use crate::values::types::Scalar;
+use crate::values::types::{Scalar, Type};
 use ladder_instructions::{Coil, Edge, Instruction, Op, Power, SetPower, Timing};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::fmt::Write;
@@ -283,7 +284,8 @@ impl Reader<'_> {
             NodeKind::Paren(inner) => self.key(inner),
             NodeKind::Member(base, word) => {
                 let word = match word.text.to_ascii_uppercase() {
-                    word if word == "DN" => "Q".to_owned(),
+                    // Two names of one member; in a structure they are two members.
+                    word if word == "DN" && self.is_state(base) => "Q".to_owned(),
                     word => word,
                 };
                 if matches!(&base.kind, NodeKind::Name(name) if name.eq_ignore_ascii_case("SYS")) {
@@ -305,6 +307,13 @@ impl Reader<'_> {
             }
             _ => None,
         }
+    }
+
+    /// Whether a place holds a timer, counter or bistable.
+    fn is_state(&self, place: &Node) -> bool {
+        let mut root = |root: &Node| tag(self.context, self.network.scope, root.name()?)?.1.ty;
+        let found = path_type(place, self.context.profile.semantics(), &mut root);
+        matches!(found, Some((Type::State(_), _)))
     }
 
     pub(super) fn versioned(&self, key: &str, tags: &[TagId]) -> String {

@@ -141,8 +141,11 @@ impl Context {
             NodeKind::Name(name) => Some((self.value_in(scope, block, name)?, name.clone())),
             NodeKind::Member(base, word) => {
                 let name = base.name()?;
-                let is_tag = self.scopes[scope].find(&Name::new(name)).is_some();
-                let id = self.types.enumeration(name).filter(|_| !is_tag)?;
+                let scope = &self.scopes[scope];
+                let tag = scope.find(&Name::new(name)).map(|tag| &scope.tags[tag]);
+                // A tag of the type's name comes first if it has members.
+                let has_members = tag.is_some_and(|tag| !matches!(tag.ty, Some(Type::Scalar(_))));
+                let id = self.types.enumeration(name).filter(|_| !has_members)?;
                 Some((id, word.text.clone()))
             }
             _ => None,

@@ -391,16 +391,38 @@ fn edges_of_elements() {
 
 #[test]
 fn values_that_nothing_asks_for() {
+    // The inputs are written nowhere; the tag itself is.
     let text = |rungs: &str| {
-        format!("TYPE\n    P : (ONE, TWO, THREE);\nEND_TYPE\nVAR\n    p : P;\nEND_VAR\n{rungs}")
+        format!("TYPE\n    P : (ONE, TWO, THREE);\nEND_TYPE\nVAR_INPUT\n    p : P;\nEND_VAR\n{rungs}")
     };
-    check(
+    check_program(
         &text(
             "+--[EQ]( p, ONE )--( )( Q1 )--+\n+--[EQ]( P.TWO, p )--( )( Q2 )--+\n+--[ ]( I1 )--( )( Q4 )--+\n+--[EQ]( p, ONE )--( )( Q5 )--+\n",
         ),
-        expect![""],
+        expect![[r#"
+            > +--[EQ]( p, ONE )--( )( Q1 )--+
+                 ^^^^^^^^^^^^^^ info[unhandled-value]: these 2 networks ask for values of `p`, and none for THREE
+                help: add a network for each, if something is to happen then
+        "#]],
     );
-    clean(&text(
+    clean_program(&text(
         "+--[EQ]( p, ONE )--( )( Q1 )--+\n+--[EQ]( p, TWO )--( )( Q2 )--+\n+--[EQ]( p, THREE )--( )( Q3 )--+\n",
     ));
+}
+
+/// `DN` of a timer is its `Q`; of a structure it is a member like any other.
+#[test]
+fn members_with_the_names_of_a_timers() {
+    clean(
+        "TYPE\n    Pump : STRUCT\n        DN, Q : BOOL;\n    END_STRUCT;\nEND_TYPE\nVAR_INPUT\n    p : Pump;\nEND_VAR\n+--[ ]( p.DN )--[/]( p.Q )--( )( Q1 )--+\n",
+    );
+    check(
+        "VAR\n    t : TON;\nEND_VAR\n+--[TON]( t, 5s )--( )( Q1 )--+\n+--[ ]( t.DN )--[/]( t.Q )--( )( Q2 )--+\n",
+        expect![[r#"
+            > +--[ ]( t.DN )--[/]( t.Q )--( )( Q2 )--+
+                              ^^^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what is before it does not
+                help: change one of the conditions; to switch a rung off on purpose use [ ]( SYS.OFF )
+                at 5:4 `[ ]( t.DN )`: this is off whenever the other is on
+        "#]],
+    );
 }
