@@ -8,7 +8,7 @@ export async function diagramOf(page, until, seconds = 20) {
     let found;
     await until('the diagram', seconds, async () => {
         for (const frame of page.frames()) {
-            const isDiagram = await frame.evaluate(() => document.querySelector('main.view')?.checkVisibility()).catch(() => false);
+            const isDiagram = await frame.evaluate(() => document.querySelector('.view')?.checkVisibility()).catch(() => false);
             const isShown = isDiagram && (await frame.frameElement().then((element) => element.isVisible()).catch(() => false));
             // A frame may be exchanged while it is asked.
             if (isShown && (await frame.locator('g.element').count().catch(() => 0)) > 0) {

@@ -124,9 +124,14 @@ export async function typing(page, { step, until, screenshot, project }) {
         await page.locator('.suggest-widget.visible .monaco-list-row', { hasText: 'second' }).first().waitFor({ timeout: 5000 });
         await page.keyboard.press('Tab');
         await until('the whole name', 5, async () => (await lines(page))[0].includes('( )( second )'));
+        // What an undo has done is on the page a moment later; one more would take back what was there before.
+        const undo = async () => {
+            await page.keyboard.press('Control+Z');
+            await page.waitForTimeout(200);
+        };
         const asBefore = () =>
             until('the rung as it was', 10, async () => {
-                await page.keyboard.press('Control+Z');
+                await undo();
                 return (await lines(page))[0] === before[0];
             });
         await page.keyboard.press('Escape');
@@ -147,7 +152,7 @@ export async function typing(page, { step, until, screenshot, project }) {
         await page.keyboard.press('Escape');
         await page.keyboard.press('Escape');
         await until('the program as it was', 20, async () => {
-            await page.keyboard.press('Control+Z');
+            await undo();
             return (await lines(page)).join('\n') === before.join('\n');
         });
         await page.keyboard.press('Control+Home');
