@@ -57,7 +57,7 @@ impl Resolver<'_, '_> {
     }
 }
 
-/// Gives each tag that is the state of a block the tags of its body.
+/// Enters, for each tag that is the state of a block, the tags of its body.
 pub(super) fn add_insides(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program) -> Insides {
     let mut adding = Adding {
         blocks: FxHashMap::default(),

@@ -208,7 +208,7 @@ pub(crate) fn signed_literal(node: &Node) -> Option<(&Result<Literal, LiteralPro
     }
 }
 
-/// The initial values that a declaration gives: one for each elementary part, in the order of
+/// The initial values of a declaration: one for each elementary part, in the order of
 /// [`Type::initial_values`]. What is left out has its type's own.
 pub(crate) fn initial_values(node: &Node, ty: Type) -> Result<Vec<Value>, ConstantProblem> {
     let mut values = Vec::new();

@@ -150,6 +150,6 @@ impl<'a> AsText<'a> {
 
 /// A message as it is sent.
 fn json(message: &impl Serialize) -> String {
-    // What the framework gives has texts as its keys, and no numbers that JSON does not have.
+    // What comes from the framework has texts as its keys, and no numbers that JSON does not have.
     serde_json::to_string(message).unwrap_or_default()
 }

@@ -178,7 +178,7 @@ fn the_sampled_loop_is_met_to_rounding() {
     assert!(error < 1e-9, "{error}");
 }
 
-/// Behind a ramp of c a second x stays c/(K·ki), whatever dt is.
+/// On a ramp of c a second x lags by c/(K·ki), whatever dt is.
 #[test]
 fn a_ramp_is_followed_at_its_distance() {
     let (kp, ki, c) = (2.0, 0.2, 0.3);
@@ -190,8 +190,8 @@ fn a_ramp_is_followed_at_its_distance() {
         let mut control = Loop::new(dt, kp, ki, 0.0);
         let error = control.farthest(200.0, ramp, |t| c * t - lag * shape(t));
         assert!(error <= dt * c, "dt {dt}: {error}");
-        let behind = ramp(200.0) - control.x;
-        assert!((behind - lag).abs() < 1e-6, "dt {dt}: {behind}, not {lag}");
+        let distance = ramp(200.0) - control.x;
+        assert!((distance - lag).abs() < 1e-6, "dt {dt}: {distance}, not {lag}");
     }
 }
 
