@@ -110,11 +110,11 @@ A comment cannot hold a `#': what is to be written the server knows."
   "Letters, tags and the characters of drawings.")
 
 (defun ladder--in-declarations-p ()
-  "Whether point is between VAR and END_VAR."
+  "Whether point is between VAR and END_VAR, or TYPE and END_TYPE."
   (save-excursion
     (let ((case-fold-search t))
-      (and (re-search-backward "^[ \t]*\\(END_VAR\\|VAR\\(?:_[A-Z_]+\\)?\\)\\_>" nil t)
-           (not (ladder--same-word-p "END_VAR" (match-string-no-properties 1)))))))
+      (and (re-search-backward "^[ \t]*\\(END_VAR\\|END_TYPE\\|TYPE\\|VAR\\(?:_[A-Z_]+\\)?\\)\\_>" nil t)
+           (not (string-prefix-p "END_" (match-string-no-properties 1) t))))))
 
 (defun ladder--same-word-p (one other)
   "Whether ONE and OTHER are the same but for capitals."
@@ -159,7 +159,7 @@ A comment ends at the very next one."
 (defconst ladder--sections
   (concat "^[ \t]*\\("
           (regexp-opt '("VAR" "VAR_INPUT" "VAR_OUTPUT" "VAR_IN_OUT" "VAR_GLOBAL" "VAR_EXTERNAL" "END_VAR"
-                        "FUNCTION_BLOCK" "END_FUNCTION_BLOCK"))
+                        "TYPE" "END_TYPE" "END_STRUCT" "FUNCTION_BLOCK" "END_FUNCTION_BLOCK"))
           "\\)\\_>\\(?:[ \t]+\\(RETAIN\\|CONSTANT\\)\\_>\\)?")
   "What begins and ends sections.")
 
@@ -178,10 +178,12 @@ A comment ends at the very next one."
     ("\\_<\\(?:[[:alpha:]]+\\|[0-9]+\\)#-?[[:alnum:]_.:-]+" . font-lock-constant-face)
     ("\\_<[0-9][0-9_.]*\\(?:ms\\|us\\|ns\\|[dhms]\\)?[0-9dhmsun_.]*\\_>" . font-lock-constant-face)
     ("\\_<\\(?:TRUE\\|FALSE\\|PI\\)\\_>" . font-lock-constant-face)
-    ("\\_<\\(?:AND\\|OR\\|XOR\\|NOT\\|MOD\\|SHL\\|SHR\\|AT\\|OF\\)\\_>" . font-lock-keyword-face)
+    ("\\_<\\(?:AND\\|OR\\|XOR\\|NOT\\|MOD\\|SHL\\|SHR\\|AT\\|OF\\|STRUCT\\)\\_>" . font-lock-keyword-face)
+    (,ladder--types . font-lock-type-face)
+    ;; A type of one's own, after the colon and after OF.
+    ("\\(?::\\|\\_<OF[ \t]\\)[ \t]*\\(\\$?[[:alpha:]_][[:alnum:]_]*\\)" 1 font-lock-type-face)
     ("\\_<\\([[:alpha:]_][[:alnum:]_]*\\)[ \t]*\\(?::=\\|=>\\)" 1 font-lock-variable-name-face)
     ("'\\(?:\\$.\\|[^'$\n]\\)*'" . font-lock-string-face)
-    (,ladder--types . font-lock-type-face)
     ("[\\/]" . font-lock-preprocessor-face))
   "Colours of ladder text without its language server.")
 

@@ -42,8 +42,13 @@ syntax keyword cladSection FUNCTION_BLOCK END_FUNCTION_BLOCK
 syntax region cladDeclarations matchgroup=cladSection
       \ start=/\<VAR\%(_INPUT\|_OUTPUT\|_IN_OUT\|_GLOBAL\|_EXTERNAL\)\?\>\%(\s\+\%(RETAIN\|CONSTANT\)\>\)\?/
       \ end=/\<END_VAR\>/
-      \ contains=cladInnerComment,cladType,cladString,cladLiteral,cladNumber,cladConstant,cladAt
+      \ contains=cladInnerComment,cladType,cladString,cladLiteral,cladNumber,cladConstant,cladAt,cladTypeName
+syntax region cladDeclarations matchgroup=cladSection start=/^\s*TYPE\>/ end=/\<END_TYPE\>/
+      \ contains=cladInnerComment,cladType,cladString,cladLiteral,cladNumber,cladConstant,cladAt,cladStructure,cladTypeName
 syntax keyword cladAt AT ARRAY OF contained
+syntax keyword cladStructure STRUCT END_STRUCT contained
+" A type of one's own, after the colon and after OF. A keyword goes first.
+syntax match cladTypeName /\%(:\s*\|\<OF\s\+\)\@<=\$\?[[:alpha:]_]\w*/ contained
 syntax keyword cladType BOOL BYTE WORD DWORD LWORD SINT INT DINT LINT USINT UINT UDINT ULINT contained
 syntax keyword cladType REAL LREAL TIME DATE TOD DT STRING TON TOF TP RTO RTOF CTU CTD CTUD CTC SR RS contained
 
@@ -85,6 +90,8 @@ highlight default link cladString String
 highlight default link cladSection Keyword
 highlight default link cladAt Keyword
 highlight default link cladType Type
+highlight default link cladTypeName Type
+highlight default link cladStructure Keyword
 
 " Where a line begins as a rung does, no comment is open: colours are worked out from there, whatever is above. A comment
 " with such a line in it is coloured by the server's tokens.
