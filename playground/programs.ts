@@ -9,6 +9,7 @@ const CHAPTERS: readonly (readonly [chapter: string, group: string])[] = [
     ['guide/first-program', 'A first program'],
     ['guide/drawing-rungs', 'Drawing rungs'],
     ['guide/for-electricians', 'For electricians'],
+    ['guide/data', "Data of one's own"],
 ];
 
 const title = (stem: string) => stem.charAt(0).toUpperCase() + stem.slice(1).replaceAll('_', ' ');

@@ -94,6 +94,19 @@
     (same "a literal" '("" "             T#5s" "") (faced 'font-lock-constant-face))
     (same "a coil" '("" "                     ( )(" "") (faced 'font-lock-builtin-face))))
 
+(step "types of one's own have colours"
+  (with-temp-buffer
+    (insert "TYPE\n  Motor : STRUCT\n    speed : Speed := 50; # rpm #\n  END_STRUCT;\nEND_TYPE\nVAR\n  m : ARRAY[1..2] OF $Motor; t : TIME := T#1s;\nEND_VAR\n")
+    (ladder-mode)
+    (font-lock-ensure)
+    (same "the keywords"
+          '("TYPE" "          STRUCT" "" "  END_STRUCT" "END_TYPE" "VAR" "                  OF" "END_VAR" "")
+          (faced 'font-lock-keyword-face))
+    (same "the types"
+          '("" "" "            Speed" "" "" "" "      ARRAY          $Motor      TIME" "" "")
+          (faced 'font-lock-type-face))
+    (same "the comments" '("" "" "                         # rpm #" "" "" "" "" "" "") (in-comments))))
+
 (step "each colour of the Tree-sitter grammar has a face"
   (let* ((ladder-treesit--colours (expand-file-name "editors/tree-sitter/queries/highlights.scm" (getenv "LADDER_ROOT")))
          (query (ladder-treesit--query)))
