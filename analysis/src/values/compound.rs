@@ -353,8 +353,8 @@ impl Type {
         let (length, depth) = (path.len(), dimensions.len());
         match self.array() {
             Some((own, element)) => {
+                path.push_str(&"[]".repeat(own.len()));
                 dimensions.extend(&own);
-                path.push_str("[]");
                 element.add_columns(path, dimensions, out);
             }
             None => match self {
@@ -540,6 +540,12 @@ mod tests {
         let ty = Type::Compound(TypeId::of(Compound::Array(array)).unwrap());
         let paths: Vec<String> = ty.column_list().into_iter().map(|column| column.path).collect();
         assert_eq!(paths, ["[].a", "[].b[]"]);
+        let grid = ArrayType {
+            dimensions: Box::new([(1, 2), (0, 3)]),
+            element: Type::BOOL,
+        };
+        let grid = Type::Compound(TypeId::of(Compound::Array(grid)).unwrap());
+        assert_eq!(grid.column_list()[0].path, "[][]");
         assert_eq!(ty.value_count(), 6);
         let values = [1, 10, 11, 2, 20, 21].map(Value::Int);
         assert_eq!(ty.column_values(0, &values), [1, 2].map(Value::Int));

@@ -486,3 +486,42 @@ fn arrays_are_written_element_by_element() {
     "#]],
     );
 }
+
+/// Arrays of two dimensions, alone and in a structure, and of what keeps a state.
+const PARTS: &str = "\
+FUNCTION_BLOCK [$Twice]
+VAR_INPUT x : INT; END_VAR
+VAR_OUTPUT y : INT; END_VAR
++--[MUL]( y, x, 2 )--+
+END_FUNCTION_BLOCK
+TYPE Row : STRUCT a : ARRAY[0..1, 1..2] OF INT; END_STRUCT; END_TYPE
+VAR grid : ARRAY[1..2, 0..1] OF INT := [1, 2, 3, 4]; row : Row; twice : ARRAY[1..2] OF $Twice; END_VAR
++--[$Twice]( twice[2], grid[2, 1], row.a[1, 2] )--+
+";
+
+#[test]
+fn parts_are_written_by_their_paths() {
+    let folder = Folder::with(&[("parts.clad", PARTS)]);
+    let run = |arguments: &[&str], expected: Expect| {
+        let given = ["sim", "parts.clad", "--scans", "1"];
+        expected.assert_eq(&folder.ladder(&[&given, arguments].concat()).to_string());
+    };
+    run(
+        &[],
+        expect![[r#"
+        exit status 0
+        -- stdout
+        scan,time_ms,"grid[1, 0]","grid[1, 1]","grid[2, 0]","grid[2, 1]","row.a[0, 1]","row.a[0, 2]","row.a[1, 1]","row.a[1, 2]",twice[1].EN,twice[1].ENO,twice[1].x,twice[1].y,twice[2].EN,twice[2].ENO,twice[2].x,twice[2].y
+        0,0,1,2,3,4,0,0,0,8,0,0,0,0,1,1,4,8
+    "#]],
+    );
+    run(
+        &["--watch", "grid[2,1],grid[1][0],row.a[1, 2],twice[2].y"],
+        expect![[r#"
+            exit status 0
+            -- stdout
+            scan,time_ms,"grid[2,1]",grid[1][0],"row.a[1, 2]",twice[2].y
+            0,0,4,1,8,8
+        "#]],
+    );
+}

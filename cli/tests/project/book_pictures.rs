@@ -40,7 +40,8 @@ fn the_pumps_of_a_chapter() {
         .find(|fence| fence.words.iter().any(|word| word == "file=arrays.clad"))
         .expect("the chapter has the program");
     let folder = tempfile::tempdir().expect("a temporary folder");
-    std::fs::write(folder.path().join("arrays.clad"), &program.text).expect("a program in the temporary folder");
+    std::fs::write(folder.path().join("arrays.clad"), &program.text)
+        .expect("a program in the temporary folder");
     let picture = book::source().join("guide/pictures/pumps.svg");
     expect_file![picture].assert_eq(&rendered_in(folder.path(), "arrays.clad", &[]));
 }

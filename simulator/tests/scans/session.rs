@@ -125,6 +125,10 @@ fn throw(dice: &mut Dice, points: &[Point]) -> Vec<Given> {
             Scalar::Time => Value::Int(dice.roll(50) as i64 * 1_000_000),
             ty if ty.is_string() => Value::Text(format!("{}", dice.roll(99)).into_bytes().into()),
             ty if ty.is_date() => continue,
+            Scalar::Enum(id) => {
+                let listed = &id.get().values;
+                Value::Int(i64::from(listed[dice.roll(listed.len() as u64) as usize].1))
+            }
             _ => Value::Int(dice.roll(5) as i64),
         };
         match (point.role, dice.roll(40)) {

@@ -300,8 +300,8 @@ fn opens(name: &str, point: &Point) -> bool {
 
 /// The name of a tag, or of an element of it, where the tag goes by this name.
 fn called(name: &str, point: &Point) -> String {
-    // The name of a column has no indices.
-    if name.contains("[]") {
+    // The name of a column has no indices yet, that of what an element keeps has its own already.
+    if name.contains('[') {
         return point.name.clone();
     }
     format!("{name}{}", point.index().unwrap_or_default())
