@@ -2,10 +2,12 @@
 //!
 //! | asked of | definition | declaration | type | implementation |
 //! | --- | --- | --- | --- | --- |
-//! | a tag | its declaration; of a VAR_EXTERNAL tag the VAR_GLOBAL line | the VAR_EXTERNAL line of this file, else as definition | of a timer or counter the block that it belongs to | the places that write it |
+//! | a tag | its declaration; of a VAR_EXTERNAL tag the VAR_GLOBAL line | the VAR_EXTERNAL line of this file, else as definition | its declared type, or the block whose state it is; of a timer or counter the block that it belongs to | the places that write it |
 //! | an undeclared tag | the places that write it, else where it is first | as definition | | as definition |
 //! | a direct address | the declaration with this address after AT, else as an undeclared tag | as definition | | the places that write it |
-//! | a member or bit | as its tag | as its tag | as its tag | as its tag |
+//! | a member of a structure | its declaration | as definition | as a tag | the places that write it |
+//! | a value | its declaration | as definition | its enumeration | |
+//! | a member of a timer or counter, or a bit | as its tag | as its tag | as its tag | as its tag |
 //! | a parameter | its declaration in the block | as definition | | the places in the body that write it |
 //! | a label | its `<LBL>` | as definition | | its `<LBL>` |
 //! | a function | its `<FUN>` | as definition | | its networks |
@@ -13,7 +15,7 @@
 
 use crate::body;
 use crate::neighbour::{Workspace, named};
-use crate::symbol::types::{declared_name, type_named};
+use crate::symbol::types::{symbol_of, type_of_part};
 use crate::symbol::{Found, Occurrence, Symbol, Usage, declared_names, find, in_files_of, occurrences};
 use crate::target::Target;
 use ladder_analysis::context::{Body, Context};
@@ -54,30 +56,33 @@ pub fn type_definition(context: &Context, offset: TextSize, workspace: &dyn Work
     };
     match tag_after(symbol) {
         symbol @ (Symbol::Block { .. } | Symbol::Type { .. }) => defined(context, &symbol, workspace),
-        symbol @ (Symbol::Tag { .. } | Symbol::Global(_)) if type_of(context, &symbol).is_some() => {
-            let ty = type_of(context, &symbol);
-            ty.map(|ty| defined(context, &ty, workspace)).unwrap_or_default()
-        }
-        symbol @ (Symbol::Tag { .. } | Symbol::Global(_)) => {
-            each_file(context, &symbol, workspace, |file| states(file, &symbol))
+        symbol @ (Symbol::Tag { .. } | Symbol::Global(_) | Symbol::Part { .. }) => {
+            match type_of(context, &symbol, workspace) {
+                Some(ty) => defined(context, &ty, workspace),
+                None => each_file(context, &symbol, workspace, |file| states(file, &symbol)),
+            }
         }
         _ => Vec::new(),
     }
 }
 
-/// The declared type of a tag, or of the elements of one.
-fn type_of(context: &Context, symbol: &Symbol) -> Option<Symbol> {
-    let name = symbol.name()?;
-    let scope = match symbol {
-        Symbol::Tag { scope, .. } => *scope,
-        _ => 0,
+/// The declared type of a tag or part, or of its elements.
+fn type_of(context: &Context, symbol: &Symbol, workspace: &dyn Workspace) -> Option<Symbol> {
+    let in_file = |file: &Context| match symbol {
+        Symbol::Part { ty, name, .. } => symbol_of(file, type_of_part(file, ty, name)?),
+        _ => {
+            let scope = match symbol {
+                Symbol::Tag { scope, .. } => *scope,
+                _ => 0,
+            };
+            let scope = file.scopes.get(scope)?;
+            symbol_of(file, scope.tags[scope.find(symbol.name()?)?].ty?)
+        }
     };
-    let scope = context.scopes.get(scope)?;
-    let mut ty = scope.tags[scope.find(name)?].ty?;
-    while let Some((_, element)) = ty.array() {
-        ty = element;
+    match symbol.file().filter(|of| !context.is_called(of)) {
+        Some(of) => in_file(&*named(workspace, of)?),
+        None => in_file(context),
     }
-    type_named(context, &declared_name(ty)?)
 }
 
 /// Where the thing at an offset is done: a function's networks, a block's body, the places that write a tag.

@@ -1,9 +1,10 @@
-//! What can be folded away: sections, networks of several lines, functions, block definitions, runs of comments.
+//! What can be folded away: sections, structures, networks of several lines, functions, block definitions, runs of comments.
 
 use crate::body::without_line_end;
 use ladder_analysis::context::Body;
 use ladder_analysis::context::Context;
 use ladder_syntax::{Item, LineKind, TextRange};
+use std::ops::Range;
 
 /// A stretch of several lines that an editor may fold to its first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,6 +28,13 @@ pub fn folds(context: &Context) -> Vec<Fold> {
     };
     let mut ranges: Vec<TextRange> = Vec::new();
     ranges.extend(structure.sections.iter().map(|it| of_lines(it.lines.clone())));
+    for section in &structure.sections {
+        ranges.extend(
+            structures(context, section.lines.clone())
+                .into_iter()
+                .map(of_lines),
+        );
+    }
     ranges.extend(structure.blocks.iter().map(|it| of_lines(it.lines.clone())));
     ranges.extend(structure.networks.iter().map(|it| of_lines(it.lines.clone())));
     ranges.extend(functions(context));
@@ -42,6 +50,19 @@ pub fn folds(context: &Context) -> Vec<Fold> {
     folds.sort_by_key(|fold| (fold.range.start(), std::cmp::Reverse(fold.range.end())));
     folds.dedup();
     folds
+}
+
+/// The lines of each structure among those of a section.
+fn structures(context: &Context, lines: Range<usize>) -> Vec<Range<usize>> {
+    let kind = |line: usize| context.parse.lines()[line].kind;
+    let headers = lines.clone().filter(|line| kind(*line) == LineKind::StructHeader);
+    headers
+        .filter_map(|header| {
+            let mut after = header + 1..lines.end;
+            let end = after.find(|line| kind(*line) == LineKind::StructEnd)?;
+            Some(header..end + 1)
+        })
+        .collect()
 }
 
 /// The stretch of networks that each function takes up, as far as no block definition interrupts it.

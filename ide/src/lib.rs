@@ -11,6 +11,8 @@ mod completion;
 mod definition;
 mod described;
 #[cfg(test)]
+mod features_of_names;
+#[cfg(test)]
 mod fixture;
 mod folding;
 mod highlight;

@@ -17,7 +17,7 @@ pub struct Named {
     pub kind: OutlineKind,
     /// Where it is.
     pub range: TextRange,
-    /// The function or block definition that it belongs to.
+    /// The function, block definition or type that it belongs to.
     pub container: Option<String>,
 }
 
@@ -58,7 +58,9 @@ fn add(
 ) {
     for item in items {
         let of = match item.kind {
-            OutlineKind::Function | OutlineKind::Block => Some(item.name.as_str()),
+            OutlineKind::Function | OutlineKind::Block | OutlineKind::Type | OutlineKind::Enumeration => {
+                Some(item.name.as_str())
+            }
             _ => container,
         };
         add(file, &item.children, of, wanted, found);

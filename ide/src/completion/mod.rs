@@ -133,15 +133,8 @@ fn required(called: &[Called<'_>]) -> usize {
 pub fn documentation(context: &Context, topic: &Topic) -> Option<String> {
     match topic {
         Topic::UserBlock(name) => {
-            let key = Name::new(name);
-            let known = context.user_blocks.iter().find(|block| block.key == key);
-            Some(match known {
-                Some(block) => hover::user_block_card(context, block),
-                None => {
-                    let (file, block) = context.others.blocks(&key).next()?;
-                    hover::user_block_card(context, &block.imported_from(file))
-                }
-            })
+            let block = hover::block_named(context, &Name::new(name))?;
+            Some(hover::user_block_card(context, &block))
         }
         Topic::Tag(scope, name) => Some(hover::tag_card(context, tag_of(context, *scope, name)?, None)),
         other => card(other),

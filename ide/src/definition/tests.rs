@@ -190,9 +190,10 @@ fn types_members_and_values() {
     check(
         "+--[EQ]( step, FILL$0ING )--( )( Q1 )--+\n",
         expect![[r#"
-        definition: main.clad:2:20 FILLING
-        declaration: main.clad:2:20 FILLING
-    "#]],
+            definition: main.clad:2:20 FILLING
+            declaration: main.clad:2:20 FILLING
+            type: main.clad:2:5 Phase
+        "#]],
     );
     check(
         "+--[ ]( li$0nes[k].running )--( )( Q1 )--+\n",

@@ -16,7 +16,7 @@ pub use other_files::used_in_other_files;
 pub(crate) use block::instruction as instruction_card;
 pub(crate) use keyword::card as keyword_card;
 pub(crate) use operand::tag_card;
-pub(crate) use user_block::user_block_card;
+pub(crate) use user_block::{block_named, user_block_card};
 
 use crate::locate::on_rung;
 use ladder_analysis::context::Context;

@@ -1,7 +1,7 @@
 //! Hover on an operand: the tag with its type and who uses it, or the value; and what the block does with it.
 
-use super::Hover;
 use super::uses::{self, line_link};
+use super::{Hover, types};
 use crate::locate::{OnRung, node_at};
 use crate::markdown;
 use ladder_analysis::context::{Callee, Context};
@@ -11,6 +11,7 @@ use ladder_analysis::networks::facts::{Node, NodeKind};
 use ladder_analysis::networks::network::Formal;
 use ladder_analysis::program::{Role, SystemTag};
 use ladder_analysis::values::constant::natural_literal;
+use ladder_analysis::values::types::Type;
 use ladder_instructions::Accepts;
 use ladder_syntax::{Name, TextSize};
 use std::fmt::Write;
@@ -94,14 +95,21 @@ fn describe(
             _ => {}
         }
     }
-    let scope = &context.scopes[context.networks.at(place.network).scope];
+    let number = context.networks.at(place.network).scope;
+    let scope = &context.scopes[number];
+    if let NodeKind::Member(base, word) = &node.kind
+        && let Some(Type::Compound(ty)) = context.path_type(number, base)
+        && let Some(block) = ty.block()
+    {
+        return types::of_instance(context, &block, &word.text);
+    }
     match &node.kind {
         NodeKind::Name(name) | NodeKind::Address(name) => scope
             .find(&Name::new(name))
             .map(|tag| tag_card(context, &scope.tags[tag], Some(here))),
         NodeKind::Member(base, word) => {
             let (NodeKind::Name(name) | NodeKind::Address(name)) = &base.kind else {
-                let ty = context.path_type(context.networks.at(place.network).scope, node)?;
+                let ty = context.path_type(number, node)?;
                 return Some(format!("```clad\n.{} : {ty}\n```", word.text));
             };
             if name.eq_ignore_ascii_case("SYS") {

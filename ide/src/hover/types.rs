@@ -1,12 +1,13 @@
 //! Hover on a declared type, a member or a value: the type with its layout.
 
-use super::Hover;
+use super::user_block::block_named;
+use super::{Hover, user_block_card};
 use crate::markdown;
 use crate::symbol::{Found, Symbol, find};
 use ladder_analysis::context::Context;
 use ladder_analysis::values::compound::Compound;
 use ladder_analysis::values::types::{Scalar, Type};
-use ladder_syntax::{Name, TextSize};
+use ladder_syntax::{LineKind, Name, TextRange, TextSize};
 use std::fmt::Write;
 
 /// So many members or values are shown.
@@ -20,9 +21,32 @@ pub(super) fn hover(context: &Context, offset: TextSize) -> Option<Hover> {
             let what = part(context, ty, name)?;
             format!("{what}\n\n---\n\n{}", card(context, ty)?)
         }
+        Symbol::Block { name, .. } if is_type(context, range) => {
+            user_block_card(context, &block_named(context, name)?)
+        }
         _ => return None,
     };
     Some(Hover { range, markdown })
+}
+
+/// Whether a place is not on a rung: there the block itself says more.
+fn is_type(context: &Context, range: TextRange) -> bool {
+    let line = context.parse.line_at(range.start());
+    line.is_some_and(|line| context.parse.lines()[line].kind == LineKind::Declaration)
+}
+
+/// An input or output of a block by the tag of its state.
+pub(super) fn of_instance(context: &Context, block: &str, member: &str) -> Option<String> {
+    let facts = block_named(context, &Name::new(block))?;
+    let key = Name::new(member);
+    let parameter = facts.parameters.iter().find(|parameter| parameter.key == key)?;
+    let ty = parameter.ty.map(|ty| ty.to_string()).unwrap_or_default();
+    Some(format!(
+        "```clad\n{}.{} : {ty}\n```\n\n---\n\n{}",
+        facts.name,
+        parameter.name,
+        user_block_card(context, &facts)
+    ))
 }
 
 /// A member with its type, or a value with its number.

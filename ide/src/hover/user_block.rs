@@ -7,6 +7,7 @@ use ladder_analysis::context::Context;
 use ladder_analysis::library::Source;
 use ladder_analysis::networks::user_block::{Parameter, UserBlockFacts};
 use ladder_analysis::program::ParameterKind;
+use ladder_syntax::Name;
 use std::fmt::Write;
 
 /// The card. Of a block in another file of the workspace the comments are left out.
@@ -40,6 +41,15 @@ pub(crate) fn user_block_card(context: &Context, block: &UserBlockFacts) -> Stri
         card.push_str(&shown(source));
     }
     card.trim_end().to_owned()
+}
+
+/// A block that a file can name.
+pub(crate) fn block_named(context: &Context, name: &Name) -> Option<UserBlockFacts> {
+    if let Some(known) = context.user_blocks.iter().find(|block| block.key == *name) {
+        return Some(known.clone());
+    }
+    let (file, block) = context.others.blocks(name).next()?;
+    Some(block.imported_from(file))
 }
 
 /// `` - `wait`: TIME, input, may be left out ``

@@ -42,6 +42,14 @@ pub enum OutlineKind {
     Constant,
     /// An input, output or in-out of a user-defined block.
     Parameter,
+    /// A declared type.
+    Type,
+    /// A declared enumeration.
+    Enumeration,
+    /// A member of a structure.
+    Member,
+    /// A value of an enumeration.
+    Value,
     /// A network. Its name is what the comment above it says.
     Network,
     /// A label.
@@ -210,15 +218,14 @@ fn section_item(context: &Context, section: usize) -> Outlined {
 /// The types that a section declares, with their members and values.
 fn types_item(context: &Context, section: TextRange) -> Vec<Outlined> {
     let parse = &context.parse;
-    let item =
-        |focus: TextRange, end: TextRange, detail: Option<SmolStr>, children: Vec<Outlined>| Outlined {
-            name: parse.text_in(focus).into(),
-            detail,
-            kind: OutlineKind::Tag,
-            range: focus.cover(end),
-            focus,
-            children,
-        };
+    let item = |kind: OutlineKind, focus: TextRange, end: TextRange, detail: Option<SmolStr>| Outlined {
+        name: parse.text_in(focus).into(),
+        detail,
+        kind,
+        range: focus.cover(end),
+        focus,
+        children: Vec::new(),
+    };
     let own = context.types.own().iter();
     own.filter(|ty| section.contains_range(ty.declaration.at))
         .map(|ty| {
@@ -228,26 +235,29 @@ fn types_item(context: &Context, section: TextRange) -> Vec<Outlined> {
                     let members = members.iter().map(|member| {
                         let range = member.declared.spec.range;
                         let ty: SmolStr = parse.text_in(range).into();
-                        item(member.at, range, Some(ty), Vec::new())
+                        item(OutlineKind::Member, member.at, range, Some(ty))
                     });
                     (Some(SmolStr::from("STRUCT")), members.collect())
                 }
                 SpecKind::Enumeration(values) => {
-                    let values = values
-                        .iter()
-                        .map(|(_, at, number)| item(*at, *at, Some(number.to_string().into()), Vec::new()));
+                    let values = values.iter().map(|(_, at, number)| {
+                        item(OutlineKind::Value, *at, *at, Some(number.to_string().into()))
+                    });
                     (None, values.collect())
                 }
                 _ => (ty.ty.map(|ty| SmolStr::from(ty.to_string())), Vec::new()),
             };
             let end = parts.iter().map(|part: &Outlined| part.range.end()).max();
             let end = end.unwrap_or_else(|| spec.range.end().max(ty.declaration.at.end()));
-            item(
-                ty.declaration.at,
-                TextRange::new(ty.declaration.at.start(), end),
-                detail,
-                parts,
-            )
+            let kind = match spec.kind {
+                SpecKind::Enumeration(_) => OutlineKind::Enumeration,
+                _ => OutlineKind::Type,
+            };
+            let range = TextRange::new(ty.declaration.at.start(), end);
+            Outlined {
+                children: parts,
+                ..item(kind, ty.declaration.at, range, detail)
+            }
         })
         .collect()
 }

@@ -12,6 +12,7 @@ pub use legend::{Modifiers, TokenKind};
 
 use ladder_analysis::context::Context;
 use ladder_analysis::names::scope::{Origin, SectionKind};
+use ladder_analysis::names::type_spec::SpecKind;
 use ladder_analysis::networks::network::{Formal, Meaning};
 use ladder_analysis::networks::{BlockAt, NetworkAt};
 use ladder_analysis::program::{ParameterKind, Role};
@@ -83,7 +84,11 @@ pub fn semantic_tokens_of(context: &Context, lines: Range<usize>) -> Vec<Token> 
         walk.scope = if inside { definition + 1 } else { 0 };
         let found = &parse.lines()[line];
         if found.kind != LineKind::Rung {
-            walk.node(&trees.of(found), Inside::default());
+            let inside = Inside {
+                declares: true,
+                ..Inside::default()
+            };
+            walk.node(&trees.of(found), inside);
             continue;
         }
         while context
@@ -120,6 +125,8 @@ struct Inside {
     names: Names,
     /// Whether a tag that is here is written.
     written: bool,
+    /// Whether it is no rung.
+    declares: bool,
     /// Whether it is a block of program flow.
     flow: bool,
     /// Whether it is a contact or a coil.
@@ -366,9 +373,25 @@ impl Walk<'_> {
         self.at += len;
     }
 
+    /// What a name is that a section of types declares here: a type or a member.
+    fn declared_in_a_type(&self) -> Option<TokenKind> {
+        let own = self.context.types.own();
+        let after = own.partition_point(|ty| ty.declaration.at.start() <= self.at);
+        let ty = &own[after.checked_sub(1)?].declaration;
+        if ty.at.start() == self.at {
+            return Some(TokenKind::Type);
+        }
+        let SpecKind::Structure(members) = &ty.declared.spec.kind else {
+            return None;
+        };
+        let member = members.binary_search_by_key(&self.at, |member| member.at.start());
+        member.is_ok().then_some(TokenKind::Property)
+    }
+
     fn name(&self, text: &str, inside: Inside) -> Option<(TokenKind, Modifiers)> {
         let none = Modifiers::default();
         match (inside.parent, inside.names) {
+            (_, Names::Operands) if inside.declares => return Some((TokenKind::Property, none)),
             (_, Names::Operands) => return Some((TokenKind::Parameter, none)),
             (Some(SyntaxKind::TYPE_REF), _) => return Some((TokenKind::Type, none)),
             (Some(SyntaxKind::ENUM_VALUE), _) => {
@@ -401,6 +424,11 @@ impl Walk<'_> {
             ));
         }
         let mut modifiers = none;
+        if inside.declares
+            && let Some(kind) = self.declared_in_a_type()
+        {
+            return Some((kind, Modifiers::DECLARATION));
+        }
         if inside.parent == Some(SyntaxKind::NAME_LIST) || inside.names == Names::Declared {
             modifiers = modifiers.and(Modifiers::DECLARATION);
         } else if inside.written {

@@ -35,6 +35,7 @@ pub(crate) fn occurrences(file: &Context, symbol: &Symbol) -> Vec<Occurrence> {
             }
             if *scope > 0 {
                 named_operands(file, symbol, &mut out);
+                members_of_types(file, symbol, &mut out);
             }
         }
         Symbol::Global(name) | Symbol::Address(name) => {
@@ -74,12 +75,27 @@ impl Places {
 }
 
 fn types_and_parts(file: &Context, symbol: &Symbol, out: &mut Places) {
+    in_declarations(file, symbol, out);
+    members_of_types(file, symbol, out);
+}
+
+/// What a declared type brings, in the declarations of a file.
+fn in_declarations(file: &Context, symbol: &Symbol, out: &mut Places) {
+    for (range, found, usage) in types::in_declarations(file) {
+        if found == *symbol {
+            out.add(range, usage);
+        }
+    }
+}
+
+/// The same on its rungs: `pump.valve`, `m1.running`, `IDLE`.
+fn members_of_types(file: &Context, symbol: &Symbol, out: &mut Places) {
     let in_blocks = file
         .networks
         .iter()
         .flat_map(|network| network.blocks().map(move |block| (network, block)))
         .flat_map(|(network, block)| types::in_block(file, network, block));
-    for (range, found, usage) in types::in_declarations(file).into_iter().chain(in_blocks) {
+    for (range, found, usage) in in_blocks {
         if found == *symbol {
             out.add(range, usage);
         }
@@ -232,6 +248,11 @@ fn blocks(file: &Context, of: &Arc<str>, name: &Name, out: &mut Places) {
             out.add(range, Usage::Mention);
         }
     }
+    let symbol = Symbol::Block {
+        file: Arc::clone(of),
+        name: name.clone(),
+    };
+    in_declarations(file, &symbol, out);
 }
 
 /// The file whose user-defined block a name means, in whatever shape it is drawn.

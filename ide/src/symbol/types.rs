@@ -1,6 +1,7 @@
 //! Declared types, their members and values: where they are declared and named.
 
-use super::occurrences::each_node;
+use super::find::tag_of_node;
+use super::occurrences::{block_file, each_node};
 use super::{Symbol, Usage};
 use ladder_analysis::context::Context;
 use ladder_analysis::names::type_spec::{Declared, Initial, SpecKind, TypeSpec};
@@ -32,6 +33,71 @@ fn part_of(file: &Context, ty: &str, name: &str) -> Option<Symbol> {
             name: Name::new(name),
         }),
         _ => None,
+    }
+}
+
+/// What a point and a word name after a path of a type: a member of a structure, or a tag of a block by that of its state.
+pub(crate) fn member_of(file: &Context, ty: Type, word: &str) -> Option<Symbol> {
+    let Type::Compound(id) = ty else { return None };
+    match id.block() {
+        Some(block) => tag_of_block(file, &block, word),
+        None => {
+            let (name, word) = (declared_name(ty)?, Name::new(word));
+            let is_member = id.with(|ty| match ty {
+                Compound::Structure(structure) => structure.member(word.as_str()).is_some(),
+                _ => false,
+            });
+            is_member.then(|| part_of(file, &name, word.as_str()))?
+        }
+    }
+}
+
+/// A tag of the body of a block that a file knows.
+fn tag_of_block(file: &Context, block: &str, tag: &str) -> Option<Symbol> {
+    let (block, name) = (Name::new(block), Name::new(tag));
+    let own = file.user_blocks[..file.own_blocks].iter();
+    let (of, item) = match own.zip(0..).find(|(facts, _)| facts.key == block) {
+        Some((_, item)) => {
+            file.scopes.get(item + 1)?.find(&name)?;
+            (Arc::clone(&file.name), item)
+        }
+        None => {
+            let (exports, block) = file.others.blocks(&block).next()?;
+            let mut parameters = block.facts.parameters.iter();
+            parameters.find(|parameter| parameter.key == name)?;
+            (Arc::clone(&exports.file), block.item)
+        }
+    };
+    Some(Symbol::Tag {
+        file: of,
+        scope: item + 1,
+        name,
+    })
+}
+
+/// The declared type, or block, that a type is; of an array, that of its elements.
+pub(crate) fn symbol_of(file: &Context, mut ty: Type) -> Option<Symbol> {
+    while let Some((_, element)) = ty.array() {
+        ty = element;
+    }
+    match ty {
+        Type::Compound(id) if id.block().is_some() => {
+            let name = Name::new(&id.block()?);
+            Some(Symbol::Block {
+                file: block_file(file, &name)?,
+                name,
+            })
+        }
+        _ => type_named(file, &declared_name(ty)?),
+    }
+}
+
+/// The type of a part of a type: of a member its own, of a value its enumeration.
+pub(crate) fn type_of_part(file: &Context, ty: &Name, part: &Name) -> Option<Type> {
+    let ty = file.types.find(ty.as_str())?.ty?;
+    match ty {
+        Type::Scalar(_) => Some(ty),
+        _ => member_type(ty, part.as_str()),
     }
 }
 
@@ -112,9 +178,20 @@ fn in_declared(file: &Context, declared: &Declared, ty: Option<Type>, out: &mut 
 }
 
 fn mentions(file: &Context, spec: &TypeSpec, out: &mut Vec<Place>) {
-    spec.each_name(&mut |name, at| {
-        out.extend(type_named(file, name).map(|symbol| (at, symbol, Usage::Mention)));
-    });
+    match &spec.kind {
+        SpecKind::Array(_, element) => mentions(file, element, out),
+        SpecKind::Named(name) => {
+            out.extend(type_named(file, name).map(|symbol| (spec.range, symbol, Usage::Mention)));
+        }
+        SpecKind::Block(block) => {
+            let name = Name::new(block);
+            out.extend(block_file(file, &name).map(|file| {
+                let symbol = Symbol::Block { file, name };
+                (spec.range, symbol, Usage::Mention)
+            }));
+        }
+        _ => {}
+    }
 }
 
 /// The members and values that an initial value names.
@@ -182,6 +259,16 @@ fn with_type(file: &Context, node: &Node, out: &mut Vec<Place>) {
 pub(crate) fn in_block(file: &Context, network: NetworkAt<'_>, block: BlockAt<'_>) -> Vec<Place> {
     let scope = network.scope;
     let mut out = Vec::new();
+    // A member does what the path does that it is in.
+    let usage = |base: &Node| {
+        let root = tag_of_node(base).and_then(|(name, at)| {
+            let tag = &file.scopes[scope].tags[file.scopes[scope].find(&Name::new(name))?];
+            let at = block.absolute(at);
+            let mut uses = file.uses(file.shared(tag));
+            uses.find(|place| place.range == at)
+        });
+        root.map_or(Usage::Read, |place| place.access.into())
+    };
     for operand in &block.facts.operands {
         each_node(&operand.value, &mut |node| match &node.kind {
             NodeKind::Member(base, word) => {
@@ -191,11 +278,9 @@ pub(crate) fn in_block(file: &Context, network: NetworkAt<'_>, block: BlockAt<'_
                     with_type(file, node, &mut out);
                     return;
                 }
-                if let Some(ty @ Type::Compound(_)) = file.path_type(scope, base)
-                    && let Some(name) = declared_name(ty)
-                {
-                    let part = part_of(file, &name, &word.text);
-                    out.extend(part.map(|symbol| (word.range, symbol, Usage::Mention)));
+                if let Some(ty @ Type::Compound(_)) = file.path_type(scope, base) {
+                    let member = member_of(file, ty, &word.text);
+                    out.extend(member.map(|symbol| (word.range, symbol, usage(base))));
                 }
             }
             NodeKind::Name(name) => {
