@@ -148,17 +148,17 @@ fn at_names() {
             type of a member     3         3         -     3      3      Valve     Type        Valve < valve:Valve; < TYP Valve : STRUCT
             type of elements     7         7         -     2      2      Cell      Type        Cell < ARRAY[1..4]OFCell < Cell : STRUCT
             type before a value  2         2         -     3      3      Phase     Type        Phase < Phase.FILLING < (s Phase : (IDLE := 0, FILLING := 1)
-            member, declared     4         -         31    4      4      open      Property    open < open:BOOL; < TYPEPh Valve.open : BOOL
-            member, initial      4         -         31    4      4      open      Property    open < open:=TRUE < (open: Valve.open : BOOL
-            member in a path     4         -         31    4      4      open      Property    open < cell[k+1].valve.ope Valve.open : BOOL
-            inner member         8         3         31,34 3      3      valve     Property    valve < cell[k+1].valve <  Cell.valve : Valve
-            value, declared      2         2         -     2      2      IDLE      EnumMember  IDLE < (IDLE,FILLING) < Ph Phase.IDLE = 0
-            value alone          2         2         -     2      2      IDLE      EnumMember  IDLE < (step,IDLE) < [EQ]( Phase.IDLE = 0
-            value, initial       2         2         -     3      3      FILLING   EnumMember  FILLING < :=FILLING < step Phase.FILLING = 1
+            member, declared     4         -         31    5      4      open      Property    open < open:BOOL; < TYPEPh Valve.open : BOOL
+            member, initial      4         -         31    5      4      open      Property    open < open:=TRUE < (open: Valve.open : BOOL
+            member in a path     4         -         31    5      4      open      Property    open < cell[k+1].valve.ope Valve.open : BOOL
+            inner member         8         3         31,34 4      3      valve     Property    valve < cell[k+1].valve <  Cell.valve : Valve
+            value, declared      2         2         -     3      2      IDLE      EnumMember  IDLE < (IDLE,FILLING) < Ph Phase.IDLE = 0
+            value alone          2         2         -     3      2      IDLE      EnumMember  IDLE < (step,IDLE) < [EQ]( Phase.IDLE = 0
+            value, initial       2         2         -     4      3      FILLING   EnumMember  FILLING < :=FILLING < step Phase.FILLING = 1
             block as a type      13        13        20    5      5      $Motor    Class       $Motor < m1:$Motor; < VARc [$Motor]( start, running )
             instance             25        13        32    4      3      m1        Variable    m1 < (m1,a) < [$Motor](m1, m1 : $Motor
-            output of a tag      18        -         20    4      4      running   Property    running < m1.running < (m1 $Motor.running : BOOL
-            output of a member   18        -         20    4      4      running   Property    running < cell[2].drive.ru $Motor.running : BOOL
+            output of a tag      18        -         20    5      4      running   Property    running < m1.running < (m1 $Motor.running : BOOL
+            output of a member   18        -         20    5      4      running   Property    running < cell[2].drive.ru $Motor.running : BOOL
         "#]],
     );
 }

@@ -2,7 +2,9 @@
 
 use crate::neighbour::{ScenarioFile, Which, Workspace};
 use ladder_analysis::context::Context;
-use ladder_analysis::{Analysis, Exported, analyze_in, exports};
+use ladder_analysis::{Analysis, Exported, analyze, analyze_in, exports};
+use ladder_simulator::Simulation;
+use ladder_simulator::scenario::{bind, run};
 use ladder_syntax::{TextRange, TextSize, parse};
 use std::sync::Arc;
 
@@ -139,4 +141,29 @@ impl Workspace for Others<'_> {
         };
         self.fixture.scenarios.iter().map(file).collect()
     }
+}
+
+/// What comes of a program's scenarios: `ok` and the name of each, or what is wrong.
+pub(crate) fn played(program: &str, scenarios: &str) -> String {
+    let analysis = analyze(&Arc::new(parse(program)), "main.clad");
+    let Some(program) = analysis.program() else {
+        return format!("{:?}\n", analysis.diagnostics());
+    };
+    let suite = ladder_simulator::scenario::parse(scenarios);
+    let options = ladder_simulator::Options::default();
+    let mut simulation = Simulation::new(program.clone(), options).expect("it compiles");
+    let (cases, errors) = bind(&suite, &simulation);
+    let mut shown = String::new();
+    for error in suite.errors.iter().chain(&errors) {
+        shown.push_str(&format!("{}\n", error.message));
+    }
+    for case in &cases {
+        let passed = run(case, &mut simulation, Simulation::scan).passed();
+        shown.push_str(&format!(
+            "{} {}\n",
+            if passed { "ok" } else { "FAILED" },
+            case.name
+        ));
+    }
+    shown
 }

@@ -117,7 +117,7 @@ impl Workspace for Alone {
 }
 
 /// Whether a name is somewhere in a text, in whatever case, if only as a part of another one.
-fn mentions(text: &str, name: &Name) -> bool {
+pub(crate) fn mentions(text: &str, name: &Name) -> bool {
     if text.is_ascii() {
         return name.as_str().is_ascii() && contains_in_any_case(text.as_bytes(), name.as_str().as_bytes());
     }

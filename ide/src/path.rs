@@ -1,42 +1,94 @@
-//! Paths as they are typed: `cell[2].zone[k].valve`, perhaps not finished.
+//! Paths as they are written in text: `cell[2].zone[k].valve`, perhaps not finished.
 
+use crate::hover::block_named;
 use crate::wanted::tag_of;
 use ladder_analysis::context::Context;
 use ladder_analysis::state_member;
 use ladder_analysis::values::compound::Compound;
 use ladder_analysis::values::types::{Scalar, Type};
+use ladder_syntax::Name;
+use std::ops::Range;
+
+/// What a path goes on with.
+pub(crate) enum Step {
+    /// `[k, 3]`: so many indices.
+    Index(usize),
+    /// `.valve`: where the word is.
+    Member(Range<usize>),
+}
+
+/// What a path goes on with after its first word, which ends at `from`. None as the last: it is not one.
+pub(crate) fn steps(text: &str, from: usize) -> impl Iterator<Item = Option<Step>> {
+    let mut at = Some(from);
+    std::iter::from_fn(move || {
+        let from = at.take()?;
+        let rest = text[from..].trim_start();
+        let start = text.len() - rest.len();
+        if let Some(inside) = rest.strip_prefix('[') {
+            let Some((commas, end)) = index_end(inside) else {
+                return Some(None);
+            };
+            at = Some(start + 1 + end + 1);
+            return Some(Some(Step::Index(commas + 1)));
+        }
+        if let Some(after) = rest.strip_prefix('.') {
+            let word = after.trim_start();
+            let start = text.len() - word.len();
+            let end = start + word.find(['[', '.']).unwrap_or(word.len());
+            at = Some(end);
+            let end = start + text[start..end].trim_end().len();
+            return Some(Some(Step::Member(start..end)));
+        }
+        (!rest.is_empty()).then_some(None)
+    })
+}
+
+/// What a path has come to: a type, and how many indices of it are given if it is an array.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Reached {
+    ty: Type,
+    given: usize,
+}
+
+impl Reached {
+    pub(crate) const fn new(ty: Type) -> Reached {
+        Reached { ty, given: 0 }
+    }
+
+    /// With more indices.
+    pub(crate) fn indexed(mut self, indices: usize) -> Option<Reached> {
+        for _ in 0..indices {
+            let (dimensions, element) = self.ty.array()?;
+            self.given += 1;
+            if self.given == dimensions.len() {
+                self = Reached::new(element);
+            }
+        }
+        Some(self)
+    }
+
+    /// The type. None: it is an array of which some indices are missing.
+    pub(crate) fn whole(self) -> Option<Type> {
+        (self.given == 0).then_some(self.ty)
+    }
+}
 
 /// The type of what a path means. None: it means nothing, or an array of which some indices are missing.
 pub(crate) fn type_of(context: &Context, scope: usize, text: &str) -> Option<Type> {
     let end = text.find(['[', '.']).unwrap_or(text.len());
-    let (root, mut rest) = text.split_at(end);
-    let mut ty = tag_of(context, scope, root.trim())?.ty?;
-    let mut given = 0;
-    while !rest.trim_start().is_empty() {
-        rest = rest.trim_start();
-        if let Some(inside) = rest.strip_prefix('[') {
-            let (commas, end) = index_end(inside)?;
-            for _ in 0..=commas {
-                let (dimensions, element) = ty.array()?;
-                given += 1;
-                if given == dimensions.len() {
-                    (ty, given) = (element, 0);
-                }
-            }
-            rest = &inside[end + 1..];
-        } else {
-            let after = rest.strip_prefix('.').filter(|_| given == 0)?.trim_start();
-            let end = after.find(['[', '.']).unwrap_or(after.len());
-            let (member, more) = after.split_at(end);
-            ty = member_type(context, ty, member.trim())?;
-            rest = more;
-        }
+    let root = tag_of(context, scope, text[..end].trim())?.ty?;
+    let mut reached = Reached::new(root);
+    for step in steps(text, end) {
+        reached = match step? {
+            Step::Index(indices) => reached.indexed(indices)?,
+            Step::Member(word) => Reached::new(member_type(context, reached.whole()?, &text[word])?),
+        };
     }
-    (given == 0).then_some(ty)
+    reached.whole()
 }
 
 /// The type of a member.
-fn member_type(context: &Context, ty: Type, member: &str) -> Option<Type> {
+pub(crate) fn member_type(context: &Context, ty: Type, member: &str) -> Option<Type> {
     match ty {
         Type::Scalar(scalar) => {
             (scalar.is_integer() || scalar.is_bits()).then_some(Type::Scalar(Scalar::Bool))
@@ -47,7 +99,12 @@ fn member_type(context: &Context, ty: Type, member: &str) -> Option<Type> {
         }
         Type::Compound(id) => id.with(|ty| match ty {
             Compound::Structure(structure) => structure.member(member).map(|(_, member)| member.ty),
-            _ => None,
+            Compound::Block(block) => {
+                let block = block_named(context, &Name::new(block))?;
+                let key = Name::new(member);
+                block.parameters.iter().find(|it| it.key == key)?.ty
+            }
+            Compound::Array(_) => None,
         }),
         Type::Array { .. } => None,
     }

@@ -1,7 +1,6 @@
 //! Every place of a thing in the workspace, with reads and writes distinguished.
 
 use crate::neighbour::Workspace;
-use crate::rename::hides_in;
 use crate::scenario::row::places;
 use crate::symbol::{Found, Symbol, Usage, everywhere, find};
 use ladder_analysis::context::Context;
@@ -31,15 +30,8 @@ pub fn references(context: &Context, offset: TextSize, workspace: &dyn Workspace
 /// The places of a symbol, in programs and in scenarios.
 pub(crate) fn of_symbol(context: &Context, symbol: &Symbol, workspace: &dyn Workspace) -> Vec<Reference> {
     let mut references = in_programs(context, symbol, workspace);
-    if !matches!(
-        symbol,
-        Symbol::Tag { scope: 0, .. } | Symbol::Global(_) | Symbol::Address(_)
-    ) {
-        return references;
-    }
-    let hides = |program: &str| hides_in(context, symbol, program, workspace);
     for file in workspace.scenarios() {
-        let found = places(symbol, &file, &hides).into_iter();
+        let found = places(symbol, &file, context, workspace).into_iter();
         references.extend(found.map(|(range, usage)| Reference {
             file: Arc::clone(&file.name),
             range,

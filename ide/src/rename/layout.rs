@@ -80,7 +80,7 @@ impl<'e> Shift<'e> {
 
 /// Two lists of edits, one made after the other, as one list of edits of the first text. `between` is the text that
 /// the first ones make.
-fn compose(text: &str, first: &[Edit], between: &str, second: &[Edit]) -> Vec<Edit> {
+pub(super) fn compose(text: &str, first: &[Edit], between: &str, second: &[Edit]) -> Vec<Edit> {
     /// An edit by the range that it has in the text between, and what it adds to the length of that text.
     struct GrownEdit<'e> {
         start: usize,

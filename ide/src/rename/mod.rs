@@ -13,7 +13,7 @@ mod spelling;
 use crate::body::file_text;
 use crate::neighbour::Workspace;
 use crate::outline::text_of;
-use crate::symbol::{Found, Occurrence, Symbol, find, in_files_of, occurrences, tag_of};
+use crate::symbol::{Found, Occurrence, Symbol, find, in_files_of, occurrences};
 use ladder_analysis::context::Context;
 use ladder_analysis::library;
 use ladder_analysis::names::join::context;
@@ -123,8 +123,7 @@ pub(crate) fn rename_symbol(
     for file in in_files_of(own, &symbols, workspace, in_file) {
         renamed.extend(file?);
     }
-    let hides = |program: &str| hides_in(own, symbol, program, workspace);
-    renamed.extend(scenarios::renamed(symbol, &new, workspace, &hides));
+    renamed.extend(scenarios::renamed(own, symbol, &new, workspace));
     Ok(renamed)
 }
 
@@ -167,22 +166,8 @@ fn renamed_in(
     }))
 }
 
-/// Whether a program has a tag of its own by a symbol's name.
-pub(crate) fn hides_in(own: &Context, symbol: &Symbol, program: &str, workspace: &dyn Workspace) -> bool {
-    let hides = |file: &Context| symbol.name().is_some_and(|name| hides(file, symbol, name));
-    if own.is_called(program) {
-        return hides(own);
-    }
-    workspace.file(program).is_some_and(|it| hides(&it))
-}
-
-/// Whether a file has a tag of its own by a symbol's name.
-fn hides(file: &Context, symbol: &Symbol, name: &Name) -> bool {
-    tag_of(file, 0, name).is_some_and(|found| found != *symbol)
-}
-
 /// Names that are not the program's to choose.
-fn fixed(file: &Context, symbol: &Symbol) -> Result<(), RenameRefused> {
+pub(crate) fn fixed(file: &Context, symbol: &Symbol) -> Result<(), RenameRefused> {
     if symbol.file().is_some_and(|file| library::source(file).is_some()) {
         return Err(RenameRefused(
             "the blocks of the library and their operands keep their names".to_owned(),

@@ -1,28 +1,31 @@
-//! The rows of scenarios are named after tags: they follow.
+//! Scenarios name tags, members and values: they follow.
 
 use super::Renamed;
+use super::layout::compose;
 use crate::neighbour::{ScenarioFile, Workspace};
-use crate::scenario::row::name_in;
+use crate::scenario::row::rows_naming;
+use crate::scenario::scenario_layout;
 use crate::symbol::Symbol;
-use ladder_format::{Edit, display_width};
-use ladder_simulator::scenario::Row;
+use ladder_analysis::context::Context;
+use ladder_format::{Edit, apply, display_width};
+use ladder_simulator::scenario::{Row, Suite, parse};
 use ladder_syntax::{TextRange, TextSize};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
-/// The edits of all files of scenarios. `hides` says whether a program has a tag of its own by the name of a
-/// global one.
-pub(super) fn renamed(
-    symbol: &Symbol,
-    new: &str,
-    workspace: &dyn Workspace,
-    hides: &dyn Fn(&str) -> bool,
-) -> Vec<Renamed> {
-    // Only a file's own tags and global ones have names outside.
-    if !matches!(symbol, Symbol::Tag { scope: 0, .. } | Symbol::Global(_)) {
-        return Vec::new();
-    }
+/// The edits of all files of scenarios. `own` is the file that was asked about.
+pub(super) fn renamed(own: &Context, symbol: &Symbol, new: &str, workspace: &dyn Workspace) -> Vec<Renamed> {
     let file = |scenarios: ScenarioFile| {
-        let edits = of_file(symbol, new, &scenarios, hides);
+        let named = |range| Edit {
+            range,
+            text: new.to_owned(),
+        };
+        let mut edits = Vec::new();
+        for found in rows_naming(&scenarios, symbol, own, workspace) {
+            edits.extend(found.in_name.into_iter().chain(found.in_cells).map(named));
+        }
+        edits.retain(|edit| scenarios.text[edit.range] != edit.text);
+        let edits = in_columns(&scenarios.suite, &scenarios.text, edits);
         (!edits.is_empty()).then(|| Renamed {
             file: Arc::clone(&scenarios.name),
             edits,
@@ -31,60 +34,87 @@ pub(super) fn renamed(
     workspace.scenarios().into_iter().filter_map(file).collect()
 }
 
-fn of_file(symbol: &Symbol, new: &str, file: &ScenarioFile, hides: &dyn Fn(&str) -> bool) -> Vec<Edit> {
-    let Some(program) = &file.program else {
-        return Vec::new();
-    };
-    if matches!(symbol, Symbol::Global(_)) && hides(program) {
-        return Vec::new();
-    }
-    let mut edits = Vec::new();
-    for scenario in &file.suite.scenarios {
-        let names: Vec<Option<TextRange>> = scenario
-            .rows
-            .iter()
-            .map(|row| name_in(row, symbol, program))
-            .collect();
-        if names.iter().all(Option::is_none) {
+/// Edits of words of rows, with the blanks that keep the columns: a scenario that was laid out before is laid out
+/// afterwards if its cells changed; of others the rows still begin below each other.
+pub(crate) fn in_columns(suite: &Suite, text: &str, words: Vec<Edit>) -> Vec<Edit> {
+    let mut edits = words;
+    edits.sort_by_key(|edit| edit.range.start());
+    let mut blanks = Vec::new();
+    let mut in_cells = BTreeSet::new();
+    for (number, scenario) in suite.scenarios.iter().enumerate() {
+        let grows: Vec<Option<i64>> = scenario.rows.iter().map(|row| grows(row, text, &edits)).collect();
+        let changed = |row: &Row| {
+            let cells = row.cells.first().zip(row.cells.last());
+            let cells = cells.map(|(first, last)| first.1.cover(last.1));
+            cells.is_some_and(|cells| edits.iter().any(|edit| cells.contains_range(edit.range)))
+        };
+        if scenario.rows.iter().any(changed) {
+            in_cells.insert(number);
+        }
+        if grows.iter().all(Option::is_none) {
             continue;
         }
-        let new_width = i64::from(display_width(new));
-        let grows = |name: &Option<TextRange>| match name {
-            Some(range) => new_width - i64::from(display_width(&file.text[*range])),
-            None => 0,
-        };
         // All rows keep their columns in common, with at least one blank after each name.
-        let room = |(row, name): (&Row, &Option<TextRange>)| {
-            i64::from(u32::from(blanks_after(row, &file.text).len())) - grows(name)
+        let room = |(row, grows): (&Row, &Option<i64>)| {
+            i64::from(u32::from(blanks_after(row, text).len())) - grows.unwrap_or(0)
         };
-        let least = scenario.rows.iter().zip(&names).map(room).min().unwrap_or(1);
+        let least = scenario.rows.iter().zip(&grows).map(room).min().unwrap_or(1);
         let more = (1 - least).max(0);
-        for (row, name) in scenario.rows.iter().zip(&names) {
-            if let Some(range) = *name {
-                edits.push(Edit {
+        for (row, grows) in scenario.rows.iter().zip(&grows) {
+            let range = blanks_after(row, text);
+            let width = room((row, grows)) + more;
+            if width != i64::from(u32::from(range.len())) && !range.is_empty() {
+                blanks.push(Edit {
                     range,
-                    text: new.to_owned(),
-                });
-            }
-            let blanks = blanks_after(row, &file.text);
-            let width = room((row, name)) + more;
-            if width != i64::from(u32::from(blanks.len())) && !blanks.is_empty() {
-                edits.push(Edit {
-                    range: blanks,
                     text: " ".repeat(width.max(1) as usize),
                 });
             }
         }
     }
+    edits.extend(blanks);
     edits.sort_by_key(|edit| edit.range.start());
-    edits
+    if in_cells.is_empty() {
+        return edits;
+    }
+    let is_straight = {
+        let crooked = scenario_layout(text);
+        move |range: TextRange| !crooked.iter().any(|edit| range.contains_range(edit.range))
+    };
+    let straight: Vec<usize> = in_cells
+        .into_iter()
+        .filter(|number| is_straight(extent(suite, text, *number)))
+        .collect();
+    let between = apply(text, &edits);
+    let after = parse(&between);
+    let mut layout = scenario_layout(&between);
+    let ranges: Vec<TextRange> = straight
+        .iter()
+        .map(|number| extent(&after, &between, *number))
+        .collect();
+    layout.retain(|edit| ranges.iter().any(|range| range.contains_range(edit.range)));
+    compose(text, &edits, &between, &layout)
+}
+
+/// From a scenario's name to the next.
+fn extent(suite: &Suite, text: &str, number: usize) -> TextRange {
+    let next = suite.scenarios.get(number + 1);
+    let end = next.map_or(TextSize::of(text), |next| next.range.start());
+    suite
+        .scenarios
+        .get(number)
+        .map_or(TextRange::empty(end), |it| TextRange::new(it.range.start(), end))
+}
+
+/// By how many columns the name of a row grows; none if it stays.
+fn grows(row: &Row, text: &str, edits: &[Edit]) -> Option<i64> {
+    let own = edits.iter().filter(|edit| row.range.contains_range(edit.range));
+    own.map(|edit| i64::from(display_width(&edit.text)) - i64::from(display_width(&text[edit.range])))
+        .reduce(|all, one| all + one)
 }
 
 /// The blanks between a row's name and what follows.
 fn blanks_after(row: &Row, text: &str) -> TextRange {
-    let written = &text[row.range];
-    let name = written.find(char::is_whitespace).unwrap_or(written.len());
-    let end = row.range.start() + TextSize::new(name as u32);
+    let end = row.range.end();
     let after = &text[usize::from(end)..];
     let blanks = after.len() - after.trim_start_matches([' ', '\t']).len();
     TextRange::at(end, TextSize::new(blanks as u32))

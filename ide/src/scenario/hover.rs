@@ -2,7 +2,7 @@
 
 use super::file::Scenarios;
 use super::place::{AtCursor, line, place};
-use super::row::{Named, named, value_type};
+use super::row::{Files, Named, named, value_type};
 use crate::comments;
 use crate::hover::{Hover, tag_card};
 use crate::markdown::{code, escaped};
@@ -18,7 +18,8 @@ pub fn hover(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<(Hover, Opti
         return Some((word(scenarios, offset)?, None));
     };
     if let AtCursor::Tag(row) = found
-        && let Some(named) = named(scenarios, &row.name)
+        && let Some(files) = Files::of(scenarios)
+        && let Some(named) = named(files, &row.name)
     {
         let hover = Hover {
             range: row.range,

@@ -2,26 +2,37 @@
 
 use super::file::Scenarios;
 use super::place::{AtCursor, place};
-use super::row::{named, usage};
+use super::row::{Files, in_rows, named, within};
 use crate::definition::defined;
 use crate::highlight::Highlight;
 use crate::references::{Reference, of_symbol};
-use crate::rename::{Renamable, RenameRefused, Renamed, is_address, no_name, rename_symbol};
+use crate::rename::{Renamable, RenameRefused, Renamed, fixed, is_address, no_name, rename_symbol};
 use crate::symbol::Symbol;
 use crate::target::Target;
 use ladder_format::Options;
-use ladder_simulator::scenario::Row;
 use ladder_syntax::{TextRange, TextSize};
 use std::sync::Arc;
 
-/// What is named at an offset: the tag, and where its name is.
+/// What is named at an offset: the tag, a member or a value, and where its name is.
 fn symbol_at(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<(Symbol, TextRange)> {
-    let AtCursor::Tag(row) = place(scenarios, offset)? else {
-        return None;
-    };
-    let named = named(scenarios, &row.name)?;
-    let range = named.range(row);
-    Some((named.symbol, range))
+    let files = Files::of(scenarios)?;
+    match place(scenarios, offset)? {
+        AtCursor::Tag(row) => {
+            let named = named(files, &row.name)?;
+            // An index, or a member of a timer, leads to its tag.
+            let found = named.at(usize::from(offset - row.range.start()));
+            let (word, symbol) = found.unwrap_or((&named.name, &named.symbol));
+            Some((symbol.clone(), within(row.range, word)))
+        }
+        AtCursor::Step(_, row, _) => {
+            let cells = named(files, &row.name)?.in_cells(row);
+            let found = cells
+                .into_iter()
+                .find(|(range, _)| range.contains_inclusive(offset));
+            found.map(|(range, symbol)| (symbol, range))
+        }
+        _ => None,
+    }
 }
 
 /// Where what is at an offset is defined: a tag in its file, or the program.
@@ -43,7 +54,7 @@ pub fn definition(scenarios: &Scenarios<'_>, offset: TextSize) -> Vec<Target> {
     }
 }
 
-/// All places of the tag at an offset: in the program, the files next to it, and in scenarios.
+/// All places of what is named at an offset: in the program, the files next to it, and in scenarios.
 pub fn references(scenarios: &Scenarios<'_>, offset: TextSize) -> Vec<Reference> {
     match (scenarios.program, symbol_at(scenarios, offset)) {
         (Some(program), Some((symbol, _))) => of_symbol(program, &symbol, scenarios.workspace),
@@ -51,27 +62,16 @@ pub fn references(scenarios: &Scenarios<'_>, offset: TextSize) -> Vec<Reference>
     }
 }
 
-/// The rows of the file that are about the tag at an offset.
+/// The places of the file that name what is at an offset.
 pub fn highlights(scenarios: &Scenarios<'_>, offset: TextSize) -> Vec<Highlight> {
-    let Some(AtCursor::Tag(row)) = place(scenarios, offset) else {
+    let (Some((wanted, _)), Some(files)) = (symbol_at(scenarios, offset), Files::of(scenarios)) else {
         return Vec::new();
     };
-    let Some(wanted) = named(scenarios, &row.name) else {
-        return Vec::new();
-    };
-    let rows = scenarios
-        .suite
-        .scenarios
-        .iter()
-        .flat_map(|scenario| &scenario.rows);
-    let here = |row: &Row| {
-        let found = named(scenarios, &row.name).filter(|it| it.symbol == wanted.symbol)?;
-        Some(Highlight {
-            range: found.range(row),
-            usage: usage(row),
-        })
-    };
-    rows.filter_map(here).collect()
+    let found = in_rows(scenarios.suite, files, &wanted);
+    found
+        .into_iter()
+        .map(|(range, usage)| Highlight { range, usage })
+        .collect()
 }
 
 /// What is at an offset and can be renamed.
@@ -82,12 +82,16 @@ pub fn prepare_rename(
     scenarios: &Scenarios<'_>,
     offset: TextSize,
 ) -> Result<Option<Renamable>, RenameRefused> {
-    let Some((symbol, range)) = symbol_at(scenarios, offset) else {
+    let found = symbol_at(scenarios, offset).filter(|(_, range)| range.contains_inclusive(offset));
+    let Some((symbol, range)) = found else {
         return Ok(None);
     };
     let name = &scenarios.text[range];
     if matches!(symbol, Symbol::Address(_)) || name.starts_with('%') {
         return Err(is_address(name));
+    }
+    if let Some(program) = scenarios.program {
+        fixed(program, &symbol)?;
     }
     Ok(Some(Renamable {
         range,
@@ -95,7 +99,7 @@ pub fn prepare_rename(
     }))
 }
 
-/// The edits that give the tag at an offset another name: in the program, the files next to it, and in all scenarios.
+/// The edits that give what is at an offset another name: in the program, the files next to it, and in all scenarios.
 ///
 /// # Errors
 /// The name is refused.
@@ -105,7 +109,9 @@ pub fn rename(
     new: &str,
     options: &Options,
 ) -> Result<Vec<Renamed>, RenameRefused> {
-    prepare_rename(scenarios, offset)?;
+    if prepare_rename(scenarios, offset)?.is_none() {
+        return Err(no_name());
+    }
     match (scenarios.program, symbol_at(scenarios, offset)) {
         (Some(program), Some((symbol, _))) => {
             rename_symbol(program, &symbol, new, scenarios.workspace, options)

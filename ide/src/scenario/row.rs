@@ -1,47 +1,26 @@
-//! The tag of a row: `run`, `warmup.ET`, `list[3]`; a tag of a file that the program only uses with the file's name before
-//! it, `library.count`.
+//! What a row names: `run`, `warmup.ET`, `cell[2].valve.open`; of a file that the program only uses with the file's name before
+//! it, `library.count`; of a place where a block is, `$Ramp#1.level`; and the values of an enumeration in its cells.
 
 use super::file::Scenarios;
-use crate::neighbour::{ScenarioFile, Which, first_that};
-use crate::symbol::{Symbol, Usage, tag_of};
+use crate::neighbour::{ScenarioFile, Which, Workspace, first_that, mentions, named as file_named};
+use crate::path::{Reached, Step, member_type, steps};
+use crate::symbol::types::{declared_name, member_of, type_named};
+use crate::symbol::{Symbol, Usage, block_file, tag_of};
 use ladder_analysis::context::Context;
 use ladder_analysis::names::scope::TagFacts;
 use ladder_analysis::program::SystemTag;
-use ladder_analysis::state_member;
 use ladder_analysis::values::types::{Scalar, Type};
-use ladder_simulator::scenario::{Direction, Row};
+use ladder_simulator::scenario::{Cell, Direction, Row, Suite};
 use ladder_syntax::{Name, TextRange, TextSize};
 use std::ops::{Deref, Range};
 use std::sync::Arc;
 
-/// What a row names.
-pub(super) struct Named<'c> {
-    pub(super) symbol: Symbol,
-    /// The file that has the tag.
-    pub(super) file: File<'c>,
-    /// Its number in the scope of that file.
-    tag: usize,
-    /// The tag's name in the row's, without the file's name, member or index.
-    pub(super) name: Range<usize>,
-}
-
-impl Named<'_> {
-    pub(super) fn tag(&self) -> &TagFacts {
-        &self.file.scopes[0].tags[self.tag]
-    }
-
-    /// Where the tag's name is in a row.
-    pub(super) fn range(&self, row: &Row) -> TextRange {
-        let at = |place: usize| row.range.start() + TextSize::new(place as u32);
-        TextRange::new(at(self.name.start), at(self.name.end))
-    }
-}
-
-/// A file whose tags a row can name.
+/// A file of the workspace.
+#[derive(Clone)]
 pub(super) enum File<'c> {
-    /// The program that the scenarios are about.
-    Program(&'c Context),
-    /// One that the program may use.
+    /// One that is known already.
+    Known(&'c Context),
+    /// One that the workspace has.
     Other(Arc<Context>),
 }
 
@@ -50,42 +29,241 @@ impl Deref for File<'_> {
 
     fn deref(&self) -> &Context {
         match self {
-            File::Program(program) => program,
+            File::Known(file) => file,
             File::Other(file) => file,
         }
     }
 }
 
-/// The tag that a row's name is about. None for one of SYS or PORT, or one that is not there.
-pub(super) fn named<'c>(scenarios: &Scenarios<'c>, name: &str) -> Option<Named<'c>> {
-    let program = scenarios.program?;
+/// The files of which a row can name something.
+#[derive(Clone, Copy)]
+pub(super) struct Files<'c> {
+    /// The program that the scenarios are about.
+    program: &'c Context,
+    /// A file that the workspace does not show, for it was asked about.
+    own: &'c Context,
+    workspace: &'c dyn Workspace,
+}
+
+impl<'c> Files<'c> {
+    pub(super) fn of(scenarios: &Scenarios<'c>) -> Option<Files<'c>> {
+        let program = scenarios.program?;
+        Some(Files {
+            program,
+            own: program,
+            workspace: scenarios.workspace,
+        })
+    }
+
+    fn named(&self, name: &str) -> Option<File<'c>> {
+        let mut known = [self.program, self.own].into_iter();
+        match known.find(|file| file.is_called(name)) {
+            Some(file) => Some(File::Known(file)),
+            None => file_named(self.workspace, name).map(File::Other),
+        }
+    }
+
+    /// The file whose tags have this before their names.
+    fn with_stem(&self, stem: &Name, tag: &Name) -> Option<File<'c>> {
+        let is_it = |file: &Context| Name::new(stem_of(&file.name)) == *stem;
+        if is_it(self.own) && !self.program.is_called(&self.own.name) {
+            return Some(File::Known(self.own));
+        }
+        let which = Which::Mentioning(std::slice::from_ref(tag));
+        first_that(self.workspace, which, is_it).map(File::Other)
+    }
+}
+
+/// What a row names.
+pub(super) struct Named<'c> {
+    /// The tag, and where its name is in the row's: without the file's name, member or index.
+    pub(super) symbol: Symbol,
+    pub(super) name: Range<usize>,
+    /// The file that has the tag.
+    pub(super) file: File<'c>,
+    /// The scope in that file, and the tag's number there.
+    scope: usize,
+    tag: usize,
+    /// All that has a name in the row's: where it is, and what.
+    pub(super) words: Vec<(Range<usize>, Symbol)>,
+    /// The type of the value; none of a whole that has parts.
+    pub(super) ty: Option<Scalar>,
+    /// The file in which the names of that type were looked up.
+    type_file: File<'c>,
+}
+
+impl Named<'_> {
+    pub(super) fn tag(&self) -> &TagFacts {
+        &self.file.scopes[self.scope].tags[self.tag]
+    }
+
+    /// What is named at a place of the row's name.
+    pub(super) fn at(&self, place: usize) -> Option<(&Range<usize>, &Symbol)> {
+        let mut words = self.words.iter().map(|(word, symbol)| (word, symbol));
+        words.find(|(word, _)| (word.start..=word.end).contains(&place))
+    }
+
+    /// What the cells of a row name: values, and types before them.
+    pub(super) fn in_cells(&self, row: &Row) -> Vec<(TextRange, Symbol)> {
+        let Some(ty @ Scalar::Enum(_)) = self.ty else {
+            return Vec::new();
+        };
+        let Some(name) = declared_name(Type::Scalar(ty)) else {
+            return Vec::new();
+        };
+        let Some(Symbol::Type { file, name }) = type_named(&self.type_file, &name) else {
+            return Vec::new();
+        };
+        let mut found = Vec::new();
+        for (cell, range) in &row.cells {
+            let Cell::Value(text) = cell else { continue };
+            let before = text.rfind('.').map_or(0, |point| point + 1);
+            let value = &text[before..];
+            if before > 0 {
+                let ty = Symbol::Type {
+                    file: Arc::clone(&file),
+                    name: name.clone(),
+                };
+                found.push((within(*range, &(0..before - 1)), ty));
+            }
+            let part = Symbol::Part {
+                file: Arc::clone(&file),
+                ty: name.clone(),
+                name: Name::new(value),
+            };
+            found.push((within(*range, &(before..text.len())), part));
+        }
+        found
+    }
+}
+
+/// A part of a place.
+pub(super) fn within(whole: TextRange, part: &Range<usize>) -> TextRange {
+    let at = |place: usize| whole.start() + TextSize::new(place as u32);
+    TextRange::new(at(part.start), at(part.end))
+}
+
+/// What a row's name is about. None for what is of SYS or PORT, or not there.
+pub(super) fn named<'c>(files: Files<'c>, name: &str) -> Option<Named<'c>> {
+    if name.starts_with('$') {
+        return in_places(files, name);
+    }
+    let program = File::Known(files.program);
+    if name.starts_with('%') {
+        // An address has points in it.
+        let known = |end: &usize| program.scopes.first()?.find(&Name::new(&name[..*end]));
+        let ends = std::iter::once(name.len()).chain(name.rmatch_indices(['.', '[']).map(|(at, _)| at));
+        let end = ends.into_iter().find(|end| known(end).is_some())?;
+        return from_tag(files, program, 0, name, 0..end, Vec::new());
+    }
     let first = word(name, 0);
     let key = Name::new(&name[first.clone()]);
-    if let Some(tag) = program.scopes.first()?.find(&key) {
-        return Some(Named {
-            symbol: tag_of(program, 0, &key)?,
-            file: File::Program(program),
-            tag,
-            name: first,
-        });
+    if program.scopes.first()?.find(&key).is_some() {
+        return from_tag(files, program, 0, name, first, Vec::new());
+    }
+    // A global tag that only other files name.
+    if let Some((exports, _)) = files.program.others.globals(&key).next() {
+        let file = files.named(&exports.file)?;
+        let scopes = 0..file.scopes.len();
+        let scope = scopes
+            .into_iter()
+            .find(|scope| file.scopes[*scope].find(&key).is_some())?;
+        return from_tag(files, file, scope, name, first, Vec::new());
     }
     if !name[first.end..].starts_with('.') {
         return None;
     }
-    let word = word(name, first.end + 1);
-    let (stem, key) = (key, Name::new(&name[word.clone()]));
-    let which = Which::Mentioning(std::slice::from_ref(&key));
-    let is_it = |file: &Context| Name::new(stem_of(&file.name)) == stem;
-    let file = first_that(scenarios.workspace, which, is_it)?;
-    let tag = file.scopes.first()?.find(&key)?;
-    let symbol = tag_of(&file, 0, &key)?;
+    let second = word(name, first.end + 1);
+    let file = files.with_stem(&key, &Name::new(&name[second.clone()]))?;
+    let found = from_tag(files, file, 0, name, second, Vec::new())?;
     // What is the same in all files goes by its name alone.
-    matches!(symbol, Symbol::Tag { .. }).then_some(Named {
+    matches!(found.symbol, Symbol::Tag { .. }).then_some(found)
+}
+
+/// A tag in the body of a block at one of its places: `$Outer#1.$Ramp#2.level`.
+fn in_places<'c>(files: Files<'c>, name: &str) -> Option<Named<'c>> {
+    let (mut file, mut at) = (File::Known(files.program), 0);
+    let mut words = Vec::new();
+    let mut scope = 0;
+    while name[at..].starts_with('$') {
+        let end = at + name[at..].find('.')?;
+        let block = at..at + name[at..end].find('#')?;
+        let key = Name::new(&name[block.clone()]);
+        let of = block_file(&file, &key)?;
+        file = files.named(&of)?;
+        let own = file.user_blocks[..file.own_blocks].iter();
+        scope = own.zip(1..).find(|(facts, _)| facts.key == key)?.1;
+        words.push((block, Symbol::Block { file: of, name: key }));
+        at = end + 1;
+    }
+    from_tag(files, file, scope, name, word(name, at), words)
+}
+
+/// What a path names that begins with a tag of a scope.
+fn from_tag<'c>(
+    files: Files<'c>,
+    file: File<'c>,
+    scope: usize,
+    text: &str,
+    first: Range<usize>,
+    mut words: Vec<(Range<usize>, Symbol)>,
+) -> Option<Named<'c>> {
+    let key = Name::new(&text[first.clone()]);
+    let tag = file.scopes.get(scope)?.find(&key)?;
+    let symbol = tag_of(&file, scope, &key)?;
+    words.push((first.clone(), symbol.clone()));
+    let mut seen_from = file.clone();
+    let mut reached = file.shared(&file.scopes[scope].tags[tag]).ty.map(Reached::new);
+    for step in steps(text, first.end) {
+        reached = match (step, reached) {
+            (Some(Step::Index(indices)), Some(before)) => before.indexed(indices),
+            (Some(Step::Member(word)), Some(before)) => before.whole().and_then(|ty| {
+                let (file, ty) = after_member(files, &seen_from, ty, text, word, &mut words)?;
+                seen_from = file;
+                Some(Reached::new(ty))
+            }),
+            _ => None,
+        };
+    }
+    Some(Named {
         symbol,
-        file: File::Other(file),
+        name: first,
+        file,
+        scope,
         tag,
-        name: word,
+        words,
+        ty: reached.and_then(Reached::whole).and_then(Type::scalar),
+        type_file: seen_from,
     })
+}
+
+/// Where a member leads: its type, and the file that knows the names in that.
+fn after_member<'c>(
+    files: Files<'c>,
+    file: &File<'c>,
+    ty: Type,
+    text: &str,
+    word: Range<usize>,
+    words: &mut Vec<(Range<usize>, Symbol)>,
+) -> Option<(File<'c>, Type)> {
+    let member = &text[word.clone()];
+    let Type::Compound(id) = ty else {
+        return Some((file.clone(), member_type(file, ty, member)?));
+    };
+    let Some(block) = id.block() else {
+        words.extend(member_of(file, ty, member).map(|symbol| (word, symbol)));
+        return Some((file.clone(), member_type(file, ty, member)?));
+    };
+    // A scenario sees all tags of a block, those that are its own too.
+    let home = files.named(&block_file(file, &Name::new(&block))?)?;
+    let symbol = member_of(&home, ty, member)?;
+    let Symbol::Tag { scope, name, .. } = &symbol else {
+        return None;
+    };
+    let scope = home.scopes.get(*scope)?;
+    let ty = home.shared(&scope.tags[scope.find(name)?]).ty?;
+    words.push((word, symbol));
+    Some((home, ty))
 }
 
 /// What a program calls a file that it uses: its name without folders and ending.
@@ -96,7 +274,7 @@ pub(super) fn stem_of(file: &str) -> &str {
 
 /// The type of the values of a row.
 pub(super) fn value_type(scenarios: &Scenarios<'_>, name: &str) -> Option<Scalar> {
-    scenarios.program?;
+    let files = Files::of(scenarios)?;
     let (first, member) = name.split_once('.').unwrap_or((name, ""));
     let (first, member) = (first.trim(), member.trim());
     if first.eq_ignore_ascii_case("SYS") {
@@ -110,39 +288,7 @@ pub(super) fn value_type(scenarios: &Scenarios<'_>, name: &str) -> Option<Scalar
             Scalar::Lint
         });
     }
-    let named = named(scenarios, name)?;
-    let file = &named.file;
-    let rest = name[named.name.end..].trim();
-    let member = rest.strip_prefix('.').map(str::trim);
-    match (file.shared(named.tag()).ty?, member) {
-        (Type::Scalar(ty), None) if rest.is_empty() => Some(ty),
-        (Type::Scalar(_), Some(_)) => Some(Scalar::Bool),
-        (Type::State(state), Some(member)) => Some(state_member(state, member)?.ty(file.profile.semantics())),
-        (Type::Array { element, .. }, None) => Some(element),
-        _ => None,
-    }
-}
-
-/// Where a row names a symbol of the program of this name.
-pub(crate) fn name_in(row: &Row, symbol: &Symbol, program: &str) -> Option<TextRange> {
-    let old = symbol.name()?;
-    let here = |from: usize| {
-        let word = word(&row.name, from);
-        let range = TextRange::at(
-            row.range.start() + TextSize::new(from as u32),
-            TextSize::of(&row.name[word.clone()]),
-        );
-        (Name::new(&row.name[word]) == *old).then_some(range)
-    };
-    match symbol {
-        Symbol::Tag { file, .. } if **file != *program => {
-            let stem = stem_of(file);
-            let prefix = row.name.get(..stem.len())?;
-            let is_prefix = Name::new(prefix) == Name::new(stem) && row.name[stem.len()..].starts_with('.');
-            is_prefix.then(|| here(stem.len() + 1)).flatten()
-        }
-        _ => here(0),
-    }
+    named(files, name)?.ty
 }
 
 /// The word of a row's name that begins `from` bytes after its start, without member and index.
@@ -154,29 +300,94 @@ fn word(name: &str, from: usize) -> Range<usize> {
     from..from + end
 }
 
-/// Where a file of scenarios names a symbol, in the order of its text. `hides` says whether a program has a tag of its own
-/// by the name of a global one.
+/// Places of a symbol in one row.
+pub(crate) struct InRow<'s> {
+    pub(crate) row: &'s Row,
+    /// Those in its name.
+    pub(crate) in_name: Vec<TextRange>,
+    /// Those in its cells.
+    pub(crate) in_cells: Vec<TextRange>,
+}
+
+/// Where scenarios name a symbol.
+fn rows<'s>(suite: &'s Suite, files: Files<'_>, symbol: &Symbol) -> Vec<InRow<'s>> {
+    let rows = suite.scenarios.iter().flat_map(|scenario| &scenario.rows);
+    let found = rows.filter_map(|row| {
+        let named = named(files, &row.name)?;
+        let words = named.words.iter().filter(|(_, it)| it == symbol);
+        let cells = named.in_cells(row).into_iter().filter(|(_, it)| it == symbol);
+        Some(InRow {
+            row,
+            in_name: words.map(|(word, _)| within(row.range, word)).collect(),
+            in_cells: cells.map(|(range, _)| range).collect(),
+        })
+    });
+    found.collect()
+}
+
+/// The same of a file of scenarios, for one who asks about `own`, a file that the workspace does not show.
+pub(crate) fn rows_naming<'s>(
+    file: &'s ScenarioFile,
+    symbol: &Symbol,
+    own: &Context,
+    workspace: &dyn Workspace,
+) -> Vec<InRow<'s>> {
+    let is_named_outside = matches!(
+        symbol,
+        Symbol::Tag { .. }
+            | Symbol::Global(_)
+            | Symbol::Address(_)
+            | Symbol::Block { .. }
+            | Symbol::Type { .. }
+            | Symbol::Part { .. }
+    );
+    let (Some(name), Some(program)) = (symbol.name(), &file.program) else {
+        return Vec::new();
+    };
+    // To know a program takes time.
+    if !is_named_outside || !mentions(&file.text, name) {
+        return Vec::new();
+    }
+    let other;
+    let program = if own.is_called(program) {
+        own
+    } else {
+        other = workspace.file(program);
+        match &other {
+            Some(program) => program,
+            None => return Vec::new(),
+        }
+    };
+    let files = Files {
+        program,
+        own,
+        workspace,
+    };
+    rows(&file.suite, files, symbol)
+}
+
+/// Where a file of scenarios names a symbol, in the order of its text.
 pub(crate) fn places(
     symbol: &Symbol,
     file: &ScenarioFile,
-    hides: &dyn Fn(&str) -> bool,
+    own: &Context,
+    workspace: &dyn Workspace,
 ) -> Vec<(TextRange, Usage)> {
-    let Some(program) = &file.program else {
-        return Vec::new();
+    of_rows(rows_naming(file, symbol, own, workspace))
+}
+
+/// The same of a file with what is known of it.
+pub(super) fn in_rows(suite: &Suite, files: Files<'_>, symbol: &Symbol) -> Vec<(TextRange, Usage)> {
+    of_rows(rows(suite, files, symbol))
+}
+
+fn of_rows(rows: Vec<InRow<'_>>) -> Vec<(TextRange, Usage)> {
+    let of_row = |found: InRow<'_>| {
+        let usage = usage(found.row);
+        let names = found.in_name.into_iter().map(move |range| (range, usage));
+        names.chain(found.in_cells.into_iter().map(|range| (range, Usage::Mention)))
     };
-    // Only a file's own tags and global ones have names outside.
-    let is_shown = match symbol {
-        Symbol::Tag { scope, .. } => *scope == 0,
-        Symbol::Global(_) => !hides(program),
-        Symbol::Address(_) => true,
-        _ => false,
-    };
-    if !is_shown {
-        return Vec::new();
-    }
-    let rows = file.suite.scenarios.iter().flat_map(|scenario| &scenario.rows);
-    rows.filter_map(|row| Some((name_in(row, symbol, program)?, usage(row))))
-        .collect()
+    rows.into_iter().flat_map(of_row).collect()
 }
 
 /// What a row does with its tag.

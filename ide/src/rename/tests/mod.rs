@@ -18,7 +18,7 @@ fn renamed(text: &str, new: &str) -> String {
     match rename(context, offset, new, &others, &Options::default()) {
         Err(refused) => format!("refused: {refused}\n"),
         Ok(files) => {
-            let several = fixture.files.len() > 1;
+            let several = fixture.files.len() + fixture.scenarios.len() > 1;
             let show = files.iter().map(|file| {
                 let head = if several {
                     format!("%% {}\n", file.file)

@@ -1,6 +1,7 @@
 //! The rows of scenarios.
 
-use super::check;
+use super::{check, renamed};
+use crate::fixture::played;
 use expect_test::expect;
 
 #[test]
@@ -93,4 +94,153 @@ fn scenarios_follow() {
         a_longer_name => 1 2 3
     "#]],
     );
+}
+
+const CELLS: &str = r#"%% main.clad
+TYPE
+    Phase : (IDLE, FILLING := 3, FULL);
+    Valve : STRUCT
+        open : BOOL;
+        wait : TON;
+    END_STRUCT;
+    Zone : STRUCT
+        valve : Valve;
+        phase : Phase;
+    END_STRUCT;
+    Cell : STRUCT
+        zone  : ARRAY[1..2] OF Zone;
+        drive : $Motor;
+    END_STRUCT;
+END_TYPE
+
+FUNCTION_BLOCK [$Motor]
+VAR_INPUT
+    start : BOOL;
+END_VAR
+VAR_OUTPUT
+    running : BOOL;
+END_VAR
+VAR
+    turns : DINT;
+END_VAR
++--[ ]( start )--\-----------------------( )( running )--+
+|                /--[ADD]( turns, turns, 1 )--( )( ENO )--+
+END_FUNCTION_BLOCK
+
+VAR
+    cell  : ARRAY[1..3] OF Cell;
+    drive : $Motor;
+    go    : BOOL;
+    step  : Phase;
+END_VAR
+
++--[ ]( go )--\--( )( cell[2].zone[1].valve.open )----------+
+|             /--[MOV]( cell[2].zone[1].phase, FILLING )----+
++--[ ]( go )--[MOV]( step, Phase.FILLING )--+
++--[$Motor]( drive, go )--[$Motor]( cell[1].drive, go )--[$Motor]( go )--( )( on )--+
+%% cells.ladder-test
+program main.clad
+
+scenario "all that has a name"
+go                                _      -
+cell[ 2 ].zone[1].valve.open => _      -
+cell[2].zone[1].phase        => IDLE   FILLING
+step                            => idle   Phase.filling
+drive.running                   => _      -
+drive.turns                     => 0      1
+cell[1].drive.turns          => 0      1
+$Motor#1.turns                  => 0      1
+
+scenario "in columns"
+go      _    -
+step => IDLE FILLING
+"#;
+
+/// Whatever is renamed, the scenarios hold: they name all that can be named.
+#[test]
+fn types_members_values_and_instances() {
+    const SECOND: &str = "%% cells.ladder-test\n";
+    let split = |text: &str| {
+        // What is named in no scenario changes none.
+        let (program, scenarios) = text.split_once(SECOND).unwrap_or((text, ""));
+        (program.replacen("%% main.clad\n", "", 1), scenarios.to_owned())
+    };
+    let (program, scenarios) = split(CELLS);
+    assert_eq!(
+        played(&program, &scenarios),
+        "ok all that has a name\nok in columns\n"
+    );
+    let mut shown = String::new();
+    for (place, new) in [
+        ("    Phase", "State"),
+        ("(IDLE, FILLING", "FILLS"),
+        ("    Valve", "Tap"),
+        ("        open", "is_open"),
+        ("        zone", "part"),
+        ("        drive", "motor"),
+        ("    running", "on"),
+        ("    turns", "rounds"),
+        ("BLOCK [$Motor", "$Engine"),
+        ("    cell", "c"),
+        ("    drive : $Motor;\n    go", "m1"),
+    ] {
+        let at = CELLS.find(place).expect("a place") + place.len();
+        let at = if place.ends_with("go") {
+            at - ": $Motor;\n    go ".len()
+        } else {
+            at
+        };
+        let mut marked = CELLS.to_owned();
+        marked.insert_str(at, "$0");
+        let (program, mut scenarios) = split(&renamed(&marked, new));
+        let (_, before) = split(CELLS);
+        if scenarios.is_empty() {
+            scenarios.clone_from(&before);
+        }
+        assert_eq!(
+            played(&program, &scenarios),
+            "ok all that has a name\nok in columns\n",
+            "{place} -> {new}\n{program}\n{scenarios}"
+        );
+        shown.push_str(&format!("{} -> {new}\n", place.trim()));
+        for (old, line) in before.lines().zip(scenarios.lines()) {
+            let squeezed = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ");
+            if squeezed(old) != squeezed(line) {
+                shown.push_str(&format!("    {line}\n"));
+            }
+        }
+    }
+    let expected = expect![[r#"
+        Phase -> State
+            step                            => idle   State.filling
+        (IDLE, FILLING -> FILLS
+            cell[2].zone[1].phase        => IDLE   FILLS
+            step                            => idle   Phase.FILLS
+            step => IDLE FILLS
+        Valve -> Tap
+        open -> is_open
+            cell[ 2 ].zone[1].valve.is_open => _      -
+        zone -> part
+            cell[ 2 ].part[1].valve.open => _      -
+            cell[2].part[1].phase        => IDLE   FILLING
+        drive -> motor
+            cell[1].motor.turns          => 0      1
+        running -> on
+            drive.on                        => _      -
+        turns -> rounds
+            drive.rounds                    => 0      1
+            cell[1].drive.rounds         => 0      1
+            $Motor#1.rounds                 => 0      1
+        BLOCK [$Motor -> $Engine
+            $Engine#1.turns                 => 0      1
+        cell -> c
+            c[ 2 ].zone[1].valve.open    => _      -
+            c[2].zone[1].phase           => IDLE   FILLING
+            c[1].drive.turns             => 0      1
+        drive : $Motor;
+            go -> m1
+            m1.running                      => _      -
+            m1.turns                        => 0      1
+    "#]];
+    expected.assert_eq(&shown);
 }
