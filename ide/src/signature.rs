@@ -1,7 +1,7 @@
 //! Signature help: the operands of the block, or the arguments of the function, that is being written.
 
 use crate::described::Described;
-use crate::typing::{CursorContext, Open, Operand, typing};
+use crate::typing::{CursorContext, Open, Operand, Typing, typing};
 use crate::wanted::{Called, called, function};
 use ladder_analysis::context::Context;
 use ladder_analysis::networks::user_block::UserBlockFacts;
@@ -62,7 +62,7 @@ pub fn signature_help(context: &Context, offset: TextSize) -> Option<SignatureHe
         .iter()
         .map(|called| match called {
             Called::Row(row) => of_row(row, operand, typing.context.profile),
-            Called::User(block) => of_user(typing.context, block, operand),
+            Called::User(block) => of_user(&typing, block, operand),
         })
         .collect();
     if signatures.is_empty() {
@@ -182,10 +182,17 @@ fn of_function(row: &'static Instruction, commas: usize) -> Signature {
     }
 }
 
-fn of_user(context: &Context, block: &UserBlockFacts, operand: &Operand) -> Signature {
-    let described = Described::of(context, block);
+fn of_user(typing: &Typing<'_>, block: &UserBlockFacts, operand: &Operand) -> Signature {
+    let described = Described::of(typing.context, block);
     let (open, close) = block.shape.brackets();
     let mut label = Label::new(format!("{open}{}{close}( ", block.name));
+    label.add(
+        "state",
+        format!(
+            "a tag of type {}, may be left out: then the state belongs to this place",
+            block.name
+        ),
+    );
     for parameter in &block.parameters {
         let ty = parameter.ty.map(|ty| ty.to_string()).unwrap_or_default();
         let way = match parameter.kind {
@@ -202,8 +209,17 @@ fn of_user(context: &Context, block: &UserBlockFacts, operand: &Operand) -> Sign
         let comment = comment.map_or(String::new(), |text| format!(": {text}"));
         label.add(&parameter.name, format!("{ty}, {way}{optional}{comment}"));
     }
-    let meant = crate::wanted::parameter(block, operand);
-    let active = meant.and_then(|meant| block.parameters.iter().position(|p| std::ptr::eq(p, meant)));
+    let is_first = operand.before.is_empty() && operand.state.is_none() && operand.name.is_none();
+    let active = if is_first && typing.keeps_state(&typing.text[operand.start..typing.word.end], &block.name)
+    {
+        Some(0)
+    } else {
+        let meant = crate::wanted::parameter(block, operand);
+        // After the state.
+        meant
+            .and_then(|meant| (block.parameters.iter().zip(1..)).find(|(p, _)| std::ptr::eq(*p, meant)))
+            .map(|(_, index)| index)
+    };
     Signature {
         label: format!("{} )", label.text),
         doc: match described.as_ref().and_then(Described::of_library) {
@@ -370,13 +386,13 @@ mod tests {
         check(
             "+--[$Blink]( 1s, $0 )--( )( y )--+\n",
             expect![[r#"
-            [$Blink]( high, {low}, q )  TIME, input, may be left out: how long it is low
-        "#]],
+                [$Blink]( state, high, {low}, q )  TIME, input, may be left out: how long it is low
+            "#]],
         );
         check(
             "FUNCTION_BLOCK [$B]\nVAR_INPUT\n a : BOOL; # is it *on*? #\nEND_VAR\nEND_FUNCTION_BLOCK\n+--[$B]( $0 )--+\n",
             expect![[r#"
-                [$B]( {a} )  BOOL, input: is it \*on\*\?
+                [$B]( state, {a} )  BOOL, input: is it \*on\*\?
             "#]],
         );
     }
@@ -389,15 +405,51 @@ mod tests {
         check(
             &own("+--[$Hold]( a, $0 )--+"),
             expect![[r#"
-            [$Hold]( raw, {wait}, clean )  TIME, input, may be left out
-        "#]],
+                [$Hold]( state, raw, {wait}, clean )  TIME, input, may be left out
+            "#]],
         );
         check(
             &own("+--[$Hold]( clean => $0"),
             expect![[r#"
-            [$Hold]( raw, wait, {clean} )  BOOL, output
-        "#]],
+                [$Hold]( state, raw, wait, {clean} )  BOOL, output
+            "#]],
         );
+    }
+
+    #[test]
+    fn the_state_of_a_block() {
+        let plant = "FUNCTION_BLOCK [$Motor]\nVAR_INPUT start, stop : BOOL; END_VAR\nVAR_OUTPUT run : BOOL; END_VAR\n\
+             +--[ ]( start )--( )( run )--+\nEND_FUNCTION_BLOCK\n\
+             TYPE\n    Cell : STRUCT\n        drive : $Motor;\n        t     : TON;\n        c     : ARRAY[1..2, 1..3] OF CTU;\n    END_STRUCT;\nEND_TYPE\n\
+             VAR m1 : $Motor; cell : ARRAY[1..4] OF Cell; a : BOOL; END_VAR\n";
+        for (rung, expected) in [
+            ("[$Motor]( $0 )", expect![[r#"
+                [$Motor]( state, {start}, stop, run )  BOOL, input
+            "#]]),
+            ("[$Motor]( m1$0, a )", expect![[r#"
+                [$Motor]( {state}, start, stop, run )  a tag of type $Motor, may be left out: then the state belongs to this place
+            "#]]),
+            ("[$Motor]( m1, $0", expect![[r#"
+                [$Motor]( state, {start}, stop, run )  BOOL, input
+            "#]]),
+            ("[$Motor]( cell[2].drive, a, $0a )", expect![[r#"
+                [$Motor]( state, start, {stop}, run )  BOOL, input
+            "#]]),
+            ("[$Motor]( m1, start := a, run => $0 )", expect![[r#"
+                [$Motor]( state, start, stop, {run} )  BOOL, output
+            "#]]),
+            ("[$Motor]( a, $0a )", expect![[r#"
+                [$Motor]( state, start, {stop}, run )  BOOL, input
+            "#]]),
+            ("[TON]( cell[1].t, 5$0000 )", expect![[r#"
+                [TON]( t, {PT}, R := )  The preset time; a plain integer is milliseconds.
+            "#]]),
+            ("[CTU]( cell[k + 1].c[1, 2], $0", expect![[r#"
+                [CTU]( c, {PV}, R := )  The preset value.
+            "#]]),
+        ] {
+            check(&format!("{plant}+--{rung}--( )( y )--+\n"), expected);
+        }
     }
 
     #[test]

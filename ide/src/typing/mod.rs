@@ -9,11 +9,13 @@ mod operand;
 pub(crate) use declaration::Declaration;
 pub(crate) use operand::{Open, Operand};
 
+use crate::path;
 use declaration::declaration;
 use ladder_analysis::context::{Body, Context};
+use ladder_analysis::values::types::Type;
 use ladder_instructions::Shape;
 use ladder_syntax::rowan::GreenNodeData;
-use ladder_syntax::{LineKind, Mode, NodeOrToken, SyntaxKind, TextRange, TextSize, line_around};
+use ladder_syntax::{LineKind, Mode, Name, NodeOrToken, SyntaxKind, TextRange, TextSize, line_around};
 use operand::{operand, parenthesis_closes};
 use std::ops::Range;
 
@@ -170,6 +172,18 @@ impl Typing<'_> {
         &self.text[self.word.start..self.cursor]
     }
 
+    /// Whether a path is a tag of a user-defined block's own type.
+    pub(crate) fn keeps_state(&self, path: &str, block: &str) -> bool {
+        let ty = block
+            .starts_with('$')
+            .then(|| path::type_of(self.context, self.scope, path));
+        let of = ty.flatten().and_then(|ty| match ty {
+            Type::Compound(id) => id.block(),
+            _ => None,
+        });
+        of.is_some_and(|of| Name::new(&of) == Name::new(block))
+    }
+
     /// A stretch of the line, counted from the start of the file.
     pub(crate) fn absolute(&self, range: Range<usize>) -> TextRange {
         TextRange::new(
@@ -317,6 +331,12 @@ fn on_rung(line: &GreenNodeData, typing: &mut Typing<'_>) -> Option<CursorContex
             operand.shape = Some(shape);
             let head = typing.text[start..head_end].trim_matches([open, close, ' ', '\t']);
             operand.head.push_str(head);
+            let first = operand.before.first().cloned();
+            if let Some(first) = first.filter(|first| typing.keeps_state(&typing.text[first.clone()], head)) {
+                operand.state = Some(first);
+                operand.before.remove(0);
+                operand.count -= 1;
+            }
             Some(CursorContext::Operand(operand))
         }
         _ if !head_closed && gap_is_blank || cursor < head_end => {

@@ -11,8 +11,12 @@ pub(crate) struct Operand {
     pub(crate) shape: Option<Shape>,
     /// What the block's first part says.
     pub(crate) head: String,
+    /// The tag in front of all others that keeps the state of a user-defined block.
+    pub(crate) state: Option<Range<usize>>,
     /// The operands by place in front of this one.
     pub(crate) before: Vec<Range<usize>>,
+    /// Where it begins.
+    pub(crate) start: usize,
     /// Number of operands by place in the whole list.
     pub(crate) count: usize,
     /// The name in front of `:=` or `=>`.
@@ -130,6 +134,7 @@ pub(super) fn operand(list: &[Token], from: usize, closed: bool, typing: &mut Ty
         }
         last = Some(*token);
     }
+    operand.start = start;
     if let (Some(last), Some(from)) = (last.filter(|last| last.kind == SyntaxKind::DOT), value) {
         operand.member_of = Some(from..last.start);
     } else if last.is_some_and(|last| last.kind == SyntaxKind::DOT)
