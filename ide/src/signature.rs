@@ -423,30 +423,54 @@ mod tests {
              TYPE\n    Cell : STRUCT\n        drive : $Motor;\n        t     : TON;\n        c     : ARRAY[1..2, 1..3] OF CTU;\n    END_STRUCT;\nEND_TYPE\n\
              VAR m1 : $Motor; cell : ARRAY[1..4] OF Cell; a : BOOL; END_VAR\n";
         for (rung, expected) in [
-            ("[$Motor]( $0 )", expect![[r#"
+            (
+                "[$Motor]( $0 )",
+                expect![[r#"
                 [$Motor]( state, {start}, stop, run )  BOOL, input
-            "#]]),
-            ("[$Motor]( m1$0, a )", expect![[r#"
+            "#]],
+            ),
+            (
+                "[$Motor]( m1$0, a )",
+                expect![[r#"
                 [$Motor]( {state}, start, stop, run )  a tag of type $Motor, may be left out: then the state belongs to this place
-            "#]]),
-            ("[$Motor]( m1, $0", expect![[r#"
+            "#]],
+            ),
+            (
+                "[$Motor]( m1, $0",
+                expect![[r#"
                 [$Motor]( state, {start}, stop, run )  BOOL, input
-            "#]]),
-            ("[$Motor]( cell[2].drive, a, $0a )", expect![[r#"
+            "#]],
+            ),
+            (
+                "[$Motor]( cell[2].drive, a, $0a )",
+                expect![[r#"
                 [$Motor]( state, start, {stop}, run )  BOOL, input
-            "#]]),
-            ("[$Motor]( m1, start := a, run => $0 )", expect![[r#"
+            "#]],
+            ),
+            (
+                "[$Motor]( m1, start := a, run => $0 )",
+                expect![[r#"
                 [$Motor]( state, start, stop, {run} )  BOOL, output
-            "#]]),
-            ("[$Motor]( a, $0a )", expect![[r#"
+            "#]],
+            ),
+            (
+                "[$Motor]( a, $0a )",
+                expect![[r#"
                 [$Motor]( state, start, {stop}, run )  BOOL, input
-            "#]]),
-            ("[TON]( cell[1].t, 5$0000 )", expect![[r#"
+            "#]],
+            ),
+            (
+                "[TON]( cell[1].t, 5$0000 )",
+                expect![[r#"
                 [TON]( t, {PT}, R := )  The preset time; a plain integer is milliseconds.
-            "#]]),
-            ("[CTU]( cell[k + 1].c[1, 2], $0", expect![[r#"
+            "#]],
+            ),
+            (
+                "[CTU]( cell[k + 1].c[1, 2], $0",
+                expect![[r#"
                 [CTU]( c, {PV}, R := )  The preset value.
-            "#]]),
+            "#]],
+            ),
         ] {
             check(&format!("{plant}+--{rung}--( )( y )--+\n"), expected);
         }

@@ -94,6 +94,9 @@ impl Wanted {
 
 /// What the operand around the cursor asks for. None if nothing is known of its block.
 pub(crate) fn wanted(typing: &Typing<'_>, operand: &Operand) -> Option<Wanted> {
+    if let Some(value) = compared(typing, operand) {
+        return Some(value);
+    }
     if let Some(inner) = inside(typing, operand) {
         return Some(inner);
     }
@@ -112,6 +115,38 @@ pub(crate) fn wanted(typing: &Typing<'_>, operand: &Operand) -> Option<Wanted> {
         }
         Called::User(block) => Some(of_parameter(parameter(block, operand)?)),
     })
+}
+
+/// A value of an enumeration after `step =` or `step <>` in an expression.
+fn compared(typing: &Typing<'_>, operand: &Operand) -> Option<Wanted> {
+    let before = typing.text[operand.start..typing.word.start].trim_end();
+    let left = before.strip_suffix("<>").or_else(|| before.strip_suffix('='))?;
+    if left.ends_with([':', '<', '>']) || operand.open.last() == Some(&Open::Index) {
+        return None;
+    }
+    let ty @ Scalar::Enum(_) = type_of(typing.context, typing.scope, last_path(left.trim_end()))? else {
+        return None;
+    };
+    Some(Wanted {
+        expression: true,
+        ..Wanted::read(Kind::With(ty))
+    })
+}
+
+/// The path that a text ends with.
+fn last_path(text: &str) -> &str {
+    let mut depth = 0usize;
+    let begin = text.char_indices().rev().find(|(_, letter)| {
+        match letter {
+            ']' => depth += 1,
+            '[' if depth == 0 => return true,
+            '[' => depth -= 1,
+            _ if depth > 0 => {}
+            letter => return !letter.is_alphanumeric() && !matches!(letter, '_' | '.'),
+        }
+        false
+    });
+    begin.map_or(text, |(at, letter)| &text[at + letter.len_utf8()..])
 }
 
 /// The parameter of a user-defined block that is being given.

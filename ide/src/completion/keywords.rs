@@ -1,11 +1,13 @@
 //! Keywords of sections, declarations and block definitions, and the addresses after AT.
 
-use super::drawings;
 use super::item::{CompletionKind, Snippet, Topic};
 use super::proposals::Proposals;
+use super::{drawings, initial};
 use crate::typing::{Declaration, Typing};
+use ladder_analysis::values::types::Type;
 use ladder_instructions::{Shape, StateType};
-use ladder_syntax::Mode;
+use ladder_syntax::{Mode, Name};
+use rustc_hash::FxHashSet;
 
 /// The sections, with what their first declaration looks like.
 const SECTIONS: [(&str, &str); 6] = [
@@ -131,16 +133,32 @@ pub(super) fn in_declaration(typing: &Typing<'_>, place: Declaration, out: &mut 
             keyword(out, "OF", "the type of the elements");
         }
         Declaration::Type => types(typing, out),
-        Declaration::Initial => {
-            for (word, doc) in [("TRUE", "High."), ("FALSE", "Low.")] {
-                out.word((0, 0), CompletionKind::Value, word, "literal", Topic::Words(doc));
-            }
-        }
+        Declaration::Bounds => constants(typing, out),
+        Declaration::Initial => initial::propose(typing, out),
+    }
+}
+
+/// The whole numbers that bounds may name: those of the file itself.
+fn constants(typing: &Typing<'_>, out: &mut Proposals<'_>) {
+    let tags = typing.context.scopes.first().map_or(&[][..], |scope| &scope.tags);
+    let own = tags
+        .iter()
+        .filter(|tag| tag.constant && tag.cold.foreign.is_none());
+    for tag in own.filter(|tag| matches!(tag.ty, Some(Type::Scalar(ty)) if ty.is_integer())) {
+        let ty = tag.ty.map(|ty| ty.to_string()).unwrap_or_default();
+        out.word(
+            (0, 0),
+            CompletionKind::Constant,
+            &tag.name,
+            &ty,
+            Topic::Tag(0, tag.name.to_string()),
+        );
     }
 }
 
 fn types(typing: &Typing<'_>, out: &mut Proposals<'_>) {
     let before = typing.text[..typing.word.start].trim_end();
+    let of_elements = before.to_ascii_uppercase().ends_with("OF");
     for word in TYPES {
         out.word(
             (0, 0),
@@ -155,9 +173,7 @@ fn types(typing: &Typing<'_>, out: &mut Proposals<'_>) {
         let name = &ty.declaration.name;
         out.word((0, 0), CompletionKind::Type, name, detail, Topic::Nothing);
     }
-    if before.to_ascii_uppercase().ends_with("OF") {
-        return;
-    }
+    blocks(typing, out);
     let array = Snippet::default()
         .text("ARRAY[")
         .stop("1")
@@ -166,14 +182,16 @@ fn types(typing: &Typing<'_>, out: &mut Proposals<'_>) {
         .text("] OF ")
         .stop("INT")
         .end();
-    out.snippet(
-        (0, 1),
-        CompletionKind::Type,
-        "ARRAY",
-        "a row of elements",
-        array,
-        Topic::Keyword("ARRAY".to_owned()),
-    );
+    if !of_elements {
+        out.snippet(
+            (0, 1),
+            CompletionKind::Type,
+            "ARRAY",
+            "a row of elements",
+            array,
+            Topic::Keyword("ARRAY".to_owned()),
+        );
+    }
     for state in StateType::ALL {
         let detail = if state.is_timer() {
             "timer"
@@ -189,6 +207,21 @@ fn types(typing: &Typing<'_>, out: &mut Proposals<'_>) {
             detail,
             Topic::Keyword(state.name().to_owned()),
         );
+    }
+}
+
+/// User-defined blocks, for tags that keep the state of one.
+fn blocks(typing: &Typing<'_>, out: &mut Proposals<'_>) {
+    let own = typing.context.user_blocks.iter().map(|block| block.name.as_str());
+    let others = typing
+        .context
+        .others
+        .all_blocks()
+        .map(|(_, block)| block.facts.name.as_str());
+    let mut seen = FxHashSet::default();
+    for name in own.chain(others).filter(|name| seen.insert(Name::new(name))) {
+        let topic = Topic::UserBlock(name.to_owned());
+        out.word((2, 0), CompletionKind::UserBlock, name, "state of a block", topic);
     }
 }
 

@@ -2,13 +2,15 @@
 
 use super::item::{CompletionKind, Topic};
 use super::proposals::Proposals;
+use crate::hover::block_named;
 use crate::typing::{Operand, Typing};
 use crate::wanted::{Wanted, rank, scalar_rank, wanted, whole_type};
-use ladder_analysis::program::SystemTag;
+use ladder_analysis::program::{ParameterKind, SystemTag};
 use ladder_analysis::state_member;
-use ladder_analysis::values::compound::{Compound, Enumeration, Structure};
+use ladder_analysis::values::compound::{Compound, Enumeration};
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_instructions::{Semantics, StateType};
+use ladder_syntax::Name;
 
 /// The members by their names in IEC 61131-3, then the other names that controllers have for them.
 const MEMBERS: [(&str, &str); 20] = [
@@ -51,13 +53,24 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, out: &mut Proposal
         Some(Type::State(state)) => members(typing.context.profile.semantics(), state, wanted.as_ref(), out),
         Some(Type::Scalar(ty)) if ty.is_integer() || ty.is_bits() => bits(ty, out),
         Some(Type::Compound(id)) => {
-            if let Compound::Structure(structure) = id.get() {
-                of_structure(
-                    typing.context.profile.semantics(),
-                    &structure,
-                    wanted.as_ref(),
-                    out,
-                );
+            let semantics = typing.context.profile.semantics();
+            match id.get() {
+                Compound::Structure(structure) => {
+                    let members = structure.members.iter().map(|member| (&*member.name, member.ty));
+                    typed(semantics, members, wanted.as_ref(), out);
+                }
+                Compound::Block(name) => {
+                    let Some(block) = block_named(typing.context, &Name::new(&name)) else {
+                        return;
+                    };
+                    let shown = block
+                        .parameters
+                        .iter()
+                        .filter(|it| it.kind != ParameterKind::InOut);
+                    let members = shown.filter_map(|it| Some((it.name.as_str(), it.ty?)));
+                    typed(semantics, members, wanted.as_ref(), out);
+                }
+                Compound::Array(_) => {}
             }
         }
         None => {
@@ -69,17 +82,23 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, out: &mut Proposal
     }
 }
 
-fn of_structure(
+/// Members of a structure, or inputs and outputs of a block, with their types.
+fn typed<'m>(
     semantics: &Semantics,
-    structure: &Structure,
+    members: impl Iterator<Item = (&'m str, Type)>,
     wanted: Option<&Wanted>,
     out: &mut Proposals<'_>,
 ) {
-    for member in &structure.members {
-        let fits = wanted.map_or(Some(0), |wanted| rank(semantics, wanted, member.ty));
+    for (name, ty) in members {
+        let fits = wanted.map_or(Some(0), |wanted| rank(semantics, wanted, ty));
         let order = (fits.unwrap_or(u8::MAX), 0);
-        let ty = member.ty.to_string();
-        out.word(order, CompletionKind::Member, &member.name, &ty, Topic::Nothing);
+        out.word(
+            order,
+            CompletionKind::Member,
+            name,
+            &ty.to_string(),
+            Topic::Nothing,
+        );
     }
 }
 

@@ -7,6 +7,7 @@
 mod blocks;
 mod drawings;
 mod expression;
+mod initial;
 mod item;
 mod keywords;
 mod members;
@@ -65,6 +66,8 @@ fn is_welcome(typing: &Typing<'_>, trigger: char) -> bool {
         CursorContext::Declaration(place) => match trigger {
             ':' => *place == Declaration::Type,
             '%' => *place == Declaration::Address,
+            '$' => *place == Declaration::Type,
+            '(' | '[' => *place == Declaration::Initial,
             _ => false,
         },
         CursorContext::LineStart | CursorContext::Wire => false,
@@ -84,6 +87,11 @@ fn in_operand(typing: &Typing<'_>, operand: &Operand, out: &mut Proposals<'_>) -
     if operand.member_of.is_some() {
         members::propose(typing, operand, out);
         return after;
+    }
+    let is_first = operand.before.is_empty() && operand.state.is_none() && operand.name.is_none();
+    if is_first && !operand.after_value && operand.open.is_empty() && operand.head.starts_with('$') {
+        let wanted = wanted(typing, operand);
+        tags::states(typing, &operand.head, wanted.as_ref(), out);
     }
     let Some(wanted) = wanted(typing, operand) else {
         if operand.after_value {

@@ -71,6 +71,35 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
     }
 }
 
+/// Tags that keep the state of a user-defined block, or that have parts that do.
+///
+/// Those that fit what is `wanted` otherwise are proposed for that.
+pub(super) fn states(typing: &Typing<'_>, block: &str, wanted: Option<&Wanted>, out: &mut Proposals<'_>) {
+    let key = Name::new(block);
+    let is_state = |ty: Type| match ty {
+        Type::Compound(id) => id.block().is_some_and(|block| Name::new(&block) == key),
+        _ => false,
+    };
+    let tags = typing.context.scopes[typing.scope].tags.iter();
+    for tag in tags.map(|tag| typing.context.shared(tag)) {
+        let Some(ty) = tag.ty.filter(|ty| ty.keeps_state()) else {
+            continue;
+        };
+        let semantics = typing.context.profile.semantics();
+        if wanted.is_some_and(|wanted| rank(semantics, wanted, ty).is_some()) {
+            continue;
+        }
+        let fits = match () {
+            () if is_state(ty) => 0,
+            () if ty.column_list().iter().any(|column| is_state(column.ty)) => 2,
+            () => continue,
+        };
+        if out.may_be(&tag.name) {
+            propose_tag(typing, tag, (fits, 0), out);
+        }
+    }
+}
+
 /// This many of the tags that have a rank, in their order. `ranked` is asked with whether there are as many that begin as is
 /// written: then no others are needed.
 fn best<'c>(

@@ -16,6 +16,8 @@ pub(crate) enum Declaration {
     Address,
     /// After the colon.
     Type,
+    /// Inside of ARRAY's bounds.
+    Bounds,
     /// After ARRAY with its bounds.
     Of,
     /// After `:=`.
@@ -39,10 +41,10 @@ pub(super) fn declaration(tokens: &[Token], typing: &Typing<'_>) -> Option<Decla
                 Declaration::Names(false)
             }
             SyntaxKind::SEMICOLON => Declaration::Names(alone),
-            SyntaxKind::R_BRACKET if matches!(place, Declaration::Type) => Declaration::Of,
+            SyntaxKind::L_BRACKET if place == Declaration::Type => Declaration::Bounds,
+            SyntaxKind::R_BRACKET if place == Declaration::Bounds => Declaration::Of,
             _ if matches!(place, Declaration::Names(_)) => Declaration::AfterNames,
-            // After a type, or inside its bounds, nothing is to be named.
-            SyntaxKind::L_BRACKET => place,
+            // After a type nothing is to be named.
             _ => place,
         };
     }

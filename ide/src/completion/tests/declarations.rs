@@ -57,22 +57,22 @@ fn declarations() {
     check(
         "VAR\n    a : $0\nEND_VAR\n",
         expect![[r#"
-        BOOL           type
-        INT            type
-        DINT           type
-        REAL           type
-        TIME           type
-        BYTE           type
-        WORD           type
-        DWORD          type
-        LWORD          type
-        SINT           type
-        LINT           type
-        USINT          type
-        UINT           type
-        UDINT          type
-        ... 32 in all
-    "#]],
+            BOOL           type
+            INT            type
+            DINT           type
+            REAL           type
+            TIME           type
+            BYTE           type
+            WORD           type
+            DWORD          type
+            LWORD          type
+            SINT           type
+            LINT           type
+            USINT          type
+            UINT           type
+            UDINT          type
+            ... 47 in all
+        "#]],
     );
     check(
         "VAR\n    a : ARRAY[1..8] $0\nEND_VAR\n",
@@ -83,22 +83,22 @@ fn declarations() {
     check(
         "VAR\n    a : ARRAY[1..8] OF $0\nEND_VAR\n",
         expect![[r#"
-        BOOL           type
-        INT            type
-        DINT           type
-        REAL           type
-        TIME           type
-        BYTE           type
-        WORD           type
-        DWORD          type
-        LWORD          type
-        SINT           type
-        LINT           type
-        USINT          type
-        UINT           type
-        UDINT          type
-        ... 20 in all
-    "#]],
+            BOOL           type
+            INT            type
+            DINT           type
+            REAL           type
+            TIME           type
+            BYTE           type
+            WORD           type
+            DWORD          type
+            LWORD          type
+            SINT           type
+            LINT           type
+            USINT          type
+            UINT           type
+            UDINT          type
+            ... 46 in all
+        "#]],
     );
     check(
         "VAR\n    a $0\nEND_VAR\n",
