@@ -2,9 +2,10 @@
 
 use super::file::Scenarios;
 use super::hover::keyword;
+use super::members::after_point;
 use super::named_by_rows::tags_of;
 use super::place::line;
-use super::row::{stem_of, value_type};
+use super::row::{Files, stem_of, value_type};
 use super::used::used_files;
 use crate::completion::{Completion, CompletionKind, Completions, Snippet, Topic};
 use ladder_analysis::program::SystemTag;
@@ -164,15 +165,22 @@ fn tags(
 ) {
     let Some(program) = scenarios.program else { return };
     let first = time_above(scenario, offset).map_or(0, |time| time.first);
-    let has_row = |name: &str, direction: Direction| {
+    let has_row = |name: &str, direction: Option<Direction>| {
         let mut rows = scenario.rows.iter();
         rows.any(|row| {
-            row.direction == direction
+            Some(row.direction) == direction
                 && row.first == first
                 && Name::new(&row.name) == Name::new(name)
                 && !row.range.contains_inclusive(offset)
         })
     };
+    if let Some(members) = Files::of(scenarios).and_then(|files| after_point(files, written)) {
+        for it in members {
+            let text = row_text(&it.name, it.direction, out);
+            out.add(it.kind, &it.name, &it.detail, text, it.topic);
+        }
+        return;
+    }
     let used = used_files(program, scenarios.workspace);
     let mut found = Vec::new();
     for own in tags_of(program, "") {
@@ -191,7 +199,7 @@ fn tags(
     if Name::new(written).as_str().starts_with("sys") {
         for tag in SystemTag::ALL {
             let name = format!("SYS.{}", tag.name());
-            let text = row_text(&name, Direction::Expected, out);
+            let text = row_text(&name, Some(Direction::Expected), out);
             out.add(
                 CompletionKind::Constant,
                 &name,
@@ -210,11 +218,11 @@ fn tags(
 }
 
 /// A tag and what is between it and its values, where nothing follows yet.
-fn row_text(name: &str, direction: Direction, out: &Proposals) -> Snippet {
+fn row_text(name: &str, direction: Option<Direction>, out: &Proposals) -> Snippet {
     let after = match direction {
-        _ if !out.ends_line => "",
-        Direction::Given => " ",
-        Direction::Expected => " => ",
+        Some(Direction::Given) if out.ends_line => " ",
+        Some(Direction::Expected) if out.ends_line => " => ",
+        _ => "",
     };
     Snippet::plain_text(format!("{name}{after}"))
 }
@@ -282,6 +290,11 @@ fn in_row(
         return levels(scenario, start, out);
     }
     out.value(".", "as before; not checked");
+    if let Scalar::Enum(id) = ty {
+        for (name, _) in &id.get().values {
+            out.value(name, "a value");
+        }
+    }
     let values: &[(&str, &'static str)] = match ty {
         Scalar::Time => &[
             ("0ms", "a duration"),

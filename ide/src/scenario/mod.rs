@@ -8,6 +8,7 @@ mod completion;
 mod edits;
 mod file;
 mod hover;
+mod members;
 mod named_by_rows;
 mod navigate;
 mod outline;

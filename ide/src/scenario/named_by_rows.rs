@@ -20,7 +20,8 @@ const COLUMNS: usize = 64;
 pub(super) struct Proposed {
     pub(super) order: u8,
     pub(super) name: String,
-    pub(super) direction: Direction,
+    /// None: its name goes on.
+    pub(super) direction: Option<Direction>,
     pub(super) kind: CompletionKind,
     pub(super) detail: String,
     pub(super) topic: Topic,
@@ -57,7 +58,7 @@ pub(super) fn tags_of(file: &Context, stem: &str) -> Vec<Proposed> {
             found.push(Proposed {
                 order: order + u8::from(!is_tag) * 2,
                 name,
-                direction,
+                direction: Some(direction),
                 kind: if is_tag {
                     CompletionKind::Tag
                 } else {

@@ -63,6 +63,14 @@ impl<'c> Files<'c> {
         }
     }
 
+    /// The body of a block that a file knows: its file and scope.
+    pub(super) fn body(&self, file: &Context, block: &Name) -> Option<(File<'c>, usize)> {
+        let home = self.named(&*block_file(file, block)?)?;
+        let own = home.user_blocks[..home.own_blocks].iter();
+        let (_, scope) = own.zip(1..).find(|(facts, _)| facts.key == *block)?;
+        Some((home, scope))
+    }
+
     /// The file whose tags have this before their names.
     fn with_stem(&self, stem: &Name, tag: &Name) -> Option<File<'c>> {
         let is_it = |file: &Context| Name::new(stem_of(&file.name)) == *stem;
@@ -86,15 +94,20 @@ pub(super) struct Named<'c> {
     tag: usize,
     /// All that has a name in the row's: where it is, and what.
     pub(super) words: Vec<(Range<usize>, Symbol)>,
-    /// The type of the value; none of a whole that has parts.
-    pub(super) ty: Option<Scalar>,
+    /// The type; none if something is missing.
+    pub(super) whole: Option<Type>,
     /// The file in which the names of that type were looked up.
-    type_file: File<'c>,
+    pub(super) type_file: File<'c>,
 }
 
 impl Named<'_> {
     pub(super) fn tag(&self) -> &TagFacts {
         &self.file.scopes[self.scope].tags[self.tag]
+    }
+
+    /// The type of the value; none of a whole that has parts.
+    pub(super) fn ty(&self) -> Option<Scalar> {
+        self.whole?.scalar()
     }
 
     /// What is named at a place of the row's name.
@@ -105,7 +118,7 @@ impl Named<'_> {
 
     /// What the cells of a row name: values, and types before them.
     pub(super) fn in_cells(&self, row: &Row) -> Vec<(TextRange, Symbol)> {
-        let Some(ty @ Scalar::Enum(_)) = self.ty else {
+        let Some(ty @ Scalar::Enum(_)) = self.ty() else {
             return Vec::new();
         };
         let Some(name) = declared_name(Type::Scalar(ty)) else {
@@ -189,10 +202,8 @@ fn in_places<'c>(files: Files<'c>, name: &str) -> Option<Named<'c>> {
         let end = at + name[at..].find('.')?;
         let block = at..at + name[at..end].find('#')?;
         let key = Name::new(&name[block.clone()]);
-        let of = block_file(&file, &key)?;
-        file = files.named(&of)?;
-        let own = file.user_blocks[..file.own_blocks].iter();
-        scope = own.zip(1..).find(|(facts, _)| facts.key == key)?.1;
+        (file, scope) = files.body(&file, &key)?;
+        let of = Arc::clone(&file.name);
         words.push((block, Symbol::Block { file: of, name: key }));
         at = end + 1;
     }
@@ -232,7 +243,7 @@ fn from_tag<'c>(
         scope,
         tag,
         words,
-        ty: reached.and_then(Reached::whole).and_then(Type::scalar),
+        whole: reached.and_then(Reached::whole),
         type_file: seen_from,
     })
 }
@@ -255,13 +266,10 @@ fn after_member<'c>(
         return Some((file.clone(), member_type(file, ty, member)?));
     };
     // A scenario sees all tags of a block, those that are its own too.
-    let home = files.named(&block_file(file, &Name::new(&block))?)?;
+    let (home, scope) = files.body(file, &Name::new(&block))?;
     let symbol = member_of(&home, ty, member)?;
-    let Symbol::Tag { scope, name, .. } = &symbol else {
-        return None;
-    };
-    let scope = home.scopes.get(*scope)?;
-    let ty = home.shared(&scope.tags[scope.find(name)?]).ty?;
+    let scope = &home.scopes[scope];
+    let ty = home.shared(&scope.tags[scope.find(&Name::new(member))?]).ty?;
     words.push((word, symbol));
     Some((home, ty))
 }
@@ -288,7 +296,7 @@ pub(super) fn value_type(scenarios: &Scenarios<'_>, name: &str) -> Option<Scalar
             Scalar::Lint
         });
     }
-    named(files, name)?.ty
+    named(files, name)?.ty()
 }
 
 /// The word of a row's name that begins `from` bytes after its start, without member and index.

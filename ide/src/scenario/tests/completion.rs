@@ -250,3 +250,59 @@ fn a_dot_among_levels_opens_no_list() {
     assert_eq!(at("start _.$0\n"), "");
     assert!(at("warm.$0\n").contains("warm.ET|TIME"), "{}", at("warm.$0\n"));
 }
+
+#[test]
+fn members_and_values() {
+    let plant = "%% main.clad\nTYPE\n    Phase : (IDLE, FULL);\n    Cell : STRUCT\n        open  : BOOL;\n        drive : $Motor;\n        phase : Phase;\n    END_STRUCT;\nEND_TYPE\nFUNCTION_BLOCK [$Motor]\nVAR_INPUT start : BOOL; END_VAR\nVAR turns : DINT; END_VAR\n+--[ ]( start )--[ADD]( turns, turns, 1 )--+\nEND_FUNCTION_BLOCK\nVAR m1 : $Motor; cell : ARRAY[1..40] OF Cell; END_VAR\n+--[$Motor]( m1, a )--+\n";
+    let check = |rows: &str, expected: Expect| {
+        let text = format!("{HEAD}{rows}");
+        let at = text.find("$0").expect("a cursor");
+        let text = text.replacen("$0", "", 1);
+        let fixture = Fixture::new(&format!("{plant}%% main.ladder-test\n{text}"));
+        let asked = Scenarios {
+            text: &text,
+            suite: &parse(&text),
+            program: Some(&fixture.files[0].0.context),
+            workspace: &fixture.others(0),
+        };
+        let found = scenario_completions(&asked, TextSize::new(at as u32), &[], None);
+        let shown = found
+            .items
+            .iter()
+            .take(6)
+            .map(|it| format!("{}|{}|{}\n", it.label, it.detail, it.text.snippet()));
+        expected.assert_eq(&shown.collect::<Vec<_>>().concat());
+    };
+    check("cell[30].$0", expect![[r#"
+        cell[30].open|BOOL|cell[30].open => 
+        cell[30].drive|$Motor|cell[30].drive
+        cell[30].phase|Phase|cell[30].phase => 
+        time||time 
+        scenario||scenario "${1:what is shown}"
+        $0
+    "#]]);
+    check("cell[30].drive.t$0", expect![[r#"
+        cell[30].drive.start|BOOL|cell[30].drive.start => 
+        cell[30].drive.turns|DINT|cell[30].drive.turns => 
+        time||time 
+        scenario||scenario "${1:what is shown}"
+        $0
+    "#]]);
+    check("m1.$0", expect![[r#"
+        m1.start|BOOL|m1.start => 
+        m1.turns|DINT|m1.turns => 
+        time||time 
+        scenario||scenario "${1:what is shown}"
+        $0
+    "#]]);
+    check("cell[2].phase => $0", expect![[r#"
+        .|as before; not checked|.
+        IDLE|a value|IDLE
+        FULL|a value|FULL
+    "#]]);
+    check("cell[2].phase => IDLE F$0", expect![[r#"
+        .|as before; not checked|.
+        IDLE|a value|IDLE
+        FULL|a value|FULL
+    "#]]);
+}
