@@ -12,9 +12,11 @@
 mod allow;
 mod circuits;
 mod declare_tags;
+mod declared;
 mod drawing;
 mod extract_block;
 mod extract_function;
+mod extract_structure;
 mod fixes;
 mod flow;
 mod inline_block;
@@ -28,6 +30,7 @@ mod place;
 mod redraw;
 mod region;
 mod remove_branch;
+mod scenarios;
 mod split_network;
 mod suggestions;
 mod toggle;
@@ -37,11 +40,15 @@ pub use allow::may_be_switched_off;
 pub use fixes::{fix_all, quick_fixes};
 pub use redraw::{Redraw, Redrawn, redraw};
 
+use crate::neighbour::Workspace;
+use crate::rename::Renamed;
 use ladder_analysis::findings::fix;
 use ladder_analysis::{Analysis, Applicability, Fix};
 use ladder_format::{Edit, Options};
 use ladder_syntax::TextRange;
 use place::Selected;
+use scenarios::InScenarios;
+use std::sync::Arc;
 
 /// What an action is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -77,6 +84,7 @@ pub struct Action {
     /// What it is for.
     pub kind: ActionKind,
     work: Work,
+    scenarios: InScenarios,
     /// Why it cannot be done here, though it looks as if it could.
     pub disabled: Option<String>,
     /// The finding that it fixes, as an index into the analysis' diagnostics.
@@ -102,11 +110,17 @@ impl Action {
             title: title.into(),
             kind,
             work,
+            scenarios: InScenarios::Nothing,
             disabled: None,
             finding: None,
             made_up: None,
             preferred: false,
         }
+    }
+
+    /// The same action, which changes what scenarios name.
+    fn in_scenarios(self, scenarios: InScenarios) -> Action {
+        Action { scenarios, ..self }
     }
 
     /// The same action, which makes up a name.
@@ -139,6 +153,24 @@ impl Action {
         let fix = Fix::new(Applicability::Safe, "", self.edits(analysis));
         fix::aligned(text, &fix, options)
     }
+
+    /// The same edits, and those of all files of scenarios, where the action changes what they name.
+    pub fn everywhere(
+        &self,
+        analysis: &Analysis,
+        text: &str,
+        options: &Options,
+        workspace: &dyn Workspace,
+    ) -> Vec<Renamed> {
+        let context = &analysis.context;
+        let own = Renamed {
+            file: Arc::clone(&context.name),
+            edits: self.aligned(analysis, text, options),
+        };
+        let mut files = vec![own];
+        files.extend(self.scenarios.edits(context, workspace));
+        files
+    }
 }
 
 /// The refactorings that are offered for a selection, or a cursor where it is empty.
@@ -156,6 +188,7 @@ pub fn refactorings(analysis: &Analysis, range: TextRange) -> Vec<Action> {
         declare_tags::offer,
         extract_function::offer,
         extract_block::offer,
+        extract_structure::offer,
         inline_function::offer,
         inline_block::offer,
     ] {

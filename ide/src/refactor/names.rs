@@ -2,7 +2,7 @@
 
 use ladder_analysis::context::Context;
 use ladder_analysis::networks::network::BoundBlock;
-use ladder_syntax::Name;
+use ladder_syntax::{Name, is_declaration_keyword, is_reserved};
 
 /// A name for a new tag of a scope that no tag has.
 pub(crate) fn new_tag(context: &Context, taken: &[String], base: &str) -> String {
@@ -27,6 +27,27 @@ pub(crate) fn new_block(context: &Context) -> String {
         context.user_blocks.iter().any(|block| block.key == *name)
             || context.others.blocks(name).next().is_some()
     })
+}
+
+/// A name for a new type that no type of the workspace has.
+pub(crate) fn new_type(context: &Context, base: &str) -> String {
+    let is_taken = |name: &str| {
+        context.types.find(name).is_some()
+            || is_reserved(name)
+            || is_declaration_keyword(name)
+            || is_prefix(name)
+    };
+    if !is_taken(base) {
+        return base.to_owned();
+    }
+    numbered(base, "_", |name| is_taken(name.as_str()))
+}
+
+/// Whether a word before `#` begins a literal.
+fn is_prefix(name: &str) -> bool {
+    ["T", "D", "LTIME", "TIME_OF_DAY", "DATE_AND_TIME"]
+        .iter()
+        .any(|word| word.eq_ignore_ascii_case(name))
 }
 
 fn numbered(base: &str, between: &str, exists: impl Fn(&Name) -> bool) -> String {

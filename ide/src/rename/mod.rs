@@ -10,6 +10,8 @@ mod layout;
 mod scenarios;
 mod spelling;
 
+pub(crate) use scenarios::in_columns;
+
 use crate::body::file_text;
 use crate::neighbour::Workspace;
 use crate::outline::text_of;

@@ -17,7 +17,7 @@ use std::sync::Arc;
 
 /// A file of the workspace.
 #[derive(Clone)]
-pub(super) enum File<'c> {
+pub(crate) enum File<'c> {
     /// One that is known already.
     Known(&'c Context),
     /// One that the workspace has.
@@ -83,7 +83,7 @@ impl<'c> Files<'c> {
 }
 
 /// What a row names.
-pub(super) struct Named<'c> {
+pub(crate) struct Named<'c> {
     /// The tag, and where its name is in the row's: without the file's name, member or index.
     pub(super) symbol: Symbol,
     pub(super) name: Range<usize>,
@@ -93,7 +93,7 @@ pub(super) struct Named<'c> {
     scope: usize,
     tag: usize,
     /// All that has a name in the row's: where it is, and what.
-    pub(super) words: Vec<(Range<usize>, Symbol)>,
+    pub(crate) words: Vec<(Range<usize>, Symbol)>,
     /// The type; none if something is missing.
     pub(super) whole: Option<Type>,
     /// The file in which the names of that type were looked up.
@@ -317,23 +317,61 @@ pub(crate) struct InRow<'s> {
     pub(crate) in_cells: Vec<TextRange>,
 }
 
-/// Where scenarios name a symbol.
+/// Where a row names a symbol.
+fn in_row<'s>(row: &'s Row, named: &Named<'_>, symbol: &Symbol) -> InRow<'s> {
+    let words = named.words.iter().filter(|(_, it)| it == symbol);
+    let cells = named.in_cells(row).into_iter().filter(|(_, it)| it == symbol);
+    InRow {
+        row,
+        in_name: words.map(|(word, _)| within(row.range, word)).collect(),
+        in_cells: cells.map(|(range, _)| range).collect(),
+    }
+}
+
+/// The rows of scenarios that name a symbol.
 fn rows<'s>(suite: &'s Suite, files: Files<'_>, symbol: &Symbol) -> Vec<InRow<'s>> {
     let rows = suite.scenarios.iter().flat_map(|scenario| &scenario.rows);
-    let found = rows.filter_map(|row| {
-        let named = named(files, &row.name)?;
-        let words = named.words.iter().filter(|(_, it)| it == symbol);
-        let cells = named.in_cells(row).into_iter().filter(|(_, it)| it == symbol);
-        Some(InRow {
-            row,
-            in_name: words.map(|(word, _)| within(row.range, word)).collect(),
-            in_cells: cells.map(|(range, _)| range).collect(),
-        })
-    });
+    let found = rows.filter_map(|row| Some(in_row(row, &named(files, &row.name)?, symbol)));
     found.collect()
 }
 
-/// The same of a file of scenarios, for one who asks about `own`, a file that the workspace does not show.
+/// Shows each row of a file of scenarios, with what it names, to one who asks about `own`, a file that the workspace does not
+/// show. Nothing of a file that has none of these names.
+pub(crate) fn each_row<'s>(
+    file: &'s ScenarioFile,
+    names: &[&Name],
+    own: &Context,
+    workspace: &dyn Workspace,
+    look: &mut dyn FnMut(&'s Row, &Named<'_>),
+) {
+    let Some(program) = &file.program else { return };
+    // To know a program takes time.
+    if !names.iter().any(|name| mentions(&file.text, name)) {
+        return;
+    }
+    let other;
+    let program = if own.is_called(program) {
+        own
+    } else {
+        other = workspace.file(program);
+        match &other {
+            Some(program) => program,
+            None => return,
+        }
+    };
+    let files = Files {
+        program,
+        own,
+        workspace,
+    };
+    for row in file.suite.scenarios.iter().flat_map(|scenario| &scenario.rows) {
+        if let Some(named) = named(files, &row.name) {
+            look(row, &named);
+        }
+    }
+}
+
+/// The rows of a file of scenarios that name a symbol, for one who asks about `own`.
 pub(crate) fn rows_naming<'s>(
     file: &'s ScenarioFile,
     symbol: &Symbol,
@@ -349,29 +387,12 @@ pub(crate) fn rows_naming<'s>(
             | Symbol::Type { .. }
             | Symbol::Part { .. }
     );
-    let (Some(name), Some(program)) = (symbol.name(), &file.program) else {
-        return Vec::new();
-    };
-    // To know a program takes time.
-    if !is_named_outside || !mentions(&file.text, name) {
-        return Vec::new();
+    let mut found = Vec::new();
+    if let Some(name) = symbol.name().filter(|_| is_named_outside) {
+        let mut look = |row: &'s Row, named: &Named<'_>| found.push(in_row(row, named, symbol));
+        each_row(file, &[name], own, workspace, &mut look);
     }
-    let other;
-    let program = if own.is_called(program) {
-        own
-    } else {
-        other = workspace.file(program);
-        match &other {
-            Some(program) => program,
-            None => return Vec::new(),
-        }
-    };
-    let files = Files {
-        program,
-        own,
-        workspace,
-    };
-    rows(&file.suite, files, symbol)
+    found
 }
 
 /// Where a file of scenarios names a symbol, in the order of its text.

@@ -7,6 +7,7 @@ mod latches;
 mod networks;
 mod pasted;
 mod redraw;
+mod structures;
 mod suggestions;
 mod toggles;
 

@@ -273,36 +273,51 @@ fn members_and_values() {
             .map(|it| format!("{}|{}|{}\n", it.label, it.detail, it.text.snippet()));
         expected.assert_eq(&shown.collect::<Vec<_>>().concat());
     };
-    check("cell[30].$0", expect![[r#"
+    check(
+        "cell[30].$0",
+        expect![[r#"
         cell[30].open|BOOL|cell[30].open => 
         cell[30].drive|$Motor|cell[30].drive
         cell[30].phase|Phase|cell[30].phase => 
         time||time 
         scenario||scenario "${1:what is shown}"
         $0
-    "#]]);
-    check("cell[30].drive.t$0", expect![[r#"
+    "#]],
+    );
+    check(
+        "cell[30].drive.t$0",
+        expect![[r#"
         cell[30].drive.start|BOOL|cell[30].drive.start => 
         cell[30].drive.turns|DINT|cell[30].drive.turns => 
         time||time 
         scenario||scenario "${1:what is shown}"
         $0
-    "#]]);
-    check("m1.$0", expect![[r#"
+    "#]],
+    );
+    check(
+        "m1.$0",
+        expect![[r#"
         m1.start|BOOL|m1.start => 
         m1.turns|DINT|m1.turns => 
         time||time 
         scenario||scenario "${1:what is shown}"
         $0
-    "#]]);
-    check("cell[2].phase => $0", expect![[r#"
+    "#]],
+    );
+    check(
+        "cell[2].phase => $0",
+        expect![[r#"
         .|as before; not checked|.
         IDLE|a value|IDLE
         FULL|a value|FULL
-    "#]]);
-    check("cell[2].phase => IDLE F$0", expect![[r#"
+    "#]],
+    );
+    check(
+        "cell[2].phase => IDLE F$0",
+        expect![[r#"
         .|as before; not checked|.
         IDLE|a value|IDLE
         FULL|a value|FULL
-    "#]]);
+    "#]],
+    );
 }
