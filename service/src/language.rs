@@ -12,7 +12,7 @@ use ladder_ide::{
     Completions, SignatureHelp, Token, Topic, completions, documentation, semantic_tokens,
     semantic_tokens_of, signature_help,
 };
-use ladder_ide::{Inlay, Lens};
+use ladder_ide::{Inlay, Lens, Renamed, Workspace};
 use ladder_syntax::{Parse, TextRange, TextSize};
 
 /// What one text says: its names, networks and blocks. Enough for most that is asked while a program is typed.
@@ -120,9 +120,16 @@ impl Analysis {
         &self.whole
     }
 
-    /// The edits of an action, with the drawing around them put straight. `text` is the text that was checked.
-    pub(crate) fn aligned(&self, action: &Action, text: &str, options: &Options) -> Vec<Edit> {
-        action.aligned(&self.whole, text, options)
+    /// The edits of an action in all files that it changes, with the drawing around them put straight. `text` is the text that
+    /// was checked.
+    pub(crate) fn everywhere(
+        &self,
+        action: &Action,
+        text: &str,
+        options: &Options,
+        workspace: &dyn Workspace,
+    ) -> Vec<Renamed> {
+        action.everywhere(&self.whole, text, options, workspace)
     }
 
     /// What can be done, of the kinds that are wanted, with what a range selects, and against the problems in another.

@@ -128,6 +128,11 @@ fn parameters(context: &Context, on: &OnNetwork<'_>, blocks: &[usize]) -> Result
             .ty
             .filter(|_| !tag.mistyped)
             .ok_or_else(|| format!("the type of `{name}` is not known"))?;
+        if keeps_block(ty) {
+            return Err(format!(
+                "`{name}` keeps the state of a block, which stays where it is"
+            ));
+        }
         let read_only = uses.iter().all(|place| !place.access.writes());
         let section = match ty {
             Type::Scalar(_) if read_only => SectionKind::Input,
@@ -147,6 +152,12 @@ fn parameters(context: &Context, on: &OnNetwork<'_>, blocks: &[usize]) -> Result
         _ => 2,
     });
     Ok(parameters)
+}
+
+/// Whether the state of a user-defined block is in a tag of a type.
+fn keeps_block(ty: Type) -> bool {
+    let is_block = |ty: Type| matches!(ty, Type::Compound(id) if id.block().is_some());
+    ty.keeps_state() && ty.column_list().iter().any(|column| is_block(column.ty))
 }
 
 /// A shared tag counts the uses in all scopes; an alias of it, its own.

@@ -47,6 +47,13 @@ fn inlined(
     if place.analysis.has_errors() {
         return Err("fix the errors of the file first".to_owned());
     }
+    if call
+        .formals
+        .iter()
+        .any(|formal| matches!(formal, Formal::Instance))
+    {
+        return Err("its state belongs to a tag that others may read".to_owned());
+    }
     let body = body(context, definition)?;
     let text = on
         .items

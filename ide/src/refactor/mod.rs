@@ -21,8 +21,10 @@ mod fixes;
 mod flow;
 mod inline_block;
 mod inline_function;
+mod inline_structure;
 mod insert_branch;
 mod latch;
+mod named_state;
 mod names;
 mod parallel;
 mod passing;
@@ -191,6 +193,8 @@ pub fn refactorings(analysis: &Analysis, range: TextRange) -> Vec<Action> {
         extract_structure::offer,
         inline_function::offer,
         inline_block::offer,
+        inline_structure::offer,
+        named_state::offer,
     ] {
         offer(&place, &mut actions);
     }

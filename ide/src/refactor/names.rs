@@ -50,7 +50,8 @@ fn is_prefix(name: &str) -> bool {
         .any(|word| word.eq_ignore_ascii_case(name))
 }
 
-fn numbered(base: &str, between: &str, exists: impl Fn(&Name) -> bool) -> String {
+/// A base with the first number that makes a name of it which does not exist.
+pub(crate) fn numbered(base: &str, between: &str, exists: impl Fn(&Name) -> bool) -> String {
     let mut number = 1;
     loop {
         let name = format!("{base}{between}{number}");

@@ -19,15 +19,17 @@ pub(super) enum InScenarios {
     Tags(Vec<(Symbol, String)>),
     /// Each member of a tag becomes a tag.
     Members(Symbol, Vec<(Name, String)>),
-    /// A block by its place, `$Motor#2`, becomes a tag; those of its name after it go down by one.
-    Instance {
-        /// The block.
-        block: Symbol,
-        /// The number of the place.
-        place: usize,
-        /// The tag.
-        tag: String,
-    },
+    /// The state of a place becomes a tag; places of the block after it go down by one.
+    Instance { place: Place, tag: String },
+}
+
+/// A place of a block: `$Motor#2`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Place {
+    pub(super) block: Symbol,
+    /// The block in whose body it is.
+    pub(super) outer: Option<Symbol>,
+    pub(super) number: usize,
 }
 
 impl InScenarios {
@@ -36,7 +38,8 @@ impl InScenarios {
         let symbols: Vec<&Symbol> = match self {
             InScenarios::Nothing => Vec::new(),
             InScenarios::Tags(tags) => tags.iter().map(|(symbol, _)| symbol).collect(),
-            InScenarios::Members(symbol, _) | InScenarios::Instance { block: symbol, .. } => vec![symbol],
+            InScenarios::Members(symbol, _) => vec![symbol],
+            InScenarios::Instance { place, .. } => vec![&place.block],
         };
         symbols.into_iter().filter_map(Symbol::name).collect()
     }
@@ -57,15 +60,17 @@ impl InScenarios {
                 let (_, new) = members.iter().find(|(name, _)| *name == member)?;
                 Some((whole.start..part.end, new.clone()))
             }
-            InScenarios::Instance { block, place, tag } => {
-                let (word, _) = words
-                    .next()
-                    .filter(|(word, symbol)| word.start == 0 && symbol == block)?;
+            InScenarios::Instance { place, tag } => {
+                let is_it = |index: &usize| {
+                    let outer = index.checked_sub(1).map(|outer| &named.words[outer].1);
+                    named.words[*index].1 == place.block && outer == place.outer.as_ref()
+                };
+                let (word, _) = &named.words[(0..named.words.len()).find(is_it)?];
                 let end = word.end + text[word.end..].find('.')?;
                 let number: usize = text[word.end..end].strip_prefix('#')?.parse().ok()?;
-                match number.cmp(place) {
+                match number.cmp(&place.number) {
                     std::cmp::Ordering::Less => None,
-                    std::cmp::Ordering::Equal => Some((0..end, tag.clone())),
+                    std::cmp::Ordering::Equal => Some((word.start..end, tag.clone())),
                     std::cmp::Ordering::Greater => Some((word.end..end, format!("#{}", number - 1))),
                 }
             }
@@ -80,6 +85,14 @@ impl InScenarios {
         }
         let mut changed = Vec::new();
         for file in workspace.scenarios() {
+            // Where other files are part of the program, they may have such places too.
+            let is_own = file
+                .program
+                .as_ref()
+                .is_some_and(|program| own.is_called(program));
+            if matches!(self, InScenarios::Instance { .. }) && !is_own {
+                continue;
+            }
             let mut edits = Vec::new();
             each_row(&file, &names, own, workspace, &mut |row, named| {
                 if let Some((part, text)) = self.of(&row.name, named) {

@@ -13,7 +13,7 @@ pub(crate) mod types;
 pub(crate) use declared::{DeclaredName, declared_names};
 pub(crate) use everywhere::{everywhere, in_files_of};
 pub(crate) use find::{Found, find, tag_of};
-pub(crate) use occurrences::{Occurrence, block_file, block_name, occurrences};
+pub(crate) use occurrences::{Occurrence, block_file, block_name, each_node, occurrences};
 
 use ladder_analysis::context::Body;
 use ladder_analysis::networks::access::Access;

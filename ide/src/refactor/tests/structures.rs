@@ -8,7 +8,7 @@ use ladder_format::{Options, apply};
 
 /// What an action makes of a program and its scenarios, which hold before and after.
 #[track_caller]
-fn kept(begin: &str, marked: &str, scenarios: &str, expected: Expect) -> String {
+fn kept(begin: &str, marked: &str, scenarios: &str) -> String {
     let (program, range) = fixture(marked);
     let before = played(&program, scenarios);
     assert!(
@@ -30,9 +30,12 @@ fn kept(begin: &str, marked: &str, scenarios: &str, expected: Expect) -> String 
         edits.map_or_else(|| old.to_owned(), |changed| apply(old, &changed.edits))
     };
     let (program, scenarios) = (new("main.clad"), new("main.ladder-test"));
-    expected.assert_eq(&format!("{}\n\n{program}\n%%\n{scenarios}", action.title));
     assert_eq!(played(&program, &scenarios), before, "{program}\n{scenarios}");
-    program
+    format!("{}\n\n{program}\n%%\n{scenarios}", action.title)
+}
+
+fn shows(shown: &str, expected: Expect) {
+    expected.assert_eq(shown);
 }
 
 const PUMPS: &str = r#"# Two pumps #
@@ -71,13 +74,62 @@ pump1_speeds[2] => 2 2 2 2 9 9
 pump1_code.1    => ------
 pump1_fault     => ______
 pump2_run       => ____--
-total           => 8 8 8 8 8 22
+total           => 8 8 8 8 22 22
 "#;
 
 #[test]
 fn tags_that_begin_alike() {
     let marked = PUMPS.replacen("pump1_wait    ", "pump1$0_wait    ", 1);
-    kept("Extract", &marked, PUMPED, expect![[r#""#]]);
+    shows(
+        &kept("Extract", &marked, PUMPED),
+        expect![[r#"
+        Extract 5 tags into the structure `Pump`
+
+        # Two pumps #
+        VAR_INPUT
+            go : BOOL;
+        END_VAR
+
+        TYPE
+            Pump : STRUCT
+                run, fault : BOOL;  # it runs; it does not #
+                wait       : TON;
+                speeds     : ARRAY[1..3] OF INT := [1, 2, 3];
+                code       : WORD               := 16#0F;
+            END_STRUCT;
+        END_TYPE
+
+        # All that is known of the pumps #
+        VAR RETAIN
+            pump1       : Pump;
+            pump2_run   : BOOL;
+            pump2_fault : BOOL;
+            k           : INT := 2;
+        END_VAR
+
+        +--[ ]( go )-----[TON]( pump1.wait, 30ms )--\----------------( )( pump1.run )--+
+        |                                           /--[ADD]( pump1.speeds[k], k, 7 )--+
+        +--[ ]( pump1.wait.DN )--[/]( pump1.code.2 )---------------( )( pump1.fault )--+
+        +--[CALC]( total, SUM(pump1.speeds[1..3]) + pump1.speeds[k] )--[P]( pump1.run )------------------[BMOV]( copy[1..3], pump1.speeds[1..3] )--+
+        +--[ ]( pump1.run )----------------------(S)( pump2_run )--( )( pump2_fault )--+
+        VAR
+            copy : ARRAY[1..3] OF INT;
+        END_VAR
+
+        %%
+        program main.clad
+
+        scenario "the first pump"
+        go                 _-----
+        pump1.run       => ____--
+        pump1.wait.ET   => 0ms 0ms 10ms 20ms 30ms 30ms
+        pump1.speeds[2] => 2 2 2 2 9 9
+        pump1.code.1    => ------
+        pump1.fault     => ______
+        pump2_run       => ____--
+        total           => 8 8 8 8 22 22
+    "#]],
+    );
 }
 
 #[test]
@@ -85,7 +137,56 @@ fn tags_that_are_selected() {
     let marked = PUMPS
         .replacen("    pump1_wait ", "    pump1$0_wait ", 1)
         .replacen("pump1_speeds  ", "pu$1mp1_speeds  ", 1);
-    kept("Extract", &marked, PUMPED, expect![[r#""#]]);
+    shows(
+        &kept("Extract", &marked, PUMPED),
+        expect![[r#"
+        Extract 3 tags into the structure `Group`
+
+        # Two pumps #
+        VAR_INPUT
+            go : BOOL;
+        END_VAR
+
+        TYPE
+            Group : STRUCT
+                pump1_wait   : TON;
+                pump2_run    : BOOL;
+                pump1_speeds : ARRAY[1..3] OF INT := [1, 2, 3];
+            END_STRUCT;
+        END_TYPE
+
+        # All that is known of the pumps #
+        VAR RETAIN
+            pump1_run, pump1_fault : BOOL;  # it runs; it does not #
+            group                  : Group;
+            pump1_code             : WORD := 16#0F;
+            pump2_fault            : BOOL;
+            k                      : INT  := 2;
+        END_VAR
+
+        +--[ ]( go )-------------[TON]( group.pump1_wait, 30ms )--\----------------------( )( pump1_run )--+
+        |                                                         /--[ADD]( group.pump1_speeds[k], k, 7 )--+
+        +--[ ]( group.pump1_wait.DN )--[/]( pump1_code.2 )---------( )( pump1_fault )--+
+        +--[CALC]( total, SUM(group.pump1_speeds[1..3]) + group.pump1_speeds[k] )--[P]( pump1_run )--------------------[BMOV]( copy[1..3], group.pump1_speeds[1..3] )--+
+        +--[ ]( pump1_run )----------------(S)( group.pump2_run )--( )( pump2_fault )--+
+        VAR
+            copy : ARRAY[1..3] OF INT;
+        END_VAR
+
+        %%
+        program main.clad
+
+        scenario "the first pump"
+        go                       _-----
+        pump1_run             => ____--
+        group.pump1_wait.ET   => 0ms 0ms 10ms 20ms 30ms 30ms
+        group.pump1_speeds[2] => 2 2 2 2 9 9
+        pump1_code.1          => ------
+        pump1_fault           => ______
+        group.pump2_run       => ____--
+        total                 => 8 8 8 8 22 22
+    "#]],
+    );
 }
 
 /// A second group becomes a tag of the type that is there.
@@ -202,7 +303,9 @@ END_VAR
     .replacen("n$0_all", "n_all", 1)
     .replacen("n_up, n_all :", "n_up, n$0_all :", 1);
     let scenarios = "program main.clad\n\nscenario \"counts\"\ngo               _--\nc.n_all       => 0 1 3\n$Count#1.n_up => 0 1 2\n";
-    kept("Extract", &program, scenarios, expect![[r#"
+    shows(
+        &kept("Extract", &program, scenarios),
+        expect![[r#"
         Extract 2 tags into the structure `N`
 
         TYPE
@@ -234,5 +337,227 @@ END_VAR
         go               _--
         c.n.all       => 0 1 3
         $Count#1.n.up => 0 1 2
-    "#]]);
+    "#]],
+    );
+}
+
+/// Members become tags, each with what it has at the start.
+#[test]
+fn members_become_tags() {
+    let structured = "\
+TYPE
+    Valve : STRUCT
+        open, shut : BOOL;
+        wait       : TON;
+        spot       : ARRAY[1..2] OF INT := [5, 6];
+        phase      : Phase := FULL;
+    END_STRUCT;
+    Phase : (IDLE, FULL);
+END_TYPE
+
+VAR RETAIN
+    inlet$0 : Valve := (shut := TRUE);  # lets it in #
+    k     : INT := 1;
+END_VAR
+
++--[ ]( go )--[TON]( inlet.wait, 20ms )--( )( inlet.open )--+
++--[EQ]( inlet.phase, FULL )--[ADD]( total, inlet.spot[k], inlet.spot[2] )--[/]( inlet.shut )--( )( on )--+
++--[ ]( inlet.wait.Q )--\\--(R)( inlet.shut )----------+
+|                        /--[MOV]( inlet.phase, IDLE )--+
+";
+    let scenarios = "program main.clad\n\nscenario \"opens\"\ngo               _-----\ninlet.wait.ET => 0ms 0ms 10ms 20ms 20ms 20ms\n\
+        inlet.open    => ___---\ninlet.spot[2]   => 6 6 6 6 6 6\ninlet.phase   => FULL FULL FULL IDLE IDLE IDLE\non            => ______\n";
+    shows(
+        &kept("Replace", structured, scenarios),
+        expect![[r#"
+            Replace `inlet` by a tag for each member of `Valve`
+
+            TYPE
+                Valve : STRUCT
+                    open, shut : BOOL;
+                    wait       : TON;
+                    spot       : ARRAY[1..2] OF INT := [5, 6];
+                    phase      : Phase := FULL;
+                END_STRUCT;
+                Phase : (IDLE, FULL);
+            END_TYPE
+
+            VAR RETAIN
+                inlet_open  : BOOL;  # lets it in #
+                inlet_shut  : BOOL               := TRUE;
+                inlet_wait  : TON;
+                inlet_spot  : ARRAY[1..2] OF INT := [5, 6];
+                inlet_phase : Phase              := FULL;
+                k           : INT                := 1;
+            END_VAR
+
+            +--[ ]( go )---------------------[TON]( inlet_wait, 20ms )--( )( inlet_open )--+
+            +--[EQ]( inlet_phase, FULL )--[ADD]( total, inlet_spot[k], inlet_spot[2] )--[/]( inlet_shut )---------------( )( on )--+
+            +--[ ]( inlet_wait.Q )--\-----------------------------------(R)( inlet_shut )--+
+            |                       /--------------------------[MOV]( inlet_phase, IDLE )--+
+
+            %%
+            program main.clad
+
+            scenario "opens"
+            go               _-----
+            inlet_wait.ET => 0ms 0ms 10ms 20ms 20ms 20ms
+            inlet_open    => ___---
+            inlet_spot[2]   => 6 6 6 6 6 6
+            inlet_phase   => FULL FULL FULL IDLE IDLE IDLE
+            on            => ______
+        "#]],
+    );
+    let a = "TYPE A : STRUCT\n x : BOOL;\nEND_STRUCT;\nEND_TYPE\n";
+    refused(
+        "Replace",
+        &[
+            &format!("{a}VAR a$0, b : A; END_VAR\n+--[MOV]( a, b )--+"),
+            &format!("{a}VAR a$0 : A; a_x : BOOL; END_VAR"),
+            &format!("{a}VAR a$0 : ARRAY[1..2] OF A; END_VAR"),
+            &format!("{a}VAR_GLOBAL a$0 : A; END_VAR"),
+            &a.replace("STRUCT;", "STRUCT := (x := TRUE);")
+                .replace("TYPE\n", "TYPE\nVAR a$0 : A; END_VAR\n"),
+        ],
+        expect![[r#"
+            TYPE A : STRUCT
+             x : BOOL;
+            END_STRUCT;
+            END_TYPE
+            VAR a$0, b : A; END_VAR
+            +--[MOV]( a, b )--+
+                `a` is used as a whole on line 6
+            TYPE A : STRUCT
+             x : BOOL;
+            END_STRUCT;
+            END_TYPE
+            VAR a$0 : A; a_x : BOOL; END_VAR
+                there is a tag `a_x` already
+            TYPE A : STRUCT
+             x : BOOL;
+            END_STRUCT;
+            END_TYPE
+            VAR a$0 : ARRAY[1..2] OF A; END_VAR
+                not offered
+            TYPE A : STRUCT
+             x : BOOL;
+            END_STRUCT;
+            END_TYPE
+            VAR_GLOBAL a$0 : A; END_VAR
+                `a`: other files know it by its name
+            TYPE A : STRUCT
+             x : BOOL;
+            END_STRUCT := (x := TRUE);
+            END_TYPE
+            VAR a$0 : A; END_VAR
+
+                `A` has values at the start of its own: write those of the tag first
+        "#]],
+    );
+}
+
+const COUNTS: &str = "\
+FUNCTION_BLOCK [$Count]
+VAR_INPUT
+    raw : BOOL;
+END_VAR
+VAR
+    n : DINT;
+END_VAR
++--[ ]( raw )--[ADD]( n, n, 1 )--( )( ENO )--+
+END_FUNCTION_BLOCK
+
+FUNCTION_BLOCK [$Both]
+VAR_INPUT
+    raw : BOOL;
+END_VAR
++--[$Count]( raw )--[$Count]( EN )--( )( ENO )--+
+END_FUNCTION_BLOCK
+
+VAR
+    c : $Count;
+END_VAR
+
++--[$Count]( c, a )--[$Count]( b )--[$Count]( raw := d )--( )( on )--+
++--[$Both]( a )--[$Count]( a )--+
+";
+
+const COUNTED: &str = "program main.clad\n\nscenario \"counts\"\na                     _---\nb                     __--\nd                     ___-\n\
+    c.n                => 0 1 2 3\n$Count#1.n         => 0 0 1 2\n$Count#2.n         => 0 0 0 1\n$Count#3.n         => 0 1 2 3\n\
+    $Both#1.$Count#1.n => 0 1 2 3\n$Both#1.$Count#2.n => 1 2 3 4\n";
+
+#[test]
+fn the_state_of_a_place_gets_a_tag() {
+    let mut shown = String::new();
+    for place in [
+        "[$Count]( b",
+        "[$Count]( raw :",
+        "[$Count]( EN",
+        "[$Count]( raw )--[",
+        "[$Count]( a )--+",
+    ] {
+        let marked = COUNTS.replacen(place, &place.replacen("$Count", "$Co$0unt", 1), 1);
+        let changed = kept("Give", &marked, COUNTED);
+        let lines = changed
+            .lines()
+            .filter(|line| !COUNTS.contains(line) && !COUNTED.contains(line));
+        lines.for_each(|line| shown.push_str(&format!("{line}\n")));
+    }
+    shows(
+        &shown,
+        expect![[r#"
+        Give the state of `[$Count]` the tag `count1`
+            c      : $Count;
+            count1 : $Count;
+        +----[$Count]( c, a )--[$Count]( count1, b )--[$Count]( raw := d )--( )( on )--+
+        %%
+        count1.n           => 0 0 1 2
+        $Count#1.n         => 0 0 0 1
+        $Count#2.n         => 0 1 2 3
+        Give the state of `[$Count]` the tag `count1`
+            c      : $Count;
+            count1 : $Count;
+        +----[$Count]( c, a )--[$Count]( b )--[$Count]( count1, raw := d )--( )( on )--+
+        %%
+        count1.n           => 0 0 0 1
+        $Count#2.n         => 0 1 2 3
+        Give the state of `[$Count]` the tag `count1`
+            count1 : $Count;
+        +-------------------------[$Count]( raw )--[$Count]( count1, EN )--( )( ENO )--+
+        %%
+        $Both#1.count1.n   => 1 2 3 4
+        Give the state of `[$Count]` the tag `count1`
+            count1 : $Count;
+        +-------------------------[$Count]( count1, raw )--[$Count]( EN )--( )( ENO )--+
+        %%
+        $Both#1.count1.n   => 0 1 2 3
+        $Both#1.$Count#1.n => 1 2 3 4
+        Give the state of `[$Count]` the tag `count1`
+            c      : $Count;
+            count1 : $Count;
+        +-----------------------------------------[$Both]( a )--[$Count]( count1, a )--+
+        %%
+        count1.n           => 0 1 2 3
+    "#]],
+    );
+}
+
+/// What others may read is not taken apart.
+#[test]
+fn around_a_state_that_has_a_tag() {
+    check(
+        "Inline the block",
+        &COUNTS.replacen("[$Count]( c", "[$Co$0unt]( c", 1),
+        expect![[r#"
+            disabled: its state belongs to a tag that others may read
+        "#]],
+    );
+    let selected = "+--$0[$Count]( c, a )--[$Count]( b )$1";
+    check(
+        "Extract the selected",
+        &COUNTS.replacen("+--[$Count]( c, a )--[$Count]( b )", selected, 1),
+        expect![[r#"
+            disabled: `c` keeps the state of a block, which stays where it is
+        "#]],
+    );
 }

@@ -8,11 +8,14 @@ use serde::{Deserialize, Serialize};
 use tower_lsp::jsonrpc::{Error, Result};
 use tower_lsp::ls_types::{
     CodeAction, CodeActionContext, CodeActionDisabled, CodeActionKind, CodeActionOrCommand, CodeActionParams,
-    CodeActionResponse, Command,
+    CodeActionResponse, Command, WorkspaceEdit,
 };
 
-use super::{conversion, switch_off};
+use super::asked::Asked;
+use super::{conversion, rename, switch_off};
+use crate::cancel::Cancel;
 use crate::document::Revision;
+use crate::document::other_files::OtherFiles;
 use crate::language::Analysis;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{
@@ -53,9 +56,10 @@ pub(crate) async fn code_action(
     };
     let agreed = shared.agreed();
     let next_to = Arc::clone(shared);
-    blocking(&*shared.host, move |_| {
+    blocking(&*shared.host, move |cancel| {
         let shared = next_to;
         let analysis = revision.analysis()?;
+        let asked = asked(&shared, &revision, cancel)?;
         let place = |range| {
             let range = convert::our_range(range);
             let (start, end) = (revision.offset(range.start), revision.offset(range.end));
@@ -63,15 +67,15 @@ pub(crate) async fn code_action(
         };
         let range = place(params.range);
         // An editor shows the problems of a whole line, and asks about them wherever on it the cursor is.
-        let asked = params.context.diagnostics.iter().map(|it| place(it.range));
-        let problems = asked.fold(range, TextRange::cover);
+        let shown = params.context.diagnostics.iter().map(|it| place(it.range));
+        let problems = shown.fold(range, TextRange::cover);
         let offered = analysis.actions(range, problems, |kind| wanted(&params.context, &name(kind)));
         // Put together once for all of them; a client that asks for edits later asks for one.
         let text = (!agreed.resolves_edits).then(|| revision.text());
         let shown = offered
             .iter()
             .filter(|action| action.disabled.is_none() || agreed.disabled_actions)
-            .map(|action| offer(agreed, &revision, analysis, range, action, text.as_deref()));
+            .map(|action| offer(agreed, &asked, analysis, range, action, text.as_deref()));
         let conversion = analysis
             .whole()
             .cplc_draft()
@@ -105,16 +109,27 @@ pub(crate) async fn resolve(shared: &Arc<Shared>, mut action: CodeAction) -> Res
         return Err(Error::content_modified());
     };
     let agreed = shared.agreed();
-    blocking(&*shared.host, move |_| {
+    let next_to = Arc::clone(shared);
+    blocking(&*shared.host, move |cancel| {
         let range = within(&revision, &data);
-        if let Some(analysis) = revision.analysis() {
+        if let (Some(analysis), Some(asked)) = (revision.analysis(), asked(&next_to, &revision, cancel)) {
             let offered = analysis.actions(range, range, |kind| Some(name(kind)) == action.kind);
             let same = offered.into_iter().find(|offered| offered.title == action.title);
-            action.edit = same.and_then(|same| edit(agreed, &revision, analysis, &same, &revision.text()));
+            action.edit = same.map(|same| edit(agreed, &asked, analysis, &same, &revision.text()));
         }
         action
     })
     .await
+}
+
+/// The document with the files next to it: some actions change scenarios too.
+fn asked(shared: &Shared, revision: &Arc<Revision>, cancel: &Cancel) -> Option<Asked> {
+    Some(Asked {
+        revision: Arc::clone(revision),
+        context: Arc::clone(revision.names()?.context()),
+        elsewhere: OtherFiles::of(revision, &shared.documents, &shared.companions, cancel),
+        opens_library: shared.agreed().library_blocks,
+    })
 }
 
 /// How the protocol calls a kind.
@@ -142,12 +157,13 @@ fn wanted(context: &CodeActionContext, kind: &CodeActionKind) -> bool {
 /// An action, with its edits if there is a `text` to make them of; without one the client asks for them later.
 fn offer(
     agreed: Agreed,
-    revision: &Revision,
+    asked: &Asked,
     analysis: &Analysis,
     range: TextRange,
     action: &Action,
     text: Option<&str>,
 ) -> CodeActionOrCommand {
+    let revision = &*asked.revision;
     let later = text.is_none() && action.disabled.is_none();
     let finding = action
         .finding
@@ -175,7 +191,7 @@ fn offer(
         diagnostics: finding
             .map(|finding| vec![Findings::of(agreed, revision).diagnostic(&finding.diagnostic())]),
         command,
-        edit: now.and_then(|text| edit(agreed, revision, analysis, action, text)),
+        edit: now.map(|text| edit(agreed, asked, analysis, action, text)),
         is_preferred: finding.map(|_| action.preferred),
         disabled: action
             .disabled
@@ -185,15 +201,10 @@ fn offer(
     })
 }
 
-fn edit(
-    agreed: Agreed,
-    revision: &Revision,
-    analysis: &Analysis,
-    action: &Action,
-    text: &str,
-) -> Option<tower_lsp::ls_types::WorkspaceEdit> {
-    let edits = analysis.aligned(action, text, &revision.format_options());
-    convert::workspace_edit(agreed, revision, &edits)
+fn edit(agreed: Agreed, asked: &Asked, analysis: &Analysis, action: &Action, text: &str) -> WorkspaceEdit {
+    let options = asked.revision.format_options();
+    let files = analysis.everywhere(action, text, &options, &asked.elsewhere);
+    rename::edit(asked, files, agreed).0
 }
 
 #[cfg(test)]

@@ -92,7 +92,11 @@ pub(crate) async fn rename(shared: &Arc<Shared>, params: RenameParams) -> Result
 }
 
 /// The edit, and the open documents that it changes.
-fn edit(asked: &Asked, files: Vec<Renamed>, agreed: Agreed) -> (WorkspaceEdit, Vec<Arc<Revision>>) {
+pub(super) fn edit(
+    asked: &Asked,
+    files: Vec<Renamed>,
+    agreed: Agreed,
+) -> (WorkspaceEdit, Vec<Arc<Revision>>) {
     let changes = changes(asked, files);
     let open = changes.iter().filter_map(|(_, open, _)| open.clone()).collect();
     let files = changes

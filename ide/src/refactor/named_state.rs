@@ -1,0 +1,105 @@
+//! The state of a user-defined block, which belongs to its place, gets a tag of its own: `[$Motor]( go )` is
+//! `[$Motor]( motor1, go )`.
+
+use super::declared::is_free;
+use super::names::numbered;
+use super::place::{OnNetwork, Selected};
+use super::scenarios::{InScenarios, Place};
+use super::{Action, ActionKind};
+use crate::symbol::{Symbol, block_file};
+use ladder_analysis::context::Context;
+use ladder_analysis::names::declaring::Places;
+use ladder_analysis::names::scope::SectionKind;
+use ladder_analysis::networks::BlockAt;
+use ladder_analysis::networks::network::{Formal, Meaning};
+use ladder_format::Edit;
+use ladder_syntax::{Name, TextRange};
+use std::sync::Arc;
+
+pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
+    let Some(on) = &place.on else { return };
+    let Some(block) = on.block() else { return };
+    let Meaning::User(user) = block.meaning else {
+        return;
+    };
+    if has_state(&block) {
+        return;
+    }
+    let context = place.context;
+    let name = &context.user_blocks[user].name;
+    let base = name.trim_start_matches('$').to_lowercase();
+    let tag = numbered(&base, "", |name| !is_free(context, name));
+    let title = format!("Give the state of `{}` the tag `{tag}`", block.head_text());
+    match named(place, on, block, name, &tag) {
+        Ok((edits, scenarios)) => {
+            let action = Action::new(ActionKind::Rewrite, title, edits);
+            out.push(action.in_scenarios(scenarios).making_up(tag));
+        }
+        Err(why) => out.push(Action::disabled(ActionKind::Rewrite, title, why)),
+    }
+}
+
+/// Whether a tag keeps the state of a block.
+fn has_state(block: &BlockAt<'_>) -> bool {
+    block
+        .formals
+        .iter()
+        .any(|formal| matches!(formal, Formal::Instance))
+}
+
+fn named(
+    place: &Selected<'_>,
+    on: &OnNetwork<'_>,
+    block: BlockAt<'_>,
+    name: &str,
+    tag: &str,
+) -> Result<(Vec<Edit>, InScenarios), String> {
+    let context = place.context;
+    if place.analysis.has_errors() {
+        return Err("fix the errors of the file first".to_owned());
+    }
+    let scope = on.facts.scope;
+    let declared = [(SectionKind::Var, tag.to_owned(), name.to_owned())];
+    let mut edits = Places::new(context, scope)
+        .declare_all(&declared)
+        .ok_or("a section of declarations is not closed")?;
+    edits.push(match block.facts.operands.first() {
+        Some(first) => Edit {
+            range: TextRange::empty(block.absolute(first.range).start()),
+            text: format!("{tag}, "),
+        },
+        None => Edit {
+            range: TextRange::new(block.head_range().end(), block.range().end()),
+            text: format!("( {tag} )"),
+        },
+    });
+    let symbol = |name: &str| {
+        let name = Name::new(name);
+        Some(Symbol::Block {
+            file: block_file(context, &name).unwrap_or_else(|| Arc::clone(&context.name)),
+            name,
+        })
+    };
+    let scenarios = symbol(name).map(|block_symbol| InScenarios::Instance {
+        place: Place {
+            block: block_symbol,
+            outer: scope
+                .checked_sub(1)
+                .and_then(|outer| symbol(&context.user_blocks[outer].name)),
+            number: number(context, scope, block, name),
+        },
+        tag: tag.to_owned(),
+    });
+    Ok((edits, scenarios.unwrap_or(InScenarios::Nothing)))
+}
+
+/// The number of a block among those of its name whose state belongs to their place, in the order of the text.
+fn number(context: &Context, scope: usize, block: BlockAt<'_>, name: &str) -> usize {
+    let key = Name::new(name);
+    let networks = context.networks.iter().filter(|network| network.scope == scope);
+    let blocks = networks.flat_map(|network| network.blocks());
+    let alike = blocks
+        .filter(|other| other.user_name().is_some_and(|name| Name::new(name) == key) && !has_state(other));
+    let before = alike.take_while(|other| other.range().start() < block.range().start());
+    before.count() + 1
+}
