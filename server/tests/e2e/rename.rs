@@ -171,3 +171,50 @@ async fn scenarios_follow_open_or_not() {
     );
     client.finish().await;
 }
+
+const VALVES: &str = "TYPE\n    Valve : STRUCT\n        open : BOOL;\n    END_STRUCT;\nEND_TYPE\n\nVAR\n    v : Valve;\n    \
+    pump_run : BOOL;\n    pump_on : BOOL;\nEND_VAR\n\n+--[ ]( pump_run )--( )( v.open )--( )( pump_on )--+\n";
+const VALVE_TESTS: &str =
+    "program main.clad\n\nscenario \"one\"\npump_run    _-\nv.open   => _-\npump_on  => _-\n";
+
+/// A member's name, and what an extraction makes of tags, are in scenarios too.
+#[tokio::test]
+async fn members_and_extracted_tags_change_scenarios() {
+    let plant = Plant::with(&[("main.clad", VALVES), ("a.ladder-test", VALVE_TESTS)]);
+    let (main, tests) = (plant.uri("main.clad"), plant.uri("a.ladder-test"));
+    let mut client = Client::new().await;
+    client.open_as(&main, 1, VALVES).await;
+    let edit = rename(&mut client, &main, (2, 9), "is_open").await.unwrap();
+    let changes = edit["documentChanges"].as_array().unwrap();
+    assert_eq!(changes[1]["textDocument"]["uri"], tests);
+    assert_eq!(
+        edited(VALVE_TESTS, &changes[1]["edits"]),
+        VALVE_TESTS
+            .replace("pump_run    ", "pump_run     ")
+            .replace("v.open   =>", "v.is_open =>")
+            .replace("pump_on  =>", "pump_on   =>")
+    );
+    let params = json!({
+        "textDocument": {"uri": main},
+        "range": span([8, 6, 8, 6]),
+        "context": {"diagnostics": [], "only": ["refactor.extract"]},
+    });
+    let offered = client.request("textDocument/codeAction", params).await.unwrap();
+    let mut action = offered[0].clone();
+    assert_eq!(action["title"], "Extract 2 tags into the structure `Pump`");
+    if action.get("edit").is_none() {
+        action = client.request("codeAction/resolve", action).await.unwrap();
+    }
+    let changes = action["edit"]["documentChanges"].as_array().unwrap();
+    let program = edited(VALVES, &changes[0]["edits"]);
+    assert!(
+        program.contains("    pump : Pump;") && program.contains("[ ]( pump.run )"),
+        "{program}"
+    );
+    assert_eq!(changes[1]["textDocument"]["uri"], tests);
+    assert_eq!(
+        edited(VALVE_TESTS, &changes[1]["edits"]),
+        VALVE_TESTS.replace("pump_", "pump.")
+    );
+    client.finish().await;
+}

@@ -24,6 +24,7 @@ mod rule_index;
 mod safe_fixes;
 mod scenarios;
 mod settings_reference;
+mod structures;
 mod tested;
 mod texts;
 mod timing_diagrams;

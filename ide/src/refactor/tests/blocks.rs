@@ -113,6 +113,7 @@ fn inline() {
             Wrap `[$B]` in a branch, with a copy in parallel (changes nothing yet) -- [$B] has an effect or a memory, and a copy would have them once more
             Extract the network into the function `function_1`
             Inline the block `[$B]` here -- fix the errors of the file first
+            Give the state of `[$B]` the tag `b1` -- fix the errors of the file first
         "#]],
     );
 }
