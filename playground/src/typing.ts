@@ -7,8 +7,9 @@ import { type Command, EditorView, keymap, ViewPlugin, type ViewUpdate } from '@
 
 import { isDrawn, nextStop } from '../../panels/nextStop.ts';
 import type { Range } from '../../panels/protocol.ts';
-import type { Server } from './server.ts';
+import { begins, begunRung } from './begunRung.ts';
 import { changesOf } from './findings.ts';
+import type { Server } from './server.ts';
 
 interface Edit {
     readonly range: Range;
@@ -38,36 +39,9 @@ async function typed(view: EditorView, ch: string): Promise<void> {
     const head = view.state.selection.main.head;
     const changes = view.state.changes(changesOf(view, edits));
     const anchor = changes.mapPos(head, ch === '\n' ? 1 : -1);
-    view.dispatch({ changes, selection: { anchor }, userEvent: 'input.type.format', scrollIntoView: true });
-    if (ch === '\n') {
-        const { from, to, text } = view.state.doc.lineAt(anchor);
-        begun.set(view, BEGUN.test(text) ? { from, to } : undefined);
-    }
+    const effects = ch === '\n' ? begins(changes.apply(doc), anchor) : [];
+    view.dispatch({ changes, effects, selection: { anchor }, userEvent: 'input.type.format', scrollIntoView: true });
 }
-
-/** What Enter begins a rung with. */
-const BEGUN = /^\+-*$/;
-/** The rung that Enter has begun, of each editor where nothing was typed in it yet. */
-const begun = new WeakMap<EditorView, { readonly from: number; readonly to: number } | undefined>();
-
-/** A rung that was begun goes again when the cursor leaves it, as editors of code take back the blanks of an indentation. */
-const leaving = EditorView.updateListener.of(({ view, docChanged, changes, state }) => {
-    const rung = begun.get(view);
-    if (!rung) {
-        return;
-    }
-    if (docChanged && changes.touchesRange(rung.from, rung.to)) {
-        begun.delete(view);
-        return;
-    }
-    const [from, to] = [changes.mapPos(rung.from, 1), changes.mapPos(rung.to, -1)];
-    begun.set(view, { from, to });
-    const { head } = state.selection.main;
-    if (head < from || head > to) {
-        begun.delete(view);
-        queueMicrotask(() => view.dispatch({ changes: { from, to }, userEvent: 'delete.begun' }));
-    }
-});
 
 const drawing = ViewPlugin.fromClass(
     class {
@@ -142,7 +116,7 @@ function cursor(server: Server): Extension {
 export function typing(server: Server): Extension {
     return [
         drawing,
-        leaving,
+        begunRung,
         cursor(server),
         Prec.high(
             keymap.of([

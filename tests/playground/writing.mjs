@@ -78,6 +78,21 @@ export async function writing(site) {
     }, failed);
     await it.close().catch((error) => step('nothing strange happens while writing', () => Promise.reject(error)));
 
+    it = await Playground.open(site, { text: '+--[ ]( a )--( )( y )--+' });
+    await step('a program that takes the place of one in which a rung was begun is left as it is', async () => {
+        await it.page.locator('#program .cm-content').click();
+        await it.page.keyboard.press('Control+End');
+        await it.type('\n');
+        await it.until('the rung', async () => (await it.lines()).at(-1) === '+--');
+        await it.page.locator('#file').setInputFiles({ name: 'motor.clad', mimeType: 'text/plain', buffer: Buffer.from(MOTOR) });
+        await it.page.locator('#tab-program', { hasText: 'motor' }).waitFor();
+        await it.page.locator('#program .cm-content').focus();
+        await it.page.keyboard.press('Control+End');
+        await it.page.keyboard.press('ArrowUp');
+        assert.equal((await it.lines()).join('\n'), MOTOR);
+    }, failed);
+    await it.close().catch((error) => step('nothing strange happens while another program is opened', () => Promise.reject(error)));
+
     it = await Playground.open(site, { text: MOTOR });
     await step('a hover explains a timer with its timing diagram', async () => {
         await it.page.locator('#program .cm-line span', { hasText: '[TON]' }).first().hover();

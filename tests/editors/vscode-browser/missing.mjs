@@ -1,7 +1,7 @@
 // VS Code where there is no language server: the message, and what it offers; the server is started once it is there.
 // Then a package that brings a server of another version: that is said, and it is used all the same.
 import assert from 'node:assert/strict';
-import { chmodSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { chmodSync, existsSync, mkdirSync, readdirSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
 import { openBrowser, removeScratch, scratchFolder, serve, until } from './codeServer.mjs';
@@ -12,10 +12,16 @@ const { LADDER_BIN, LADDER_PACKAGES, LADDER_ROOT, LADDER_SCREENSHOTS } = process
 
 const UNPAIRED = '+--\\--[ ]( start )-----( )( run )--+\n|  |                              |\n|  /--[ ]( run )--                |\n';
 
-/** An environment in which no `ladder` is found: the programs of the system, and an empty home. */
+/** An environment without `ladder` and Rust: an empty home, and all other programs of the system, which may have Rust's. */
 function bare(scratch) {
     const { LADDER_BIN: _, CARGO_HOME: __, ...rest } = process.env;
-    return { ...rest, HOME: join(scratch, 'home'), PATH: '/usr/bin:/bin' };
+    const programs = join(scratch, 'programs');
+    mkdirSync(programs);
+    for (const name of readdirSync('/usr/bin').filter((name) => !['cargo', 'ladder'].includes(name))) {
+        symlinkSync(join('/usr/bin', name), join(programs, name));
+    }
+    // As if it was started from a terminal: VS Code takes no other PATH from the user's shell then.
+    return { ...rest, HOME: join(scratch, 'home'), PATH: programs, VSCODE_CLI: '1' };
 }
 
 /** A project with one program. */
