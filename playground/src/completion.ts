@@ -116,7 +116,7 @@ const source: CompletionSource = async (context) => {
 };
 
 export const completion: Extension = [
-    // Nothing is taken by an Enter that was meant for the next rung.
-    autocompletion({ selectOnOpen: false }),
+    // Nothing is taken by an Enter that was meant for the next rung; so a Tab that comes at once is meant.
+    autocompletion({ selectOnOpen: false, interactionDelay: 0 }),
     EditorState.languageData.of(() => [{ autocomplete: source }]),
 ];

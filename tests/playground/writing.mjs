@@ -29,7 +29,8 @@ export async function writing(site) {
         await it.type('\n');
         await it.until('the rung that Enter begins', async () => (await it.lines())[2] === '+--');
         await it.type('[ ]( run )--[TO', 60);
-        const proposals = it.page.locator('.cm-tooltip-autocomplete li');
+        // Those to what was typed before the last letter can be seen, and not be taken.
+        const proposals = it.page.locator('.cm-tooltip-autocomplete:not(.cm-tooltip-autocomplete-disabled) li');
         await proposals.filter({ hasText: '[TON]' }).first().waitFor();
         assert.equal(await it.page.locator('.cm-lintRange-error').count(), 0, 'a rung that is half typed has no errors');
         await it.picture('completion');
@@ -80,6 +81,8 @@ export async function writing(site) {
 
     it = await Playground.open(site, { text: '+--[ ]( a )--( )( y )--+' });
     await step('a program that takes the place of one in which a rung was begun is left as it is', async () => {
+        // The server is there.
+        await it.diagram.locator('g.element').first().waitFor();
         await it.page.locator('#program .cm-content').click();
         await it.page.keyboard.press('Control+End');
         await it.type('\n');
