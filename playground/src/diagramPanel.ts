@@ -1,24 +1,20 @@
 // The live diagram next to the text: the page of the VS Code panel, in a frame.
 import type { ViewUpdate } from '@codemirror/view';
 
+import { answer, type Side } from '../../panels/diagram/answer.ts';
 import type { FromPage, LineChange, ToPage } from '../../panels/diagram/messages.ts';
 import { Teller } from '../../panels/diagram/teller.ts';
 import { Frame } from './frame.ts';
 import type { OpenText } from './openText.ts';
-import { reasonOf, type Server } from './server.ts';
+import type { Server } from './server.ts';
 import type { Simulation } from './simulation.ts';
 
-export interface DiagramEvents {
-    why(tag: string): void;
-    command(name: Extract<FromPage, { type: 'command' }>['name']): void;
-}
+export type DiagramEvents = Pick<Side, 'why' | 'command'>;
 
 export class DiagramPanel {
     readonly frame: Frame<ToPage, FromPage>;
     readonly #program: OpenText;
-    readonly #server: Server;
     readonly #simulation: Simulation;
-    readonly #events: DiagramEvents;
     readonly #teller: Teller;
     #isReady = false;
     /** The page itself moves the cursor of the text. */
@@ -26,10 +22,27 @@ export class DiagramPanel {
 
     constructor(parent: HTMLElement, program: OpenText, server: Server, simulation: Simulation, events: DiagramEvents) {
         this.#program = program;
-        this.#server = server;
         this.#simulation = simulation;
-        this.#events = events;
-        this.frame = new Frame(parent, 'diagram.html', 'Diagram', (message) => void this.#receive(message));
+        const side: Side = {
+            send: (message) => this.frame.send(message),
+            begin: () => {
+                this.#isReady = true;
+                this.open();
+            },
+            version: () => program.version,
+            draw: ({ lines, rail, known }) => server.execute('ladder.diagram', { uri: program.uri, lines, rail, known }),
+            look: () => simulation.look(),
+            reveal: (start, end, focus) => {
+                this.#isRevealing = true;
+                program.select({ start, end }, focus);
+                this.#isRevealing = false;
+            },
+            command: (name) => events.command(name),
+            why: (tag) => events.why(tag),
+            toggle: (tag) => simulation.toggle(tag),
+            change: (name, argument) => simulation.command(name, argument),
+        };
+        this.frame = new Frame(parent, 'diagram.html', 'Diagram', (message) => void answer(message, this.#teller, side));
         this.#teller = new Teller((message) => this.frame.send(message), () => simulation.session, () => this.frame.isSeen);
         simulation.onChange(() => this.#teller.tell());
         simulation.showsLines(() => (this.frame.isSeen ? this.#teller.lines : undefined));
@@ -65,57 +78,6 @@ export class DiagramPanel {
         }
         if (selectionSet && !this.#isRevealing) {
             this.frame.send({ type: 'cursor', place: this.#program.place(state.selection.main.head) });
-        }
-    }
-
-    async #receive(message: FromPage): Promise<void> {
-        const simulation = this.#simulation;
-        switch (message.type) {
-            case 'ready':
-                this.#isReady = true;
-                this.open();
-                break;
-            case 'ask':
-                await this.#draw(message);
-                break;
-            case 'sees':
-                this.#teller.lines = message.lines;
-                simulation.look();
-                this.#teller.tell();
-                break;
-            case 'painted':
-                this.#teller.painted();
-                break;
-            case 'reveal':
-                this.#isRevealing = true;
-                this.#program.select({ start: message.from, end: message.to }, message.focus);
-                this.#isRevealing = false;
-                break;
-            case 'command':
-                this.#events.command(message.name);
-                break;
-            case 'why':
-                this.#events.why(message.tag);
-                break;
-            case 'toggle':
-                await simulation.toggle(message.tag);
-                break;
-            case 'set':
-            case 'force':
-                await simulation.command(message.type, 'text' in message ? { tag: message.tag, text: message.text } : { tag: message.tag, value: message.value });
-                break;
-            case 'pulse':
-            case 'unforce':
-                await simulation.command(message.type, { tag: message.tag });
-        }
-    }
-
-    async #draw({ lines, rail, known }: Extract<FromPage, { type: 'ask' }>): Promise<void> {
-        const { uri, version } = this.#program;
-        try {
-            this.frame.send({ type: 'drawn', drawn: await this.#server.execute('ladder.diagram', { uri, lines, rail, known }) });
-        } catch (error) {
-            this.frame.send({ type: 'failed', version, message: reasonOf(error) });
         }
     }
 }

@@ -1,5 +1,6 @@
 // The playground: puts its parts together.
 import type { Range } from '../../panels/protocol.ts';
+import { reasonOf } from '../../panels/reason.ts';
 import { setUp } from './editors.ts';
 import { byId, setText } from './element.ts';
 import { type Example, examples } from './examples.ts';
@@ -7,7 +8,6 @@ import { save, stemOf, toCsv, toPng, toSvg } from './exports.ts';
 import { read, takeFiles } from './foreign.ts';
 import { fromFragment, type Linked, nameOf, toFragment } from './link.ts';
 import { type Item, menu } from './menu.ts';
-import { reasonOf } from './server.ts';
 import { theme } from './appearance.ts';
 import { simulationKeys, Toolbar } from './toolbar.ts';
 import { formatDocument } from '@codemirror/lsp-client';

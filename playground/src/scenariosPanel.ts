@@ -3,9 +3,10 @@ import { type Extension, StateEffect, StateField } from '@codemirror/state';
 import { Decoration, type DecorationSet, EditorView } from '@codemirror/view';
 
 import type { Exercised, Range, ScenarioRun, ScenariosRun } from '../../panels/protocol.ts';
+import { reasonOf } from '../../panels/reason.ts';
 import { element } from './element.ts';
 import type { OpenText } from './openText.ts';
-import { reasonOf, type Server } from './server.ts';
+import type { Server } from './server.ts';
 
 const setMarks = StateEffect.define<DecorationSet>();
 

@@ -2,9 +2,10 @@
 import type { Lines } from '../../panels/diagram/messages.ts';
 import { operandAt } from '../../panels/operands.ts';
 import type { Commands, Given, History, Operand, Range, Speed, State, Tag, Why } from '../../panels/protocol.ts';
+import { reasonOf } from '../../panels/reason.ts';
 import { Session } from '../../panels/session.ts';
 import type { OpenText } from './openText.ts';
-import { reasonOf, type Server } from './server.ts';
+import type { Server } from './server.ts';
 
 /** So many lines above and below what the editor shows are kept ready for scrolling. */
 const MARGIN = 5;

@@ -1,6 +1,7 @@
 // Click programs in Python: opened as such when a person says so, with their diagram next to them.
 import * as vscode from 'vscode';
 
+import { reasonOf } from '../../../panels/reason.ts';
 import { drawingOf, Drawings, SCHEME } from './drawings.ts';
 import type { Server } from './server.ts';
 
@@ -58,7 +59,7 @@ export class Click implements vscode.Disposable {
             await vscode.window.showTextDocument(drawing, { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true });
             return drawing;
         } catch (error) {
-            void vscode.window.showErrorMessage(`Ladder: ${error instanceof Error ? error.message : String(error)}`);
+            void vscode.window.showErrorMessage(`Ladder: ${reasonOf(error)}`);
             return undefined;
         }
     }

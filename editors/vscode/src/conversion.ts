@@ -5,6 +5,7 @@ import { posix } from 'node:path';
 import * as vscode from 'vscode';
 
 import { hasReport, report, summary } from '../../../panels/conversionReport.ts';
+import { reasonOf } from '../../../panels/reason.ts';
 import type { Server } from './server.ts';
 
 /** The file of a menu, else that of the active editor. */
@@ -36,7 +37,7 @@ async function orTell(work: () => Promise<void>): Promise<void> {
     try {
         await work();
     } catch (error) {
-        void vscode.window.showErrorMessage(`Ladder: ${error instanceof Error ? error.message : String(error)}`);
+        void vscode.window.showErrorMessage(`Ladder: ${reasonOf(error)}`);
     }
 }
 

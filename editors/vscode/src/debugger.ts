@@ -3,6 +3,7 @@ import { isAbsolute, join } from 'node:path';
 
 import * as vscode from 'vscode';
 
+import { reasonOf } from '../../../panels/reason.ts';
 import { completed, expressionAt, type ActiveFile } from './debugConfiguration.ts';
 import type { Server } from './server.ts';
 import type { Simulation } from './simulation.ts';
@@ -184,7 +185,7 @@ async function tell(asked: Thenable<unknown>): Promise<void> {
     try {
         await asked;
     } catch (error) {
-        void vscode.window.showErrorMessage(`Ladder: ${error instanceof Error ? error.message : String(error)}`);
+        void vscode.window.showErrorMessage(`Ladder: ${reasonOf(error)}`);
     }
 }
 

@@ -4,6 +4,7 @@ import * as vscode from 'vscode';
 
 import type { Lines } from '../../../panels/diagram/messages.ts';
 import type { EditedDrawing, EditKind } from '../../../panels/protocol.ts';
+import { reasonOf } from '../../../panels/reason.ts';
 import type { Server } from './server.ts';
 
 /** Makes a change of the drawing at the selection. */
@@ -51,6 +52,6 @@ async function make(editor: vscode.TextEditor, answer: Promise<EditedDrawing>): 
             editor.selection = new vscode.Selection(at, document.getWordRangeAtPosition(at)?.end ?? at);
         }
     } catch (error) {
-        void vscode.window.showWarningMessage(`Ladder: ${error instanceof Error ? error.message : String(error)}`);
+        void vscode.window.showWarningMessage(`Ladder: ${reasonOf(error)}`);
     }
 }

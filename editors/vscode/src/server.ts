@@ -18,6 +18,7 @@ import {
     type Previewed,
     type State,
 } from '../../../panels/protocol.ts';
+import { reasonOf } from '../../../panels/reason.ts';
 import type { Send } from '../../../panels/session.ts';
 import { lensCommands, lensesOf } from './lenses.ts';
 import { offer, whenThere } from './missingServer.ts';
@@ -41,7 +42,7 @@ async function askVersion(path: string): Promise<Answer> {
         const { stdout } = await execute(path, ['--version'], { timeout: 5000, cwd: homedir() });
         return { version: stdout };
     } catch (error) {
-        return { failed: error instanceof Error ? error.message : String(error) };
+        return { failed: reasonOf(error) };
     }
 }
 

@@ -5,6 +5,7 @@ import type { Lines } from '../../../panels/diagram/messages.ts';
 import { operandAt } from '../../../panels/operands.ts';
 import { withTheRest } from '../../../panels/pace.ts';
 import type { Commands, Operand, Recorded, Shown, State, Tag, Why } from '../../../panels/protocol.ts';
+import { reasonOf } from '../../../panels/reason.ts';
 import type { Server } from './server.ts';
 import { breakpointLines, toggled } from './breakpoints.ts';
 import { Session } from './session.ts';
@@ -310,7 +311,7 @@ export class Simulation implements vscode.Disposable {
         try {
             return await answer;
         } catch (error) {
-            void vscode.window.showErrorMessage(`Ladder: ${error instanceof Error ? error.message : String(error)}`);
+            void vscode.window.showErrorMessage(`Ladder: ${reasonOf(error)}`);
             return undefined;
         }
     }

@@ -1,6 +1,7 @@
 // One diagram of a program: draws what its page shows, tells it what runs, and does what a person asks there.
 import * as vscode from 'vscode';
 
+import { answer, type Side } from '../../../../panels/diagram/answer.ts';
 import type { FromPage, Place, ToPage } from '../../../../panels/diagram/messages.ts';
 import { Teller } from '../../../../panels/diagram/teller.ts';
 import { withTheRest } from '../../../../panels/pace.ts';
@@ -13,7 +14,6 @@ const CURSOR_EVERY = 50;
 export class DiagramPanel implements vscode.Disposable {
     readonly document: vscode.TextDocument;
     readonly #panel: vscode.WebviewPanel;
-    readonly #server: Server;
     readonly #simulation: Simulation;
     readonly #teller: Teller;
     readonly #subscriptions: vscode.Disposable;
@@ -25,11 +25,33 @@ export class DiagramPanel implements vscode.Disposable {
     constructor(document: vscode.TextDocument, panel: vscode.WebviewPanel, server: Server, simulation: Simulation) {
         this.document = document;
         this.#panel = panel;
-        this.#server = server;
         this.#simulation = simulation;
+        const side: Side = {
+            send: (message) => this.#send(message),
+            begin: () => {
+                this.#isReady = true;
+                this.#open();
+            },
+            version: () => document.version,
+            draw: ({ lines, rail, known }) => server.execute('ladder.diagram', { uri: document.uri.toString(), lines, rail, known }),
+            look: () => simulation.look(),
+            reveal: (from, to, focus) => this.reveal(from, to, focus),
+            command: async (name) => vscode.commands.executeCommand<void>(`ladder.simulation.${name}`),
+            why: async (name) => vscode.commands.executeCommand<void>('ladder.simulation.why', { name }),
+            toggle: async (tag) => {
+                const known = simulation.current?.tag(tag);
+                await (known && simulation.toggle(known));
+            },
+            change: (name, argument) => simulation.command(name, argument),
+        };
         this.#teller = new Teller((message) => this.#send(message), () => simulation.of(document), () => panel.visible);
         this.#subscriptions = vscode.Disposable.from(
-            panel.webview.onDidReceiveMessage((message: FromPage) => void this.#receive(message)),
+            panel.webview.onDidReceiveMessage((message: FromPage) => {
+                if (message.type === 'command' || 'tag' in message) {
+                    simulation.lookAt(document);
+                }
+                void answer(message, this.#teller, side);
+            }),
             panel.onDidChangeViewState(() => this.#appear()),
             vscode.workspace.onDidChangeTextDocument((event) => this.#edited(event)),
             vscode.window.onDidChangeTextEditorSelection((event) => this.#cursor(event)),
@@ -74,73 +96,6 @@ export class DiagramPanel implements vscode.Disposable {
         const name = document.uri.path.split('/').at(-1) ?? '';
         this.#send({ type: 'open', name, version: document.version, lineCount: document.lineCount, line });
         this.#teller.begin();
-    }
-
-    async #receive(message: FromPage): Promise<void> {
-        const simulation = this.#simulation;
-        switch (message.type) {
-            case 'ready':
-                this.#isReady = true;
-                this.#open();
-                break;
-            case 'ask':
-                await this.#draw(message);
-                break;
-            case 'sees':
-                this.#teller.lines = message.lines;
-                simulation.look();
-                this.#teller.tell();
-                break;
-            case 'painted':
-                this.#teller.painted();
-                break;
-            case 'reveal':
-                await this.reveal(message.from, message.to, message.focus);
-                break;
-            case 'command':
-                simulation.lookAt(this.document);
-                await vscode.commands.executeCommand(`ladder.simulation.${message.name}`);
-                break;
-            case 'toggle':
-            case 'pulse':
-            case 'set':
-            case 'force':
-            case 'unforce':
-            case 'why':
-                simulation.lookAt(this.document);
-                await this.#act(message);
-        }
-    }
-
-    async #act(message: Extract<FromPage, { tag: string }>): Promise<void> {
-        const { tag } = message;
-        const known = this.#simulation.current?.tag(tag);
-        switch (message.type) {
-            case 'toggle':
-                await (known && this.#simulation.toggle(known));
-                break;
-            case 'set':
-            case 'force':
-                await this.#simulation.command(message.type, 'text' in message ? { tag, text: message.text } : { tag, value: message.value });
-                break;
-            case 'why':
-                await vscode.commands.executeCommand('ladder.simulation.why', { name: tag });
-                break;
-            case 'pulse':
-            case 'unforce':
-                await this.#simulation.command(message.type, { tag });
-        }
-    }
-
-    async #draw({ lines, rail, known }: Extract<FromPage, { type: 'ask' }>): Promise<void> {
-        const { document } = this;
-        const { version } = document;
-        try {
-            const drawn = await this.#server.execute('ladder.diagram', { uri: document.uri.toString(), lines, rail, known });
-            this.#send({ type: 'drawn', drawn });
-        } catch (error) {
-            this.#send({ type: 'failed', version, message: error instanceof Error ? error.message : String(error) });
-        }
     }
 
     #edited({ document, contentChanges }: vscode.TextDocumentChangeEvent): void {
