@@ -1,21 +1,32 @@
 // Chosen tags over time: the page of the VS Code panel, in a frame.
-import { added, atFirst, moved, MOST, picked, removed, renamed } from '../../panels/trace/chosenTags.ts';
-import type { FromPage, ToPage, TraceAsked } from '../../panels/trace/messages.ts';
-import type { Session } from '../../panels/session.ts';
+import { answer, type Side, tell } from '../../panels/trace/answer.ts';
+import { added, atFirst, MOST, picked } from '../../panels/trace/chosenTags.ts';
+import type { FromPage, ToPage } from '../../panels/trace/messages.ts';
 import { byId, element } from './element.ts';
 import { Frame } from './frame.ts';
-import type { OpenText } from './openText.ts';
 import type { Simulation } from './simulation.ts';
 
 export class TracePanel {
     readonly frame: Frame<ToPage, FromPage>;
     readonly #simulation: Simulation;
+    readonly #side: Side;
     /** Of the program, as long as it is that one. */
     #chosen: readonly string[] | undefined;
 
     constructor(parent: HTMLElement, simulation: Simulation) {
         this.#simulation = simulation;
-        this.frame = new Frame(parent, 'trace.html', 'Traces', (message) => void this.#receive(message));
+        this.frame = new Frame(parent, 'trace.html', 'Traces', (message) => void answer(message, this.#side));
+        this.#side = {
+            send: (message) => this.frame.send(message),
+            isSeen: () => this.frame.isSeen,
+            session: () => simulation.session,
+            tags: () => this.tags(),
+            choose: (_, tags) => this.#show(tags),
+            pick: () => this.#pick(),
+            goTo: (scan) => simulation.command('goTo', { scan }),
+            run: () => simulation.run(),
+            pause: () => simulation.pause(),
+        };
         simulation.onChange(() => void this.tell());
     }
 
@@ -25,8 +36,7 @@ export class TracePanel {
     }
 
     async add(tag: string): Promise<void> {
-        this.#chosen = added(await this.tags(), tag).slice(0, MOST);
-        await this.tell();
+        await this.#show(added(await this.tags(), tag));
     }
 
     /** Those that are shown. */
@@ -35,63 +45,13 @@ export class TracePanel {
         return this.#chosen ?? [];
     }
 
-    /** Says how the simulation is: the page asks for what it shows of it. */
+    /** Says how the simulation is. */
     async tell(): Promise<void> {
-        if (!this.frame.isSeen) {
-            return;
-        }
-        const { session, isRunning: running } = this.#simulation;
-        const tags = session ? await this.tags() : [];
-        if (session === this.#simulation.session) {
-            this.frame.send({ kind: 'situation', situation: session ? { session: session.id, running, tags } : { running, tags } });
-        }
-    }
-
-    async #receive(message: FromPage): Promise<void> {
-        const { session } = this.#simulation;
-        switch (message.kind) {
-            case 'ready':
-                await this.tell();
-                break;
-            case 'ask':
-                await (session?.id === message.session ? this.#ask(session, message.asked) : this.#refuse());
-                break;
-            case 'goTo':
-                await this.#simulation.command('goTo', { scan: message.scan });
-                break;
-            case 'choose':
-                await this.#pick();
-                break;
-            case 'remove':
-                await this.#show(removed(await this.tags(), message.tag));
-                break;
-            case 'move':
-                await this.#show(moved(await this.tags(), message.tag, message.by));
-                break;
-            case 'runOrPause':
-                await (this.#simulation.isRunning ? this.#simulation.pause() : this.#simulation.run());
-        }
+        await tell(this.#side);
     }
 
     async #show(tags: readonly string[]): Promise<void> {
         this.#chosen = tags.slice(0, MOST);
-        await this.tell();
-    }
-
-    async #ask(session: Session<OpenText>, asked: TraceAsked): Promise<void> {
-        try {
-            const tags = await this.tags();
-            const traced = await session.urgent('trace', { ...asked, tags });
-            this.#chosen = renamed(tags, traced.tags);
-            this.frame.send({ kind: 'traced', session: session.id, asked, traced });
-        } catch {
-            // The simulation has ended meanwhile.
-            this.frame.send({ kind: 'refused' });
-        }
-    }
-
-    async #refuse(): Promise<void> {
-        this.frame.send({ kind: 'refused' });
         await this.tell();
     }
 

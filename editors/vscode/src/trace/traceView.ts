@@ -3,8 +3,9 @@ import { randomBytes } from 'node:crypto';
 
 import * as vscode from 'vscode';
 
-import { added, atFirst, moved, MOST, picked, removed, renamed } from '../../../../panels/trace/chosenTags.ts';
-import type { FromPage, Situation, ToPage, TraceAsked } from '../../../../panels/trace/messages.ts';
+import { answer, type Side, tell } from '../../../../panels/trace/answer.ts';
+import { added, atFirst, MOST, picked } from '../../../../panels/trace/chosenTags.ts';
+import type { FromPage } from '../../../../panels/trace/messages.ts';
 import { page } from '../../../../panels/trace/page.ts';
 import type { Session } from '../session.ts';
 import type { Simulation } from '../simulation.ts';
@@ -12,6 +13,7 @@ import type { Simulation } from '../simulation.ts';
 export class TraceView implements vscode.WebviewViewProvider, vscode.Disposable {
     readonly #simulation: Simulation;
     readonly #context: vscode.ExtensionContext;
+    readonly #side: Side;
     readonly #subscriptions: vscode.Disposable;
     #view: vscode.WebviewView | undefined;
     /** The tags of programs for which none were chosen. */
@@ -20,9 +22,20 @@ export class TraceView implements vscode.WebviewViewProvider, vscode.Disposable 
     constructor(simulation: Simulation, context: vscode.ExtensionContext) {
         this.#simulation = simulation;
         this.#context = context;
+        this.#side = {
+            send: (message) => void this.#view?.webview.postMessage(message),
+            isSeen: () => this.#view?.visible === true,
+            session: () => simulation.current,
+            tags: (session: Session) => this.#tags(session),
+            choose: (session: Session, tags) => this.#choose(session, tags),
+            pick: () => this.pick(),
+            goTo: (scan) => simulation.command('goTo', { scan }),
+            run: () => simulation.run(),
+            pause: () => simulation.pause(),
+        };
         this.#subscriptions = vscode.Disposable.from(
             vscode.window.registerWebviewViewProvider('ladder.trace', this),
-            simulation.onDidChange(() => this.#tell()),
+            simulation.onDidChange(() => tell(this.#side)),
         );
     }
 
@@ -33,8 +46,8 @@ export class TraceView implements vscode.WebviewViewProvider, vscode.Disposable 
         webview.options = { enableScripts: true, localResourceRoots: [folder] };
         const served = (name: string) => webview.asWebviewUri(vscode.Uri.joinPath(folder, name)).toString();
         const subscriptions = vscode.Disposable.from(
-            webview.onDidReceiveMessage((message: FromPage) => this.#receive(message)),
-            view.onDidChangeVisibility(() => this.#tell()),
+            webview.onDidReceiveMessage((message: FromPage) => answer(message, this.#side)),
+            view.onDidChangeVisibility(() => tell(this.#side)),
             view.onDidDispose(() => {
                 this.#view = undefined;
                 subscriptions.dispose();
@@ -105,78 +118,7 @@ export class TraceView implements vscode.WebviewViewProvider, vscode.Disposable 
         if (tags.length > MOST) {
             void vscode.window.showWarningMessage(`Ladder: a trace shows up to ${MOST} tags; the first of them are kept.`);
         }
-        void this.#context.workspaceState.update(this.#key(session), tags.slice(0, MOST)).then(() => this.#tell());
-    }
-
-    #send(message: ToPage): void {
-        void this.#view?.webview.postMessage(message);
-    }
-
-    /** Says how the simulation is: the page asks for what it shows of it. */
-    async #tell(): Promise<void> {
-        if (!this.#view?.visible) {
-            return;
-        }
-        const session = this.#simulation.current;
-        const tags = session ? await this.#tags(session) : [];
-        if (session !== this.#simulation.current) {
-            return;
-        }
-        const running = session?.state.status === 'running';
-        const situation: Situation = session ? { session: session.id, running, tags } : { running, tags };
-        this.#send({ kind: 'situation', situation });
-    }
-
-    async #receive(message: FromPage): Promise<void> {
-        const session = this.#simulation.current;
-        if (message.kind === 'ready') {
-            await this.#tell();
-            return;
-        }
-        if (message.kind === 'ask') {
-            await (session?.id === message.session ? this.#ask(session, message.asked) : this.#refuse());
-            return;
-        }
-        if (!session) {
-            return;
-        }
-        switch (message.kind) {
-            case 'goTo':
-                await this.#simulation.command('goTo', { scan: message.scan });
-                return;
-            case 'choose':
-                await this.pick();
-                return;
-            case 'remove':
-                this.#choose(session, removed(await this.#tags(session), message.tag));
-                return;
-            case 'move':
-                this.#choose(session, moved(await this.#tags(session), message.tag, message.by));
-                return;
-            case 'runOrPause':
-                await (session.state.status === 'running' ? this.#simulation.pause() : this.#simulation.run());
-        }
-    }
-
-    async #ask(session: Session, asked: TraceAsked): Promise<void> {
-        try {
-            const tags = await this.#tags(session);
-            const traced = await session.urgent('trace', { ...asked, tags });
-            const names = renamed(tags, traced.tags);
-            if (names !== tags) {
-                this.#choose(session, names);
-            }
-            this.#send({ kind: 'traced', session: session.id, asked, traced });
-        } catch {
-            // The simulation has ended meanwhile.
-            this.#send({ kind: 'refused' });
-        }
-    }
-
-    /** Another session is in sight than the one that was asked about, or was for a moment: the page asks again. */
-    async #refuse(): Promise<void> {
-        this.#send({ kind: 'refused' });
-        await this.#tell();
+        void this.#context.workspaceState.update(this.#key(session), tags.slice(0, MOST)).then(() => tell(this.#side));
     }
 
     dispose(): void {
