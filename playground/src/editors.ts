@@ -76,7 +76,7 @@ export function setUp(say: (text: string) => void) {
         message: say,
         failed(reason) {
             simulation.drop();
-            const again = element('button', { type: 'button', onclick: () => { failure.hidden = true; server.restart(); } }, 'Start it again');
+            const again = element('button', { type: 'button', onclick: () => { failure.hidden = true; server.restart(); diagram?.open(); } }, 'Start it again');
             failure.replaceChildren(`${reason} `, again);
             failure.hidden = false;
         },

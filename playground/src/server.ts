@@ -60,7 +60,7 @@ export class Server {
     }
 
     #connect(): Connection {
-        const connection = new Connection({}, (reason) => this.#events.failed(reason));
+        const connection = new Connection((reason) => this.#events.failed(reason));
         this.client.connect(connection);
         return connection;
     }

@@ -19,18 +19,16 @@ soon.port1.onmessage = () => {
 self.onmessage = ({ data }) => {
     if (server) {
         safely(() => take(data));
-    } else if (early.push(data) === 1) {
-        begin(data).catch((error) => fail(error.message));
+        return;
+    }
+    early.push(data);
+    if (data.module) {
+        begin(data.module).catch((error) => fail(error.message));
     }
 };
 
-async function begin({ wasm = new URL("ladder.wasm", import.meta.url).href }) {
-    const answer = await fetch(wasm);
-    if (!answer.ok) {
-        throw new Error(`${wasm} cannot be loaded: ${answer.status}`);
-    }
-    // A file server need not know the type of such a file.
-    server = await Server.start(await WebAssembly.compile(await answer.arrayBuffer()));
+async function begin(module) {
+    server = await Server.start(module);
     const all = early;
     early = [];
     safely(() => all.forEach(take));

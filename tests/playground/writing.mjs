@@ -96,6 +96,22 @@ export async function writing(site) {
     }, failed);
     await it.close().catch((error) => step('nothing strange happens while another program is opened', () => Promise.reject(error)));
 
+    it = await Playground.open(site, { text: '' });
+    await step('a server that cannot be loaded is said, and loaded again', async () => {
+        await it.page.route('**/ladder.wasm', (route) => route.abort());
+        await it.page.reload();
+        await it.page.locator('#failure', { hasText: 'The language server could not be loaded' }).waitFor();
+        await it.page.unroute('**/ladder.wasm');
+        await it.page.locator('#failure button').click();
+        await it.page.locator('#program .cm-content').click();
+        await it.page.keyboard.insertText('+--[ ]( a )--( )( y )--+');
+        await it.diagram.locator('g.element').first().waitFor();
+        // The browser says what it could not load.
+        assert.ok(it.strange.every((words) => words.includes('ladder.wasm') || words.includes('ERR_FAILED')), it.strange.join('\n'));
+        it.strange.length = 0;
+    }, failed);
+    await it.close().catch((error) => step('nothing strange happens while it is loaded again', () => Promise.reject(error)));
+
     it = await Playground.open(site, { text: MOTOR });
     await step('a hover explains a timer with its timing diagram', async () => {
         await it.page.locator('#program .cm-line span', { hasText: '[TON]' }).first().hover();
