@@ -1,6 +1,7 @@
 // How fast it is, and how large. What a machine decides is printed; what must hold anywhere is checked.
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
+import { cpus, loadavg } from 'node:os';
 import { join } from 'node:path';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
 
@@ -42,7 +43,9 @@ export async function speed(site) {
             await it.close();
         }
         print(`${times.join(', ')} ms after the page was asked for`);
-        assert.ok(Math.min(...times) < 1000, times.join());
+        // A machine that has other work to do takes longer by so much.
+        const busy = Math.max(loadavg()[0] / cpus().length, 1);
+        assert.ok(Math.min(...times) < 1000 * busy, `${times.join()} at ${busy}`);
     });
     const it = await Playground.open(site, { text: '' });
     await step('keys typed into 1,000 rungs', async () => {
