@@ -26,7 +26,7 @@ pub enum Item {
     Directive(String),
     /// A blank line.
     Blank,
-    /// `VAR` .. `END_VAR`
+    /// `VAR` .. `END_VAR`, or `TYPE` .. `END_TYPE`
     Section(Section),
     /// A network.
     Network(Network),
@@ -71,6 +71,8 @@ pub enum SectionKind {
     VarInOut,
     VarGlobal,
     VarExternal,
+    /// Its declarations are types: `(IDLE, FILLING)`, `STRUCT` with its members on lines of their own.
+    Type,
 }
 
 impl SectionKind {
@@ -83,6 +85,15 @@ impl SectionKind {
             SectionKind::VarInOut => "VAR_IN_OUT",
             SectionKind::VarGlobal => "VAR_GLOBAL",
             SectionKind::VarExternal => "VAR_EXTERNAL",
+            SectionKind::Type => "TYPE",
+        }
+    }
+
+    /// The keyword that it ends with.
+    pub const fn end(self) -> &'static str {
+        match self {
+            SectionKind::Type => "END_TYPE",
+            _ => "END_VAR",
         }
     }
 }

@@ -146,7 +146,7 @@ impl Writer {
         for declaration in &section.declarations {
             self.declaration(declaration);
         }
-        self.line("END_VAR");
+        self.line(section.kind.end());
     }
 
     fn declaration(&mut self, declaration: &Declaration) {

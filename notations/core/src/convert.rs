@@ -1,6 +1,6 @@
 //! From a file of another system to ladder text.
 
-use super::{Finding, LineColumn, Notation, ReadError, Reading, Report, Source};
+use super::{Companion, Content, Finding, LineColumn, Notation, ReadError, Reading, Report, Source};
 use ladder_format::program::{Item, ProgramSketch, WrittenProgram};
 use ladder_syntax::TextSize;
 use std::collections::HashSet;
@@ -19,6 +19,8 @@ pub struct Converted {
     pub report: Report,
     /// What the other system itself would complain about.
     pub findings: Vec<Finding>,
+    /// The files of a project, for a folder; empty: the program is one file.
+    pub files: Vec<Companion>,
 }
 
 impl Converted {
@@ -47,12 +49,21 @@ pub fn convert(
         places,
         report,
         findings,
+        files,
     } = notation.read(source)?;
     let mut written = program.write(options);
     if without_idle_directives(&mut program, &written.text) {
         written = program.write(options);
     }
+    let files = files.into_iter().map(|file| Companion {
+        name: file.name,
+        bytes: match file.content {
+            Content::Program(program) => program.write(options).text.into_bytes(),
+            Content::Text(text) => text.into_bytes(),
+        },
+    });
     Ok(Converted {
+        files: files.collect(),
         written,
         places,
         report,

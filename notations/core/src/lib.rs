@@ -33,7 +33,7 @@ pub use ladder_format::names::{self, Names};
 pub use ladder_syntax::LineColumn;
 pub use notation::{Notation, has_extension};
 pub use place::Lines;
-pub use reading::{Reading, Writing};
+pub use reading::{Content, ProjectFile, Reading, Writing};
 pub use remark::{Remark, remarks};
 pub use report::{Entry, Outcome, Report, Tally};
 pub use source::{Companion, Source, text_of};

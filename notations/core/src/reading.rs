@@ -14,6 +14,27 @@ pub struct Reading {
     pub report: Report,
     /// What the other system itself would complain about.
     pub findings: Vec<Finding>,
+    /// The same as the files of a workspace, where the source is a whole project: what is written into a folder. Empty:
+    /// the program is one file.
+    pub files: Vec<ProjectFile>,
+}
+
+/// A file of a project.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ProjectFile {
+    /// Its whole name: `Main.clad`, `ladder.toml`. It has no folder.
+    pub name: String,
+    /// What is in it.
+    pub content: Content,
+}
+
+/// What is in a file of a project.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Content {
+    /// A program, or types and blocks that programs share.
+    Program(ProgramSketch),
+    /// Settings, as they are written.
+    Text(String),
 }
 
 impl Reading {
