@@ -8,7 +8,7 @@ use crate::form::{self, Form};
 use crate::outcome::{Failure, Outcome};
 use crate::output::{Existing, Output};
 use crate::terminal;
-use clap::{Args, ValueEnum};
+use clap::Args;
 use ladder_notations::{Companion, Foreign, Notation, write_checked};
 use ladder_workspace::shown;
 use report::{Account, Side};
@@ -22,6 +22,7 @@ Examples:
   ladder convert old.cplc -o motor.clad       write it to a file
   ladder convert motor.clad --to textbook     the other way round
   ladder convert plant/ -o converted/         all programs of a folder
+  ladder convert project.xml -o plant/        a project as the files of a workspace
   ladder convert old.cplc --report json -o motor.clad
                                               what became of each element
 
@@ -55,19 +56,13 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "NOTATION", value_parser = form::names())]
     to: Option<String>,
 
-    /// Say what became of each element, in this form, on stderr
-    #[arg(long, value_enum, value_name = "FORM")]
-    report: Option<ReportForm>,
+    /// Say what became of each element: `json` on stderr, or in this file, as JSON if it is called .json
+    #[arg(long, value_name = "FORM|FILE")]
+    report: Option<PathBuf>,
 
     /// Replace files that no command of ladder made
     #[arg(long)]
     force: bool,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum ReportForm {
-    /// One JSON array of objects
-    Json,
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
@@ -87,9 +82,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             }
         }
     }
-    match arguments.report {
-        Some(ReportForm::Json) => report::json(&accounts)?,
+    match arguments.report.as_deref() {
         None => report::people(&accounts),
+        Some(form) if form == Path::new("json") => report::json(&accounts)?,
+        Some(file) => {
+            report::people(&accounts);
+            report::file(&accounts, file, Existing::by(arguments.force))?;
+        }
     }
     Ok(outcome)
 }
@@ -98,6 +97,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 fn convert(job: &Job, existing: Existing) -> Result<(Account, Outcome), Failure> {
     let name = shown::path(&job.input);
     let mut account = Account::new(name.clone());
+    let mut files = Vec::new();
     let ladder = match job.from {
         Form::Ladder => {
             let text = ladder_workspace::decode(&job.input, job.bytes.clone())?;
@@ -108,9 +108,15 @@ fn convert(job: &Job, existing: Existing) -> Result<(Account, Outcome), Failure>
             let ladder = Source::new(job.input.display().to_string(), foreign.ladder().to_owned());
             let report = foreign.report(ladder.analyze().errors());
             account.add(Side::Source, &report, &foreign.converted().findings);
+            files.clone_from(&foreign.converted().files);
             ladder
         }
     };
+    if let (Form::Ladder, Some(folder), false) = (job.to, &job.folder, files.is_empty()) {
+        write_project(folder, &files, existing)?;
+        let outcome = account.outcome();
+        return Ok((account, outcome));
+    }
     let (bytes, next_to) = match job.to {
         Form::Ladder => (ladder.text.into_bytes(), Vec::new()),
         Form::Foreign(notation) => {
@@ -142,7 +148,7 @@ fn write(
     next_to: &[Companion],
     existing: Existing,
 ) -> Result<(), Failure> {
-    let mut files = vec![(Output::open(output, existing)?, bytes)];
+    let mut files: Vec<(Output, &[u8])> = vec![(Output::open(output, existing)?, bytes)];
     for companion in next_to {
         let Some(output) = output else {
             let name = shown::line(&companion.name);
@@ -157,6 +163,20 @@ fn write(
         }
         files.push((Output::open(Some(&path), existing)?, &companion.bytes));
     }
+    finish(files)
+}
+
+/// Writes the files of a project into a folder. Nothing is written if one of them may not be.
+fn write_project(folder: &Path, files: &[Companion], existing: Existing) -> Result<(), Failure> {
+    make_folder(folder)?;
+    let open = files.iter().map(|file| {
+        let output = Output::open(Some(&folder.join(&file.name)), existing)?;
+        Ok((output, file.bytes.as_slice()))
+    });
+    finish(open.collect::<Result<_, Failure>>()?)
+}
+
+fn finish(mut files: Vec<(Output, &[u8])>) -> Result<(), Failure> {
     for (file, bytes) in &mut files {
         match std::str::from_utf8(bytes) {
             Ok(text) if file.is_on_screen() => file.write_text(text)?,

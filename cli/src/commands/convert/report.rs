@@ -2,12 +2,14 @@
 
 use crate::json::to_writer_pretty;
 use crate::outcome::{Failure, Outcome};
+use crate::output::{Existing, Output};
 use crate::terminal;
 use ladder_analysis::Severity;
 use ladder_notations::{Finding, LineColumn, Outcome as Became, Report, Tally};
 use ladder_workspace::shown;
 use serde::Serialize;
 use std::io::Write;
+use std::path::Path;
 
 /// Whose places a report has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,6 +40,19 @@ struct Entry {
     element: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     reason: Option<String>,
+}
+
+impl Entry {
+    fn line(&self) -> String {
+        let place = match (self.line, self.column) {
+            (Some(line), Some(column)) => format!(":{line}:{column}"),
+            _ => String::new(),
+        };
+        let element = shown::line(&self.element);
+        let reason = self.reason.as_deref().map(shown::line);
+        let reason = reason.map(|reason| format!(": {reason}")).unwrap_or_default();
+        format!("{}{place}: {}: {element}{reason}", self.file, self.outcome)
+    }
 }
 
 impl Account {
@@ -115,18 +130,10 @@ pub(super) fn people(accounts: &[Account]) {
     let mut out = String::new();
     for account in accounts {
         for entry in &account.entries {
-            let Some(reason) = &entry.reason else { continue };
-            let place = match (entry.line, entry.column) {
-                (Some(line), Some(column)) => format!(":{line}:{column}"),
-                _ => String::new(),
-            };
-            out.push_str(&format!(
-                "{}{place}: {}: {}: {}\n",
-                account.file,
-                entry.outcome,
-                shown::line(&entry.element),
-                shown::line(reason)
-            ));
+            if entry.reason.is_some() {
+                out.push_str(&entry.line());
+                out.push('\n');
+            }
         }
         let Tally {
             translated,
@@ -145,11 +152,29 @@ pub(super) fn people(accounts: &[Account]) {
 
 /// One array of objects, on stderr: stdout may be the program.
 pub(super) fn json(accounts: &[Account]) -> Result<(), Failure> {
-    let entries: Vec<&Entry> = accounts.iter().flat_map(|account| &account.entries).collect();
     let mut err = terminal::stderr();
-    to_writer_pretty(&mut err, &entries)
-        .map_err(|error| Failure::new(format!("the report cannot be written: {error}")))?;
-    writeln!(err)?;
+    write_json(accounts, &mut err)?;
     err.flush()?;
     Ok(())
+}
+
+fn write_json(accounts: &[Account], out: &mut impl Write) -> Result<(), Failure> {
+    let entries: Vec<&Entry> = accounts.iter().flat_map(|account| &account.entries).collect();
+    to_writer_pretty(&mut *out, &entries)
+        .map_err(|error| Failure::new(format!("the report cannot be written: {error}")))?;
+    writeln!(out)?;
+    Ok(())
+}
+
+/// Every element in a file: the same JSON if it is called so, else a line for each.
+pub(super) fn file(accounts: &[Account], file: &Path, existing: Existing) -> Result<(), Failure> {
+    let mut output = Output::open(Some(file), existing)?;
+    if file.extension().is_some_and(|extension| extension == "json") {
+        write_json(accounts, &mut output)?;
+    } else {
+        for entry in accounts.iter().flat_map(|account| &account.entries) {
+            writeln!(output, "{}", entry.line())?;
+        }
+    }
+    output.finish()
 }

@@ -15,6 +15,8 @@ pub(super) struct Job {
     pub(super) to: Form,
     /// None: stdout.
     pub(super) output: Option<PathBuf>,
+    /// Where the files of a project go, if it is one.
+    pub(super) folder: Option<PathBuf>,
 }
 
 /// The programs that the inputs stand for. What is wrong with single ones has been reported, and is in the outcome.
@@ -90,7 +92,7 @@ pub(super) fn jobs(
             "there is no program to convert; name a file, or its notation with --from",
         ));
     }
-    if several && output.is_some() {
+    if output.is_some_and(|output| several || is_folder(output)) {
         let folders = jobs.iter().filter_map(|job| job.output.as_ref()?.parent());
         let folders: BTreeSet<&Path> = folders.collect();
         for folder in folders {
@@ -159,12 +161,18 @@ fn job(
             shown::path(input)
         )));
     };
-    let output = output.filter(|output| *output != Path::new("-")).map(|output| {
-        if folder.is_none() && !output.is_dir() {
+    let output = output.filter(|output| *output != Path::new("-"));
+    let stem = input.file_stem().unwrap_or_default();
+    let own_folder = match folder {
+        Some(folder) => Some(folder.join(stem)),
+        None => output.filter(|output| is_folder(output)).map(Path::to_owned),
+    };
+    let output = output.map(|output| {
+        if own_folder.is_none() {
             return output.to_owned();
         }
         // A stem may have dots of its own.
-        let mut name = input.file_stem().unwrap_or_default().to_owned();
+        let mut name = stem.to_owned();
         name.push(".");
         name.push(to.extension());
         folder.unwrap_or(output).join(name)
@@ -175,7 +183,13 @@ fn job(
         from,
         to,
         output,
+        folder: own_folder,
     }))
+}
+
+/// Whether a path is a folder, or is written as one.
+fn is_folder(path: &Path) -> bool {
+    path.is_dir() || path.as_os_str().as_encoded_bytes().ends_with(b"/")
 }
 
 fn ends_like(path: &Path, form: Form) -> bool {
