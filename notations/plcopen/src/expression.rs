@@ -1,0 +1,503 @@
+//! Expressions of IEC 61131-3 as operands of ladder text.
+
+use super::model::Type;
+use super::scope::{Scope, Shared, member, trigger};
+use super::standard;
+
+/// An operand.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Operand {
+    /// As it is written here.
+    pub(crate) text: String,
+    pub(crate) form: Form,
+    /// Its type, where that is known.
+    pub(crate) ty: Option<Type>,
+    /// The tags that it reads, each without members and indices, in small letters.
+    pub(crate) reads: Vec<String>,
+}
+
+/// What an operand is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Form {
+    Literal,
+    /// A tag, or a part of one.
+    Path,
+    /// `NOT` of a tag.
+    NotPath,
+    /// Anything else.
+    Expression,
+}
+
+/// Parentheses nest no deeper.
+const DEEPEST: usize = 40;
+
+/// A longer expression is not read.
+const LONGEST: usize = 2_000;
+
+/// What names mean in a unit.
+#[derive(Clone, Copy)]
+pub(crate) struct Meaning<'m> {
+    pub(crate) shared: &'m Shared<'m>,
+    pub(crate) scope: &'m Scope,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum Token {
+    Word(String),
+    /// `Phase.IDLE`
+    Enumerator(String),
+    Literal(String, Option<&'static str>),
+    Sign(&'static str),
+}
+
+/// The operand that an expression is.
+///
+/// # Errors
+///
+/// Why it has no counterpart.
+pub(crate) fn operand(text: &str, meaning: Meaning<'_>) -> Result<Operand, String> {
+    let tokens = tokens(text)?;
+    let mut parser = Parser {
+        tokens: &tokens,
+        at: 0,
+        meaning,
+        depth: 0,
+        reads: Vec::new(),
+        compares: false,
+        pieces: 0,
+    };
+    if tokens.is_empty() {
+        return Err("there is no variable".to_owned());
+    }
+    let (out, ty) = parser.sequence()?;
+    if parser.at < tokens.len() {
+        return Err("its parentheses do not match".to_owned());
+    }
+    let form = match (&tokens[..], parser.pieces) {
+        ([Token::Literal(..)] | [Token::Sign("-"), Token::Literal(..)], _) => Form::Literal,
+        ([Token::Word(word)], _) if is_truth(word) => Form::Literal,
+        ([Token::Word(_) | Token::Enumerator(_), ..], 1) if tokens.get(1) != Some(&Token::Sign("(")) => {
+            Form::Path
+        }
+        ([Token::Word(_), ..], 2)
+            if out
+                .strip_prefix("NOT ")
+                .is_some_and(|rest| !rest.contains([' ', '('])) =>
+        {
+            Form::NotPath
+        }
+        _ => Form::Expression,
+    };
+    let ty = if parser.compares { Some(named("BOOL")) } else { ty };
+    Ok(Operand {
+        text: out,
+        form,
+        ty,
+        reads: parser.reads,
+    })
+}
+
+fn named(name: &str) -> Type {
+    Type::Named(name.to_owned())
+}
+
+fn is_truth(word: &str) -> bool {
+    word.eq_ignore_ascii_case("TRUE") || word.eq_ignore_ascii_case("FALSE")
+}
+
+struct Parser<'t, 'm> {
+    tokens: &'t [Token],
+    at: usize,
+    meaning: Meaning<'m>,
+    depth: usize,
+    reads: Vec<String>,
+    compares: bool,
+    /// How many things stand next to each other outside parentheses; one in parentheses is what it is without.
+    pieces: usize,
+}
+
+impl Parser<'_, '_> {
+    /// Everything up to a closing parenthesis, or the end.
+    fn sequence(&mut self) -> Result<(String, Option<Type>), String> {
+        if self.depth > DEEPEST {
+            return Err(format!("its parentheses nest deeper than {DEEPEST}"));
+        }
+        let mut out = String::new();
+        let mut found: Option<Type> = None;
+        while let Some(token) = self.tokens.get(self.at) {
+            let (piece, ty) = match token {
+                Token::Sign(")" | "]" | ",") => break,
+                Token::Sign("(") => {
+                    self.at += 1;
+                    let (inner, ty) = self.nested(")")?;
+                    // NOT( a ) is NOT a.
+                    let alone = out == "NOT" && !inner.contains(' ');
+                    (if alone { inner } else { format!("({inner})") }, ty)
+                }
+                Token::Sign(sign @ ("[" | ".")) => return Err(format!("a `{sign}` has nothing before it")),
+                Token::Enumerator(text) => {
+                    self.at += 1;
+                    (text.clone(), None)
+                }
+                Token::Sign(sign) => {
+                    self.at += 1;
+                    self.compares |= matches!(*sign, "=" | "<>" | "<" | "<=" | ">" | ">=");
+                    ((*sign).to_owned(), None)
+                }
+                Token::Literal(text, ty) => {
+                    self.at += 1;
+                    (text.clone(), ty.map(named))
+                }
+                Token::Word(word) => self.word(word)?,
+            };
+            found = found.or(ty);
+            self.pieces += usize::from(self.depth == 0);
+            let sign = out.is_empty() || out.ends_with('(') || (out.len() == 1 && out.starts_with('-'));
+            if !sign {
+                out.push(' ');
+            }
+            out.push_str(&piece);
+        }
+        if out.is_empty() {
+            return Err("something is missing in it".to_owned());
+        }
+        Ok((out, found))
+    }
+
+    /// What is in parentheses, with what closes them.
+    fn nested(&mut self, close: &'static str) -> Result<(String, Option<Type>), String> {
+        self.depth += 1;
+        let mut parts = Vec::new();
+        let mut found = None;
+        loop {
+            let (part, ty) = self.sequence()?;
+            found = found.or(ty);
+            parts.push(part);
+            match self.tokens.get(self.at) {
+                Some(Token::Sign(",")) => self.at += 1,
+                Some(Token::Sign(sign)) if *sign == close => break,
+                _ => return Err("its parentheses do not match".to_owned()),
+            }
+        }
+        self.at += 1;
+        self.depth -= 1;
+        Ok((parts.join(", "), found))
+    }
+
+    fn word(&mut self, word: &str) -> Result<(String, Option<Type>), String> {
+        self.at += 1;
+        let upper = word.to_ascii_uppercase();
+        if matches!(upper.as_str(), "AND" | "OR" | "XOR" | "NOT" | "MOD") {
+            return Ok((upper, None));
+        }
+        if is_truth(word) {
+            return Ok((upper, Some(named("BOOL"))));
+        }
+        if self.next_is("(") {
+            return self.call(word);
+        }
+        self.path(word)
+    }
+
+    fn next_is(&self, sign: &str) -> bool {
+        matches!(self.tokens.get(self.at), Some(Token::Sign(next)) if *next == sign)
+    }
+
+    fn call(&mut self, word: &str) -> Result<(String, Option<Type>), String> {
+        let Some(standard::Function::Value(mnemonic)) = standard::function(word) else {
+            return Err(format!(
+                "`{word}` is no function that an expression can have here"
+            ));
+        };
+        self.at += 1;
+        let (inner, ty) = self.nested(")")?;
+        Ok((format!("{mnemonic}({inner})"), ty))
+    }
+
+    /// A variable, with members and indices.
+    fn path(&mut self, word: &str) -> Result<(String, Option<Type>), String> {
+        if let Some(address) = word.strip_prefix('%') {
+            let text = address_of(word).ok_or_else(|| format!("`%{address}` is no address here"))?;
+            self.reads.push(text.to_lowercase());
+            let ty = match text.as_bytes()[2] {
+                b'X' => "BOOL",
+                b'B' => "BYTE",
+                b'W' => "WORD",
+                b'D' => "DWORD",
+                _ => "LWORD",
+            };
+            return Ok((text, Some(named(ty))));
+        }
+        let Meaning { shared, scope } = self.meaning;
+        let known = scope.get(word).or_else(|| shared.globals.get(word));
+        let (mut out, mut ty) = match known {
+            Some(known) => (known.spelled.clone(), Some(known.ty.clone())),
+            // A list of globals in CODESYS: GVL.name.
+            None => match self.global_in_list() {
+                Some(found) => found,
+                None => (member(word), None),
+            },
+        };
+        self.reads.push(out.to_lowercase());
+        loop {
+            if self.next_is("[") {
+                self.at += 1;
+                let (inner, _) = self.nested("]")?;
+                out.push_str(&format!("[{inner}]"));
+                ty = ty.and_then(|ty| match shared.real(&ty) {
+                    Type::Array(_, of) => Some((**of).clone()),
+                    _ => None,
+                });
+                continue;
+            }
+            if !self.next_is(".") {
+                break;
+            }
+            self.at += 1;
+            match self.tokens.get(self.at) {
+                Some(Token::Word(name)) => {
+                    self.at += 1;
+                    if ty.as_ref().and_then(trigger).is_some() {
+                        ty = Some(named("BOOL"));
+                        continue;
+                    }
+                    (out, ty) = self.member(out, ty, name);
+                }
+                Some(Token::Literal(bit, None)) if bit.bytes().all(|c| c.is_ascii_digit()) => {
+                    self.at += 1;
+                    out.push_str(&format!(".{bit}"));
+                    ty = Some(named("BOOL"));
+                }
+                _ => return Err("a point stands where nothing follows".to_owned()),
+            }
+        }
+        Ok((out, ty))
+    }
+
+    fn global_in_list(&mut self) -> Option<(String, Option<Type>)> {
+        let (Some(Token::Sign(".")), Some(Token::Word(name))) =
+            (self.tokens.get(self.at), self.tokens.get(self.at + 1))
+        else {
+            return None;
+        };
+        let known = self.meaning.shared.globals.get(name)?;
+        self.at += 2;
+        Some((known.spelled.clone(), Some(known.ty.clone())))
+    }
+
+    fn member(&self, of: String, ty: Option<Type>, name: &str) -> (String, Option<Type>) {
+        let shared = self.meaning.shared;
+        let Some(ty) = ty else {
+            return (format!("{of}.{}", member(name)), None);
+        };
+        if let Some(block) = shared.block_of(&ty)
+            && let Some(known) = block.scope.get(name)
+        {
+            return (format!("{of}.{}", known.spelled), Some(known.ty.clone()));
+        }
+        if let Type::Named(block) = &ty
+            && standard::block(block).is_some()
+        {
+            let name = name.to_ascii_uppercase();
+            let ty = standard::output_type(&name);
+            return (format!("{of}.{name}"), Some(named(ty)));
+        }
+        let found = shared.members(&ty).and_then(|members| {
+            let found = members.iter().find(|one| one.name.eq_ignore_ascii_case(name));
+            found.map(|found| (member(&found.name), found.ty.clone()))
+        });
+        match found {
+            Some((name, ty)) => (format!("{of}.{name}"), Some(ty)),
+            None => (format!("{of}.{}", member(name)), None),
+        }
+    }
+}
+
+/// An address as ladder text has it: `%IX0.3`. None: it has more levels than there are here, or none.
+pub(crate) fn address_of(text: &str) -> Option<String> {
+    let upper = text.trim().to_ascii_uppercase();
+    let rest = upper.strip_prefix('%')?;
+    let area = rest.chars().next().filter(|area| "IQM".contains(*area))?;
+    let rest = &rest[1..];
+    let (size, number) = match rest.chars().next()? {
+        size @ ('X' | 'B' | 'W' | 'D' | 'L') => (size, &rest[1..]),
+        _ => ('X', rest),
+    };
+    let mut levels = number.split('.');
+    let mut level = || -> Option<u32> { levels.next()?.parse().ok() };
+    let first = level()?;
+    let text = match (size, level()) {
+        ('X', bit) => format!("%{area}X{first}.{}", bit?),
+        (_, None) if !number.contains('.') => format!("%{area}{size}{first}"),
+        _ => return None,
+    };
+    (levels.next().is_none()).then_some(text)
+}
+
+const SIGNS: [&str; 18] = [
+    "<>", "<=", ">=", "**", "(", ")", "[", "]", ",", ".", "+", "-", "*", "/", "=", "<", ">", "&",
+];
+
+fn tokens(text: &str) -> Result<Vec<Token>, String> {
+    if text.len() > LONGEST {
+        return Err(format!("it is longer than {LONGEST} characters"));
+    }
+    let mut tokens = Vec::new();
+    let mut rest = text.trim();
+    while let Some(c) = rest.chars().next() {
+        let length = if c.is_whitespace() {
+            rest = rest.trim_start();
+            continue;
+        } else if c.is_alphabetic() || c == '_' || c == '%' {
+            let length = word_length(rest);
+            let word = &rest[..length];
+            if rest[length..].starts_with('#') {
+                let (token, length) = prefixed(rest, length)?;
+                tokens.push(token);
+                length
+            } else {
+                tokens.push(Token::Word(word.to_owned()));
+                length
+            }
+        } else if c.is_ascii_digit() {
+            // After a point it is a bit: nothing more belongs to it.
+            let is_bit = tokens.last() == Some(&Token::Sign("."));
+            let length = if is_bit { digits(rest) } else { number_length(rest) };
+            let ty = rest[..length].contains('.').then_some("LREAL");
+            tokens.push(Token::Literal(rest[..length].to_owned(), ty));
+            length
+        } else if c == '\'' || c == '"' {
+            let (string, length) = quoted(rest, c)?;
+            tokens.push(Token::Literal(string, Some("STRING")));
+            length
+        } else {
+            let sign = SIGNS.iter().find(|sign| rest.starts_with(**sign));
+            let sign =
+                sign.ok_or_else(|| format!("`{}` has no place in an expression here", c.escape_debug()))?;
+            tokens.push(match *sign {
+                "&" => Token::Word("AND".to_owned()),
+                "**" => Token::Sign("^"),
+                sign => Token::Sign(sign),
+            });
+            sign.len()
+        };
+        rest = &rest[length..];
+    }
+    Ok(tokens)
+}
+
+fn word_length(text: &str) -> usize {
+    // An address has points in it.
+    let is_address = text.starts_with('%');
+    let goes_on = |c: char| c.is_alphanumeric() || c == '_' || (is_address && matches!(c, '%' | '.' | '*'));
+    text.find(|c| !goes_on(c)).unwrap_or(text.len())
+}
+
+fn digits(text: &str) -> usize {
+    text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len())
+}
+
+/// `T#5s`, `INT#16#FF`, `Phase#IDLE`: what it is, and how long.
+fn prefixed(text: &str, word: usize) -> Result<(Token, usize), String> {
+    let prefix = text[..word].to_ascii_uppercase();
+    let after = &text[word + 1..];
+    let is_part = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | '#' | ':');
+    let sign = usize::from(after.starts_with(['-', '+']));
+    let mut length = after[sign..]
+        .find(|c| !is_part(c))
+        .map_or(after.len(), |end| end + sign);
+    let ty = match prefix.as_str() {
+        "T" | "TIME" | "LT" | "LTIME" => Some("TIME"),
+        "D" | "DATE" | "LD" | "LDATE" => Some("DATE"),
+        "TOD" | "TIME_OF_DAY" | "LTOD" => Some("TOD"),
+        "DT" | "DATE_AND_TIME" | "LDT" => Some("DT"),
+        other => standard::elementary(other),
+    };
+    let Some(ty) = ty else {
+        let value = &after[..length];
+        let text = format!("{}.{}", member(&text[..word]), member(value));
+        return Ok((Token::Enumerator(text), word + 1 + length));
+    };
+    // Dates have signs between their numbers.
+    if matches!(ty, "DATE" | "DT") {
+        let is_date = |c: char| is_part(c) || c == '-';
+        length = after.find(|c| !is_date(c)).unwrap_or(after.len());
+    }
+    let value = &after[..length];
+    if value.is_empty() || value.matches('#').count() > 1 {
+        return Err(format!(
+            "`{}` is no literal",
+            text[..word + 1 + length].escape_debug()
+        ));
+    }
+    let prefix = match prefix.as_str() {
+        "LT" | "LTIME" => "T",
+        "LD" | "LDATE" => "D",
+        "LTOD" => "TOD",
+        "LDT" => "DT",
+        other => other,
+    };
+    let value = value.strip_prefix('+').unwrap_or(value);
+    // A literal holds one sign of numbers: INT#16#FF is 16#FF.
+    let text = if value.contains('#') {
+        value.to_owned()
+    } else {
+        format!("{prefix}#{value}")
+    };
+    Ok((Token::Literal(text, Some(ty)), word + 1 + length))
+}
+
+/// `16#FF`, `1_000`, `1.5e-3`.
+fn number_length(text: &str) -> usize {
+    let bytes = text.as_bytes();
+    let run = |from: usize| {
+        let rest = &bytes[from..];
+        from + rest
+            .iter()
+            .position(|c| !c.is_ascii_digit() && *c != b'_')
+            .unwrap_or(rest.len())
+    };
+    let mut end = run(0);
+    if bytes.get(end) == Some(&b'#') {
+        let rest = &bytes[end + 1..];
+        return end
+            + 1
+            + rest
+                .iter()
+                .position(|c| !c.is_ascii_alphanumeric() && *c != b'_')
+                .unwrap_or(rest.len());
+    }
+    if bytes.get(end) == Some(&b'.') && bytes.get(end + 1).is_some_and(u8::is_ascii_digit) {
+        end = run(end + 1);
+    }
+    if matches!(bytes.get(end), Some(b'e' | b'E')) {
+        let sign = usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
+        if bytes.get(end + 1 + sign).is_some_and(u8::is_ascii_digit) {
+            end = run(end + 1 + sign);
+        }
+    }
+    end
+}
+
+/// A string with single quotes, and how long it was.
+fn quoted(text: &str, quote: char) -> Result<(String, usize), String> {
+    let mut out = String::from("'");
+    let mut chars = text.char_indices().skip(1);
+    while let Some((at, c)) = chars.next() {
+        match c {
+            '$' => {
+                let (_, next) = chars.next().ok_or("a string does not end")?;
+                if next == '"' {
+                    out.push('"');
+                } else {
+                    out.extend(['$', next]);
+                }
+            }
+            c if c == quote => return Ok((out + "'", at + c.len_utf8())),
+            '\'' => out.push_str("$'"),
+            c if c.is_control() => return Err("a line ends in a string".to_owned()),
+            c => out.push(c),
+        }
+    }
+    Err("a string does not end".to_owned())
+}

@@ -1,0 +1,58 @@
+//! PLCopen XML (TC6 2.0 and 2.01): projects of Beremiz, OpenPLC, CODESYS and others.
+//!
+//! ```text
+//! XML --read--> Project: types, variables, units, tasks; bodies as graphs of elements and wires
+//!                  |
+//!               sketch: scope (what names mean), expression, standard (functions and blocks)
+//!                  |
+//!               body: what is done, in its order --prepare--> what must stand above
+//!                  |
+//!               draw: each network as series and branches --> one program, and the files of a workspace
+//! ```
+//!
+//! Other files that hold such graphs are read into the same [`model`] and go the same way through [`reading`].
+#![forbid(unsafe_code)]
+
+mod expression;
+pub mod graph;
+pub mod model;
+mod read;
+mod scope;
+mod sketch;
+mod standard;
+mod xml;
+
+pub use sketch::reading;
+
+use ladder_analysis::Analysis;
+use ladder_notation::{Notation, ReadError, Reading, Source, WriteError, Writing};
+
+/// See the module.
+#[derive(Debug)]
+pub struct Plcopen;
+
+impl Notation for Plcopen {
+    fn name(&self) -> &'static str {
+        "plcopen"
+    }
+
+    fn title(&self) -> &'static str {
+        "PLCopen XML project"
+    }
+
+    fn extensions(&self) -> &'static [&'static str] {
+        &["xml"]
+    }
+
+    fn recognises(&self, bytes: &[u8]) -> bool {
+        read::recognises(bytes)
+    }
+
+    fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
+        read::project(source.text()?).map(reading)
+    }
+
+    fn write(&self, _: &Analysis) -> Result<Writing, WriteError> {
+        Err(WriteError::new("PLCopen XML is read only"))
+    }
+}

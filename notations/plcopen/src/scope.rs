@@ -1,0 +1,200 @@
+//! What names mean: the variables of a unit and of the project, its types, its blocks.
+
+use super::model::{Project, Role, Type, Unit, UnitKind, Variable};
+use super::standard::{self, StandardBlock};
+use ladder_notation::Names;
+use std::collections::{HashMap, HashSet};
+
+/// A variable as it is called here.
+#[derive(Debug, Clone)]
+pub(crate) struct Known {
+    pub(crate) spelled: String,
+    pub(crate) ty: Type,
+}
+
+/// The variables of one unit, or those of the project.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Scope {
+    known: HashMap<String, Known>,
+    names: Names,
+    taken: HashSet<String>,
+}
+
+/// What the whole project knows.
+pub(crate) struct Shared<'p> {
+    pub(crate) globals: Scope,
+    /// The types, by their names in small letters: how each is spelled, and what it is.
+    pub(crate) types: HashMap<String, (String, &'p Type)>,
+    /// The functions and function blocks, by their names in small letters.
+    pub(crate) blocks: HashMap<String, BlockOf<'p>>,
+}
+
+/// A unit that others use.
+pub(crate) struct BlockOf<'p> {
+    /// `$Motor`
+    pub(crate) name: String,
+    pub(crate) unit: &'p Unit,
+    pub(crate) scope: Scope,
+}
+
+impl Scope {
+    /// Takes names that are others' already.
+    pub(crate) fn next_to(globals: &Scope) -> Scope {
+        Scope {
+            known: HashMap::new(),
+            names: globals.names.clone(),
+            taken: globals.taken.clone(),
+        }
+    }
+
+    /// Another scope that shares the spellings: two programs in one file.
+    pub(crate) fn beside(&self) -> Scope {
+        Scope::next_to(self)
+    }
+
+    /// The variable of a name.
+    pub(crate) fn get(&self, name: &str) -> Option<&Known> {
+        self.known.get(&name.to_lowercase())
+    }
+
+    /// A name for something that the source has no variable for.
+    pub(crate) fn fresh(&mut self, like: &str) -> String {
+        let name = self.names.fresh(like);
+        self.taken.insert(name.to_lowercase());
+        name
+    }
+
+    /// Takes a variable in; where its name is another's already, its owner is put before it.
+    pub(crate) fn declare(&mut self, name: &str, ty: &Type, owner: &str) {
+        let key = name.to_lowercase();
+        if self.known.contains_key(&key) {
+            return;
+        }
+        let like = match trigger(ty) {
+            Some(_) => format!("{name}_Q"),
+            None => name.to_owned(),
+        };
+        let spelled = if self.taken.contains(&like.to_lowercase()) && !owner.is_empty() {
+            self.fresh(&format!("{owner}_{like}"))
+        } else {
+            self.fresh(&like)
+        };
+        let ty = ty.clone();
+        self.known.insert(key, Known { spelled, ty });
+    }
+
+    fn alias(&mut self, name: &str, spelled: &str, ty: &Type) {
+        let (spelled, ty) = (spelled.to_owned(), ty.clone());
+        self.known.insert(name.to_lowercase(), Known { spelled, ty });
+    }
+}
+
+/// Whether a type is that of an edge detector, which needs no state of its own here.
+pub(crate) fn trigger(ty: &Type) -> Option<StandardBlock> {
+    let Type::Named(name) = ty else { return None };
+    standard::block(name).filter(|block| !matches!(block, StandardBlock::Stateful(..)))
+}
+
+impl<'p> Shared<'p> {
+    pub(crate) fn of(project: &'p Project) -> Shared<'p> {
+        let mut names = Names::default();
+        let mut types = HashMap::new();
+        for declared in &project.types {
+            let spelled = names.fresh(&declared.name);
+            types
+                .entry(declared.name.to_lowercase())
+                .or_insert((spelled, &declared.ty));
+        }
+        let mut globals = Scope::default();
+        for variable in &project.globals {
+            globals.declare(&variable.name, &variable.ty, "");
+        }
+        let mut blocks = HashMap::new();
+        let mut taken = HashSet::new();
+        for unit in &project.units {
+            if unit.kind == UnitKind::Program || blocks.contains_key(&unit.name.to_lowercase()) {
+                continue;
+            }
+            let name = block_name(&unit.name, &mut taken);
+            let mut scope = Scope::next_to(&globals);
+            let power = Type::Named("BOOL".to_owned());
+            scope.alias("EN", "EN", &power);
+            scope.alias("ENO", "ENO", &power);
+            for variable in local(unit) {
+                scope.declare(&variable.name, &variable.ty, "");
+            }
+            if let Some(returns) = &unit.returns {
+                scope.declare(&unit.name, returns, "");
+            }
+            blocks.insert(unit.name.to_lowercase(), BlockOf { name, unit, scope });
+        }
+        Shared {
+            globals,
+            types,
+            blocks,
+        }
+    }
+
+    /// The scope of a program; `beside` is that of others in the same file.
+    pub(crate) fn program(&self, unit: &Unit, beside: Option<&Scope>) -> Scope {
+        let mut scope = beside.map_or_else(|| Scope::next_to(&self.globals), Scope::beside);
+        for variable in local(unit) {
+            scope.declare(&variable.name, &variable.ty, &unit.name);
+        }
+        scope
+    }
+
+    /// The members of a type, if it is a structure.
+    pub(crate) fn members<'s>(&'s self, ty: &'s Type) -> Option<&'s [Variable]> {
+        match self.real(ty) {
+            Type::Structure(members) => Some(members),
+            _ => None,
+        }
+    }
+
+    /// What a name for a type stands for, in the end.
+    pub(crate) fn real<'s>(&'s self, ty: &'s Type) -> &'s Type {
+        let mut ty = ty;
+        for _ in 0..16 {
+            let Type::Named(name) = ty else { break };
+            match self.types.get(&name.to_lowercase()) {
+                Some((_, real)) => ty = real,
+                None => break,
+            }
+        }
+        ty
+    }
+
+    /// The unit that a type is an instance of.
+    pub(crate) fn block_of(&self, ty: &Type) -> Option<&BlockOf<'p>> {
+        let Type::Named(name) = ty else { return None };
+        self.blocks.get(&name.to_lowercase())
+    }
+}
+
+/// The variables that a unit declares, without those that are elsewhere.
+pub(crate) fn local(unit: &Unit) -> impl Iterator<Item = &Variable> {
+    unit.variables
+        .iter()
+        .filter(|variable| variable.role != Role::External)
+}
+
+/// The name of a member: structures have a room of their own for names.
+pub(crate) fn member(name: &str) -> String {
+    Names::default().spell(name).to_owned()
+}
+
+/// `$`, a letter, letters and digits.
+fn block_name(name: &str, taken: &mut HashSet<String>) -> String {
+    let mut short: String = name.chars().filter(char::is_ascii_alphanumeric).collect();
+    if !short.starts_with(|c: char| c.is_ascii_alphabetic()) {
+        short.insert(0, 'B');
+    }
+    let mut number = 2;
+    let mut free = short.clone();
+    while !taken.insert(free.to_lowercase()) {
+        free = format!("{short}x{number}");
+        number += 1;
+    }
+    format!("${free}")
+}

@@ -1,0 +1,438 @@
+//! A drawing as networks: what writes is taken in the order of the source, with all that leads to it; what is taken one
+//! after the other from one part of the drawing is one network, as long as that reads and writes as the source does.
+
+use super::blocks::{self, Class};
+use super::draw::{Drawn, Target};
+use crate::expression::{self, Form, Meaning, Operand};
+use crate::graph::{End, Graph, Kind};
+use crate::model::{Evaluation, Type};
+use crate::scope::{Scope, Shared};
+use ladder_format::Circuit;
+use ladder_format::program::{Drawing, Element, Item, Network};
+use ladder_notation::{Outcome, Reading};
+use std::collections::{HashMap, HashSet};
+
+/// What the networks of a unit are, and what they need.
+pub(super) struct Made {
+    pub(super) scope: Scope,
+    pub(super) items: Vec<Item>,
+    /// Tags that the source does not have: name, type, what for.
+    pub(super) helpers: Vec<(String, String, String)>,
+    /// The tags that are read by name, in small letters.
+    pub(super) needed: HashSet<String>,
+}
+
+/// A drawing on its way.
+pub(super) struct Body<'b> {
+    pub(super) shared: &'b Shared<'b>,
+    pub(super) graph: &'b Graph,
+    pub(super) made: &'b mut Made,
+    pub(super) reading: &'b mut Reading,
+    evaluation: Evaluation,
+    parts: Vec<usize>,
+    pub(super) uses: HashMap<End, Vec<usize>>,
+    /// What became of each element, where it is not the same.
+    outcomes: Vec<Option<Outcome>>,
+    /// The blocks that stand in a network above.
+    pub(super) executed: Vec<bool>,
+    /// Variables that are written together with the block before them.
+    pub(super) merged: Vec<bool>,
+    /// The tags that hold results, and power at points of the drawing.
+    pub(super) results: HashMap<End, String>,
+    /// The tags for power after blocks.
+    pub(super) holders: HashMap<End, String>,
+    /// The operands at pins.
+    pub(super) operands: HashMap<(usize, usize), Operand>,
+    /// The instances of blocks, as they are written here.
+    pub(super) instances: HashMap<usize, Operand>,
+    /// What the next network has, of one part of the drawing.
+    group: Vec<usize>,
+    comments: Vec<String>,
+    pub(super) types: HashMap<End, Option<Type>>,
+}
+
+impl<'b> Body<'b> {
+    /// The networks of a drawing.
+    pub(super) fn draw(
+        shared: &'b Shared<'b>,
+        evaluation: Evaluation,
+        graph: &'b Graph,
+        made: &'b mut Made,
+        reading: &'b mut Reading,
+    ) {
+        let count = graph.nodes.len();
+        let mut uses: HashMap<End, Vec<usize>> = HashMap::new();
+        for (index, node) in graph.nodes.iter().enumerate() {
+            if node.kind != Kind::RightRail {
+                let ends = node.inputs.iter().flat_map(|pin| &pin.from);
+                ends.for_each(|end| uses.entry(*end).or_default().push(index));
+            }
+        }
+        let mut body = Body {
+            shared,
+            graph,
+            made,
+            reading,
+            evaluation,
+            parts: graph.parts(),
+            uses,
+            outcomes: vec![None; count],
+            executed: vec![false; count],
+            merged: vec![false; count],
+            results: HashMap::new(),
+            holders: HashMap::new(),
+            operands: HashMap::new(),
+            instances: HashMap::new(),
+            group: Vec::new(),
+            comments: Vec::new(),
+            types: HashMap::new(),
+        };
+        body.names();
+        for node in graph.in_order() {
+            body.element(node);
+        }
+        body.flush();
+        let left = std::mem::take(&mut body.comments);
+        if !left.is_empty() {
+            body.made.items.push(Item::Blank);
+            body.made.items.extend(left.into_iter().map(Item::Comment));
+        }
+        body.report();
+    }
+
+    pub(super) fn meaning(&self) -> Meaning<'_> {
+        Meaning {
+            shared: self.shared,
+            scope: &self.made.scope,
+        }
+    }
+
+    /// The operand that an expression is.
+    pub(super) fn operand(&self, text: &str) -> Result<Operand, String> {
+        expression::operand(text, self.meaning())
+    }
+
+    /// Instances, and which tags are read by name.
+    fn names(&mut self) {
+        for node in 0..self.graph.nodes.len() {
+            let text = match &self.graph.nodes[node].kind {
+                Kind::Contact(text, _)
+                | Kind::Coil(text, ..)
+                | Kind::Value(text, _)
+                | Kind::Variable(text, _) => text,
+                _ => continue,
+            };
+            if let Ok(operand) = self.operand(text) {
+                self.made.needed.extend(operand.reads);
+            }
+        }
+        for node in 0..self.graph.nodes.len() {
+            let Kind::Block { name, instance, .. } = &self.graph.nodes[node].kind else {
+                continue;
+            };
+            if let Some(ty) = blocks::state(self.shared, name) {
+                let operand = match instance {
+                    Some(instance) if instance != "???" => self.operand(instance),
+                    _ => {
+                        let made = self.made.scope.fresh(&name.to_lowercase());
+                        let ty = match ty {
+                            Some(ty) => ty,
+                            None => "BOOL".to_owned(),
+                        };
+                        self.helper_named(&made, &ty, "a block that has no name in the project");
+                        Ok(Operand {
+                            text: made,
+                            form: Form::Path,
+                            ty: None,
+                            reads: Vec::new(),
+                        })
+                    }
+                };
+                match operand {
+                    Ok(operand) => drop(self.instances.insert(node, operand)),
+                    Err(why) => self.refuse(node, why),
+                }
+            }
+        }
+    }
+
+    /// A tag that the source does not have.
+    pub(super) fn helper(&mut self, like: &str, ty: &str, comment: &str) -> String {
+        let name = self.made.scope.fresh(like);
+        self.helper_named(&name, ty, comment);
+        name
+    }
+
+    fn helper_named(&mut self, name: &str, ty: &str, comment: &str) {
+        self.made
+            .helpers
+            .push((name.to_owned(), ty.to_owned(), comment.to_owned()));
+    }
+
+    /// One element, in the order of execution.
+    fn element(&mut self, node: usize) {
+        let drawn = &self.graph.nodes[node];
+        let end = End { node, output: 0 };
+        let unused = drawn
+            .outputs
+            .iter()
+            .enumerate()
+            .all(|(output, _)| !self.uses.contains_key(&End { node, output }));
+        match &drawn.kind {
+            Kind::LeftRail | Kind::RightRail => {}
+            Kind::Comment(text) if text.is_empty() => {}
+            Kind::Comment(text) => self.comments.push(text.clone()),
+            Kind::Label(name) => {
+                self.flush();
+                let origin = self.reading.origin(drawn.place);
+                let block = Element::block(format!("<LBL>( {} )", crate::scope::member(name)), Some(origin));
+                self.push(Circuit::Element(block));
+            }
+            Kind::Coil(..) | Kind::Variable(..) | Kind::Jump(..) | Kind::Return(_) => self.root(node),
+            Kind::Contact(..) => {
+                if unused {
+                    self.root(node);
+                }
+            }
+            Kind::Joint => {
+                if unused && !drawn.inputs.is_empty() {
+                    self.root(node);
+                }
+            }
+            Kind::Block { .. } => {
+                if self.class(node).is_some_and(|class| class.acts()) || unused {
+                    self.root(node);
+                }
+            }
+            Kind::Value(text, _) => {
+                if !self.uses.contains_key(&end) {
+                    let text = text.clone();
+                    self.note(node, "nothing is wired to it: it is a comment");
+                    self.comments.push(format!("{text}, which nothing is wired to"));
+                }
+            }
+            Kind::Other(what) => {
+                self.comments
+                    .push(format!("{what}, which has no counterpart here"));
+                self.refuse(node, "it has no counterpart");
+            }
+        }
+    }
+
+    /// Something that is done.
+    fn root(&mut self, node: usize) {
+        if self.executed[node] || self.merged[node] {
+            return;
+        }
+        self.prepare(node);
+        if self.executed[node] || self.merged[node] {
+            return;
+        }
+        let part = |node: usize| self.parts[node];
+        let same = self.group.first().is_none_or(|first| part(*first) == part(node));
+        if !same || (self.evaluation == Evaluation::EachOutput && self.reads_what_was_written(node)) {
+            self.flush();
+        }
+        self.group.push(node);
+    }
+
+    /// Whether something that leads to an element stands in the network already, and reads what is written in it before:
+    /// then all of it is read again.
+    fn reads_what_was_written(&self, node: usize) -> bool {
+        let mut written = HashSet::new();
+        let mut shown = HashSet::new();
+        for before in &self.group {
+            written.extend(self.writes(*before));
+            self.leads_to(*before, &mut shown);
+        }
+        let mut own = HashSet::new();
+        self.leads_to(node, &mut own);
+        own.intersection(&shown)
+            .any(|both| self.reads(*both).iter().any(|tag| written.contains(tag)))
+    }
+
+    /// All elements that power goes through on its way to an element.
+    fn leads_to(&self, node: usize, all: &mut HashSet<usize>) {
+        let mut waiting = vec![node];
+        while let Some(node) = waiting.pop() {
+            if all.insert(node) {
+                let ends = self.graph.nodes[node].inputs.iter().flat_map(|pin| &pin.from);
+                waiting.extend(ends.map(|end| end.node).filter(|node| !self.executed[*node]));
+            }
+        }
+    }
+
+    fn reads(&self, node: usize) -> Vec<String> {
+        match &self.graph.nodes[node].kind {
+            Kind::Contact(text, _) | Kind::Value(text, _) => {
+                self.operand(text).map(|it| it.reads).unwrap_or_default()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    fn writes(&self, node: usize) -> Vec<String> {
+        match &self.graph.nodes[node].kind {
+            Kind::Coil(text, ..) | Kind::Variable(text, _) => {
+                self.operand(text).map(|it| it.reads).unwrap_or_default()
+            }
+            Kind::Block { .. } => {
+                let instance = self.instances.get(&node);
+                instance
+                    .map(|instance| instance.reads.clone())
+                    .unwrap_or_default()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// The network so far is written.
+    pub(super) fn flush(&mut self) {
+        let group = std::mem::take(&mut self.group);
+        if group.is_empty() {
+            return;
+        }
+        let targets: Vec<Target> = group.iter().map(|node| Target::Root(*node)).collect();
+        if self.network(&targets) {
+            return;
+        }
+        for target in targets {
+            if let Target::Root(node) = target
+                && self.executed[node]
+            {
+                continue;
+            }
+            if !self.network(std::slice::from_ref(&target)) {
+                self.in_pieces(target);
+            }
+        }
+    }
+
+    /// Draws a network, if it can be drawn as one.
+    pub(super) fn network(&mut self, targets: &[Target]) -> bool {
+        loop {
+            match Drawn::of(self, targets) {
+                Ok(Some(drawn)) => {
+                    for node in drawn.executed {
+                        self.executed[node] = true;
+                    }
+                    self.results.extend(drawn.results);
+                    if let Some(circuit) = drawn.circuit {
+                        self.push(circuit);
+                    }
+                    return true;
+                }
+                Ok(None) => return false,
+                Err((node, why)) => self.refuse(node, why),
+            }
+        }
+    }
+
+    /// A network that is not of series and branches: power at its points goes into tags, one network each.
+    pub(super) fn in_pieces(&mut self, target: Target) {
+        let node = match target {
+            Target::Root(node) | Target::Pin(node, ..) => node,
+            Target::End(end, _) | Target::Value(end, _) => end.node,
+        };
+        let mut cuts = Vec::new();
+        for end in self.ends_before(node) {
+            let several = self.uses.get(&end).is_some_and(|uses| uses.len() > 1);
+            if several && !self.results.contains_key(&end) && self.has_power(end) {
+                let tag = self.helper("point", "BOOL", "power at a point of the drawing");
+                if self.network(&[Target::End(end, tag.clone())]) {
+                    self.results.insert(end, tag);
+                    cuts.push(end);
+                }
+            }
+        }
+        if !self.network(std::slice::from_ref(&target)) {
+            self.refuse(node, "the drawing is larger than what can be drawn");
+        }
+        for end in cuts {
+            self.results.remove(&end);
+        }
+    }
+
+    /// Whether power leaves an output, and not a value that a tag holds anyway.
+    fn has_power(&self, end: End) -> bool {
+        match self.graph.nodes[end.node].kind {
+            Kind::Contact(..) | Kind::Joint => true,
+            Kind::Block { .. } => self.class(end.node).is_some_and(|class| !class.acts()),
+            _ => false,
+        }
+    }
+
+    /// The outputs that lead to an element, each after those that lead to it.
+    fn ends_before(&self, node: usize) -> Vec<End> {
+        let mut done = HashSet::new();
+        let mut out = Vec::new();
+        let mut stack = vec![(node, false)];
+        while let Some((node, is_seen)) = stack.pop() {
+            if is_seen {
+                out.push(End { node, output: 0 });
+                continue;
+            }
+            if !done.insert(node) {
+                continue;
+            }
+            stack.push((node, true));
+            for end in self.graph.nodes[node].inputs.iter().flat_map(|pin| &pin.from) {
+                let is_feedback = self.graph.feedback.contains(&(node, *end));
+                if !is_feedback && !self.executed[end.node] {
+                    stack.push((end.node, false));
+                }
+            }
+        }
+        out.pop();
+        out
+    }
+
+    fn push(&mut self, circuit: Circuit<Element>) {
+        self.made.items.push(Item::Blank);
+        self.made.items.push(Item::Network(Network {
+            comments: std::mem::take(&mut self.comments),
+            drawing: Drawing::Circuit(circuit),
+        }));
+    }
+
+    /// What is said above the next network.
+    pub(super) fn say(&mut self, comment: String) {
+        self.comments.push(comment);
+    }
+
+    /// An element stays as a comment.
+    pub(super) fn refuse(&mut self, node: usize, why: impl Into<String>) {
+        self.outcomes[node] = Some(Outcome::Refused(why.into()));
+    }
+
+    /// Whether an element is a comment.
+    pub(super) fn is_refused(&self, node: usize) -> bool {
+        matches!(self.outcomes[node], Some(Outcome::Refused(_)))
+    }
+
+    /// An element says nearly the same.
+    pub(super) fn note(&mut self, node: usize, why: &str) {
+        let outcome = &mut self.outcomes[node];
+        if outcome.is_none() {
+            *outcome = Some(Outcome::Approximated(why.to_owned()));
+        }
+    }
+
+    pub(super) fn class(&self, node: usize) -> Option<Class> {
+        blocks::class(self, node)
+    }
+
+    fn report(&mut self) {
+        for (node, outcome) in std::mem::take(&mut self.outcomes).into_iter().enumerate() {
+            let drawn = &self.graph.nodes[node];
+            let shown = blocks::shown(drawn);
+            let report = &mut self.reading.report;
+            match outcome {
+                None => report.translated(drawn.place, shown),
+                Some(Outcome::Approximated(why)) => report.approximated(drawn.place, shown, why),
+                Some(Outcome::Refused(why)) => report.refused(drawn.place, shown, why),
+                Some(Outcome::Translated) => {}
+            }
+        }
+    }
+}

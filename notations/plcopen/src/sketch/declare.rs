@@ -1,0 +1,505 @@
+//! Declarations: types, variables, initial values.
+
+use crate::expression::{Meaning, address_of, operand};
+use crate::model::{Initial, Project, Role, Type, Unit, UnitKind, Variable};
+use crate::scope::{Scope, Shared, local, member, trigger};
+use crate::standard::{self, StandardBlock};
+use ladder_format::program::{Declaration, Item, Qualifier, Section, SectionKind};
+use ladder_notation::{LineColumn, Reading};
+
+/// A type as it is written here.
+///
+/// # Errors
+///
+/// Why it has no counterpart.
+pub(super) fn type_text(shared: &Shared<'_>, ty: &Type) -> Result<String, String> {
+    Ok(match ty {
+        Type::Named(name) => {
+            if let Some((spelled, _)) = shared.types.get(&name.to_lowercase()) {
+                return Ok(spelled.clone());
+            }
+            if let Some(block) = shared.block_of(ty) {
+                return match block.unit.kind {
+                    UnitKind::FunctionBlock => Ok(block.name.clone()),
+                    _ => Err(format!("`{name}` is a function, and no type")),
+                };
+            }
+            match standard::block(name) {
+                Some(StandardBlock::Stateful(mnemonic, ..)) => return Ok(mnemonic.to_owned()),
+                Some(_) => return Ok("BOOL".to_owned()),
+                None => {}
+            }
+            let known = standard::elementary(name).map(str::to_owned);
+            known.ok_or_else(|| format!("the project has no type `{name}`, and neither has ladder text"))?
+        }
+        Type::Text(None) => "STRING".to_owned(),
+        Type::Text(Some(length)) => format!("STRING[{length}]"),
+        Type::Array(bounds, of) => {
+            if trigger(of).is_some() {
+                return Err("edge detectors have no state of their own here".to_owned());
+            }
+            if bounds.is_empty() || bounds.len() > 3 {
+                return Err("an array has one to three dimensions here".to_owned());
+            }
+            let bounds: Result<Vec<String>, String> = bounds
+                .iter()
+                .map(|(low, high)| Ok(format!("{}..{}", bound(shared, low)?, bound(shared, high)?)))
+                .collect();
+            format!("ARRAY[{}] OF {}", bounds?.join(", "), type_text(shared, of)?)
+        }
+        Type::Range(base, low, high) => {
+            let base = type_text(shared, &Type::Named(base.clone()))?;
+            format!("{base}({}..{})", bound(shared, low)?, bound(shared, high)?)
+        }
+        Type::Enumeration(_) | Type::Structure(_) => {
+            return Err("such a type is declared with a name here".to_owned());
+        }
+        Type::Other(what) => return Err(format!("{what} has no counterpart")),
+    })
+}
+
+fn bound(shared: &Shared<'_>, text: &str) -> Result<String, String> {
+    let scope = Scope::default();
+    let meaning = Meaning {
+        shared,
+        scope: &scope,
+    };
+    operand(text, meaning)
+        .map(|bound| bound.text)
+        .map_err(|why| format!("of the bound `{text}`: {why}"))
+}
+
+/// What a type is in its declaration, with what is inside of it.
+fn definition(shared: &Shared<'_>, ty: &Type, depth: usize) -> Result<String, String> {
+    match ty {
+        Type::Enumeration(values) if !values.is_empty() => {
+            let values: Result<Vec<String>, String> = values
+                .iter()
+                .map(|(name, number)| match number {
+                    Some(number) => Ok(format!("{} := {}", member(name), bound(shared, number)?)),
+                    None => Ok(member(name)),
+                })
+                .collect();
+            Ok(format!("({})", values?.join(", ")))
+        }
+        Type::Structure(members) if !members.is_empty() && depth == 0 => {
+            let mut out = String::from("STRUCT\n");
+            for variable in members {
+                let ty = type_text(shared, &variable.ty)
+                    .map_err(|why| format!("member `{}`: {why}", variable.name))?;
+                out.push_str(&format!("{} : {ty}", member(&variable.name)));
+                if let Some(Ok(initial)) = variable
+                    .initial
+                    .as_ref()
+                    .map(|it| initial_text(shared, &variable.ty, it))
+                {
+                    out.push_str(&format!(" := {initial}"));
+                }
+                out.push_str(";\n");
+            }
+            Ok(out + "END_STRUCT")
+        }
+        Type::Structure(_) | Type::Enumeration(_) => Err("it has no members".to_owned()),
+        other => type_text(shared, other),
+    }
+}
+
+/// The types of the project.
+pub(super) fn types(shared: &Shared<'_>, project: &Project, reading: &mut Reading) -> Vec<Item> {
+    let mut section = Section::new(SectionKind::Type);
+    for declared in &project.types {
+        let shown = format!("type {}", declared.name);
+        let known = shared.types.get(&declared.name.to_lowercase());
+        let Some((spelled, _)) = known.filter(|(_, ty)| std::ptr::eq(*ty, &raw const declared.ty)) else {
+            reading
+                .report
+                .refused(declared.place, shown, "another type has this name, and is read");
+            continue;
+        };
+        let ty = match definition(shared, &declared.ty, 0) {
+            Ok(ty) => ty,
+            Err(why) => {
+                reading.report.refused(declared.place, shown, why);
+                continue;
+            }
+        };
+        let initial = declared
+            .initial
+            .as_ref()
+            .map(|it| initial_text(shared, &declared.ty, it));
+        let mut declaration = Declaration::new(spelled.clone(), ty);
+        declaration.initial = initial.and_then(Result::ok);
+        declaration.comment = with_first_name(&declared.name, spelled, declared.comment.as_deref());
+        declaration.origin = Some(reading.origin(declared.place));
+        renamed(reading, declared.place, shown, spelled, &declared.name);
+        section.declarations.push(declaration);
+    }
+    if section.declarations.is_empty() {
+        Vec::new()
+    } else {
+        vec![Item::Section(section)]
+    }
+}
+
+/// An entry for what is declared, under another name or the same.
+fn renamed(reading: &mut Reading, place: LineColumn, shown: String, spelled: &str, name: &str) {
+    if spelled == name {
+        reading.report.translated(place, shown);
+    } else {
+        reading
+            .report
+            .approximated(place, shown, format!("it is spelled `{spelled}` here"));
+    }
+}
+
+fn with_first_name(name: &str, spelled: &str, comment: Option<&str>) -> Option<String> {
+    let comment = comment.map(|comment| comment.split_whitespace().collect::<Vec<_>>().join(" "));
+    let first = (name != spelled).then(|| format!("{name} in the project"));
+    match (first, comment) {
+        (Some(first), Some(comment)) => Some(format!("{first}: {comment}")),
+        (first, comment) => first.or(comment),
+    }
+}
+
+/// The globals.
+pub(super) fn globals(shared: &Shared<'_>, project: &Project, reading: &mut Reading) -> Vec<Item> {
+    let mut sections = Sections::default();
+    let mut seen = std::collections::HashSet::new();
+    for variable in &project.globals {
+        if !seen.insert(variable.name.to_lowercase()) {
+            let why = "another global has this name, and is read";
+            reading
+                .report
+                .refused(variable.place, format!("variable {}", variable.name), why);
+            continue;
+        }
+        sections.variable(shared, &shared.globals, variable, SectionKind::VarGlobal, reading);
+    }
+    sections.items()
+}
+
+/// The variables of a unit. `reads` says whether a tag is read by name: an edge detector becomes one only then.
+pub(super) fn variables(
+    shared: &Shared<'_>,
+    project: &Project,
+    unit: &Unit,
+    scope: &Scope,
+    is_needed: impl Fn(&str) -> bool,
+    reading: &mut Reading,
+) -> Sections {
+    let mut sections = Sections::default();
+    let is_program = unit.kind == UnitKind::Program;
+    let mut seen = std::collections::HashSet::new();
+    for variable in &unit.variables {
+        let shown = format!("variable {}", variable.name);
+        if variable.role == Role::External {
+            let is_there = project
+                .globals
+                .iter()
+                .any(|global| global.name.eq_ignore_ascii_case(&variable.name));
+            if is_there {
+                reading.report.translated(variable.place, shown);
+            } else {
+                reading
+                    .report
+                    .refused(variable.place, shown, "the project has no global of this name");
+            }
+            continue;
+        }
+        if !seen.insert(variable.name.to_lowercase()) {
+            reading.report.refused(
+                variable.place,
+                shown,
+                "another variable has this name, and is read",
+            );
+            continue;
+        }
+        let is_power = ["EN", "ENO"]
+            .iter()
+            .any(|name| variable.name.eq_ignore_ascii_case(name));
+        if !is_program && is_power {
+            reading.report.translated(variable.place, shown);
+            continue;
+        }
+        if trigger(&variable.ty).is_some() {
+            reading.report.translated(variable.place, shown);
+            let spelled = scope.get(&variable.name).map_or("", |known| &known.spelled);
+            if is_needed(spelled) {
+                let comment = format!("the output of {}", variable.name);
+                sections.helper(spelled, "BOOL", &comment, Some(reading.origin(variable.place)));
+            }
+            continue;
+        }
+        let kind = match variable.role {
+            Role::Input => SectionKind::VarInput,
+            Role::Output => SectionKind::VarOutput,
+            Role::InOut if !is_program => SectionKind::VarInOut,
+            _ => SectionKind::Var,
+        };
+        if variable.role == Role::Temp {
+            let why = "it keeps its value from one scan to the next here";
+            reading.report.approximated(variable.place, &shown, why);
+        }
+        sections.variable(shared, scope, variable, kind, reading);
+    }
+    if let Some(returns) = &unit.returns {
+        let spelled = scope
+            .get(&unit.name)
+            .map_or(unit.name.as_str(), |known| &known.spelled);
+        match type_text(shared, returns) {
+            Ok(ty) => {
+                let mut declaration = Declaration::new(spelled, ty);
+                declaration.comment = Some("what the function returns".to_owned());
+                sections.push(SectionKind::VarOutput, None, declaration);
+            }
+            Err(why) => reading
+                .report
+                .refused(unit.place, format!("result of {}", unit.name), why),
+        }
+    }
+    let has_state = local(unit).any(|variable| matches!(variable.role, Role::Local | Role::Temp));
+    if unit.kind == UnitKind::Function && has_state {
+        let why = "its own variables keep their values from one call to the next here";
+        reading
+            .report
+            .approximated(unit.place, format!("function {}", unit.name), why);
+    }
+    sections
+}
+
+/// Sections with what was declared so far.
+#[derive(Default)]
+pub(super) struct Sections {
+    sections: Vec<Section>,
+}
+
+impl Sections {
+    pub(super) fn items(self) -> Vec<Item> {
+        self.sections.into_iter().map(Item::Section).collect()
+    }
+
+    /// A tag that the source does not have.
+    pub(super) fn helper(&mut self, name: &str, ty: &str, comment: &str, origin: Option<u32>) {
+        let mut declaration = Declaration::new(name, ty);
+        declaration.comment = Some(comment.to_owned());
+        declaration.origin = origin;
+        self.push(SectionKind::Var, None, declaration);
+    }
+
+    fn push(&mut self, kind: SectionKind, qualifier: Option<Qualifier>, declaration: Declaration) {
+        let same = |section: &&mut Section| section.kind == kind && section.qualifier == qualifier;
+        match self.sections.iter_mut().find(same) {
+            Some(section) => section.declarations.push(declaration),
+            None => self.sections.push(Section {
+                kind,
+                qualifier,
+                declarations: vec![declaration],
+            }),
+        }
+    }
+
+    fn variable(
+        &mut self,
+        shared: &Shared<'_>,
+        scope: &Scope,
+        variable: &Variable,
+        kind: SectionKind,
+        reading: &mut Reading,
+    ) {
+        let shown = format!("variable {}", variable.name);
+        let Some(known) = scope.get(&variable.name) else {
+            return;
+        };
+        let ty = match &variable.ty {
+            // What is declared where it is used has no name.
+            Type::Enumeration(_) | Type::Structure(_) => {
+                Err("a variable's type has a name here: declare it first".to_owned())
+            }
+            ty => type_text(shared, ty),
+        };
+        let ty = match ty {
+            Ok(ty) => ty,
+            Err(why) => {
+                reading.report.refused(variable.place, shown, why);
+                return;
+            }
+        };
+        let mut declaration = Declaration::new(known.spelled.clone(), ty);
+        let mut comment = variable.comment.clone();
+        let mut note = |reading: &mut Reading, said: String, why: &str| {
+            reading
+                .report
+                .approximated(variable.place, format!("{shown} {said}"), why);
+            let before = comment
+                .take()
+                .map(|comment| format!("{comment}; "))
+                .unwrap_or_default();
+            comment = Some(format!("{before}{said} in the project"));
+        };
+        if let Some(address) = &variable.address {
+            declaration.address = address_of(address).filter(|_| kind != SectionKind::VarInOut);
+            if declaration.address.is_none() {
+                note(
+                    reading,
+                    format!("AT {address}"),
+                    "there is no such address here: the tag has none",
+                );
+            }
+        }
+        match variable
+            .initial
+            .as_ref()
+            .map(|it| initial_text(shared, &variable.ty, it))
+        {
+            Some(Ok(initial)) if kind != SectionKind::VarInOut => declaration.initial = Some(initial),
+            Some(Err(why)) => note(reading, "an initial value".to_owned(), &why),
+            _ => {}
+        }
+        if kind == SectionKind::VarInput && declaration.initial.is_none() {
+            declaration.initial = zero(shared, &variable.ty);
+        }
+        declaration.comment = with_first_name(&variable.name, &known.spelled, comment.as_deref());
+        declaration.origin = Some(reading.origin(variable.place));
+        renamed(
+            reading,
+            variable.place,
+            shown.clone(),
+            &known.spelled,
+            &variable.name,
+        );
+        let qualifier = variable.qualifier.filter(|_| kind != SectionKind::VarInOut);
+        self.push(kind, qualifier, declaration);
+    }
+}
+
+/// What an input has that nothing is wired to.
+fn zero(shared: &Shared<'_>, ty: &Type) -> Option<String> {
+    let text = type_text(shared, shared.real(ty)).ok()?;
+    let zero = match text.as_str() {
+        "BOOL" => "FALSE",
+        "REAL" | "LREAL" => "0.0",
+        "TIME" => "T#0s",
+        "DATE" | "TOD" | "DT" => return None,
+        _ if text.starts_with("STRING") => "''",
+        _ if standard::elementary(&text).is_some() => "0",
+        _ => return None,
+    };
+    Some(zero.to_owned())
+}
+
+/// An initial value as it is written here.
+///
+/// # Errors
+///
+/// Why it has no counterpart.
+pub(super) fn initial_text(shared: &Shared<'_>, ty: &Type, initial: &Initial) -> Result<String, String> {
+    match initial {
+        Initial::Simple(text) => simple(shared, ty, text),
+        Initial::Array(values) => {
+            let of = match shared.real(ty) {
+                Type::Array(_, of) => of,
+                _ => return Err("only an array begins with several values".to_owned()),
+            };
+            let values: Result<Vec<String>, String> = values
+                .iter()
+                .map(|(times, value)| {
+                    let value = initial_text(shared, of, value)?;
+                    Ok(if *times == 1 {
+                        value
+                    } else {
+                        format!("{times}({value})")
+                    })
+                })
+                .collect();
+            Ok(format!("[{}]", values?.join(", ")))
+        }
+        Initial::Structure(values) => {
+            let members = shared.members(ty).ok_or("only a structure begins with members")?;
+            let values: Result<Vec<String>, String> = values
+                .iter()
+                .map(|(name, value)| {
+                    let found = members.iter().find(|one| one.name.eq_ignore_ascii_case(name));
+                    let found = found.ok_or_else(|| format!("its type has no member `{name}`"))?;
+                    Ok(format!(
+                        "{} := {}",
+                        member(&found.name),
+                        initial_text(shared, &found.ty, value)?
+                    ))
+                })
+                .collect();
+            Ok(format!("({})", values?.join(", ")))
+        }
+    }
+}
+
+fn simple(shared: &Shared<'_>, ty: &Type, text: &str) -> Result<String, String> {
+    let real = shared.real(ty);
+    let name = match real {
+        Type::Named(name) => standard::elementary(name),
+        Type::Text(_) => Some("STRING"),
+        _ => None,
+    };
+    match (name, text) {
+        (Some("BOOL"), "0") => return Ok("FALSE".to_owned()),
+        (Some("BOOL"), "1") => return Ok("TRUE".to_owned()),
+        (Some("STRING"), text) if !text.starts_with(['\'', '"']) => {
+            let quoted = text.replace('$', "$$").replace('\'', "$'");
+            return operand(
+                &format!("'{quoted}'"),
+                Meaning {
+                    shared,
+                    scope: &Scope::default(),
+                },
+            )
+            .map(|it| it.text);
+        }
+        _ => {}
+    }
+    let value = operand(
+        text,
+        Meaning {
+            shared,
+            scope: &Scope::default(),
+        },
+    )?;
+    let is_whole = value.text.bytes().all(|c| c.is_ascii_digit() || c == b'-');
+    match name {
+        Some("REAL" | "LREAL") if is_whole => Ok(format!("{}.0", value.text)),
+        _ => Ok(value.text),
+    }
+}
+
+/// A duration such as `T#20ms`, in nanoseconds.
+pub(super) fn nanoseconds(text: &str) -> Option<u64> {
+    let rest = text.trim().to_ascii_lowercase();
+    let rest = rest.split_once('#').map_or(rest.as_str(), |(_, rest)| rest);
+    let mut total: f64 = 0.0;
+    let mut rest = rest.replace('_', "");
+    while !rest.is_empty() {
+        let end = rest.find(|c: char| !c.is_ascii_digit() && c != '.')?;
+        let number: f64 = rest[..end].parse().ok()?;
+        let after = rest[end..].to_owned();
+        let units = [
+            ("ms", 1e6),
+            ("us", 1e3),
+            ("ns", 1.0),
+            ("d", 864e11),
+            ("h", 36e11),
+            ("m", 6e10),
+            ("s", 1e9),
+        ];
+        let (unit, size) = units.iter().find(|(unit, _)| after.starts_with(unit))?;
+        total += number * size;
+        rest = after[unit.len()..].to_owned();
+    }
+    (total > 0.0 && total < 1e18).then_some(total as u64)
+}
+
+/// A scan's length as settings have it: `20ms`.
+pub(super) fn interval(nanoseconds: u64) -> Option<String> {
+    let units = [(1_000_000_000, "s"), (1_000_000, "ms"), (1_000, "us")];
+    let (size, unit) = units
+        .iter()
+        .find(|(size, _)| nanoseconds % size == 0 && nanoseconds > 0)?;
+    Some(format!("{}{unit}", nanoseconds / size))
+}

@@ -1,0 +1,604 @@
+//! One network: everything that leads to what is done in it, as wires between points.
+
+use super::blocks::{Class, power_output, power_pins};
+use super::body::Body;
+use crate::expression::{Form, Operand};
+use crate::graph::{Edge, End, Kind, Modifier, Storage};
+use crate::standard::{Gate, StandardBlock};
+use ladder_format::Circuit;
+use ladder_format::program::Element;
+use ladder_notation::circuit::Wires;
+use std::collections::{HashMap, HashSet};
+
+/// What a network is for.
+#[derive(Debug, Clone)]
+pub(super) enum Target {
+    /// Something that is done.
+    Root(usize),
+    /// The power at a pin goes into a tag.
+    Pin(usize, usize, String),
+    /// The power that leaves an element goes into a tag.
+    End(End, String),
+    /// The value of an expression goes into a tag.
+    Value(End, String),
+}
+
+/// A network has no more elements.
+const MOST_ELEMENTS: usize = 1_000;
+
+/// No more wires lead to one pin.
+const MOST_BRANCHES: usize = 200;
+
+/// The number of the left rail.
+const RAIL: usize = Wires::SOURCE;
+
+/// Why something cannot be drawn: which element, and why.
+pub(super) type Refused = (usize, String);
+
+/// A network that was drawn.
+pub(super) struct Drawn {
+    /// None: nothing stands in it.
+    pub(super) circuit: Option<Circuit<Element>>,
+    /// The blocks in it.
+    pub(super) executed: Vec<usize>,
+    /// The tags that hold what leaves them.
+    pub(super) results: Vec<(End, String)>,
+}
+
+/// A network on its way.
+pub(super) struct Pencil<'d, 'b> {
+    pub(super) body: &'d mut Body<'b>,
+    elements: Vec<Element>,
+    wires: Vec<(usize, usize, Vec<usize>)>,
+    points: usize,
+    /// The points that outputs are, from which point on.
+    ends: HashMap<(End, usize), usize>,
+    pins: HashMap<(usize, usize, usize), usize>,
+    /// The points after coils and blocks.
+    after: HashMap<usize, usize>,
+    executed: Vec<usize>,
+    shown: HashSet<usize>,
+}
+
+impl Drawn {
+    /// Draws a network. None: it is not made of series and branches in the order in which it runs, or is too large.
+    ///
+    /// # Errors
+    ///
+    /// If an element of it has no counterpart.
+    pub(super) fn of(body: &mut Body<'_>, targets: &[Target]) -> Result<Option<Drawn>, Refused> {
+        let mut pencil = Pencil {
+            body,
+            elements: Vec::new(),
+            wires: Vec::new(),
+            points: 0,
+            ends: HashMap::new(),
+            pins: HashMap::new(),
+            after: HashMap::new(),
+            executed: Vec::new(),
+            shown: HashSet::new(),
+        };
+        for target in targets {
+            pencil.target(target)?;
+        }
+        let results = pencil.held();
+        let Pencil {
+            elements,
+            wires,
+            points,
+            executed,
+            ..
+        } = pencil;
+        if elements.len() > MOST_ELEMENTS {
+            return Ok(None);
+        }
+        let done = |circuit| Drawn {
+            circuit,
+            executed,
+            results,
+        };
+        if elements.is_empty() {
+            return Ok(Some(done(None)));
+        }
+        let mut all = Wires::new(points);
+        for (from, to, elements) in wires {
+            all.add(from, to, elements);
+        }
+        let circuit = all.into_circuit().filter(|circuit| in_order(circuit, &mut None));
+        Ok(circuit.map(|circuit| done(Some(with_elements(circuit, &elements)))))
+    }
+}
+
+/// Whether the elements are in their order when they are read from left to right and top to bottom.
+fn in_order(circuit: &Circuit<usize>, last: &mut Option<usize>) -> bool {
+    match circuit {
+        Circuit::Element(element) => last.replace(*element) < Some(*element),
+        Circuit::Series(parts) | Circuit::Parallel(parts) => parts.iter().all(|part| in_order(part, last)),
+    }
+}
+
+fn with_elements(circuit: Circuit<usize>, elements: &[Element]) -> Circuit<Element> {
+    let all = |parts: Vec<Circuit<usize>>| {
+        parts
+            .into_iter()
+            .map(|part| with_elements(part, elements))
+            .collect()
+    };
+    match circuit {
+        Circuit::Element(element) => Circuit::Element(elements[element].clone()),
+        Circuit::Series(parts) => Circuit::Series(all(parts)),
+        Circuit::Parallel(branches) => Circuit::Parallel(all(branches)),
+    }
+}
+
+impl Pencil<'_, '_> {
+    fn target(&mut self, target: &Target) -> Result<(), Refused> {
+        match target {
+            Target::Root(node) => self.root(*node),
+            Target::Pin(node, pin, tag) => {
+                let before = self.pin(*node, *pin, RAIL)?;
+                self.last(before, format!("( )( {tag} )"), *node);
+                Ok(())
+            }
+            Target::End(end, tag) => {
+                let before = self.end(*end, RAIL)?;
+                self.last(before, format!("( )( {tag} )"), end.node);
+                Ok(())
+            }
+            Target::Value(end, tag) => {
+                if let Kind::Value(text, _) = &self.body.graph.nodes[end.node].kind {
+                    let operand = self.body.operand(text).map_err(|why| (end.node, why))?;
+                    self.last(RAIL, format!("[CALC]( {tag}, {} )", operand.text), end.node);
+                }
+                Ok(())
+            }
+        }
+    }
+
+    pub(super) fn point(&mut self) -> usize {
+        self.points += 1;
+        Wires::point(self.points - 1)
+    }
+
+    /// Elements one after the other, from a point on; comes back where they end.
+    pub(super) fn series(
+        &mut self,
+        from: usize,
+        texts: impl IntoIterator<Item = String>,
+        node: usize,
+    ) -> usize {
+        let origin = self.body.reading.origin(self.body.graph.nodes[node].place);
+        let mut numbers = Vec::new();
+        for text in texts {
+            numbers.push(self.elements.len());
+            self.elements.push(Element::block(text, Some(origin)));
+        }
+        if numbers.is_empty() {
+            return from;
+        }
+        let to = self.point();
+        self.wires.push((from, to, numbers));
+        to
+    }
+
+    fn last(&mut self, from: usize, text: String, node: usize) -> usize {
+        self.series(from, [text], node)
+    }
+
+    /// A comment in the place of an element.
+    fn stand_in(&mut self, from: usize, node: usize) -> usize {
+        let shown = super::blocks::shown(&self.body.graph.nodes[node]);
+        let comment = Element::comment(&format!("{shown}: not translated"), None);
+        self.series(from, [comment.text], node)
+    }
+
+    /// Something that is done.
+    fn root(&mut self, node: usize) -> Result<(), Refused> {
+        self.shown.insert(node);
+        let kind = &self.body.graph.nodes[node].kind;
+        if self.body.is_refused(node) && !matches!(kind, Kind::Block { .. } | Kind::Contact(..)) {
+            let before = self.pin(node, 0, RAIL)?;
+            self.stand_in(before, node);
+            return Ok(());
+        }
+        match kind {
+            Kind::Coil(text, modifier, storage) => {
+                let (modifier, storage) = (*modifier, *storage);
+                let tag = self.tag(node, text)?;
+                let before = self.pin(node, 0, RAIL)?;
+                let (texts, passes_on) = self.coil(node, &tag, modifier, storage);
+                let after = self.series(before, texts, node);
+                if passes_on {
+                    self.after.insert(node, after);
+                }
+            }
+            Kind::Variable(text, negated) => {
+                let negated = *negated;
+                let tag = self.tag(node, text)?;
+                if let Some(value) = self.body.operands.get(&(node, 0)).cloned() {
+                    let text = self.body.moved(node, &tag, &value);
+                    self.series(RAIL, [text], node);
+                } else {
+                    let before = self.pin(node, 0, RAIL)?;
+                    let coil = if negated { "(/)" } else { "( )" };
+                    self.series(before, [format!("{coil}( {} )", tag.text)], node);
+                }
+            }
+            Kind::Jump(label, negated) => {
+                let text = format!("<JMP>( {} )", crate::scope::member(label));
+                let negated = negated.then(|| "[NOT]".to_owned());
+                let before = self.pin(node, 0, RAIL)?;
+                self.series(before, negated.into_iter().chain([text]), node);
+            }
+            Kind::Return(negated) => {
+                let negated = negated.then(|| "[NOT]".to_owned());
+                let before = self.pin(node, 0, RAIL)?;
+                self.series(before, negated.into_iter().chain(["<RET>".to_owned()]), node);
+            }
+            Kind::Block { .. } if self.body.class(node).is_some_and(Class::acts) => {
+                self.block(node)?;
+            }
+            _ => {
+                self.end(End { node, output: 0 }, RAIL)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The tag of a contact or coil.
+    fn tag(&self, node: usize, text: &str) -> Result<Operand, Refused> {
+        let operand = self.body.operand(text).map_err(|why| (node, why))?;
+        match operand.form {
+            Form::Path | Form::NotPath => Ok(operand),
+            Form::Literal | Form::Expression => Err((node, "it is no variable".to_owned())),
+        }
+    }
+
+    /// A coil, and whether power goes on after it as it came. What comes after other coils in the source has the power
+    /// from before them.
+    fn coil(
+        &mut self,
+        node: usize,
+        tag: &Operand,
+        modifier: Modifier,
+        storage: Storage,
+    ) -> (Vec<String>, bool) {
+        let tag = &tag.text;
+        let dropped = (modifier.negated && (storage != Storage::None || modifier.edge != Edge::None))
+            || (storage != Storage::None && modifier.edge != Edge::None);
+        if dropped {
+            self.body.note(
+                node,
+                "it is negated, latched or of an edge at once: only the first of these counts",
+            );
+        }
+        let one = |text: &str| (vec![format!("{text}( {tag} )")], false);
+        match (modifier.negated, storage, modifier.edge) {
+            (true, ..) => (vec![format!("(/)( {tag} )")], true),
+            (false, Storage::Set, _) => one("(S)"),
+            (false, Storage::Reset, _) => one("(R)"),
+            (false, Storage::None, Edge::None) => (vec![format!("( )( {tag} )")], true),
+            (false, Storage::None, Edge::Rising) => one("(P)"),
+            // The first scan without power counts as a fall in the standard.
+            (false, Storage::None, Edge::Falling) => {
+                (vec!["[NOT]".to_owned(), format!("(P)( {tag} )")], false)
+            }
+        }
+    }
+
+    /// The point that a pin is. `start` is where power comes from in the place of the rail.
+    pub(super) fn pin(&mut self, node: usize, pin: usize, start: usize) -> Result<usize, Refused> {
+        if let Some(point) = self.pins.get(&(node, pin, start)) {
+            return Ok(*point);
+        }
+        if self.elements.len() > MOST_ELEMENTS {
+            return Ok(start);
+        }
+        let graph = self.body.graph;
+        let (from, modifier) = match graph.nodes[node].inputs.get(pin) {
+            Some(pin) => (pin.from.as_slice(), pin.modifier),
+            None => (&[][..], Modifier::default()),
+        };
+        let mut point = match from {
+            [] => {
+                self.body
+                    .note(node, "nothing is wired to it: no power comes there");
+                self.series(start, ["[ ]( SYS.OFF )".to_owned()], node)
+            }
+            [end] => self.source(node, *end, start)?,
+            ends if ends.len() > MOST_BRANCHES => {
+                return Err((node, format!("more than {MOST_BRANCHES} wires lead to it")));
+            }
+            ends => {
+                let mut points = Vec::new();
+                for end in ends {
+                    points.push(self.source(node, *end, start)?);
+                }
+                let point = self.point();
+                points
+                    .into_iter()
+                    .for_each(|from| self.wires.push((from, point, Vec::new())));
+                point
+            }
+        };
+        if modifier.negated {
+            point = self.series(point, ["[NOT]".to_owned()], node);
+        }
+        point = match modifier.edge {
+            Edge::None => point,
+            Edge::Rising => self.series(point, ["[OSR]".to_owned()], node),
+            Edge::Falling => self.series(point, ["[NOT]".to_owned(), "[OSR]".to_owned()], node),
+        };
+        self.pins.insert((node, pin, start), point);
+        Ok(point)
+    }
+
+    fn source(&mut self, node: usize, end: End, start: usize) -> Result<usize, Refused> {
+        if self.body.graph.feedback.contains(&(node, end)) {
+            return self.referenced(end, start);
+        }
+        self.end(end, start)
+    }
+
+    /// A contact on the tag that holds what leaves an output.
+    fn referenced(&mut self, end: End, start: usize) -> Result<usize, Refused> {
+        if self.body.is_refused(end.node) {
+            return Ok(self.stand_in(start, end.node));
+        }
+        let operand = self.body.reference(end).map_err(|why| (end.node, why))?;
+        let output = &self.body.graph.nodes[end.node].outputs.get(end.output);
+        let contact = if output.is_some_and(|output| output.negated) {
+            "[/]"
+        } else {
+            "[ ]"
+        };
+        Ok(self.series(start, [format!("{contact}( {} )", operand.text)], end.node))
+    }
+
+    /// The point that an output is.
+    fn end(&mut self, end: End, start: usize) -> Result<usize, Refused> {
+        if let Some(point) = self.ends.get(&(end, start)) {
+            return Ok(*point);
+        }
+        let point = self.find_end(end, start)?;
+        self.ends.insert((end, start), point);
+        Ok(point)
+    }
+
+    fn find_end(&mut self, end: End, start: usize) -> Result<usize, Refused> {
+        let node = end.node;
+        let graph = self.body.graph;
+        self.shown.insert(node);
+        match &graph.nodes[node].kind {
+            Kind::LeftRail => Ok(start),
+            Kind::RightRail | Kind::Label(_) | Kind::Comment(_) | Kind::Other(_) => {
+                Ok(self.stand_in(start, node))
+            }
+            Kind::Contact(text, modifier) => {
+                if let Some(tag) = self.body.results.get(&end) {
+                    let text = format!("[ ]( {tag} )");
+                    return Ok(self.series(start, [text], node));
+                }
+                let before = self.pin(node, 0, start)?;
+                if self.body.is_refused(node) {
+                    return Ok(self.stand_in(before, node));
+                }
+                let tag = self.tag(node, text)?;
+                let texts = self.contact(node, &tag, *modifier, before == RAIL);
+                Ok(self.series(before, texts, node))
+            }
+            Kind::Coil(..) => match self.after.get(&node) {
+                Some(point) if start == RAIL => Ok(*point),
+                _ => self.pin(node, 0, start),
+            },
+            Kind::Joint | Kind::Jump(..) | Kind::Return(_) => match self.body.results.get(&end) {
+                Some(tag) => {
+                    let text = format!("[ ]( {tag} )");
+                    Ok(self.series(start, [text], node))
+                }
+                None => self.pin(node, 0, start),
+            },
+            Kind::Value(text, negated) => self.value(end, text, *negated, start),
+            Kind::Variable(text, negated) => {
+                let tag = self.tag(node, text)?;
+                let contact = if *negated { "[/]" } else { "[ ]" };
+                Ok(self.series(start, [format!("{contact}( {} )", tag.text)], node))
+            }
+            Kind::Block { .. } => self.block_end(end, start),
+        }
+    }
+
+    /// A value where power is wanted.
+    fn value(&mut self, end: End, text: &str, negated: bool, start: usize) -> Result<usize, Refused> {
+        if self.body.is_refused(end.node) {
+            return Ok(self.stand_in(start, end.node));
+        }
+        let operand = self.body.operand(text).map_err(|why| (end.node, why))?;
+        let contact = |negated: bool| if negated { "[/]" } else { "[ ]" };
+        let text = match operand.form {
+            Form::Literal => match (operand.text.as_str(), negated) {
+                ("TRUE" | "BOOL#TRUE" | "BOOL#1", false) | ("FALSE" | "BOOL#FALSE" | "BOOL#0", true) => {
+                    return Ok(start);
+                }
+                ("TRUE" | "BOOL#TRUE" | "BOOL#1", true) | ("FALSE" | "BOOL#FALSE" | "BOOL#0", false) => {
+                    "[ ]( SYS.OFF )".to_owned()
+                }
+                _ => return Err((end.node, "it is no power".to_owned())),
+            },
+            Form::Path => format!("{}( {} )", contact(negated), operand.text),
+            Form::NotPath => format!("{}( {} )", contact(!negated), &operand.text[4..]),
+            Form::Expression => {
+                let tag = self.body.results.get(&end);
+                let tag = tag.ok_or_else(|| (end.node, "its value is not known here".to_owned()))?;
+                format!("{}( {tag} )", contact(negated))
+            }
+        };
+        Ok(self.series(start, [text], end.node))
+    }
+
+    fn contact(&mut self, node: usize, tag: &Operand, modifier: Modifier, is_at_rail: bool) -> Vec<String> {
+        let (tag, is_not) = match tag.form {
+            Form::NotPath => (&tag.text[4..], true),
+            _ => (tag.text.as_str(), false),
+        };
+        if modifier.negated && modifier.edge != Edge::None {
+            self.body.note(
+                node,
+                "it is negated and of an edge at once: the edge does not count",
+            );
+        }
+        match (modifier.negated != is_not, modifier.edge) {
+            (true, Edge::Rising | Edge::Falling) if is_not && !modifier.negated => {
+                self.body
+                    .note(node, "the edge of what is inverted does not count");
+                vec![format!("[/]( {tag} )")]
+            }
+            (true, _) => vec![format!("[/]( {tag} )")],
+            (false, Edge::Rising) if !modifier.negated => vec![format!("[P]( {tag} )")],
+            // The first scan with the tag low counts as a fall in the standard.
+            (false, Edge::Falling) if !modifier.negated && is_at_rail => {
+                vec![format!("[/]( {tag} )"), "[OSR]".to_owned()]
+            }
+            (false, Edge::Falling) if !modifier.negated => {
+                self.body.note(
+                    node,
+                    "the first scan with the tag low counts as a fall there, and not here",
+                );
+                vec![format!("[N]( {tag} )")]
+            }
+            (false, _) => vec![format!("[ ]( {tag} )")],
+        }
+    }
+
+    fn block_end(&mut self, end: End, start: usize) -> Result<usize, Refused> {
+        let node = end.node;
+        let Some(class) = self.body.class(node) else {
+            return Ok(start);
+        };
+        let is_negated = self.body.graph.nodes[node]
+            .outputs
+            .get(end.output)
+            .is_some_and(|output| output.negated);
+        if !class.acts() {
+            if let Some(tag) = self.body.results.get(&end) {
+                let text = format!("[ ]( {tag} )");
+                return Ok(self.series(start, [text], node));
+            }
+            let point = self.condition(node, class, start)?;
+            return Ok(if is_negated {
+                self.series(point, ["[NOT]".to_owned()], node)
+            } else {
+                point
+            });
+        }
+        let is_power = power_output(self.body, node) == Some(end.output);
+        if self.body.executed[node] || !is_power || start != RAIL {
+            return self.referenced(end, start);
+        }
+        let point = self.block(node)?;
+        Ok(if is_negated {
+            self.series(point, ["[NOT]".to_owned()], node)
+        } else {
+            point
+        })
+    }
+
+    /// A gate or a comparison.
+    fn condition(&mut self, node: usize, class: Class, start: usize) -> Result<usize, Refused> {
+        if self.body.is_refused(node) {
+            return Ok(self.stand_in(start, node));
+        }
+        let pins = 0..self.body.graph.nodes[node].inputs.len();
+        let used = |pencil: &Self, pin: usize| !pencil.body.graph.nodes[node].inputs[pin].from.is_empty();
+        let pins: Vec<usize> = pins.filter(|pin| used(self, *pin)).collect();
+        match class {
+            Class::Gate(Gate::And) => {
+                let mut point = start;
+                for pin in pins {
+                    point = self.pin(node, pin, point)?;
+                }
+                Ok(point)
+            }
+            Class::Gate(Gate::Or) => {
+                let mut points = Vec::new();
+                for pin in pins {
+                    points.push(self.pin(node, pin, start)?);
+                }
+                let point = self.point();
+                points
+                    .into_iter()
+                    .for_each(|from| self.wires.push((from, point, Vec::new())));
+                Ok(point)
+            }
+            Class::Gate(_) => {
+                let point = self.pin(node, 0, start)?;
+                Ok(self.series(point, ["[NOT]".to_owned()], node))
+            }
+            _ => {
+                let text = self.body.condition_text(node, class).map_err(|why| (node, why))?;
+                Ok(self.series(start, [text], node))
+            }
+        }
+    }
+
+    /// A block that does something, from the rail on; comes back where its power leaves.
+    fn block(&mut self, node: usize) -> Result<usize, Refused> {
+        if let Some(point) = self.after.get(&node) {
+            return Ok(*point);
+        }
+        self.shown.insert(node);
+        let mut point = RAIL;
+        let pins = power_pins(self.body, node);
+        if pins.len() > 1 {
+            self.body.note(
+                node,
+                "without EN it stands still there; here EN and its first input are in series",
+            );
+        }
+        for pin in pins {
+            point = self.pin(node, pin, point)?;
+        }
+        let point = if self.body.is_refused(node) {
+            self.stand_in(point, node)
+        } else {
+            let texts = self.body.block_texts(node).map_err(|why| (node, why))?;
+            self.series(point, texts, node)
+        };
+        self.executed.push(node);
+        self.after.insert(node, point);
+        Ok(point)
+    }
+
+    /// Coils on tags for power that leaves blocks of this network and goes on in others.
+    fn held(&mut self) -> Vec<(End, String)> {
+        let mut results = Vec::new();
+        for node in self.executed.clone() {
+            let Some(output) = power_output(self.body, node) else {
+                continue;
+            };
+            let end = End { node, output };
+            let has_tag = match self.body.class(node) {
+                Some(Class::Standard(StandardBlock::Stateful(..))) => true,
+                _ => self.body.results.contains_key(&end),
+            };
+            let goes_on = |user: &usize| !self.shown.contains(user) && !self.body.merged[*user];
+            let goes_on = self
+                .body
+                .uses
+                .get(&end)
+                .is_some_and(|uses| uses.iter().any(goes_on));
+            let feeds_back = self.body.graph.feedback.iter().any(|(_, other)| *other == end);
+            if has_tag
+                || self.body.is_refused(node)
+                || !(goes_on || feeds_back || self.body.is_read_by_name(node))
+            {
+                continue;
+            }
+            let tag = self.body.holder(end);
+            let point = self.after[&node];
+            self.series(point, [format!("( )( {tag} )")], node);
+            results.push((end, tag));
+        }
+        results
+    }
+}

@@ -1,0 +1,361 @@
+//! What must stand above a network: the blocks that lead to its operands, and tags for power that is an operand.
+
+use super::blocks::{Class, operand_pins, power_output, power_pins, result_output};
+use super::body::Body;
+use super::draw::Target;
+use crate::expression::{Form, Operand};
+use crate::graph::{End, Kind, Modifier};
+use crate::model::{Type, UnitKind};
+use crate::standard::{self, Gate};
+use std::collections::HashSet;
+
+/// The outputs that were seen, and whether their blocks may stand in the network itself.
+type Seen = HashSet<(End, bool)>;
+
+impl Body<'_> {
+    /// Writes what must stand above the network of an element.
+    pub(super) fn prepare(&mut self, node: usize) {
+        let mut seen = Seen::new();
+        self.prepare_node(node, true, &mut seen);
+    }
+
+    fn prepare_node(&mut self, node: usize, inline: bool, seen: &mut Seen) {
+        match &self.graph.nodes[node].kind {
+            Kind::Block { .. } => {
+                if let Some(class) = self.class(node).filter(|class| class.acts()) {
+                    self.prepare_block(node, class, seen);
+                } else {
+                    self.prepare_condition(node, inline, seen);
+                }
+            }
+            Kind::Variable(text, _) => {
+                if !self.is_written_by_power(node, text) {
+                    if let Err(why) = self.direct(node, 0, seen) {
+                        self.refuse(node, why);
+                    }
+                } else {
+                    self.prepare_pin(node, 0, inline, seen);
+                }
+            }
+            _ => {
+                for pin in 0..self.graph.nodes[node].inputs.len() {
+                    self.prepare_pin(node, pin, inline, seen);
+                }
+            }
+        }
+    }
+
+    /// Whether a variable is written as a coil writes.
+    pub(super) fn is_written_by_power(&mut self, node: usize, text: &str) -> bool {
+        let from = self.graph.nodes[node]
+            .inputs
+            .first()
+            .map_or(&[][..], |pin| &pin.from);
+        let Some(first) = from.first().copied() else {
+            return true;
+        };
+        self.is_power(first).unwrap_or_else(|| {
+            let ty = self.operand(text).ok().and_then(|operand| operand.ty);
+            matches!(ty, Some(Type::Named(name)) if name.eq_ignore_ascii_case("BOOL"))
+        })
+    }
+
+    /// A gate or a comparison.
+    fn prepare_condition(&mut self, node: usize, inline: bool, seen: &mut Seen) {
+        let is_and = self.class(node) == Some(Class::Gate(Gate::And));
+        let is_compare = matches!(self.class(node), Some(Class::Compare(_)));
+        for pin in 0..self.graph.nodes[node].inputs.len() {
+            if is_compare {
+                if let Err(why) = self.direct(node, pin, seen) {
+                    self.refuse(node, why);
+                }
+            } else {
+                // What is second in a series has only the power of the first: a block there would run otherwise.
+                self.prepare_pin(node, pin, inline && !(is_and && pin > 0), seen);
+            }
+        }
+    }
+
+    fn prepare_pin(&mut self, node: usize, pin: usize, inline: bool, seen: &mut Seen) {
+        for end in self.graph.nodes[node].inputs[pin].from.clone() {
+            if !self.graph.feedback.contains(&(node, end)) {
+                self.prepare_end(end, inline, seen);
+            }
+        }
+    }
+
+    fn prepare_end(&mut self, end: End, inline: bool, seen: &mut Seen) {
+        if !seen.insert((end, inline)) {
+            return;
+        }
+        let node = end.node;
+        match &self.graph.nodes[node].kind {
+            Kind::Value(text, _) => {
+                let form = self.operand(text).map(|operand| operand.form);
+                if form == Ok(Form::Expression) {
+                    if let Err(why) = self.computed(end) {
+                        self.refuse(node, why);
+                    }
+                }
+            }
+            Kind::Block { .. } => {
+                let Some(class) = self.class(node) else { return };
+                if !class.acts() {
+                    return self.prepare_condition(node, inline, seen);
+                }
+                if self.executed[node] {
+                    return;
+                }
+                self.prepare_block(node, class, seen);
+                let stands_in_wire = inline && power_output(self, node) == Some(end.output);
+                if !stands_in_wire && !self.executed[node] {
+                    self.execute(node);
+                }
+            }
+            _ => self.prepare_node(node, inline, seen),
+        }
+    }
+
+    /// A block is written in a network of its own.
+    fn execute(&mut self, node: usize) {
+        self.flush();
+        if !self.network(&[Target::Root(node)]) {
+            let why = "what leads to it is larger than what can be drawn";
+            self.refuse(node, why);
+            self.executed[node] = true;
+        }
+    }
+
+    /// The operands of a block, its instance and the tags of its results.
+    fn prepare_block(&mut self, node: usize, class: Class, seen: &mut Seen) {
+        if self.is_refused(node) {
+            return;
+        }
+        if let Err(why) = self.try_prepare_block(node, class, seen) {
+            self.refuse(node, why);
+        }
+        for pin in power_pins(self, node) {
+            self.prepare_pin(node, pin, true, seen);
+        }
+    }
+
+    fn try_prepare_block(&mut self, node: usize, class: Class, seen: &mut Seen) -> Result<(), String> {
+        if let Class::Unknown = class {
+            let Kind::Block { name, code, .. } = &self.graph.nodes[node].kind else {
+                return Ok(());
+            };
+            return Err(match code {
+                Some(code) => {
+                    let text = format!("In ST, which is not run here:\n{code}");
+                    self.flush();
+                    self.say(text);
+                    "text in ST is not run here: it is a comment".to_owned()
+                }
+                None => format!("neither the project nor ladder text has a block `{name}`"),
+            });
+        }
+        for pin in operand_pins(self, node) {
+            let is_wired = !self.graph.nodes[node].inputs[pin].from.is_empty();
+            if is_wired && !self.operands.contains_key(&(node, pin)) {
+                self.direct(node, pin, seen)?;
+            }
+        }
+        self.results_of(node, class)
+    }
+
+    /// The tags that hold what a function gives.
+    fn results_of(&mut self, node: usize, class: Class) -> Result<(), String> {
+        let is_function = matches!(
+            class,
+            Class::Value(_) | Class::Convert | Class::Logic(_) | Class::Unit(UnitKind::Function)
+        );
+        if !is_function {
+            return Ok(());
+        }
+        let Some(first) = result_output(&self.graph.nodes[node]) else {
+            return Ok(());
+        };
+        for output in 0..self.graph.nodes[node].outputs.len() {
+            let end = End { node, output };
+            let is_power = power_output(self, node) == Some(output);
+            if is_power || self.results.contains_key(&end) {
+                continue;
+            }
+            let uses = self.uses.get(&end).cloned().unwrap_or_default();
+            if output != first && uses.is_empty() {
+                continue;
+            }
+            let is_negated = self.graph.nodes[node].outputs[output].negated;
+            let is_only = |user: usize| {
+                self.graph.nodes[user]
+                    .inputs
+                    .first()
+                    .is_some_and(|pin| pin.from.len() == 1)
+            };
+            let variables: Vec<(usize, Operand)> = uses
+                .iter()
+                .filter_map(|user| match &self.graph.nodes[*user].kind {
+                    Kind::Variable(text, false) if is_only(*user) && !is_negated => {
+                        let operand = self.operand(text).ok()?;
+                        (operand.form == Form::Path).then_some((*user, operand))
+                    }
+                    _ => None,
+                })
+                .collect();
+            let tag = if let ([(user, operand)], true) = (&variables[..], uses.len() == 1) {
+                self.merged[*user] = true;
+                operand.text.clone()
+            } else {
+                let ty = self.out_type(end).ok_or("the type of its result is not known")?;
+                let ty = self.type_text(&ty)?;
+                let Kind::Block { name, .. } = &self.graph.nodes[node].kind else {
+                    return Ok(());
+                };
+                let comment = format!("the result of {name}");
+                self.helper(&name.to_lowercase(), &ty, &comment)
+            };
+            self.results.insert(end, tag);
+        }
+        Ok(())
+    }
+
+    /// The operand at a pin: the variable or value that is wired to it, or a tag with what comes there.
+    fn direct(&mut self, node: usize, pin: usize, seen: &mut Seen) -> Result<Operand, String> {
+        let operand = self.find_direct(node, pin, seen)?;
+        self.operands.insert((node, pin), operand.clone());
+        Ok(operand)
+    }
+
+    fn find_direct(&mut self, node: usize, pin: usize, seen: &mut Seen) -> Result<Operand, String> {
+        let (from, modifier) = {
+            let pin = &self.graph.nodes[node].inputs[pin];
+            (pin.from.clone(), pin.modifier)
+        };
+        if let ([end], true) = (&from[..], modifier == Modifier::default()) {
+            let source = &self.graph.nodes[end.node];
+            match &source.kind {
+                Kind::Value(text, negated) => {
+                    let operand = self.operand(text)?;
+                    match (operand.form, negated) {
+                        (Form::Literal | Form::Path, false) => return Ok(operand),
+                        (Form::Expression, false) => return self.computed(*end),
+                        _ => {}
+                    }
+                }
+                Kind::Contact(text, contact) if *contact == Modifier::default() => {
+                    let before = source.inputs.first().map_or(&[][..], |pin| &pin.from);
+                    let is_at_rail =
+                        matches!(before, [end] if self.graph.nodes[end.node].kind == Kind::LeftRail);
+                    let operand = self.operand(text)?;
+                    if is_at_rail && operand.form == Form::Path {
+                        return Ok(operand);
+                    }
+                }
+                Kind::Block { .. } if self.class(end.node).is_some_and(Class::acts) => {
+                    if !self.graph.feedback.contains(&(node, *end)) {
+                        self.prepare_end(*end, false, seen);
+                    }
+                    let is_negated = source
+                        .outputs
+                        .get(end.output)
+                        .is_some_and(|output| output.negated);
+                    if !is_negated {
+                        return self.reference(*end);
+                    }
+                }
+                _ => {}
+            }
+        }
+        let is_power = match from.first() {
+            Some(end) => self.is_power(*end) != Some(false),
+            None => true,
+        };
+        if !is_power {
+            return Err("several values are wired to one pin, or one is inverted".to_owned());
+        }
+        self.prepare_pin(node, pin, true, seen);
+        let like = match &self.graph.nodes[node].kind {
+            Kind::Block { name, instance, .. } => {
+                let name = instance.as_deref().unwrap_or(name).to_owned();
+                format!("{name}_{}", self.graph.nodes[node].inputs[pin].name)
+            }
+            _ => "power".to_owned(),
+        };
+        let tag = self.helper(&like, "BOOL", "what comes to a pin");
+        self.flush();
+        if !self.network(&[Target::Pin(node, pin, tag.clone())]) {
+            self.in_pieces(Target::Pin(node, pin, tag.clone()));
+        }
+        Ok(Operand {
+            reads: vec![tag.to_lowercase()],
+            text: tag,
+            form: Form::Path,
+            ty: Some(Type::Named("BOOL".to_owned())),
+        })
+    }
+
+    /// A tag with the value of an expression.
+    fn computed(&mut self, end: End) -> Result<Operand, String> {
+        let Kind::Value(text, _) = &self.graph.nodes[end.node].kind else {
+            return Err("it is no value".to_owned());
+        };
+        let operand = self.operand(text)?;
+        let ty = operand
+            .ty
+            .clone()
+            .ok_or_else(|| format!("the type of `{text}` is not known"))?;
+        let written = self.type_text(&ty)?;
+        let tag = self.helper("value", &written, "the value of an expression");
+        self.flush();
+        self.results.insert(end, tag.clone());
+        self.network(&[Target::Value(end, tag.clone())]);
+        Ok(Operand {
+            reads: operand.reads,
+            text: tag,
+            form: Form::Path,
+            ty: Some(ty),
+        })
+    }
+
+    /// The tag that holds what leaves an output of a block that stands above.
+    pub(super) fn reference(&self, end: End) -> Result<Operand, String> {
+        let node = &self.graph.nodes[end.node];
+        let output = node
+            .outputs
+            .get(end.output)
+            .map_or("", |output| output.name.as_str());
+        let path = |text: String| Operand {
+            reads: vec![text.split('.').next().unwrap_or_default().to_lowercase()],
+            text,
+            form: Form::Path,
+            ty: None,
+        };
+        if let Some(tag) = self.results.get(&end) {
+            return Ok(path(tag.clone()));
+        }
+        let Kind::Block { name, .. } = &node.kind else {
+            return Err("what leads to it has no result".to_owned());
+        };
+        let instance = self
+            .instances
+            .get(&end.node)
+            .map(|instance| instance.text.as_str());
+        match (self.class(end.node), instance) {
+            (Some(Class::Standard(standard::StandardBlock::Stateful(mnemonic, ..))), Some(instance)) => {
+                let output = if output.is_empty() {
+                    standard::power_output(standard::StandardBlock::Stateful(mnemonic, "", &[])).to_owned()
+                } else {
+                    output.to_ascii_uppercase()
+                };
+                Ok(path(format!("{instance}.{output}")))
+            }
+            (Some(Class::Unit(UnitKind::FunctionBlock)), Some(instance)) => {
+                let block = self.shared.blocks.get(&name.to_lowercase());
+                let known = block.and_then(|block| block.scope.get(output));
+                let known = known.ok_or_else(|| format!("`{name}` has no output `{output}`"))?;
+                Ok(path(format!("{instance}.{}", known.spelled)))
+            }
+            _ => Err(format!("nothing holds what `{name}` gives at `{output}`")),
+        }
+    }
+}

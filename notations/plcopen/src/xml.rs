@@ -1,0 +1,104 @@
+//! XML within bounds: no document types, so no entities; not too many nodes.
+
+use ladder_notation::{LineColumn, Lines, ReadError};
+use roxmltree::{Document, Error, Node, ParsingOptions};
+
+/// A file with more elements, texts and attributes is not read.
+const MOST_NODES: u32 = 500_000;
+
+/// A file, with the places of its elements.
+pub(super) struct Xml<'t> {
+    pub(super) document: Document<'t>,
+    lines: Lines,
+}
+
+impl<'t> Xml<'t> {
+    /// # Errors
+    ///
+    /// If it is not XML, or too large.
+    pub(super) fn parse(text: &'t str) -> Result<Xml<'t>, ReadError> {
+        let options = ParsingOptions {
+            nodes_limit: MOST_NODES,
+            ..ParsingOptions::default()
+        };
+        let document = Document::parse_with_options(text, options).map_err(|error| {
+            let place = LineColumn {
+                line: error.pos().row,
+                column: error.pos().col,
+            };
+            ReadError::at(place, why(&error))
+        })?;
+        let lines = Lines::of(text);
+        Ok(Xml { document, lines })
+    }
+
+    /// Where an element begins.
+    pub(super) fn place(&self, node: Node<'_, '_>) -> LineColumn {
+        self.lines.place(self.document.input_text(), node.range().start)
+    }
+}
+
+fn why(error: &Error) -> String {
+    match error {
+        Error::DtdDetected => {
+            "the file has a document type (`<!DOCTYPE`), which no project needs: take it out".to_owned()
+        }
+        Error::NodesLimitReached => format!("the file has more than {MOST_NODES} elements; projects do not"),
+        other => {
+            let said = other.to_string();
+            // The place is told apart from it.
+            let said = said.rsplit_once(" at ").map_or(said.as_str(), |(said, _)| said);
+            format!("this is not XML as it must be: {said}")
+        }
+    }
+}
+
+/// What an element has, by names without their namespaces.
+pub(super) trait Element<'a, 't: 'a>: Sized {
+    /// Its name.
+    fn name(&self) -> &'t str;
+    /// Whether this is its name.
+    fn is(&self, name: &str) -> bool;
+    /// The elements in it.
+    fn elements(&self) -> impl Iterator<Item = Node<'a, 't>> + use<'a, 't, Self>;
+    /// The first element of this name in it.
+    fn child(&self, name: &str) -> Option<Node<'a, 't>>;
+    /// All elements of this name in it.
+    fn children_of(&self, name: &str) -> impl Iterator<Item = Node<'a, 't>>;
+    /// All that is written in it, however deep, without blanks at the ends.
+    fn words(&self) -> String;
+    /// Whether an attribute is `true`.
+    fn flag(&self, name: &str) -> bool;
+}
+
+impl<'a, 't: 'a> Element<'a, 't> for Node<'a, 't> {
+    fn name(&self) -> &'t str {
+        self.tag_name().name()
+    }
+
+    fn is(&self, name: &str) -> bool {
+        Element::name(self).eq_ignore_ascii_case(name)
+    }
+
+    fn elements(&self) -> impl Iterator<Item = Node<'a, 't>> + use<'a, 't> {
+        self.children().filter(Node::is_element)
+    }
+
+    fn child(&self, name: &str) -> Option<Node<'a, 't>> {
+        self.elements().find(|child| child.is(name))
+    }
+
+    fn children_of(&self, name: &str) -> impl Iterator<Item = Node<'a, 't>> {
+        self.elements().filter(move |child| child.is(name))
+    }
+
+    fn words(&self) -> String {
+        let all = self.descendants().filter(Node::is_text);
+        let all: String = all.filter_map(|node| node.text()).collect();
+        all.trim().to_owned()
+    }
+
+    fn flag(&self, name: &str) -> bool {
+        matches!(self.attribute(name), Some("true" | "1"))
+    }
+}

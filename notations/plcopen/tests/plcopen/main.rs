@@ -1,0 +1,4 @@
+//! PLCopen XML, read and run.
+
+mod corpus;
+mod traces;
