@@ -148,6 +148,7 @@ impl Node {
 
 impl Graph {
     /// For each element the number of the part of the drawing that it is in. Rails join nothing.
+    #[cfg(test)]
     pub(crate) fn parts(&self) -> Vec<usize> {
         let mut root: Vec<usize> = (0..self.nodes.len()).collect();
         let is_rail = |node: usize| matches!(self.nodes[node].kind, Kind::LeftRail | Kind::RightRail);
@@ -196,6 +197,7 @@ impl Graph {
 /// Elements whose tops differ by less are in one row.
 const ROW: f64 = 10.0;
 
+#[cfg(test)]
 fn find(root: &mut [usize], mut node: usize) -> usize {
     while root[node] != node {
         root[node] = root[root[node]];

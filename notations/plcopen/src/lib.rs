@@ -22,6 +22,9 @@ mod sketch;
 mod standard;
 mod xml;
 
+#[cfg(test)]
+mod counts;
+
 pub use sketch::reading;
 
 use ladder_analysis::Analysis;

@@ -186,7 +186,19 @@ pub(crate) fn member(name: &str) -> String {
 
 /// `$`, a letter, letters and digits.
 fn block_name(name: &str, taken: &mut HashSet<String>) -> String {
-    let mut short: String = name.chars().filter(char::is_ascii_alphanumeric).collect();
+    let mut short = String::new();
+    for word in name.split(|c: char| !c.is_ascii_alphanumeric()) {
+        // What was parted by signs is told apart by capitals.
+        let is_first = short.is_empty();
+        let letters = word.chars().enumerate();
+        short.extend(letters.map(|(at, c)| {
+            if at == 0 && !is_first {
+                c.to_ascii_uppercase()
+            } else {
+                c
+            }
+        }));
+    }
     if !short.starts_with(|c: char| c.is_ascii_alphabetic()) {
         short.insert(0, 'B');
     }

@@ -155,7 +155,8 @@ pub(crate) fn elementary(name: &str) -> Option<&'static str> {
         "ULINT", "REAL", "LREAL", "TIME", "DATE", "TOD", "DT",
     ];
     let upper = name.to_ascii_uppercase();
-    let name = match upper.as_str() {
+    // The web pages of Beremiz have types of their own for the same.
+    let name = match upper.strip_prefix("HMI_").unwrap_or(&upper) {
         "LTIME" => "TIME",
         "TIME_OF_DAY" | "LTOD" | "LTIME_OF_DAY" => "TOD",
         "DATE_AND_TIME" | "LDT" | "LDATE_AND_TIME" => "DT",

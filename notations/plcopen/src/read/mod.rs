@@ -82,7 +82,9 @@ impl<'x> Reader<'x, '_> {
         {
             self.project.evaluation = Evaluation::Once;
         }
-        let name = attribute(root.child("contentHeader"), "name");
+        let is_telling = |name: &String| !name.trim().is_empty() && !name.eq_ignore_ascii_case("unnamed");
+        let name = attribute(root.child("contentHeader"), "name").filter(is_telling);
+        let product = product.filter(|product| is_telling(product) && Some(product) != name.as_ref());
         let from = product.map(|product| format!("from {product}"));
         let said: Vec<String> = name.into_iter().chain(from).collect();
         if !said.is_empty() {

@@ -203,7 +203,7 @@ impl Body<'_> {
                 Function::Convert(ty) => named(ty),
                 _ => None,
             },
-            Class::Unknown => named("BOOL"),
+            Class::Unknown => None,
             Class::Value(mnemonic) => {
                 if matches!(mnemonic, "LEN" | "FIND") {
                     return named("INT");

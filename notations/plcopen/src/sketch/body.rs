@@ -1,5 +1,5 @@
 //! A drawing as networks: what writes is taken in the order of the source, with all that leads to it; what is taken one
-//! after the other from one part of the drawing is one network, as long as that reads and writes as the source does.
+//! after the other and shares elements is one network, as long as that reads and writes as the source does.
 
 use super::blocks::{self, Class};
 use super::draw::{Drawn, Target};
@@ -22,6 +22,9 @@ pub(super) struct Made {
     pub(super) needed: HashSet<String>,
 }
 
+/// What leads to all that is done in a drawing has no more elements, each counted wherever it leads to.
+const MOST_WORK: usize = 1_000_000;
+
 /// A drawing on its way.
 pub(super) struct Body<'b> {
     pub(super) shared: &'b Shared<'b>,
@@ -29,7 +32,6 @@ pub(super) struct Body<'b> {
     pub(super) made: &'b mut Made,
     pub(super) reading: &'b mut Reading,
     evaluation: Evaluation,
-    parts: Vec<usize>,
     pub(super) uses: HashMap<End, Vec<usize>>,
     /// What became of each element, where it is not the same.
     outcomes: Vec<Option<Outcome>>,
@@ -45,9 +47,12 @@ pub(super) struct Body<'b> {
     pub(super) operands: HashMap<(usize, usize), Operand>,
     /// The instances of blocks, as they are written here.
     pub(super) instances: HashMap<usize, Operand>,
-    /// What the next network has, of one part of the drawing.
+    /// What is done in the next network, and what leads to it.
     group: Vec<usize>,
+    shown: HashSet<usize>,
+    work: usize,
     comments: Vec<String>,
+    next: Vec<String>,
     pub(super) types: HashMap<End, Option<Type>>,
 }
 
@@ -74,7 +79,6 @@ impl<'b> Body<'b> {
             made,
             reading,
             evaluation,
-            parts: graph.parts(),
             uses,
             outcomes: vec![None; count],
             executed: vec![false; count],
@@ -84,7 +88,10 @@ impl<'b> Body<'b> {
             operands: HashMap::new(),
             instances: HashMap::new(),
             group: Vec::new(),
+            shown: HashSet::new(),
+            work: 0,
             comments: Vec::new(),
+            next: Vec::new(),
             types: HashMap::new(),
         };
         body.names();
@@ -131,22 +138,26 @@ impl<'b> Body<'b> {
                 continue;
             };
             if let Some(ty) = blocks::state(self.shared, name) {
-                let operand = match instance {
-                    Some(instance) if instance != "???" => self.operand(instance),
-                    _ => {
-                        let made = self.made.scope.fresh(&name.to_lowercase());
-                        let ty = match ty {
-                            Some(ty) => ty,
-                            None => "BOOL".to_owned(),
-                        };
-                        self.helper_named(&made, &ty, "a block that has no name in the project");
-                        Ok(Operand {
-                            text: made,
-                            form: Form::Path,
-                            ty: None,
-                            reads: Vec::new(),
-                        })
-                    }
+                let is_named = |name: &&String| {
+                    let is_plain = name.chars().all(|c| c.is_alphanumeric() || c == '_');
+                    *name != "???" && (!is_plain || self.knows(name))
+                };
+                let operand = if let Some(instance) = instance.as_ref().filter(is_named) {
+                    self.operand(instance)
+                } else {
+                    let like = instance
+                        .as_deref()
+                        .filter(|name| *name != "???")
+                        .map(str::to_owned);
+                    let like = like.unwrap_or_else(|| name.to_lowercase());
+                    let ty = ty.unwrap_or_else(|| "BOOL".to_owned());
+                    let text = self.helper(&like, &ty, "a block that the project does not declare");
+                    Ok(Operand {
+                        text,
+                        form: Form::Path,
+                        ty: None,
+                        reads: Vec::new(),
+                    })
                 };
                 match operand {
                     Ok(operand) => drop(self.instances.insert(node, operand)),
@@ -156,17 +167,17 @@ impl<'b> Body<'b> {
         }
     }
 
+    fn knows(&self, name: &str) -> bool {
+        self.made.scope.get(name).is_some() || self.shared.globals.get(name).is_some()
+    }
+
     /// A tag that the source does not have.
     pub(super) fn helper(&mut self, like: &str, ty: &str, comment: &str) -> String {
         let name = self.made.scope.fresh(like);
-        self.helper_named(&name, ty, comment);
-        name
-    }
-
-    fn helper_named(&mut self, name: &str, ty: &str, comment: &str) {
         self.made
             .helpers
-            .push((name.to_owned(), ty.to_owned(), comment.to_owned()));
+            .push((name.clone(), ty.to_owned(), comment.to_owned()));
+        name
     }
 
     /// One element, in the order of execution.
@@ -181,6 +192,8 @@ impl<'b> Body<'b> {
         match &drawn.kind {
             Kind::LeftRail | Kind::RightRail => {}
             Kind::Comment(text) if text.is_empty() => {}
+            // What is said after something was begun is about what comes next.
+            Kind::Comment(text) if !self.group.is_empty() => self.next.push(text.clone()),
             Kind::Comment(text) => self.comments.push(text.clone()),
             Kind::Label(name) => {
                 self.flush();
@@ -224,38 +237,44 @@ impl<'b> Body<'b> {
         if self.executed[node] || self.merged[node] {
             return;
         }
+        let mut own = HashSet::new();
+        self.leads_to(node, &mut own);
+        self.work += own.len();
+        if self.work > MOST_WORK {
+            self.refuse(node, "the drawing is larger than what can be read");
+            self.comments.push(blocks::shown(&self.graph.nodes[node]));
+            return;
+        }
         self.prepare(node);
         if self.executed[node] || self.merged[node] {
             return;
         }
-        let part = |node: usize| self.parts[node];
-        let same = self.group.first().is_none_or(|first| part(*first) == part(node));
-        if !same || (self.evaluation == Evaluation::EachOutput && self.reads_what_was_written(node)) {
+        if !self.goes_on(&own) {
             self.flush();
         }
+        self.shown.extend(own);
         self.group.push(node);
     }
 
-    /// Whether something that leads to an element stands in the network already, and reads what is written in it before:
-    /// then all of it is read again.
-    fn reads_what_was_written(&self, node: usize) -> bool {
-        let mut written = HashSet::new();
-        let mut shown = HashSet::new();
-        for before in &self.group {
-            written.extend(self.writes(*before));
-            self.leads_to(*before, &mut shown);
+    /// Whether what leads to an element belongs into the network so far: something of it stands there, and reads nothing
+    /// that is written in it before. Else all of it is read again.
+    fn goes_on(&self, own: &HashSet<usize>) -> bool {
+        let mut both = own.intersection(&self.shown).peekable();
+        if both.peek().is_none() {
+            return self.group.is_empty();
         }
-        let mut own = HashSet::new();
-        self.leads_to(node, &mut own);
-        own.intersection(&shown)
-            .any(|both| self.reads(*both).iter().any(|tag| written.contains(tag)))
+        if self.evaluation == Evaluation::Once {
+            return true;
+        }
+        let written: HashSet<String> = self.group.iter().flat_map(|node| self.writes(*node)).collect();
+        !both.any(|both| self.reads(*both).iter().any(|tag| written.contains(tag)))
     }
 
     /// All elements that power goes through on its way to an element.
     fn leads_to(&self, node: usize, all: &mut HashSet<usize>) {
         let mut waiting = vec![node];
         while let Some(node) = waiting.pop() {
-            if all.insert(node) {
+            if self.graph.nodes[node].kind != Kind::LeftRail && all.insert(node) {
                 let ends = self.graph.nodes[node].inputs.iter().flat_map(|pin| &pin.from);
                 waiting.extend(ends.map(|end| end.node).filter(|node| !self.executed[*node]));
             }
@@ -289,9 +308,16 @@ impl<'b> Body<'b> {
     /// The network so far is written.
     pub(super) fn flush(&mut self) {
         let group = std::mem::take(&mut self.group);
+        self.shown.clear();
         if group.is_empty() {
             return;
         }
+        self.write(group);
+        let next = std::mem::take(&mut self.next);
+        self.comments.extend(next);
+    }
+
+    fn write(&mut self, group: Vec<usize>) {
         let targets: Vec<Target> = group.iter().map(|node| Target::Root(*node)).collect();
         if self.network(&targets) {
             return;

@@ -250,6 +250,17 @@ impl Pencil<'_, '_> {
         let operand = self.body.operand(text).map_err(|why| (node, why))?;
         match operand.form {
             Form::Path | Form::NotPath => Ok(operand),
+            Form::Literal if matches!(self.body.graph.nodes[node].kind, Kind::Contact(..)) => {
+                let always = match operand.text.as_str() {
+                    "TRUE" => "SYS.ON",
+                    "FALSE" => "SYS.OFF",
+                    _ => return Err((node, "it is no variable".to_owned())),
+                };
+                Ok(Operand {
+                    text: always.to_owned(),
+                    ..operand
+                })
+            }
             Form::Literal | Form::Expression => Err((node, "it is no variable".to_owned())),
         }
     }
@@ -299,6 +310,19 @@ impl Pencil<'_, '_> {
             Some(pin) => (pin.from.as_slice(), pin.modifier),
             None => (&[][..], Modifier::default()),
         };
+        if modifier.negated
+            && modifier.edge == Edge::None
+            && let Some(point) = self.inverted(node, pin, start)?
+        {
+            return Ok(point);
+        }
+        if modifier != Modifier::default()
+            && start != RAIL
+            && let Some(operand) = self.body.operands.get(&(node, pin))
+        {
+            let text = format!("[ ]( {} )", operand.text);
+            return Ok(self.series(start, [text], node));
+        }
         let mut point = match from {
             [] => {
                 self.body
@@ -331,6 +355,29 @@ impl Pencil<'_, '_> {
         };
         self.pins.insert((node, pin, start), point);
         Ok(point)
+    }
+
+    /// What comes to a pin, inverted, if that is one contact.
+    fn inverted(&mut self, node: usize, pin: usize, start: usize) -> Result<Option<usize>, Refused> {
+        let Some(end) = self.body.invertible(node, pin) else {
+            return Ok(None);
+        };
+        self.shown.insert(end.node);
+        let graph = self.body.graph;
+        let point = match &graph.nodes[end.node].kind {
+            Kind::Contact(text, modifier) => {
+                let tag = self.tag(end.node, text)?;
+                let modifier = Modifier {
+                    negated: !modifier.negated,
+                    edge: Edge::None,
+                };
+                let texts = self.contact(end.node, &tag, modifier, false);
+                self.series(start, texts, end.node)
+            }
+            Kind::Value(text, negated) => self.value(end, text, !negated, start)?,
+            _ => return Ok(None),
+        };
+        Ok(Some(point))
     }
 
     fn source(&mut self, node: usize, end: End, start: usize) -> Result<usize, Refused> {
@@ -531,6 +578,13 @@ impl Pencil<'_, '_> {
                 Ok(point)
             }
             Class::Gate(_) => {
+                if let Some(point) = self.inverted(node, 0, start)? {
+                    return Ok(point);
+                }
+                if let (true, Some(operand)) = (start != RAIL, self.body.operands.get(&(node, 0))) {
+                    let text = format!("[/]( {} )", operand.text);
+                    return Ok(self.series(start, [text], node));
+                }
                 let point = self.pin(node, 0, start)?;
                 Ok(self.series(point, ["[NOT]".to_owned()], node))
             }

@@ -29,6 +29,9 @@ pub fn reading(project: Project) -> Reading {
     let blocks = blocks(&shared, project, &mut reading);
     let order = order(project, &mut reading.report);
     let mut items: Vec<Item> = project.comments.iter().cloned().map(Item::Comment).collect();
+    if let Some(interval) = shortest(project).and_then(declare::interval) {
+        items.push(Item::Directive(format!("cycle {interval}")));
+    }
     for part in [&types, &globals, &blocks] {
         push_part(&mut items, part.clone());
     }
@@ -41,6 +44,12 @@ pub fn reading(project: Project) -> Reading {
         let own = shared.program(unit, Some(&scope));
         let inside = unit_items(&shared, project, unit, own, place, &mut reading);
         scope = inside.scope;
+        if !is_alone && !inside.sections.is_empty() {
+            if !sections.is_empty() {
+                sections.push(Item::Blank);
+            }
+            sections.push(Item::Comment(format!("of {}", unit.name)));
+        }
         sections.extend(inside.sections);
         programs.push((*unit, inside.items));
     }

@@ -4,7 +4,7 @@ use super::blocks::{Class, operand_pins, power_output, power_pins, result_output
 use super::body::Body;
 use super::draw::Target;
 use crate::expression::{Form, Operand};
-use crate::graph::{End, Kind, Modifier};
+use crate::graph::{Edge, End, Kind, Modifier};
 use crate::model::{Type, UnitKind};
 use crate::standard::{self, Gate};
 use std::collections::HashSet;
@@ -72,8 +72,51 @@ impl Body<'_> {
             } else {
                 // What is second in a series has only the power of the first: a block there would run otherwise.
                 self.prepare_pin(node, pin, inline && !(is_and && pin > 0), seen);
+                self.prepare_inversion(node, pin, inline && !(is_and && pin > 0), seen);
             }
         }
+        let end = End { node, output: 0 };
+        let is_negated = self.graph.nodes[node].outputs[0].negated;
+        if is_negated && !inline && !self.results.contains_key(&end) {
+            let tag = self.helper("inverted", "BOOL", "what leaves a gate");
+            self.flush();
+            if self.network(&[Target::End(end, tag.clone())]) {
+                self.results.insert(end, tag);
+            }
+        }
+    }
+
+    /// Within a series only what comes to a pin is inverted, and not what is before it: so it needs a tag.
+    fn prepare_inversion(&mut self, node: usize, pin: usize, inline: bool, seen: &mut Seen) {
+        let is_not = self.class(node) == Some(Class::Gate(Gate::Not));
+        let is_modified = self.graph.nodes[node].inputs[pin].modifier != Modifier::default();
+        let is_kept = inline || self.operands.contains_key(&(node, pin));
+        if is_kept || !(is_not || is_modified) || self.invertible(node, pin).is_some() {
+            return;
+        }
+        if let Err(why) = self.direct(node, pin, seen) {
+            self.refuse(node, why);
+        }
+    }
+
+    /// The one contact or value that comes to a pin, if it can be inverted by itself.
+    pub(super) fn invertible(&self, node: usize, pin: usize) -> Option<End> {
+        let pin = self.graph.nodes[node].inputs.get(pin)?;
+        let ([end], true) = (&pin.from[..], pin.modifier.edge == Edge::None) else {
+            return None;
+        };
+        let source = &self.graph.nodes[end.node];
+        let is_invertible = match &source.kind {
+            Kind::Value(text, _) => self
+                .operand(text)
+                .is_ok_and(|operand| operand.form != Form::Expression),
+            Kind::Contact(_, modifier) if modifier.edge == Edge::None => {
+                let before = source.inputs.first().map_or(&[][..], |pin| &pin.from);
+                matches!(before, [end] if self.graph.nodes[end.node].kind == Kind::LeftRail)
+            }
+            _ => false,
+        };
+        (is_invertible && !self.is_refused(end.node) && !self.results.contains_key(end)).then_some(*end)
     }
 
     fn prepare_pin(&mut self, node: usize, pin: usize, inline: bool, seen: &mut Seen) {
@@ -119,7 +162,8 @@ impl Body<'_> {
     /// A block is written in a network of its own.
     fn execute(&mut self, node: usize) {
         self.flush();
-        if !self.network(&[Target::Root(node)]) {
+        // It may have stood in the network that is written now.
+        if !self.executed[node] && !self.network(&[Target::Root(node)]) {
             let why = "what leads to it is larger than what can be drawn";
             self.refuse(node, why);
             self.executed[node] = true;

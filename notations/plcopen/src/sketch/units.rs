@@ -2,7 +2,7 @@
 
 use super::body::{Body as Networks, Made};
 use super::declare;
-use crate::model::{Body, Part, Project, Unit, UnitKind};
+use crate::model::{Body, Part, Project, Type, Unit, UnitKind};
 use crate::scope::{Scope, Shared};
 use ladder_format::Circuit;
 use ladder_format::program::{Drawing, Element, Item, Network};
@@ -125,32 +125,38 @@ fn part_items(
     reading: &mut Reading,
 ) {
     let shown = format!("{} {}", part.what, part.name);
+    if part.what == "transition" && made.scope.get(&part.name).is_none() {
+        made.scope
+            .declare(&part.name, &Type::Named("BOOL".to_owned()), "");
+        let tag = made
+            .scope
+            .get(&part.name)
+            .map_or(String::new(), |known| known.spelled.clone());
+        made.helpers
+            .push((tag, "BOOL".to_owned(), format!("what {shown} says")));
+    }
     if matches!(part.body, Body::Empty) {
         reading.report.translated(part.place, shown);
         return;
     }
-    if place == Place::Block {
-        let why = "a block has no functions of its own here: its networks are left out";
-        reading.report.refused(part.place, shown.clone(), why);
-        made.items.push(Item::Comment(format!(
-            "{shown} is not read: a block has no functions of its own here"
-        )));
-        return;
-    }
     if let Body::Graph(_) = part.body {
-        let why = "the chart that runs it is not run here: it is a function that nothing calls";
+        let why = match place {
+            Place::Block => "the chart that runs it is not run here: it stands after the end of the block",
+            _ => "the chart that runs it is not run here: it is a function that nothing calls",
+        };
         reading.report.approximated(part.place, shown.clone(), why);
-        let name = made.scope.fresh(&part.name);
         let origin = reading.origin(part.place);
+        // A block has no functions of its own.
+        let block = match place {
+            Place::Block => "<RET>".to_owned(),
+            _ => format!("<FUN>( {} )", made.scope.fresh(&part.name)),
+        };
         made.items.extend([
             Item::Blank,
             Item::Comment(format!("{shown}: the chart that runs it is not run here")),
             Item::Network(Network {
                 comments: Vec::new(),
-                drawing: Drawing::Circuit(Circuit::Element(Element::block(
-                    format!("<FUN>( {name} )"),
-                    Some(origin),
-                ))),
+                drawing: Drawing::Circuit(Circuit::Element(Element::block(block, Some(origin)))),
             }),
         ]);
     } else {
