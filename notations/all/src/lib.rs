@@ -29,6 +29,8 @@ pub const NOTATIONS: &[&dyn Notation] = &[
     &ladder_notation_click::Click,
     #[cfg(feature = "click")]
     &ladder_notation_click::ClickGrid,
+    #[cfg(feature = "openplc")]
+    &ladder_notation_openplc::OpenPlc,
     #[cfg(feature = "plcopen")]
     &ladder_notation_plcopen::Plcopen,
     // Last: what looks drawn may be one of the others.

@@ -173,7 +173,14 @@ pub(super) fn globals(shared: &Shared<'_>, project: &Project, reading: &mut Read
                 .refused(variable.place, format!("variable {}", variable.name), why);
             continue;
         }
-        sections.variable(shared, &shared.globals, variable, SectionKind::VarGlobal, reading);
+        sections.variable(
+            shared,
+            &shared.globals,
+            variable,
+            SectionKind::VarGlobal,
+            false,
+            reading,
+        );
     }
     sections.items()
 }
@@ -240,7 +247,7 @@ pub(super) fn variables(
             let why = "it keeps its value from one scan to the next here";
             reading.report.approximated(variable.place, &shown, why);
         }
-        sections.variable(shared, scope, variable, kind, reading);
+        sections.variable(shared, scope, variable, kind, !is_program, reading);
     }
     if let Some(returns) = &unit.returns {
         let spelled = scope
@@ -304,6 +311,7 @@ impl Sections {
         scope: &Scope,
         variable: &Variable,
         kind: SectionKind,
+        is_block: bool,
         reading: &mut Reading,
     ) {
         let shown = format!("variable {}", variable.name);
@@ -355,7 +363,8 @@ impl Sections {
             Some(Err(why)) => note(reading, "an initial value".to_owned(), &why),
             _ => {}
         }
-        if kind == SectionKind::VarInput && declaration.initial.is_none() {
+        // An input of a block may be left out where it is called, if it has a value of its own.
+        if kind == SectionKind::VarInput && is_block && declaration.initial.is_none() {
             declaration.initial = zero(shared, &variable.ty);
         }
         declaration.comment = with_first_name(&variable.name, &known.spelled, comment.as_deref());
