@@ -43,6 +43,8 @@ pub(super) struct Body<'b> {
     pub(super) results: HashMap<End, String>,
     /// The tags for power after blocks.
     pub(super) holders: HashMap<End, String>,
+    /// What else is written where a block has power: the variables that take its result.
+    pub(super) moves: HashMap<usize, Vec<String>>,
     /// The operands at pins.
     pub(super) operands: HashMap<(usize, usize), Operand>,
     /// The instances of blocks, as they are written here.
@@ -85,6 +87,7 @@ impl<'b> Body<'b> {
             merged: vec![false; count],
             results: HashMap::new(),
             holders: HashMap::new(),
+            moves: HashMap::new(),
             operands: HashMap::new(),
             instances: HashMap::new(),
             group: Vec::new(),
@@ -274,10 +277,17 @@ impl<'b> Body<'b> {
     fn leads_to(&self, node: usize, all: &mut HashSet<usize>) {
         let mut waiting = vec![node];
         while let Some(node) = waiting.pop() {
-            if self.graph.nodes[node].kind != Kind::LeftRail && all.insert(node) {
-                let ends = self.graph.nodes[node].inputs.iter().flat_map(|pin| &pin.from);
-                waiting.extend(ends.map(|end| end.node).filter(|node| !self.executed[*node]));
+            if self.graph.nodes[node].kind == Kind::LeftRail || !all.insert(node) {
+                continue;
             }
+            let inputs = &self.graph.nodes[node].inputs;
+            let pins = match self.class(node) {
+                Some(class) if class.acts() => blocks::power_pins(self, node),
+                Some(Class::Compare(_)) => Vec::new(),
+                _ => (0..inputs.len()).collect(),
+            };
+            let ends = pins.into_iter().flat_map(|pin| &inputs[pin].from);
+            waiting.extend(ends.map(|end| end.node).filter(|node| !self.executed[*node]));
         }
     }
 

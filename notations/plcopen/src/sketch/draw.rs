@@ -58,6 +58,7 @@ pub(super) struct Pencil<'d, 'b> {
     after: HashMap<usize, usize>,
     executed: Vec<usize>,
     shown: HashSet<usize>,
+    held: Vec<(End, String)>,
 }
 
 impl Drawn {
@@ -77,16 +78,18 @@ impl Drawn {
             after: HashMap::new(),
             executed: Vec::new(),
             shown: HashSet::new(),
+            held: Vec::new(),
         };
         for target in targets {
             pencil.target(target)?;
         }
-        let results = pencil.held();
+        pencil.hold_what_goes_on();
         let Pencil {
             elements,
             wires,
             points,
             executed,
+            held,
             ..
         } = pencil;
         if elements.len() > MOST_ELEMENTS {
@@ -95,7 +98,7 @@ impl Drawn {
         let done = |circuit| Drawn {
             circuit,
             executed,
-            results,
+            results: held,
         };
         if elements.is_empty() {
             return Ok(Some(done(None)));
@@ -408,7 +411,10 @@ impl Pencil<'_, '_> {
             return Ok(*point);
         }
         let point = self.find_end(end, start)?;
-        self.ends.insert((end, start), point);
+        // Where a tag holds it, each that takes it has a contact of its own.
+        if !self.body.results.contains_key(&end) {
+            self.ends.insert((end, start), point);
+        }
         Ok(point)
     }
 
@@ -615,44 +621,56 @@ impl Pencil<'_, '_> {
         let point = if self.body.is_refused(node) {
             self.stand_in(point, node)
         } else {
-            let texts = self.body.block_texts(node).map_err(|why| (node, why))?;
+            let mut texts = self.body.block_texts(node).map_err(|why| (node, why))?;
+            texts.extend(self.body.moves.get(&node).into_iter().flatten().cloned());
             self.series(point, texts, node)
         };
         self.executed.push(node);
         self.after.insert(node, point);
+        let output = power_output(self.body, node);
+        let end = output.map(|output| End { node, output });
+        let feeds_back = self
+            .body
+            .graph
+            .feedback
+            .iter()
+            .any(|(_, other)| Some(*other) == end);
+        if let Some(end) = end.filter(|_| feeds_back || self.body.is_read_by_name(node)) {
+            self.hold(end);
+        }
         Ok(point)
     }
 
+    /// A coil on a tag for the power after a block, where nothing has it already.
+    fn hold(&mut self, end: End) {
+        let has_tag = match self.body.class(end.node) {
+            Some(Class::Standard(StandardBlock::Stateful(..))) => true,
+            _ => self.body.results.contains_key(&end),
+        };
+        if has_tag || self.body.is_refused(end.node) || self.held.iter().any(|(held, _)| *held == end) {
+            return;
+        }
+        let tag = self.body.holder(end);
+        self.series(self.after[&end.node], [format!("( )( {tag} )")], end.node);
+        self.held.push((end, tag));
+    }
+
     /// Coils on tags for power that leaves blocks of this network and goes on in others.
-    fn held(&mut self) -> Vec<(End, String)> {
-        let mut results = Vec::new();
+    fn hold_what_goes_on(&mut self) {
         for node in self.executed.clone() {
             let Some(output) = power_output(self.body, node) else {
                 continue;
             };
             let end = End { node, output };
-            let has_tag = match self.body.class(node) {
-                Some(Class::Standard(StandardBlock::Stateful(..))) => true,
-                _ => self.body.results.contains_key(&end),
-            };
             let goes_on = |user: &usize| !self.shown.contains(user) && !self.body.merged[*user];
-            let goes_on = self
+            if self
                 .body
                 .uses
                 .get(&end)
-                .is_some_and(|uses| uses.iter().any(goes_on));
-            let feeds_back = self.body.graph.feedback.iter().any(|(_, other)| *other == end);
-            if has_tag
-                || self.body.is_refused(node)
-                || !(goes_on || feeds_back || self.body.is_read_by_name(node))
+                .is_some_and(|uses| uses.iter().any(goes_on))
             {
-                continue;
+                self.hold(end);
             }
-            let tag = self.body.holder(end);
-            let point = self.after[&node];
-            self.series(point, [format!("( )( {tag} )")], node);
-            results.push((end, tag));
         }
-        results
     }
 }

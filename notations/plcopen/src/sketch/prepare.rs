@@ -1,6 +1,6 @@
 //! What must stand above a network: the blocks that lead to its operands, and tags for power that is an operand.
 
-use super::blocks::{Class, operand_pins, power_output, power_pins, result_output};
+use super::blocks::{Class, is_enable, operand_pins, power_output, power_pins, result_output};
 use super::body::Body;
 use super::draw::Target;
 use crate::expression::{Form, Operand};
@@ -256,7 +256,20 @@ impl Body<'_> {
                     return Ok(());
                 };
                 let comment = format!("the result of {name}");
-                self.helper(&name.to_lowercase(), &ty, &comment)
+                let tag = self.helper(&name.to_lowercase(), &ty, &comment);
+                // Without power at EN nothing is written.
+                if self.graph.nodes[node]
+                    .inputs
+                    .iter()
+                    .any(|pin| is_enable(&pin.name))
+                {
+                    for (user, operand) in variables {
+                        self.merged[user] = true;
+                        let text = format!("[MOV]( {}, {tag} )", operand.text);
+                        self.moves.entry(node).or_default().push(text);
+                    }
+                }
+                tag
             };
             self.results.insert(end, tag);
         }

@@ -1,0 +1,552 @@
+//! What each element becomes.
+
+use crate::harness::{check, program, project, unit};
+use expect_test::{Expect, expect};
+
+#[track_caller]
+fn body(variables: &str, body: &str, expected: Expect) {
+    check(&project("", &program(variables, body), ""), expected);
+}
+
+#[test]
+fn contacts_and_coils() {
+    body(
+        "a : BOOL
+         q : BOOL",
+        "leftPowerRail 1
+         contact 2 from=1 a
+         coil 3 from=2 q
+         contact 4 from=1 negated=true a
+         coil 5 from=4 negated=true q
+         contact 6 from=1 edge=rising a
+         coil 7 from=6 storage=set q
+         contact 8 from=1 edge=falling a
+         coil 9 from=8 storage=reset q
+         contact 10 from=1 a
+         contact 11 from=10 edge=falling a
+         coil 12 from=11 edge=rising q
+         contact 13 from=1 TRUE
+         coil 14 from=13 edge=falling q
+         contact 15 from=1 NOT(a)
+         coil 16 from=15 negated=true storage=set q
+         rightPowerRail 99 from=3,5",
+        expect![[r#"
+            VAR
+                a : BOOL;
+                q : BOOL;
+            END_VAR
+
+            +--[ ]( a )----------------------------------------------------------( )( q )--+
+
+            +--[/]( a )----------------------------------------------------------(/)( q )--+
+
+            +--[P]( a )----------------------------------------------------------(S)( q )--+
+
+            +--[/]( a )--[OSR]---------------------------------------------------(R)( q )--+
+
+            +--[ ]( a )--[N]( a )------------------------------------------------(P)( q )--+
+
+            +--[ ]( SYS.ON )--[NOT]----------------------------------------------(P)( q )--+
+
+            +--[/]( a )----------------------------------------------------------(/)( q )--+
+            approximated contact a, falling: the first scan with the tag low counts as a fall there, and not here
+            approximated coil q, set, negated: it is negated, latched or of an edge at once: only the first of these counts
+        "#]],
+    );
+}
+
+#[test]
+fn branches_and_bridges() {
+    body(
+        "a : BOOL
+         b : BOOL
+         c : BOOL
+         d : BOOL
+         x : BOOL
+         q : BOOL
+         r : BOOL",
+        "leftPowerRail 1
+         contact 2 from=1 a
+         contact 3 from=1 b
+         contact 4 from=2,3 c
+         coil 5 from=4,1 q
+         coil 6 from=5 r
+         contact 12 from=1 a
+         contact 13 from=1 c
+         contact 14 from=12 x
+         contact 15 from=12 b
+         contact 16 from=13,14 d
+         coil 17 from=15,16 q
+         coil 18 from=12 r",
+        expect![[r#"
+            VAR
+                a     : BOOL;
+                b     : BOOL;
+                c     : BOOL;
+                d     : BOOL;
+                x     : BOOL;
+                q     : BOOL;
+                r     : BOOL;
+                point : BOOL;  # power at a point of the drawing #
+            END_VAR
+
+            +--\-----\--[ ]( a )--\--[ ]( c )--\-----------------------( )( q )--( )( r )--+
+            |  /--\  /--[ ]( b )--/  \---------/                                           |
+            |     /------------------/                                                     |
+
+            +--[ ]( a )------------------------------------------------------( )( point )--+
+
+            +--\--[ ]( point )--[ ]( b )------------------\----------------------( )( q )--+
+            |  /--\--[ ]( c )----------------\--[ ]( d )--/                                |
+            |     /--[ ]( point )--[ ]( x )--/                                             |
+
+            +--[ ]( a )----------------------------------------------------------( )( r )--+
+        "#]],
+    );
+}
+
+#[test]
+fn what_is_written_is_read_again() {
+    body(
+        "a : BOOL
+         q : BOOL",
+        "leftPowerRail 1
+         contact 2 from=1 a
+         coil 3 from=2 negated=true a
+         coil 4 from=2 q",
+        expect![[r#"
+            VAR
+                a : BOOL;
+                q : BOOL;
+            END_VAR
+
+            +--[ ]( a )----------------------------------------------------------(/)( a )--+
+
+            +--[ ]( a )----------------------------------------------------------( )( q )--+
+        "#]],
+    );
+}
+
+#[test]
+fn gates() {
+    body(
+        "a : BOOL
+         b : BOOL
+         c : BOOL
+         q : BOOL
+         w : WORD
+         v : WORD",
+        "leftPowerRail 1
+         inVariable 2 a
+         inVariable 3 b
+         contact 4 from=1 edge=rising c
+         block 5 OR IN1=2 IN2!negated=3 / OUT
+         block 6 AND IN1=5 IN2=4 / OUT!negated
+         outVariable 7 from=6 q
+         block 8 OR IN1=2 IN2=3 / OUT
+         block 9 NOT IN=8 / OUT
+         block 10 AND IN1=4 IN2=9 / OUT
+         coil 11 from=10 q
+         block 12 XOR IN1=4 IN2=3 / OUT
+         coil 13 from=12 storage=set q
+         inVariable 14 w
+         inVariable 15 16#FF
+         block 16 AND IN1=14 IN2=15 / OUT
+         outVariable 17 from=16 v
+         block 18 AND IN1=4 IN2!rising=5 / OUT
+         coil 19 from=18 q",
+        expect![[r#"
+            VAR
+                a       : BOOL;
+                b       : BOOL;
+                c       : BOOL;
+                q       : BOOL;
+                w       : WORD;
+                v       : WORD;
+                NOT_IN  : BOOL;  # what comes to a pin #
+                XOR_IN1 : BOOL;  # what comes to a pin #
+                _xor    : BOOL;  # the result of XOR #
+                AND_IN2 : BOOL;  # what comes to a pin #
+            END_VAR
+
+            +--\--[ ]( a )--\--[P]( c )--[NOT]-----------------------------------( )( q )--+
+            |  /--[/]( b )--/                                                              |
+
+            +--\--[ ]( a )--\-----------------------------------------------( )( NOT_IN )--+
+            |  /--[ ]( b )--/                                                              |
+
+            +--[P]( c )--[/]( NOT_IN )-------------------------------------------( )( q )--+
+
+            +--[P]( c )----------------------------------------------------( )( XOR_IN1 )--+
+
+            +-----------------------------------------------[CALC]( _xor, XOR_IN1 XOR b )--+
+
+            +--[ ]( _xor )-------------------------------------------------------(S)( q )--+
+
+            +--------------------------------------------------------[AND]( v, w, 16#FF )--+
+
+            +--\--[ ]( a )--\--[OSR]---------------------------------------( )( AND_IN2 )--+
+            |  /--[/]( b )--/                                                              |
+
+            +--[P]( c )--[ ]( AND_IN2 )------------------------------------------( )( q )--+
+        "#]],
+    );
+}
+
+#[test]
+fn functions() {
+    body(
+        "a : BOOL
+         n : INT
+         m : INT
+         x : REAL
+         q : BOOL
+         r : BOOL",
+        "leftPowerRail 1
+         contact 2 from=1 a
+         inVariable 3 n
+         inVariable 4 2
+         block 5 ADD EN=2 IN1=3 IN2=4 / ENO OUT
+         outVariable 6 from=5.OUT m
+         coil 7 from=5.ENO q
+         block 8 GT IN1=5.OUT IN2=4 / OUT
+         coil 9 from=8 r
+         inVariable 10 (n + 1) * 2
+         block 11 INT_TO_REAL IN=10 / OUT
+         outVariable 12 from=11 x
+         block 13 GE EN=2 IN1=3 IN2=4 / ENO OUT
+         coil 14 from=13.OUT q
+         inVariable 15 a
+         block 16 SEL G=15 IN0=3 IN1=5.OUT / OUT
+         outVariable 17 from=16 m
+         outVariable 18 from=16 n
+         block 19 MYSTERY IN=3 / OUT
+         outVariable 20 from=19 n",
+        expect![[r#"
+            VAR
+                a     : BOOL;
+                n     : INT;
+                m     : INT;
+                x     : REAL;
+                q     : BOOL;
+                r     : BOOL;
+                add   : INT;  # the result of ADD #
+                value : INT;  # the value of an expression #
+                ge    : BOOL;  # the result of GE #
+                sel   : INT;  # the result of SEL #
+            END_VAR
+
+            +--[ ]( a )---------------------[ADD]( add, n, 2 )--[MOV]( m, add )--( )( q )--+
+
+            +--[GT]( add, 2 )----------------------------------------------------( )( r )--+
+
+            +------------------------------------------------[CALC]( value, (n + 1) * 2 )--+
+
+            +-----------------------------------------------------------[TYP]( x, value )--+
+
+            +--[ ]( a )----------------------------------------------[CALC]( ge, n >= 2 )--+
+
+            +--[ ]( ge )---------------------------------------------------------( )( q )--+
+
+            +-----------------------------------------------------[SEL]( sel, a, n, add )--+
+
+            +-------------------------------------------------------------[MOV]( m, sel )--+
+
+            +-------------------------------------------------------------[MOV]( n, sel )--+
+
+            +--# block MYSTERY: not translated #-------------------------------------------+
+
+            +--# block MYSTERY: not translated #--# output n: not translated #-------------+
+            refused block MYSTERY: neither the project nor ladder text has a block `MYSTERY`
+            refused output n: nothing holds what `MYSTERY` gives at `OUT`
+        "#]],
+    );
+}
+
+#[test]
+fn timers_counters_and_edges() {
+    body(
+        "a : BOOL
+         b : BOOL
+         q : BOOL
+         n : INT
+         t : TIME
+         T1 : TON
+         C1 : CTU_INT
+         S1 : SR
+         E1 : R_TRIG
+         E2 : F_TRIG",
+        "leftPowerRail 1
+         contact 2 from=1 a
+         contact 20 from=1 b
+         contact 21 from=20 a
+         inVariable 3 T#2s
+         block 4 TON T1 IN=2 PT=3 / Q ET
+         coil 5 from=4.Q q
+         outVariable 6 from=4.ET t
+         inVariable 7 10
+         block 8 CTU_INT C1 CU=2 R=21 PV=7 / Q CV
+         coil 9 from=8.Q storage=set q
+         outVariable 10 from=8.CV n
+         block 11 SR S1 S1=2 R=20 / Q1
+         coil 12 from=11 q
+         block 13 R_TRIG E1 CLK=2 / Q
+         coil 14 from=13.Q q
+         coil 15 from=13.Q a
+         block 16 F_TRIG E2 CLK=20 / Q
+         contact 17 from=16.Q b
+         coil 18 from=17 storage=reset q
+         contact 19 from=1 E1.Q
+         coil 22 from=19 q
+         block 23 TON EN=20 IN=2 PT=3 / ENO Q ET
+         coil 24 from=23.Q q",
+        expect![[r#"
+            VAR
+                a    : BOOL;
+                b    : BOOL;
+                q    : BOOL;
+                n    : INT;
+                t    : TIME;
+                T1   : TON;
+                C1   : CTU;
+                S1   : SR;
+                E1_Q : BOOL;  # the output of E1 #
+                _ton : TON;  # a block that the project does not declare #
+                C1_R : BOOL;  # what comes to a pin #
+            END_VAR
+
+            +--[ ]( a )---------------------------------------[TON]( T1, T#2s )--( )( q )--+
+
+            +-----------------------------------------------------------[MOV]( t, T1.ET )--+
+
+            +--[ ]( b )--[ ]( a )---------------------------------------------( )( C1_R )--+
+
+            +--[ ]( a )------------------------------[CTU]( C1, 10, R := C1_R )--(S)( q )--+
+
+            +--\-----------------------------------------------------[TYP]( n, C1.CV )--\--+
+            |  /--[ ]( a )--\--------------------------[SR]( S1, R := b )--( )( q )--\--/  |
+            |               /--[OSR]--\------------------------------( )( E1_Q )--\--/     |
+            |                         /--\---------------------------( )( q )--\--/        |
+            |                            /---------------------------( )( a )--/           |
+
+            +--[ ]( b )--[NOT]--[OSR]--[ ]( b )----------------------------------(R)( q )--+
+
+            +--[ ]( E1_Q )-------------------------------------------------------( )( q )--+
+
+            +--[ ]( b )--[ ]( a )---------------------------[TON]( _ton, T#2s )--( )( q )--+
+            approximated block TON: without EN it stands still there; here EN and its first input are in series
+        "#]],
+    );
+}
+
+#[test]
+fn jumps_labels_returns_connectors() {
+    body(
+        "a : BOOL
+         q : BOOL",
+        "leftPowerRail 1
+         comment 2 What the # does
+         contact 3 from=1 a
+         jump 4 from=3 label=later
+         coil 5 from=1 q
+         label 6 label=later
+         contact 7 from=1 a
+         connector 8 from=7 name=over
+         continuation 9 name=over
+         coil 10 from=9 q
+         return 11 from=3
+         continuation 12 name=nowhere
+         inVariable 13 a
+         comment 14 the end",
+        expect![[r#"
+            VAR
+                a : BOOL;
+                q : BOOL;
+            END_VAR
+
+            # What the \x23 does #
+            +--[ ]( a )----------------------------------------------------<JMP>( later )--+
+
+            +--------------------------------------------------------------------( )( q )--+
+
+            +--<LBL>( later )--------------------------------------------------------------+
+
+            +--[ ]( a )----------------------------------------------------------( )( q )--+
+
+            # a, which nothing is wired to #
+            +--[ ]( a )-------------------------------------------------------------<RET>--+
+
+            # the end #
+            refused continuation nowhere: no connector has this name
+            approximated input a: nothing is wired to it: it is a comment
+        "#]],
+    );
+}
+
+#[test]
+fn loops_and_open_ends() {
+    body(
+        "a : BOOL
+         q : BOOL
+         T1 : TON",
+        "leftPowerRail 1
+         contact 2 from=1,3 a
+         contact 3 from=2 q
+         coil 4 from=2 q
+         coil 5 a
+         contact 6 from=77 a
+         contact 10 from=1 a
+         contact 11 from=12.Q a
+         block 12 TON T1 IN=10,11 PT=13 / Q ET
+         inVariable 13 T#1s
+         contact 6 from=1 q",
+        expect![[r#"
+            VAR
+                a  : BOOL;
+                q  : BOOL;
+                T1 : TON;
+            END_VAR
+
+            +--\--[ ]( SYS.OFF )--[ ]( q )--\--[ ]( a )--------------------------( )( q )--+
+            |  /----------------------------/                                              |
+
+            +--[ ]( SYS.OFF )----------------------------------------------------( )( a )--+
+
+            +--[ ]( SYS.OFF )--[ ]( a )----------------------------------------------------+
+
+            +--\--[ ]( a )---------------\------------------------------[TON]( T1, T#1s )--+
+            |  /--[ ]( T1.Q )--[ ]( a )--/                                                 |
+
+            +--[ ]( q )--------------------------------------------------------------------+
+            refused wire: a wire leads from it back to it, without a block between: that wire is left out
+            approximated contact q: nothing is wired to it: no power comes there
+            approximated coil a: nothing is wired to it: no power comes there
+            approximated contact a: nothing is wired to it: no power comes there
+            refused connection to 77: no element has this localId
+            approximated localId 6: the element at 9:1 has this localId too, and wires lead to that
+        "#]],
+    );
+}
+
+#[test]
+fn blocks_of_the_project() {
+    let motor = unit(
+        "functionBlock",
+        "Motor_2",
+        "inputVars start : BOOL
+         inputVars EN : BOOL
+         inOutVars count : INT
+         outputVars run : BOOL
+         delay : TON",
+        "<ST>run := start;</ST>",
+    );
+    let average = format!(
+        "<pou name=\"Average\" pouType=\"function\"><interface><returnType><INT/></returnType><inputVars><variable name=\"x\"><type><INT/></type></variable></inputVars></interface><body><FBD>{}</FBD></body></pou>",
+        crate::harness::short("inVariable 1 x\nblock 2 ADD IN1=1 IN2=1 / OUT\noutVariable 3 from=2 Average")
+    );
+    let main = program(
+        "a : BOOL
+         n : INT
+         q : BOOL
+         M1 : Motor_2",
+        "leftPowerRail 1
+         contact 2 from=1 edge=rising a
+         inVariable 3 n
+         block 4 Motor_2 M1 start=2 count=3 / run
+         coil 5 from=4.run q
+         block 6 Average x=3 / OUT
+         outVariable 7 from=6 n
+         contact 8 from=1 M1.run
+         coil 9 from=8 q
+         block 10 Motor_2 M2 start=2 / run",
+    );
+    check(
+        &project("", &(motor + &average + &main), ""),
+        expect![[r#"
+            # Motor_2 in the project #
+            FUNCTION_BLOCK [$Motor2]
+            VAR_INPUT
+                start : BOOL := FALSE;
+            END_VAR
+            VAR_IN_OUT
+                count : INT;
+            END_VAR
+            VAR_OUTPUT
+                run : BOOL;
+            END_VAR
+            VAR
+                delay : TON;
+            END_VAR
+
+            # In ST, which is not run here: #
+            # run := start; #
+            END_FUNCTION_BLOCK
+
+            FUNCTION_BLOCK [$Average]
+            VAR_INPUT
+                x : INT := 0;
+            END_VAR
+            VAR_OUTPUT
+                Average : INT;  # what the function returns #
+            END_VAR
+
+            +------------------------------------------------------[ADD]( Average, x, x )--+
+            END_FUNCTION_BLOCK
+
+            VAR
+                a        : BOOL;
+                n        : INT;
+                q        : BOOL;
+                M1       : $Motor2;
+                M2       : $Motor2;  # a block that the project does not declare #
+                M1_start : BOOL;  # what comes to a pin #
+                M2_start : BOOL;  # what comes to a pin #
+            END_VAR
+
+            +--[P]( a )---------------------------------------------------( )( M1_start )--+
+
+            +------------------------------[$Motor2]( M1, start := M1_start, count := n )--+
+
+            +--[ ]( M1.run )-----------------------------------------------------( )( q )--+
+
+            +------------------------------------------[$Average]( x := n, Average => n )--+
+
+            +--[ ]( M1.run )-----------------------------------------------------( )( q )--+
+
+            +--[P]( a )---------------------------------------------------( )( M2_start )--+
+
+            +--# Motor_2 M2: not translated #----------------------------------------------+
+            refused body of Motor_2: a body in ST is not run here: its text is a comment
+            refused Motor_2 M2: nothing is wired to `count`, which is read and written
+        "#]],
+    );
+}
+
+#[test]
+fn names_that_cannot_be_spelled() {
+    body(
+        "ton : BOOL
+         Ton-2 : BOOL
+         SYS : BOOL",
+        "leftPowerRail 1
+         contact 2 from=1 TON
+         coil 3 from=2 sys
+         contact 4 from=1 a;b
+         coil 5 from=4 undeclared",
+        expect![[r#"
+            VAR
+                _ton  : BOOL;  # ton in the project #
+                Ton_2 : BOOL;  # Ton-2 in the project #
+                _SYS  : BOOL;  # SYS in the project #
+            END_VAR
+
+            +--[ ]( _ton )----------------------------------------------------( )( _SYS )--+
+
+            +--# contact a;b: not translated #--------------------------( )( undeclared )--+
+            approximated variable ton: it is spelled `_ton` here
+            approximated variable Ton-2: it is spelled `Ton_2` here
+            approximated variable SYS: it is spelled `_SYS` here
+            refused contact a;b: `;` has no place in an expression here
+        "#]],
+    );
+}

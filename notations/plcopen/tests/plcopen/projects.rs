@@ -1,0 +1,305 @@
+//! Types, globals, tasks; several programs; the files of a workspace.
+
+use crate::harness::{check, project, short, unit};
+use expect_test::expect;
+use ladder_format::Options;
+use ladder_notation::{Source, convert};
+use ladder_notation_plcopen::Plcopen;
+
+const TYPES: &str = r#"
+<dataType name="Phase"><baseType><enum><values><value name="IDLE"/><value name="FILLING" value="5"/></values></enum></baseType><initialValue><simpleValue value="FILLING"/></initialValue></dataType>
+<dataType name="Motor"><baseType><struct>
+  <variable name="speed"><type><REAL/></type><initialValue><simpleValue value="50"/></initialValue></variable>
+  <variable name="times"><type><array><dimension lower="0" upper="3"/><baseType><TIME/></baseType></array></type></variable>
+</struct></baseType></dataType>
+<dataType name="Percent"><baseType><subrangeSigned><range lower="0" upper="100"/><baseType><INT/></baseType></subrangeSigned></baseType></dataType>
+<dataType name="Far"><baseType><pointer><baseType><INT/></baseType></pointer></baseType></dataType>
+"#;
+
+const VARIABLES: &str = r#"<interface>
+<localVars retain="true"><variable name="total"><type><DINT/></type></variable></localVars>
+<localVars constant="true"><variable name="limit"><type><INT/></type><initialValue><simpleValue value="80"/></initialValue></variable></localVars>
+<localVars>
+<variable name="out" address="%QX0.1"><type><BOOL/></type><documentation><xhtml:p>the   pump</xhtml:p></documentation></variable>
+<variable name="deep" address="%IX0.1.2"><type><BOOL/></type></variable>
+<variable name="phase"><type><derived name="Phase"/></type><initialValue><simpleValue value="IDLE"/></initialValue></variable>
+<variable name="motor"><type><derived name="Motor"/></type><initialValue><structValue><value member="speed"><simpleValue value="20"/></value></structValue></initialValue></variable>
+<variable name="mix"><type><array><dimension lower="1" upper="4"/><baseType><INT/></baseType></array></type><initialValue><arrayValue><value><simpleValue value="1"/></value><value repetitionValue="3"><simpleValue value="2"/></value></arrayValue></initialValue></variable>
+<variable name="text"><type><string length="20"/></type><initialValue><simpleValue value="'it''"/></initialValue></variable>
+<variable name="far"><type><derived name="Far"/></type></variable>
+<variable name="share"><type><derived name="Percent"/></type></variable>
+</localVars>
+<tempVars><variable name="hold"><type><BOOL/></type></variable></tempVars>
+<externalVars><variable name="level"><type><INT/></type></variable><variable name="gone"><type><INT/></type></variable></externalVars>
+</interface>"#;
+
+fn first() -> String {
+    let body = short(
+        "leftPowerRail 1
+         contact 2 from=1 out
+         inVariable 3 phase
+         inVariable 4 FILLING
+         block 5 EQ IN1=3 IN2=4 / OUT
+         coil 6 from=5 out
+         inVariable 7 motor.speed
+         inVariable 8 level
+         inVariable 9 mix[2]
+         block 10 ADD IN1=8 IN2=9 / OUT
+         outVariable 11 from=10 LEVEL
+         coil 12 from=2 hold",
+    );
+    format!("<pou name=\"First\" pouType=\"program\">{VARIABLES}<body><LD>{body}</LD></body></pou>")
+}
+
+fn plant() -> String {
+    let second = unit(
+        "program",
+        "Second",
+        "out : BOOL\nhold : BOOL",
+        &format!(
+            "<FBD>{}</FBD>",
+            short("inVariable 1 hold\noutVariable 2 from=1 out\nreturn 3 from=1")
+        ),
+    );
+    let idle = unit("program", "Idle", "x : INT", "<ST>x := x + 1;</ST>");
+    let instances = r#"<configuration name="c"><globalVars><variable name="level"><type><INT/></type></variable></globalVars><resource name="r">
+<task name="slow" interval="T#1s" priority="5"><pouInstance name="a" typeName="First"/></task>
+<task name="fast" interval="T#0.02s" priority="1"><pouInstance name="b" typeName="Second"/><pouInstance name="b2" typeName="Second"/><pouInstance name="z" typeName="Nothing"/></task>
+</resource></configuration>"#;
+    project(TYPES, &(first() + &second + &idle), instances)
+}
+
+#[test]
+fn several_programs_in_one() {
+    check(
+        &plant(),
+        expect![[r#"
+        # ladder: cycle 20ms #
+
+        TYPE
+            Phase   : (IDLE, FILLING := 5) := FILLING;
+            Motor   : STRUCT
+                speed : REAL := 50.0;
+                times : ARRAY[0..3] OF TIME;
+            END_STRUCT;
+            Percent : INT(0..100);
+        END_TYPE
+
+        VAR_GLOBAL
+            level : INT;
+        END_VAR
+
+        # of Second #
+        VAR
+            out  : BOOL;
+            hold : BOOL;
+        END_VAR
+
+        # of First #
+        VAR RETAIN
+            total : DINT;
+        END_VAR
+        VAR CONSTANT
+            limit : INT := 80;
+        END_VAR
+        VAR
+            First_out  AT %QX0.1 : BOOL;  # out in the project: the pump #
+            deep                 : BOOL;  # AT %IX0.1.2 in the project #
+            phase                : Phase              := IDLE;
+            motor                : Motor              := (speed := 20.0);
+            mix                  : ARRAY[1..4] OF INT := [1, 3(2)];
+            text                 : STRING[20];  # an initial value in the project #
+            far                  : Far;
+            share                : Percent;
+            First_hold           : BOOL;  # hold in the project #
+        END_VAR
+
+        # of Idle #
+        VAR
+            x : INT;
+        END_VAR
+
+        +------------------------------------------------------------<CALL>( Second )--+
+
+        +-------------------------------------------------------------<CALL>( First )--+
+
+        +--<FUN>( Second )-------------------------------------------------------------+
+
+        +--[ ]( hold )--\-----------------------------------------------( )( out )--\--+
+        |               /----------------------------------------------------<RET>--/  |
+
+        +--<FUN>( First )--------------------------------------------------------------+
+
+        # motor.speed, which nothing is wired to #
+        +--[EQ]( phase, FILLING )------------------------------------( )( First_out )--+
+
+        +-----------------------------------------------[ADD]( level, level, mix[2] )--+
+
+        +--[ ]( First_out )-----------------------------------------( )( First_hold )--+
+
+        +--<FUN>( Idle )---------------------------------------------------------------+
+
+        # In ST, which is not run here: #
+        # x := x + 1; #
+        refused type Far: a pointer has no counterpart
+        approximated variable out: it is spelled `First_out` here
+        approximated variable deep AT %IX0.1.2: there is no such address here: the tag has none
+        approximated variable text an initial value: a string does not end
+        approximated variable hold: it keeps its value from one scan to the next here
+        approximated variable hold: it is spelled `First_hold` here
+        refused variable gone: the project has no global of this name
+        approximated input motor.speed: nothing is wired to it: it is a comment
+        approximated program Idle: no task runs it: it is a function that nothing calls
+        refused body of Idle: a body in ST is not run here: its text is a comment
+        approximated task slow: it runs every T#1s there, and in every scan here
+        refused instance of Second: the program runs once here, with one set of variables
+        refused instance of Nothing: there is no such program
+        error: there is no type `Far`
+    "#]],
+    );
+}
+
+#[test]
+fn several_programs_as_files() {
+    let xml = plant();
+    let converted = convert(
+        &Plcopen,
+        &Source::alone("plant", xml.as_bytes()),
+        &Options::default(),
+    );
+    let files = converted.expect("the project is read").files;
+    let mut all = String::new();
+    for file in files {
+        all.push_str(&format!(
+            "== {}\n{}",
+            file.name,
+            String::from_utf8_lossy(&file.bytes)
+        ));
+    }
+    expect![[r#"
+        == types.clad
+        TYPE
+            Phase   : (IDLE, FILLING := 5) := FILLING;
+            Motor   : STRUCT
+                speed : REAL := 50.0;
+                times : ARRAY[0..3] OF TIME;
+            END_STRUCT;
+            Percent : INT(0..100);
+        END_TYPE
+        == globals.clad
+        VAR_GLOBAL
+            level : INT;
+        END_VAR
+        == First.clad
+        VAR RETAIN
+            total : DINT;
+        END_VAR
+        VAR CONSTANT
+            limit : INT := 80;
+        END_VAR
+        VAR
+            out   AT %QX0.1 : BOOL;  # the pump #
+            deep            : BOOL;  # AT %IX0.1.2 in the project #
+            phase           : Phase              := IDLE;
+            motor           : Motor              := (speed := 20.0);
+            mix             : ARRAY[1..4] OF INT := [1, 3(2)];
+            text            : STRING[20];  # an initial value in the project #
+            far             : Far;
+            share           : Percent;
+            hold            : BOOL;
+        END_VAR
+
+        # motor.speed, which nothing is wired to #
+        +--[EQ]( phase, FILLING )------------------------------------------( )( out )--+
+
+        +-----------------------------------------------[ADD]( level, level, mix[2] )--+
+
+        +--[ ]( out )-----------------------------------------------------( )( hold )--+
+        == Second.clad
+        VAR
+            out  : BOOL;
+            hold : BOOL;
+        END_VAR
+
+        +--[ ]( hold )--\-----------------------------------------------( )( out )--\--+
+        |               /----------------------------------------------------<RET>--/  |
+        == Idle.clad
+        VAR
+            x : INT;
+        END_VAR
+
+        # In ST, which is not run here: #
+        # x := x + 1; #
+        == ladder.toml
+        # A project
+
+        [simulate]
+        interval = "20ms"
+    "#]]
+    .assert_eq(&all);
+}
+
+#[test]
+fn charts() {
+    let main = r#"<pou name="Main" pouType="program"><interface><localVars><variable name="a"><type><BOOL/></type></variable></localVars></interface>
+<actions><action name="Blink"><body><LD><leftPowerRail localId="1"/><coil localId="2"><connectionPointIn><connection refLocalId="1"/></connectionPointIn><variable>a</variable></coil></LD></body></action>
+<action name="Think"><body><ST>a := FALSE;</ST></body></action></actions>
+<transitions><transition name="Go"><body><FBD><inVariable localId="1"><expression>a</expression></inVariable><outVariable localId="2"><connectionPointIn><connection refLocalId="1"/></connectionPointIn><expression>Go</expression></outVariable></FBD></body></transition></transitions>
+<body><SFC><step localId="1" name="Start" initialStep="true"/><transition localId="2"><condition><reference name="Go"/></condition></transition><jumpStep localId="3" targetName="Start"/></SFC></body></pou>"#;
+    check(
+        &project("", main, ""),
+        expect![[r#"
+            VAR
+                a  : BOOL;
+                Go : BOOL;  # what transition Go says #
+            END_VAR
+
+            # A chart of steps, which is not run here: #
+            # step Start, the first #
+            # transition Go #
+            # jumpStep Start #
+
+            # action Blink: the chart that runs it is not run here #
+            +--<FUN>( Blink )--------------------------------------------------------------+
+
+            +--------------------------------------------------------------------( )( a )--+
+
+            # action Think #
+
+            # In ST, which is not run here: #
+            # a := FALSE; #
+
+            # transition Go: the chart that runs it is not run here #
+            +--<FUN>( Go_2 )---------------------------------------------------------------+
+
+            +--[ ]( a )---------------------------------------------------------( )( Go )--+
+            approximated action Blink: the chart that runs it is not run here: it is a function that nothing calls
+            refused body of action Think: a body in ST is not run here: its text is a comment
+            approximated transition Go: the chart that runs it is not run here: it is a function that nothing calls
+            refused step Start, the first: charts of steps are not run here: it is a comment
+            refused transition Go: charts of steps are not run here: it is a comment
+            refused jumpStep Start: charts of steps are not run here: it is a comment
+        "#]],
+    );
+}
+
+#[test]
+fn what_is_no_project() {
+    let text = |xml: &str| crate::harness::text(xml);
+    expect!["3:1: this is not XML as it must be: expected 'types' tag, not 'project'"]
+        .assert_eq(&text("<project>\n  <types>\n</project>"));
+    expect!["1:1: a PLCopen project begins with `<project>`, not with `<html>`"].assert_eq(&text("<html/>"));
+    expect!["1:1: the file has a document type (`<!DOCTYPE`), which no project needs: take it out"]
+        .assert_eq(&text(
+            "<!DOCTYPE project [<!ENTITY a \"b\">]><project>&a;</project>",
+        ));
+    expect!["1:1: this is a project in the form of IEC 61131-10, which is not read yet: export it as PLCopen XML (TC6 2.01)"].assert_eq(&text("<Project xmlns=\"www.iec.ch/public/TC65SC65BWG7TF10\"/>"));
+    let deep = format!(
+        "<project>{}{}</project>",
+        "<a>".repeat(100_000),
+        "</a>".repeat(100_000)
+    );
+    expect![[""]].assert_eq(&text(&deep));
+    let wide = format!("<project>{}</project>", "<a/>".repeat(600_000));
+    expect!["1:1: the file has more than 500000 elements; projects do not"].assert_eq(&text(&wide));
+}
