@@ -127,29 +127,6 @@ pub(crate) fn each_node<'n>(node: &'n Node, give: &mut impl FnMut(&'n Node)) {
     }
 }
 
-/// Every name of a tag in a value.
-pub(crate) fn each_tag<'n>(node: &'n Node, give: &mut impl FnMut(&'n str)) {
-    match &node.kind {
-        NodeKind::Name(name) | NodeKind::Address(name) => give(name),
-        NodeKind::Member(base, _) | NodeKind::Unary(_, base) | NodeKind::Paren(base) => each_tag(base, give),
-        NodeKind::Index(base, index) => {
-            each_tag(base, give);
-            each_tag(index, give);
-        }
-        NodeKind::Range(base, first, last) => {
-            for part in [base, first, last] {
-                each_tag(part, give);
-            }
-        }
-        NodeKind::Binary(_, left, right) => {
-            each_tag(left, give);
-            each_tag(right, give);
-        }
-        NodeKind::Call(_, arguments) => arguments.iter().for_each(|argument| each_tag(argument, give)),
-        _ => {}
-    }
-}
-
 /// Every path of a tag in a value, with its indices and members, and those in its indices.
 pub(crate) fn each_tag_path<'n>(node: &'n Node, give: &mut impl FnMut(&'n Node)) {
     match &node.kind {

@@ -179,6 +179,15 @@ impl TypeSpec {
         }
     }
 
+    /// Every member of the structure that it is, or that is written in it.
+    pub(crate) fn each_member<'s>(&'s self, give: &mut impl FnMut(&'s MemberSpec)) {
+        match &self.kind {
+            SpecKind::Array(_, element) => element.each_member(give),
+            SpecKind::Structure(members) => members.iter().for_each(give),
+            _ => {}
+        }
+    }
+
     /// Every name of a type in it, with its place.
     pub fn each_name<'s>(&'s self, give: &mut impl FnMut(&'s SmolStr, TextRange)) {
         match &self.kind {

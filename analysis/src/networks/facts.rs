@@ -135,6 +135,17 @@ impl Node {
         }
     }
 
+    /// The name or address that a path begins with.
+    pub(crate) fn root_name(&self) -> Option<&SmolStr> {
+        match &self.kind {
+            NodeKind::Member(base, _)
+            | NodeKind::Index(base, _)
+            | NodeKind::Range(base, ..)
+            | NodeKind::Paren(base) => base.root_name(),
+            _ => self.name(),
+        }
+    }
+
     /// Every index or bound of a range in it that is written out as a number.
     pub(crate) fn each_index(&self, give: &mut impl FnMut(i64)) {
         let mut number = |node: &Node| {

@@ -54,6 +54,11 @@ impl Named {
         self.range == range
     }
 
+    /// The whole path that begins with it, in its operand.
+    pub(crate) fn path_in<'n>(&self, operand: &'n Node) -> Option<&'n Node> {
+        path_at(operand, self.range)
+    }
+
     /// The use that it is, in this network, on a line that starts here.
     pub(crate) fn at(&self, network: usize, line: TextSize) -> Use {
         Use {
@@ -179,6 +184,44 @@ fn spelled(node: &Node, at: TextRange) -> Option<&str> {
         NodeKind::Binary(_, left, right) => spelled(left, at).or_else(|| spelled(right, at)),
         NodeKind::Call(_, nodes) | NodeKind::Array(nodes) | NodeKind::Repeat(_, nodes) => {
             nodes.iter().find_map(|node| spelled(node, at))
+        }
+        NodeKind::Members(_) | NodeKind::Literal(_) | NodeKind::NoFunction | NodeKind::Missing => None,
+    }
+}
+
+/// The whole path of which the name at a place of an operand is the beginning.
+pub(crate) fn path_at(node: &Node, at: TextRange) -> Option<&Node> {
+    let within = |node: &Node| node.range.contains_range(at);
+    match &node.kind {
+        NodeKind::Name(_) | NodeKind::Address(_) => (node.range == at).then_some(node),
+        NodeKind::Member(base, _) => path_at(base, at).map(|found| {
+            if std::ptr::eq(found, &raw const **base) {
+                node
+            } else {
+                found
+            }
+        }),
+        NodeKind::Index(base, index) => match path_at(base, at) {
+            Some(found) if std::ptr::eq(found, &raw const **base) => Some(node),
+            Some(found) => Some(found),
+            None => path_at(index, at),
+        },
+        NodeKind::Range(base, first, last) => match path_at(base, at) {
+            Some(found) if std::ptr::eq(found, &raw const **base) => Some(node),
+            Some(found) => Some(found),
+            None => path_at(first, at).or_else(|| path_at(last, at)),
+        },
+        NodeKind::Paren(inner) => path_at(inner, at).map(|found| {
+            if std::ptr::eq(found, &raw const **inner) {
+                node
+            } else {
+                found
+            }
+        }),
+        NodeKind::Unary(_, inner) => path_at(inner, at),
+        NodeKind::Binary(_, left, right) => path_at(if within(left) { left } else { right }, at),
+        NodeKind::Call(_, nodes) | NodeKind::Array(nodes) | NodeKind::Repeat(_, nodes) => {
+            nodes.iter().find_map(|node| path_at(node, at))
         }
         NodeKind::Members(_) | NodeKind::Literal(_) | NodeKind::NoFunction | NodeKind::Missing => None,
     }

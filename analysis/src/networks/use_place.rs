@@ -2,7 +2,7 @@
 
 use super::access::Access;
 use super::access_kind::AccessKind;
-use super::use_kind::{Effect, UseKind};
+use super::use_kind::{Effect, Extent, UseKind};
 use ladder_syntax::TextRange;
 use smallvec::SmallVec;
 
@@ -52,6 +52,11 @@ impl UseRef {
     /// Whether it reads or writes the tag.
     pub(crate) const fn access(self) -> Access {
         UseKind::from_bits(self.named).access()
+    }
+
+    /// Which part of the tag is meant.
+    pub(crate) const fn extent(self) -> Extent {
+        UseKind::from_bits(self.named).extent()
     }
 
     /// What people are told that it does with the tag.

@@ -7,3 +7,4 @@ pub mod link;
 pub mod others;
 pub(crate) mod outward;
 mod outward_uses;
+mod part_uses;

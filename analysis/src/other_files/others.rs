@@ -3,9 +3,10 @@
 use crate::names::type_spec::DeclaredType;
 use crate::other_files::exports::{ExportedBlock, ExportedFunction, Exports, Global};
 use crate::other_files::outward::TagUse;
+use crate::other_files::part_uses::PartUses;
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// What all files of a workspace show to each other.
 #[derive(Debug, Default)]
@@ -19,6 +20,7 @@ pub struct Exported {
     uses: FxHashMap<Name, Vec<(u32, TagUse)>>,
     /// The files that call a function.
     calls: FxHashMap<Name, Vec<u32>>,
+    part_uses: OnceLock<PartUses>,
     library: Option<Library>,
 }
 
@@ -76,6 +78,7 @@ impl Exported {
         !before.offers_the_same(after)
             || old.calls.symmetric_difference(&new.calls).any(is_called)
             || (!self.globals.is_empty() && old.differing_tags(new).any(is_global))
+            || (self.have_types() && !old.uses_parts_like(new))
     }
 
     /// Whether a file that says this from now on was read without knowing what the others do with it: calls and uses are
@@ -88,6 +91,11 @@ impl Exported {
         let mut new_globals = new_globals.filter(|key| !self.globals.contains_key(*key));
         new_functions.any(|key| others().any(|other| other.outward.calls.contains(key)))
             || new_globals.any(|key| others().any(|other| other.outward.tags.contains_key(key)))
+    }
+
+    /// Whether one of the files declares a type.
+    fn have_types(&self) -> bool {
+        self.files.iter().any(|file| !file.types.is_empty())
     }
 
     /// The files.
@@ -164,6 +172,27 @@ impl Others {
             .flatten();
         uses.filter(|(file, _)| Some(*file as usize) != self.own)
             .fold(TagUse::default(), |all, (_, used)| all.with(*used))
+    }
+
+    /// How the others use members of a name, of whatever structure.
+    pub(crate) fn member_use(&self, name: &Name) -> TagUse {
+        let uses = self.part_uses().and_then(|uses| uses.members.get(name));
+        let others = uses
+            .into_iter()
+            .flatten()
+            .filter(|(file, _)| Some(*file as usize) != self.own);
+        others.fold(TagUse::default(), |all, (_, used)| all.with(*used))
+    }
+
+    /// Whether one of the others may copy a whole structure of a type, or one that holds it.
+    pub(crate) fn may_copy(&self, ty: &Name) -> bool {
+        let files = self.part_uses().and_then(|uses| uses.copied.get(ty));
+        files.is_some_and(|files| files.iter().any(|file| Some(*file as usize) != self.own))
+    }
+
+    fn part_uses(&self) -> Option<&PartUses> {
+        let exported = self.exported.as_deref()?;
+        Some(exported.part_uses.get_or_init(|| PartUses::of(&exported.files)))
     }
 
     /// Whether one of the others calls a function of a name.

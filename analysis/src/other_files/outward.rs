@@ -46,9 +46,18 @@ pub(crate) struct Outward {
     pub(crate) tags: FxHashMap<Name, TagUse>,
     /// Functions that it calls and does not hold.
     pub(crate) calls: FxHashSet<Name>,
+    /// Members of whatever structures, and the words on lines that cannot be read.
+    pub(crate) members: FxHashMap<Name, TagUse>,
+    /// Tags that may be structures and are used as a whole, or an element of them.
+    pub(crate) wholes: FxHashSet<Name>,
 }
 
 impl Outward {
+    /// Whether two texts of a file use members and whole structures alike.
+    pub(crate) fn uses_parts_like(&self, other: &Outward) -> bool {
+        self.members == other.members && self.wholes == other.wholes
+    }
+
     /// The tags that two texts of a file do not use alike.
     pub(crate) fn differing_tags<'o>(&'o self, other: &'o Outward) -> impl Iterator<Item = &'o Name> {
         let only_here = self

@@ -2,11 +2,15 @@
 
 use super::outward::{Outward, TagUse};
 use crate::context::Context;
+use crate::names::scope::{Origin, TagFacts};
 use crate::networks::NetworkAt;
 use crate::networks::access::Access;
 use crate::networks::control_flow::ControlFlow;
+use crate::networks::facts::NodeKind;
+use crate::networks::named::Named;
 use crate::networks::network::Meaning;
 use crate::networks::unread_line::identifiers;
+use crate::networks::use_kind::Extent;
 use ladder_instructions::Op;
 use ladder_syntax::{LineKind, Name, Part};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -15,12 +19,13 @@ use rustc_hash::{FxHashMap, FxHashSet};
 pub(super) fn of(context: &Context) -> Outward {
     let mut outward = Outward::default();
     for network in &context.networks {
-        names(context, network, &mut outward.tags);
+        names(context, network, &mut outward);
         if network.control_flow.has(ControlFlow::CALL) {
             calls(context, network, &mut outward.calls);
         }
     }
     for word in unread_words(context) {
+        outward.members.insert(word.clone(), TagUse::BOTH);
         outward.tags.insert(word.clone(), TagUse::BOTH);
         outward.calls.insert(word);
     }
@@ -28,19 +33,50 @@ pub(super) fn of(context: &Context) -> Outward {
 }
 
 /// What the names of a network add.
-fn names(context: &Context, network: NetworkAt<'_>, tags: &mut FxHashMap<Name, TagUse>) {
+fn names(context: &Context, network: NetworkAt<'_>, outward: &mut Outward) {
     let scope = &context.scopes[network.scope];
     for named in &network.named {
-        let own = scope
-            .find(&named.key)
-            .is_some_and(|tag| !scope.tags[tag].is_outward());
-        if own || named.key.as_str().starts_with('%') {
-            continue;
-        }
+        let found = scope.find(&named.key).map(|tag| &scope.tags[tag]);
         let meaning = network.blocks[named.block as usize].meaning;
         let used = at(context, meaning, named.kind.access());
-        let entry = tags.entry(named.key.clone()).or_default();
+        match named.kind.extent() {
+            Extent::Member => members(network, named, used, &mut outward.members),
+            Extent::Whole | Extent::Elements if may_be_structure(found) => {
+                outward.wholes.insert(named.key.clone());
+            }
+            Extent::Whole | Extent::Elements => {}
+        }
+        let is_own = found.is_some_and(|tag| !tag.is_outward());
+        if is_own || named.key.as_str().starts_with('%') {
+            continue;
+        }
+        let entry = outward.tags.entry(named.key.clone()).or_default();
         *entry = entry.with(used);
+    }
+}
+
+/// Whether the text of its file leaves it open whether a tag has members.
+fn may_be_structure(tag: Option<&TagFacts>) -> bool {
+    tag.is_none_or(|tag| match tag.origin {
+        Origin::Undeclared | Origin::Shared => true,
+        _ => tag.cold.declared.is_some(),
+    })
+}
+
+/// The members in the path that begins with a name.
+fn members(network: NetworkAt<'_>, named: &Named, used: TagUse, found: &mut FxHashMap<Name, TagUse>) {
+    let operand = &network.blocks[named.block as usize].facts.operands[named.operand as usize];
+    let mut at = named.path_in(&operand.value);
+    while let Some(node) = at {
+        at = match &node.kind {
+            NodeKind::Member(base, word) => {
+                let entry = found.entry(Name::new(&word.text)).or_default();
+                *entry = entry.with(used);
+                Some(base)
+            }
+            NodeKind::Index(base, _) | NodeKind::Range(base, ..) | NodeKind::Paren(base) => Some(base),
+            _ => None,
+        };
     }
 }
 

@@ -1,6 +1,7 @@
 //! Which networks depend on each other in a circle, by way of the tags that one writes and the other reads, in
 //! one scan or over several.
 
+use super::parts::{Parts, Touched};
 use crate::context::Context;
 use crate::names::scope::TagFacts;
 
@@ -14,17 +15,20 @@ impl Circles {
         let mut edges: Vec<Vec<usize>> = vec![Vec::new(); networks];
         let tags = context.scopes.iter().flat_map(|scope| &scope.tags);
         for tag in tags.filter(|tag| !tag.is_alias() && links_networks(tag)) {
-            let node = edges.len();
-            let mut readers = Vec::new();
-            for place in &tag.uses.0 {
-                if place.access().writes() {
-                    edges[place.network as usize].push(node);
+            let parts = Parts::of(context, tag, &Touched::of(context, tag));
+            for group in parts.groups() {
+                let node = edges.len();
+                let mut readers = Vec::new();
+                for place in group {
+                    if place.access().writes() {
+                        edges[place.network as usize].push(node);
+                    }
+                    if place.access().reads() {
+                        readers.push(place.network as usize);
+                    }
                 }
-                if place.access().reads() {
-                    readers.push(place.network as usize);
-                }
+                edges.push(readers);
             }
-            edges.push(readers);
         }
         let mut circles = components(&edges);
         circles.truncate(networks);

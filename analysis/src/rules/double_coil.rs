@@ -1,15 +1,16 @@
 //! `double-coil`: a tag is written by more than one plain coil, so that the last one alone decides.
 
+use super::parts;
 use super::tag_view::TagView;
 use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::networks::control_flow::ControlFlow;
-use crate::networks::facts::{Node, NodeKind};
+use crate::networks::facts::Node;
 use crate::networks::use_place::Use;
-use crate::values::literal::Literal;
 use ladder_instructions::Coil;
-use std::collections::HashMap;
+use ladder_syntax::Name;
+use rustc_hash::FxHashMap;
 
 pub(crate) const RULE: Rule =
     Rule(&RuleFacts::new(RuleGroup::Program, "double-coil", Severity::Warning).about_types());
@@ -31,15 +32,20 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
         return;
     }
     coils.sort_by_key(|coil| coil.range.start());
-    // A tag as a whole, or its bits and elements one by one.
-    let mut places: HashMap<String, Vec<Use>> = HashMap::new();
+    // A tag as a whole, or its members, bits and elements one by one.
+    let mut places: FxHashMap<Name, (String, Vec<Use>)> = FxHashMap::default();
     for coil in coils {
-        let Some(part) = part(&operand(context, &coil).kind) else {
+        let scope = context.networks.at(coil.network).scope;
+        let Some(part) = parts::fixed(context, scope, operand(context, &coil)) else {
             continue;
         };
-        places.entry(part).or_default().push(coil);
+        let (written, coils) = places.entry(Name::new(&part)).or_default();
+        if coils.is_empty() {
+            *written = part;
+        }
+        coils.push(coil);
     }
-    for (part, coils) in places {
+    for (part, coils) in places.into_values() {
         let name = format!("{}{part}", shared_address.unwrap_or(&tag.name));
         for together in coils.chunk_by(|a, b| both_run(context, leaving, a, b)) {
             out.extend(double(context, &name, together));
@@ -82,21 +88,6 @@ fn is_plain_coil(context: &Context, place: &Use) -> bool {
 
 fn operand<'c>(context: &'c Context, place: &Use) -> &'c Node {
     &context.block_at(place).facts.operands[place.operand].value
-}
-
-/// Which part of its tag a coil writes: empty for the whole, else a bit or element whose number is written out.
-/// None if nobody can say before the program runs.
-fn part(kind: &NodeKind) -> Option<String> {
-    match kind {
-        NodeKind::Name(_) | NodeKind::Address(_) => Some(String::new()),
-        NodeKind::Paren(inner) => part(&inner.kind),
-        NodeKind::Index(base, index) => match (&base.kind, index.literal()) {
-            (NodeKind::Name(_), Some(Literal::Int(n))) => Some(format!("[{n}]")),
-            _ => None,
-        },
-        NodeKind::Member(base, word) => Some(format!("{}.{}", part(&base.kind)?, word.text)),
-        _ => None,
-    }
 }
 
 /// The networks with a block that may leave the straight way down, from top to bottom: what is after such a block may be the

@@ -1,5 +1,6 @@
 //! `duplicate-instance`: two blocks that work on one state.
 
+use super::parts;
 use super::tag_view::TagView;
 use crate::boolean::written::written;
 use crate::findings::diagnostic::Diagnostic;
@@ -36,12 +37,10 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
         let second = context.networks.use_of(*place);
         let network = context.networks.at(second.network);
         let block = network.block(second.block);
-        let path = written(
-            context,
-            network.scope,
-            &block.facts.operands[second.operand].value,
-        );
-        match first.entry(Name::new(&path)) {
+        let operand = &block.facts.operands[second.operand].value;
+        let path = written(context, network.scope, operand);
+        let key = parts::fixed(context, network.scope, operand).unwrap_or_else(|| path.clone());
+        match first.entry(Name::new(&key)) {
             Entry::Vacant(free) => {
                 free.insert(second);
             }

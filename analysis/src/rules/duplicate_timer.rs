@@ -1,5 +1,6 @@
 //! `duplicate-timer` and `duplicate-counter`: a second block on the tag of a timer or counter.
 
+use super::parts;
 use super::tag_view::TagView;
 use crate::boolean::written::written;
 use crate::context::Context;
@@ -77,7 +78,9 @@ fn in_parts(context: &Context, tag: &TagFacts, out: &mut Vec<Diagnostic>) {
         let network = context.networks.at(second.network);
         let operand = &network.block(second.block).facts.operands[second.operand].value;
         let path = written(context, network.scope, operand);
-        match first.entry(Name::new(&path)) {
+        // However its index is written.
+        let key = parts::fixed(context, network.scope, operand).unwrap_or_else(|| path.clone());
+        match first.entry(Name::new(&key)) {
             Entry::Vacant(free) => {
                 free.insert(second);
             }

@@ -1,5 +1,6 @@
 //! `never-read`: a tag of the program that no block reads.
 
+use super::parts::Part;
 use super::tag_view::TagView;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity, When};
@@ -14,7 +15,17 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
     if !view.reports_use() {
         return;
     }
-    if view.is_read() || (view.is_written() && !view.has_outputs()) {
+    if view.is_written() && !view.has_outputs() {
+        return;
+    }
+    if view.is_read() {
+        let is_plain = !tag.retain && tag.cold.address.is_none();
+        if is_plain && tag.origin == Origin::Declared(SectionKind::Var) {
+            let elements = view
+                .parts()
+                .filter(|part| part.is_element && part.touched.reads == 0);
+            out.extend(elements.filter_map(|element| unread(view, &element)));
+        }
         return;
     }
     let name = &tag.name;
@@ -52,4 +63,12 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
         _ => return,
     };
     out.push(Diagnostic::new(RULE, view.context.place_of(tag), message).help(help));
+}
+
+/// An element that is written, of an array of which others are read.
+fn unread(view: &TagView<'_>, element: &Part<'_>) -> Option<Diagnostic> {
+    let at = view.context.networks.use_of(*element.own.first()?).range;
+    let message = format!("`{}` is written, and nothing reads this element", element.name);
+    let help = "read it where it is meant to act, or remove what writes it";
+    Some(Diagnostic::new(RULE, at, message).help(help))
 }

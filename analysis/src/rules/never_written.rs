@@ -1,5 +1,6 @@
 //! `never-written`: a tag that is read, or an output, that nothing writes.
 
+use super::parts::Part;
 use super::tag_view::TagView;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity, When};
@@ -15,7 +16,16 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
     if !view.reports_use() {
         return;
     }
-    if view.is_written() || tag.constant || tag.role == Role::Input || !tag.cold.initial.is_empty() {
+    if tag.constant || tag.role == Role::Input || !tag.cold.initial.is_empty() {
+        return;
+    }
+    if view.is_written() {
+        if tag.origin == Origin::Declared(SectionKind::Var) && tag.cold.address.is_none() {
+            let elements = view
+                .parts()
+                .filter(|part| part.is_element && part.touched.writes == 0);
+            out.extend(elements.filter_map(|element| unwritten(view, &element)));
+        }
         return;
     }
     let name = &tag.name;
@@ -59,6 +69,18 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
         found = found.related(tag.declared_at, format!("`{name}` is declared here"));
     }
     out.push(found);
+}
+
+/// An element that is read, of an array of which others are written.
+fn unwritten(view: &TagView<'_>, element: &Part<'_>) -> Option<Diagnostic> {
+    let at = view.context.networks.use_of(*element.own.first()?).range;
+    let stays = stays(view.tag.ty);
+    let message = format!(
+        "`{}` is read, and nothing writes this element: it stays {stays}",
+        element.name
+    );
+    let help = "write it, or read another element";
+    Some(Diagnostic::new(RULE, at, message).help(help))
 }
 
 fn stays(ty: Option<Type>) -> &'static str {

@@ -1,4 +1,4 @@
-//! `reset-without-set`: TODO
+//! `reset-without-set`: a tag that is reset and nothing sets. Found together with `set-without-reset`.
 
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity, When};
 

@@ -3,21 +3,19 @@
 //! Decided for coils whose conditions are in series: the later one always acts with the earlier one if each of
 //! its conditions is one of the earlier one's, and nothing between them writes what they ask for.
 
+use super::parts::{self, Part};
 use super::tag_view::TagView;
 use crate::boolean::written::written;
 use crate::context::Context;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
-use crate::names::operand_value::{each_tag, tag};
-use crate::names::scope::TagFacts;
+use crate::names::operand_value::{each_tag_path, tag};
 use crate::networks::NetworkAt;
 use crate::networks::control_flow::ControlFlow;
 use crate::networks::facts::{Node, NodeKind};
-use crate::networks::use_kind::Effect;
 
-use crate::networks::use_place::{Use, UseRef};
+use crate::networks::use_place::Use;
 use crate::program::Step;
-use crate::values::types::Type;
 use ladder_instructions::{Coil, Power, Role};
 use rustc_hash::FxHashSet;
 
@@ -33,27 +31,23 @@ const UNCLEAR: ControlFlow = ControlFlow::LEAVES
 /// How many coils of one tag are compared with each other.
 const MOST: usize = 16;
 
-/// Whether a tag is set and reset, as far as a look at its coils says.
-fn is_latch(tag: &TagFacts) -> bool {
-    if tag.ty != Some(Type::BOOL) || tag.uses.writers().nth(1).is_none() {
-        return false;
+pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
+    let is_latch = view.places.sets > 0 && view.places.writes > view.places.sets;
+    if is_latch && !view.around.any.has(ControlFlow::MCR) {
+        for part in view.parts().filter(|part| !part.is_span) {
+            in_part(view, &part, out);
+        }
     }
-    let sets = |place: &UseRef| place.effect() == Effect::Sets;
-    let writers = || tag.uses.writers();
-    writers().take(MOST).any(|place| sets(&place)) && !writers().all(|place| sets(&place))
 }
 
-pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
-    let (context, tag, any) = (view.context, view.tag, view.around.any);
-    if !is_latch(tag) || any.has(ControlFlow::MCR) {
-        return;
-    }
+fn in_part(view: &TagView<'_>, part: &Part<'_>, out: &mut Vec<Diagnostic>) {
+    let (context, any) = (view.context, view.around.any);
     let coil = |place: &Use| context.networks.at(place.network).block(place.block).coil();
-    let is_latch = |place: &Use| matches!(coil(place), Some(Coil::Sets | Coil::Resets)) && place.whole;
     let sets = |place: &Use| coil(place) == Some(Coil::Sets);
-    let coils: Vec<Latch> = context
-        .writers(tag)
-        .filter(is_latch)
+    let writers = part.own.iter().filter(|place| place.access().writes());
+    let coils: Vec<Latch> = writers
+        .map(|place| context.networks.use_of(*place))
+        .filter(|place| matches!(coil(place), Some(Coil::Sets | Coil::Resets)))
         .take(MOST)
         .filter_map(|place| Latch::new(context, place, sets(&place)))
         .collect();
@@ -66,7 +60,7 @@ pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
                 && !is_changed_between(context, earlier, later)
         });
         if let Some(later) = undone {
-            out.push(found(&tag.name, earlier, later));
+            out.push(found(part.name, earlier, later));
         }
     }
 }
@@ -86,8 +80,8 @@ struct Latch {
     step: usize,
     /// What must be so for it to act.
     conditions: FxHashSet<String>,
-    /// The tags that these ask for.
-    asked: Vec<(usize, usize)>,
+    /// The tags that these ask for, and which part of each.
+    asked: Vec<((usize, usize), Option<String>)>,
 }
 
 impl Latch {
@@ -135,9 +129,13 @@ impl Latch {
         for operand in &bound.facts.operands {
             key.push(' ');
             key.push_str(&same_text(context, network.scope, &operand.value)?);
-            each_tag(&operand.value, &mut |name| {
-                self.asked
-                    .extend(tag(context, network.scope, name).map(|(id, _)| id));
+            each_tag_path(&operand.value, &mut |path| {
+                if let Some((id, _)) = path
+                    .root_name()
+                    .and_then(|name| tag(context, network.scope, name))
+                {
+                    self.asked.push((id, parts::fixed(context, network.scope, path)));
+                }
             });
         }
         self.conditions.insert(key);
@@ -158,12 +156,15 @@ fn is_changed_between(context: &Context, earlier: &Latch, later: &Latch) -> bool
     if earlier.place.network == later.place.network && later.step < earlier.step {
         return true;
     }
-    earlier.asked.iter().any(|&(scope, tag)| {
-        let tag = &context.scopes[scope].tags[tag];
+    earlier.asked.iter().any(|((scope, tag), asked)| {
+        let tag = &context.scopes[*scope].tags[*tag];
         let mut names = std::iter::once(tag).chain(context.others_at_address(tag));
         names.any(|name| {
             let mut writers = context.writers(name);
-            writers.any(|place| networks.contains(&place.network))
+            writers.any(|place| {
+                networks.contains(&place.network)
+                    && !parts::apart(asked.as_deref(), parts::fixed_at(context, &place).as_deref())
+            })
         })
     })
 }

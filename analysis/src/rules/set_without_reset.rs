@@ -1,48 +1,49 @@
 //! `set-without-reset` and `reset-without-set`: a tag that is only ever set, or only ever reset.
 
+use super::parts::Part;
 use super::tag_view::TagView;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity, When};
+use crate::networks::use_place::UseRef;
 use crate::program::Role;
 
 pub(crate) const RULE: Rule =
     Rule(&RuleFacts::new(RuleGroup::Program, "set-without-reset", Severity::Info).when(When::Whole));
 
 pub(super) fn check(view: &TagView<'_>, out: &mut Vec<Diagnostic>) {
-    let tag = view.tag;
-    if !view.is_all_known() {
-        return;
-    }
-    let (all_set, all_reset) = (
-        view.places.sets == view.places.writes,
-        view.places.resets == view.places.writes,
-    );
     // An input that is written is reported by input-written.
-    if tag.role == Role::Input || view.places.writes == 0 || !(all_set || all_reset) {
+    let is_latched = view.places.sets > 0 || view.places.resets > 0;
+    if !is_latched || !view.is_all_known() || view.tag.role == Role::Input {
         return;
     }
-    let name = &tag.name;
-    let (rule, message, help) = if all_set {
+    out.extend(view.parts().filter_map(|part| in_part(view, &part)));
+}
+
+fn in_part(view: &TagView<'_>, part: &Part<'_>) -> Option<Diagnostic> {
+    let (name, touched) = (part.name, &part.touched);
+    let (rule, message, help) = if touched.writes == 0 {
+        return None;
+    } else if touched.sets == touched.writes {
         (
             RULE,
             format!("`{name}` is set, and nothing resets it: once on, it stays on"),
             format!("reset it with (R)( {name} ); or write ( )( {name} ) if it should follow the power"),
         )
-    } else if tag.cold.initial.is_empty() {
+    } else if touched.resets == touched.writes && view.tag.cold.initial.is_empty() {
         (
             super::reset_without_set::RULE,
             format!("`{name}` is reset, and nothing sets it: it is never on"),
             format!("set it with (S)( {name} ), or remove the reset"),
         )
     } else {
-        // It begins switched on.
-        return;
+        // A tag with an initial value begins switched on.
+        return None;
     };
-    let mut writers = view.context.writers(tag);
-    let Some(first) = writers.next() else { return };
-    let mut found = Diagnostic::new(rule, first.range, message).help(help);
+    let mut writers = part.own.iter().filter(|place| place.access().writes());
+    let range = |place: &UseRef| view.context.networks.use_of(*place).range;
+    let mut found = Diagnostic::new(rule, range(writers.next()?), message).help(help);
     for other in writers {
-        found = found.related(other.range, format!("`{name}` is written here as well"));
+        found = found.related(range(other), format!("`{name}` is written here as well"));
     }
-    out.push(found);
+    Some(found)
 }

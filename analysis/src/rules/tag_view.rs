@@ -1,17 +1,16 @@
 //! A tag with its uses, for the rules about it.
 
 use super::double_coil::Leaving;
+use super::parts::{Part, Parts, Touched};
 use super::undeclared_tag::Undeclaring;
 use crate::context::Context;
 use crate::names::scope::{Origin, SectionKind, TagFacts};
 use crate::networks::control_flow::ControlFlow;
-use crate::networks::use_kind::Effect;
 use crate::other_files::outward::TagUse;
 use crate::program::Role;
-use crate::values::types::Type;
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 
 /// A tag, and what of the rest of the file decides about it.
 pub(crate) struct TagView<'c> {
@@ -20,21 +19,11 @@ pub(crate) struct TagView<'c> {
     /// Index of its scope; 0 is the file's.
     pub(super) scope: usize,
     pub(super) around: &'c AroundTags<'c>,
-    /// How many places of the file use it, by whichever of the names of its address.
-    pub(super) places: Places,
+    /// What the places of the file do with it, by whichever of the names of its address.
+    pub(super) places: Touched,
+    parts: OnceCell<Parts>,
     /// How the other files of the workspace use it, if it is a VAR_GLOBAL tag.
     elsewhere: TagUse,
-}
-
-/// How many places use a tag.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Places {
-    pub(super) reads: usize,
-    pub(super) writes: usize,
-    /// Those of the writing ones that set it. A timer or counter is not set.
-    pub(super) sets: usize,
-    /// Those that reset it, likewise.
-    pub(super) resets: usize,
 }
 
 /// What the rules about tags need to know of the rest of the file.
@@ -47,7 +36,7 @@ pub(crate) struct AroundTags<'c> {
     /// The file has outputs. In one that has none, its internal tags are what people look at.
     has_outputs: bool,
     /// The places that use what several names at one address mean, by this address: counted once for all of these names.
-    at_addresses: RefCell<FxHashMap<Name, Places>>,
+    at_addresses: RefCell<FxHashMap<Name, Touched>>,
 }
 
 impl<'c> AroundTags<'c> {
@@ -64,17 +53,15 @@ impl<'c> AroundTags<'c> {
     }
 
     /// The places that use a tag, by whichever of the names of its address.
-    fn places(&self, tag: &TagFacts) -> Places {
-        let mut places = Places::default();
+    fn places(&self, tag: &TagFacts) -> Touched {
         let mut others = self.context.others_at_address(tag).peekable();
         let shared = tag.address().filter(|_| others.peek().is_some());
         let Some(address) = shared else {
-            places.add(tag);
-            return places;
+            return Touched::of(self.context, tag);
         };
         *self.at_addresses.borrow_mut().entry(address).or_insert_with(|| {
-            places.add(tag);
-            others.for_each(|other| places.add(other));
+            let mut places = Touched::of(self.context, tag);
+            others.for_each(|other| places.add(&Touched::of(self.context, other)));
             places
         })
     }
@@ -88,6 +75,7 @@ impl<'c> TagView<'c> {
             scope,
             around,
             places: around.places(tag),
+            parts: OnceCell::new(),
             elsewhere: TagUse::default(),
         };
         if view.is_global() {
@@ -109,6 +97,12 @@ impl<'c> TagView<'c> {
     /// Whether something writes it, in whichever file.
     pub(super) fn is_written(&self) -> bool {
         self.places.writes > 0 || self.elsewhere.written
+    }
+
+    /// The parts of it that places mean.
+    pub(super) fn parts(&self) -> impl Iterator<Item = Part<'_>> {
+        let parts = || Parts::of(self.context, self.tag, &self.places);
+        self.parts.get_or_init(parts).each()
     }
 
     /// Whether it is a VAR_GLOBAL tag that this file declares.
@@ -140,24 +134,5 @@ impl<'c> TagView<'c> {
         let has_begun =
             !self.context.networks.is_empty() || (self.is_global() && self.context.others.have_files());
         counts && has_begun
-    }
-}
-
-impl Places {
-    fn add(&mut self, tag: &TagFacts) {
-        for access in tag.uses.accesses() {
-            self.reads += usize::from(access.reads());
-            self.writes += usize::from(access.writes());
-        }
-        if matches!(tag.ty, Some(Type::State(_))) {
-            return;
-        }
-        for place in tag.uses.writers() {
-            match place.effect() {
-                Effect::Sets => self.sets += 1,
-                Effect::Resets => self.resets += 1,
-                _ => {}
-            }
-        }
     }
 }

@@ -1,6 +1,7 @@
 //! `unused-type`: a declared type that nothing uses.
 
 use super::survey::Survey;
+use super::type_members;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity, When};
 
@@ -15,6 +16,7 @@ pub(super) fn check(survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
     if !survey.whole {
         return;
     }
+    type_members::check(survey, out);
     for ty in context.types.own() {
         let key = &ty.declaration.key;
         let is_used = context.types.mentioned.contains(key)

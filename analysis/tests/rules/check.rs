@@ -41,6 +41,30 @@ pub(crate) fn clean_program(text: &str) {
     assert_eq!(findings(text, &RuleSettings::everything()), "", "in:\n{text}");
 }
 
+/// The messages of a rule, each with the line of its place. What else is wrong is that the state of a block is written, or nothing.
+pub(crate) fn found(text: &str, rule: &str) -> Vec<String> {
+    let index = LineIndex::new(text);
+    let analysis = analyze_with(
+        &Arc::new(parse(text)),
+        "test.clad",
+        &Others::default(),
+        &RuleSettings::everything(),
+    );
+    let found = analysis
+        .diagnostics()
+        .to_vec()
+        .into_iter()
+        .filter(|found| found.rule.name() == rule);
+    let shown = found.map(|found| {
+        let line = text
+            .lines()
+            .nth(index.line(found.range.start()))
+            .unwrap_or_default();
+        format!("{} <{}>", found.message, line.trim())
+    });
+    shown.collect()
+}
+
 fn short_text() -> RuleSettings {
     let mut settings = RuleSettings::default();
     for name in ABOUT_WHOLE_PROGRAMS {

@@ -9,6 +9,7 @@ mod mutated;
 mod names;
 mod other_drawings;
 mod pages;
+mod parts;
 mod pathological;
 mod power;
 mod program;
