@@ -63,6 +63,7 @@ fn takes(setting: &Setting) -> String {
         Kind::Duration => format!("a time, as `{}`", setting.example),
         Kind::File => format!("a file, as `{}`", setting.example),
         Kind::Patterns => format!("patterns, as `{}`", setting.example),
+        Kind::Folders => format!("folders, as `{}`", setting.example),
         Kind::Switch => "`true` or `false`".to_owned(),
         Kind::Text => "a text".to_owned(),
         Kind::Choice(choices) => choices
@@ -222,7 +223,7 @@ fn described(setting: &Setting, about: &str) -> Value {
         Kind::Duration => json!({ "type": "string", "pattern": DURATION }),
         Kind::File => json!({ "type": "string", "minLength": 1 }),
         Kind::Text => json!({ "type": "string" }),
-        Kind::Patterns => json!({ "type": "array", "items": { "type": "string" } }),
+        Kind::Patterns | Kind::Folders => json!({ "type": "array", "items": { "type": "string" } }),
         Kind::Switch => json!({ "type": "boolean" }),
         Kind::Choice(choices) => json!({ "type": "string", "enum": choices }),
         Kind::Overrides => json!({ "type": "array", "items": {

@@ -54,7 +54,12 @@ impl Workspace {
         let settings = match root.settings_file() {
             Some(file) => {
                 let text = disk.settings_text(&file).map_err(SettingsError::File)?;
-                Settings::parse(&file, &text)?
+                let settings = Settings::parse(&file, &text)?;
+                let errors = settings.folder_errors(&text, &**disk);
+                if !errors.is_empty() {
+                    return Err(SettingsError::Content { file, errors });
+                }
+                settings
             }
             None => Settings::default(),
         };

@@ -79,6 +79,7 @@ const LIST: &[(Rule, Check)] = &[
     (duplicate_function::RULE, Check::File(duplicate_function::check)),
     (unknown_block::RULE, Check::Form(unknown_block::check)),
     (duplicate_block::RULE, Check::File(duplicate_block::check)),
+    (library_name::RULE, Check::File(library_name::check)),
     (unknown_type::RULE, Check::ByOthers),
     (duplicate_type::RULE, Check::ByOthers),
     (recursive_type::RULE, Check::ByOthers),

@@ -40,6 +40,7 @@ pub(crate) mod form;
 pub(crate) mod frame_keyword;
 pub(crate) mod input_written;
 pub(crate) mod latched_power;
+pub(crate) mod library_name;
 pub(crate) mod list;
 pub(crate) mod literal_out_of_range;
 pub(crate) mod literals;

@@ -21,6 +21,7 @@ mod lsp_ending;
 mod lsp_recording;
 mod new;
 mod outside;
+mod own_library;
 mod pages;
 mod render;
 #[cfg(feature = "pdf")]

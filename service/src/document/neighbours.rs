@@ -157,12 +157,19 @@ impl Neighbours {
         }
         let mut changed = false;
         for path in paths.iter().filter(|path| ladder_workspace::is_program(path)) {
-            let (root, folder) = state.folder(path);
-            let before = folder.shown(path).cloned();
-            folder.reread(&self.disk, &root, path);
-            if !same(before.as_deref(), folder.shown(path).map(|exports| &**exports)) {
-                folder.exported = None;
-                changed = true;
+            let own = state.folder(path).0;
+            // What lies in a library is a program of those who name it as well.
+            let holding = state
+                .folders
+                .iter_mut()
+                .filter(|(root, folder)| **root == own || folder.settings.files.is_in_library(path));
+            for (root, folder) in holding {
+                let before = folder.shown(path).cloned();
+                folder.reread(&self.disk, root, path);
+                if !same(before.as_deref(), folder.shown(path).map(|exports| &**exports)) {
+                    folder.exported = None;
+                    changed = true;
+                }
             }
         }
         changed

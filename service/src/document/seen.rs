@@ -24,7 +24,8 @@ impl SettingsFile {
         let stamp = disk.stamp(&path);
         let (text, settings, errors) = match disk.settings_text(&path) {
             Ok(text) => {
-                let (settings, errors) = Settings::examine(&path, &text);
+                let (settings, mut errors) = Settings::examine(&path, &text);
+                errors.extend(settings.folder_errors(&text, disk));
                 (text, settings, errors)
             }
             Err(error) => {

@@ -171,12 +171,21 @@ impl Disk for MemoryDisk {
         };
         let mut found = self.below(folder, is_program);
         found.retain(|program| is_own(program) && files.contain(program));
+        for library in files.library(self) {
+            let is_inner = |program: &PathBuf| {
+                let root = self.root_of(program).ok();
+                root.is_none_or(|root| !root.folder().starts_with(library) || root.folder() == library)
+            };
+            found.extend(self.below(library, is_program).into_iter().filter(is_inner));
+        }
+        found.sort();
+        found.dedup();
         found
     }
 
     fn holds(&self, root: &Root, program: &Path, files: &Files) -> bool {
         let below = program.strip_prefix(root.folder());
-        below.is_ok_and(|below| !is_hidden(below)) && files.contain(program)
+        files.is_in_library(program) || below.is_ok_and(|below| !is_hidden(below)) && files.contain(program)
     }
 
     fn scenarios(&self, folders: &[PathBuf]) -> Vec<PathBuf> {

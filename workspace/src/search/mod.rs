@@ -6,6 +6,7 @@ mod walk;
 pub(crate) use ignored::is_ignored;
 pub(crate) use walk::is_own_file;
 
+use crate::disk::SystemDisk;
 use crate::error::{FileError, Problem};
 use crate::named;
 use crate::root::{Root, SETTINGS_FILE};
@@ -81,6 +82,11 @@ impl Root {
             Root::Settings(folder) => {
                 let mut programs = programs_below(folder, None);
                 programs.retain(|program| files.contain(program));
+                for folder in files.library(&SystemDisk) {
+                    programs.extend(programs_of_library(folder));
+                }
+                programs.sort();
+                programs.dedup();
                 programs
             }
             Root::Folder(folder) => {
@@ -93,6 +99,9 @@ impl Root {
 
     /// Whether a program is one of the workspace: it is not hidden, nor excluded. It need not be there.
     pub fn holds(&self, program: &Path, files: &Files) -> bool {
+        if files.is_in_library(program) {
+            return true;
+        }
         let Ok(below) = program.strip_prefix(self.folder()) else {
             return false;
         };
@@ -113,6 +122,21 @@ pub(crate) fn programs_below(root: &Path, depth: Option<usize>) -> Vec<PathBuf> 
         .filter_map(Result::ok)
         .map(ignore::DirEntry::into_path)
         .filter(|path| is_program(path) && is_own_file(root, path))
+        .collect()
+}
+
+/// The programs in a folder of a library, which may be a workspace of its own, but not those of others in it. Whether what is above
+/// passes over the folder does not matter: it is named.
+fn programs_of_library(folder: &Path) -> Vec<PathBuf> {
+    let is_wanted =
+        |entry: &ignore::DirEntry| entry.depth() == 0 || !entry.path().join(SETTINGS_FILE).is_file();
+    let Ok(mut walk) = Walker::below(folder, is_wanted) else {
+        return Vec::new();
+    };
+    let entries = walk.builder.parents(false).build().filter_map(Result::ok);
+    entries
+        .map(ignore::DirEntry::into_path)
+        .filter(|path| is_program(path) && is_own_file(folder, path))
         .collect()
 }
 

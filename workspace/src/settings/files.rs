@@ -2,9 +2,13 @@
 
 use super::given::Given;
 use super::reader::{Reader, Table};
-use super::table::{EXCLUDE, INCLUDE};
+use super::table::{EXCLUDE, INCLUDE, LIBRARY};
+use crate::disk::Disk;
+use crate::error::{FileError, Problem};
+use crate::named::Named;
 use ignore::gitignore::{Gitignore, GitignoreBuilder};
-use std::path::Path;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
 
 /// The programs of a workspace. Patterns are those of `.gitignore`, seen from the settings file's folder.
 #[derive(Debug, Clone, Default)]
@@ -13,13 +17,64 @@ pub struct Files {
     include: Option<Gitignore>,
     /// But not what matches one of these.
     exclude: Option<Gitignore>,
+    /// And all in these folders.
+    library: Vec<LibraryFolder>,
+}
+
+/// A folder of blocks inside of the workspace, which may be one of its own: a repository in the repository.
+#[derive(Debug, Clone)]
+struct LibraryFolder {
+    named: Named,
+    path: PathBuf,
+    /// Where the settings file names it.
+    range: Range<usize>,
 }
 
 impl Files {
     /// Whether a program below the settings file's folder belongs to the workspace.
     pub fn contain(&self, program: &Path) -> bool {
         let matches = |patterns: &Gitignore| covers(patterns, program);
-        self.include.as_ref().is_none_or(matches) && !self.exclude.as_ref().is_some_and(matches)
+        self.is_in_library(program)
+            || self.include.as_ref().is_none_or(matches) && !self.exclude.as_ref().is_some_and(matches)
+    }
+
+    /// Whether a program lies in a folder of the library, which may be a workspace of its own.
+    pub fn is_in_library(&self, program: &Path) -> bool {
+        self.library
+            .iter()
+            .any(|folder| program.starts_with(&folder.path))
+    }
+
+    /// The folders of the library, those that can be used.
+    pub(crate) fn library<'f>(&'f self, disk: &'f dyn Disk) -> impl Iterator<Item = &'f Path> {
+        let folders = self.library.iter();
+        let usable = folders.filter(|folder| folder.problem(disk).is_none());
+        usable.map(|folder| &*folder.path)
+    }
+
+    /// Why folders of the library cannot be used, and where the settings file names them.
+    pub(super) fn problems(&self, disk: &dyn Disk) -> Vec<(Range<usize>, String)> {
+        let problems = self
+            .library
+            .iter()
+            .filter_map(|folder| Some((folder.range.clone(), folder.problem(disk)?)));
+        problems.collect()
+    }
+}
+
+impl LibraryFolder {
+    /// Why the folder cannot be used.
+    fn problem(&self, disk: &dyn Disk) -> Option<String> {
+        let what = match disk.locate(&self.named) {
+            Err(error) => error.problem.to_string(),
+            Ok(located) if located != self.path => "a link leads to it: name the folder itself".to_owned(),
+            Ok(located) if disk.is_file(&located) => {
+                "this is a file, and a folder is expected here".to_owned()
+            }
+            Ok(located) if !disk.is_there(&located) => Problem::Missing.to_string(),
+            Ok(_) => return None,
+        };
+        Some(format!("`library` cannot be used: {what}"))
     }
 }
 
@@ -32,11 +87,38 @@ pub(super) fn covers(patterns: &Gitignore, program: &Path) -> bool {
 pub(super) fn read(mut table: Table, folder: &Path, reader: &mut Reader) -> Files {
     let include = reader.take(&mut table, &INCLUDE);
     let exclude = reader.take(&mut table, &EXCLUDE);
+    let library = reader.take(&mut table, &LIBRARY);
     table.finish(reader);
     Files {
+        library: library.map_or_else(Vec::new, |given| folders(&given, folder, reader)),
         include: include.map(|given| patterns(&given, "\"lines/**\"", folder, reader)),
         exclude: exclude.map(|given| patterns(&given, "\"old/\"", folder, reader)),
     }
+}
+
+/// The folders of the library.
+fn folders(given: &Given, folder: &Path, reader: &mut Reader) -> Vec<LibraryFolder> {
+    let mut folders = Vec::new();
+    for (range, name) in reader.texts(given, "\"blocks\"") {
+        let named = Named::in_settings(folder, &name);
+        let located = named.locate_without_links();
+        match named
+            .error()
+            .map_or(located, |problem| Err(FileError::new(folder, problem)))
+        {
+            Ok(path) => folders.push(LibraryFolder { named, path, range }),
+            Err(error) => {
+                let problem = match error.problem {
+                    Problem::Directory => {
+                        "name a folder in the workspace, whose own programs are seen anyway".to_owned()
+                    }
+                    problem => problem.to_string(),
+                };
+                reader.wrong(range, format!("`{name}` cannot be used: {problem}"));
+            }
+        }
+    }
+    folders
 }
 
 /// Patterns as in `.gitignore`, seen from a folder. `example` shows one.

@@ -22,6 +22,7 @@ pub use lint::{Levels, Lint};
 pub use project::Project;
 pub use simulate::Simulate;
 
+use crate::disk::Disk;
 use crate::error::FileError;
 use crate::named::Named;
 use crate::root::Root;
@@ -147,6 +148,11 @@ impl Settings {
             }
         };
         (settings, errors(text, reader.finish()))
+    }
+
+    /// What is wrong with the folders that a settings file names, of which this is the text. No file but that tells.
+    pub fn folder_errors(&self, text: &str, disk: &dyn Disk) -> Vec<SettingError> {
+        errors(text, self.files.problems(disk))
     }
 
     /// Takes the sections that are the project's out of all that is set.

@@ -48,6 +48,8 @@ pub enum Kind {
     File,
     /// A list of patterns as in `.gitignore`.
     Patterns,
+    /// A list of folders, seen from the folder of `ladder.toml`.
+    Folders,
     /// `true` or `false`.
     Switch,
     /// A text.
@@ -170,6 +172,15 @@ pub(super) const EXCLUDE: Setting = Setting {
     about: "But not what matches one of these.",
 };
 
+pub(super) const LIBRARY: Setting = Setting {
+    key: "library",
+    kind: Kind::Folders,
+    place: SetBy::File,
+    default: None,
+    example: "[\"blocks\", \"shared/plant-blocks\"]",
+    about: "Folders of blocks that all programs of the workspace see, like those of the library. They lie inside the workspace; one may be a repository of its own with its own `ladder.toml`, or be left out by `.gitignore`.",
+};
+
 pub(super) const INLAY_HINTS: Setting = Setting {
     key: "enable",
     kind: Kind::Switch,
@@ -238,7 +249,7 @@ pub(super) const PROJECT: Section = Section {
 pub(super) const WORKSPACE: Section = Section {
     name: "workspace",
     about: "Which programs belong to the workspace. Patterns are those of `.gitignore`, seen from the folder of `ladder.toml`.",
-    settings: &[INCLUDE, EXCLUDE],
+    settings: &[INCLUDE, EXCLUDE, LIBRARY],
 };
 
 /// Every section, in the order of the book.

@@ -96,16 +96,19 @@ pub(crate) fn diagnostics_of(shared: &Shared, revision: &Revision) -> Vec<Diagno
     }
     match revision.kind() {
         Kind::Foreign(_) => foreign::diagnostics_of(shared.agreed(), revision),
-        Kind::Settings => settings(revision),
+        Kind::Settings => settings(shared, revision),
         Kind::Scenarios => scenarios(shared, revision),
         Kind::Program | Kind::Other => Vec::new(),
     }
 }
 
-fn settings(revision: &Revision) -> Vec<Diagnostic> {
+fn settings(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
     let path = address::path_of(&revision.uri);
-    let (_, errors) = Settings::examine(path.as_deref().unwrap_or(Path::new("")), &revision.text());
-    let errors = errors.into_iter();
+    let text = revision.text();
+    let (settings, errors) = Settings::examine(path.as_deref().unwrap_or(Path::new("")), &text);
+    let disk = &shared.world().disk;
+    let of_folders = path.map_or_else(Vec::new, |_| settings.folder_errors(&text, &**disk));
+    let errors = errors.into_iter().chain(of_folders);
     errors
         .map(|error| error_at(revision, error.range, BAD_SETTING, error.message))
         .collect()
