@@ -57,7 +57,7 @@ pub use links::{Link, LinkTarget, links};
 pub use neighbour::{Alone, ScenarioFile, Which, Workspace, gathered};
 pub use on_type::{TRIGGERS, on_type};
 pub use outline::{OutlineKind, Outlined, outline};
-pub use refactor::{Action, ActionKind, fix_all, may_be_switched_off, quick_fixes, refactorings};
+pub use refactor::{Action, ActionKind, fix_all, quick_fixes, refactorings};
 pub use refactor::{Redraw, Redrawn, redraw};
 pub use references::{Reference, references};
 pub use rename::{Renamable, RenameRefused, Renamed, prepare_rename, rename};

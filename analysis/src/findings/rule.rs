@@ -77,6 +77,8 @@ pub(crate) struct RuleFacts {
     when: When,
     about_types: bool,
     without_effect: bool,
+    /// It is about comments that speak to the tools.
+    about_directives: bool,
 }
 
 impl RuleFacts {
@@ -91,6 +93,7 @@ impl RuleFacts {
             when: When::Always,
             about_types: false,
             without_effect: false,
+            about_directives: false,
         }
     }
 
@@ -120,6 +123,14 @@ impl RuleFacts {
         }
     }
 
+    /// It is about the comments that say how the program is to be read.
+    pub(crate) const fn about_directives(self) -> RuleFacts {
+        RuleFacts {
+            about_directives: true,
+            ..self
+        }
+    }
+
     /// It finds text that has no effect.
     pub(crate) const fn without_effect(self) -> RuleFacts {
         RuleFacts {
@@ -130,6 +141,12 @@ impl RuleFacts {
 }
 
 impl Rule {
+    /// Whether a comment or a setting may switch it off: not what is an error, for a program with a hidden error does not run either,
+    /// nor what is found about such comments themselves.
+    pub const fn may_be_switched_off(self) -> bool {
+        !matches!(self.0.severity, Severity::Error) && !self.0.about_directives
+    }
+
     /// The name in kebab case.
     pub const fn name(self) -> &'static str {
         self.0.name

@@ -18,6 +18,7 @@ mod infer_tests;
 mod instances;
 pub mod join;
 pub(crate) mod joined;
+pub(crate) mod limits;
 pub mod named_types;
 pub(crate) mod operand_value;
 pub(crate) mod path_type;

@@ -1,5 +1,6 @@
 //! What the names of types mean in a file: its own, and those that other files declare.
 
+use super::limits;
 use super::problem::NameProblem;
 use super::type_spec::DeclaredType;
 use super::type_spec::{self, Declared, SpecKind, TypeSpec};
@@ -19,7 +20,8 @@ use std::sync::Arc;
 /// Types inside types nest no deeper than this.
 const DEEPEST: usize = 50;
 
-/// The types that a file can name.
+/// The types that a file can name. Of those of other files only what was asked for is known here: each file of a workspace has
+/// types, and few of them concern another one.
 #[derive(Debug, Clone, Default)]
 pub struct NamedTypes {
     /// The file's own in the order of the text, then those of other files.
@@ -27,12 +29,17 @@ pub struct NamedTypes {
     by_name: FxHashMap<Name, Vec<u32>>,
     /// How many are its own.
     own: usize,
-    /// Stands for all enumerations by their names.
+    /// The names that were looked for in the other files.
+    loaded: FxHashSet<Name>,
+    others: Others,
+    /// Stands for its own enumerations by their names.
     enumerations: u64,
-    /// The names of the values of all enumerations.
+    /// The names of the values of its own enumerations.
     values: FxHashSet<Name>,
     /// The names that the file's own declarations mention.
     pub(crate) mentioned: FxHashSet<Name>,
+    /// Whether a type that was read has limits.
+    pub(crate) have_limits: bool,
 }
 
 /// A declared type.
@@ -46,6 +53,19 @@ pub struct NamedType {
     pub ty: Option<Type>,
     /// The values that its elementary parts start with, where a declaration says so.
     pub initial: Option<Arc<[Value]>>,
+    is_read: bool,
+}
+
+impl NamedType {
+    fn unread(declaration: DeclaredType, file: Option<&Arc<str>>) -> NamedType {
+        NamedType {
+            declaration,
+            file: file.cloned(),
+            ty: None,
+            initial: None,
+            is_read: false,
+        }
+    }
 }
 
 /// What a declaration means: a type, and the values at the start where something says so.
@@ -54,27 +74,18 @@ pub(crate) type Meaning = (Type, Option<Arc<[Value]>>);
 impl NamedTypes {
     /// Those of a file and of the others. What is wrong with its own goes to `out`.
     pub(crate) fn new(own: Vec<DeclaredType>, others: &Others, out: &mut Vec<NameProblem>) -> NamedTypes {
-        let named = |declaration: DeclaredType, file: Option<&Arc<str>>| NamedType {
-            declaration,
-            file: file.cloned(),
-            ty: None,
-            initial: None,
-        };
         let mut types = NamedTypes {
             own: own.len(),
+            others: others.clone(),
             ..NamedTypes::default()
         };
-        types.list.extend(own.into_iter().map(|own| named(own, None)));
-        let foreign = others.all_types();
-        types
-            .list
-            .extend(foreign.map(|(exports, ty)| named(ty.clone(), Some(&exports.file))));
+        types.list.extend(
+            own.into_iter()
+                .map(|declaration| NamedType::unread(declaration, None)),
+        );
         for (index, ty) in (0..).zip(&types.list) {
             let same = types.by_name.entry(ty.declaration.key.clone()).or_default();
-            if index > 0
-                && (index as usize) < types.own
-                && let Some(first) = same.first()
-            {
+            if let Some(first) = same.first() {
                 let first = &types.list[*first as usize].declaration;
                 out.push(NameProblem::TypeTwice {
                     name: ty.declaration.name.clone(),
@@ -85,44 +96,65 @@ impl NamedTypes {
             same.push(index);
         }
         let mut reading = Reading {
-            state: vec![State::Open; types.list.len()],
+            state: vec![State::Open; types.own],
             out,
             way: Vec::new(),
         };
-        for index in 0..types.list.len() {
+        for index in 0..types.own {
             reading.read(&mut types, index);
         }
         let mut hasher = FxHasher::default();
-        for ty in &types.list {
+        for ty in types.own() {
             if let Some(Type::Scalar(Scalar::Enum(id))) = ty.ty {
                 (&ty.declaration.key, id).hash(&mut hasher);
             }
         }
         types.enumerations = hasher.finish();
-        let enumerations = types.list.iter().filter_map(|ty| match ty.ty {
+        let enumerations = types.own().iter().filter_map(|ty| match ty.ty {
             Some(Type::Scalar(Scalar::Enum(id))) => Some(id.get()),
             _ => None,
         });
-        for enumeration in enumerations {
+        let values = enumerations.flat_map(|enumeration| {
             let values = enumeration.values.iter().map(|(name, _)| Name::new(name));
-            types.values.extend(values);
-        }
+            values.collect::<Vec<_>>()
+        });
+        types.values = values.collect();
         types
+    }
+
+    /// Looks for a name in the other files, if that was not done.
+    fn load(&mut self, key: &Name) {
+        if !self.loaded.insert(key.clone()) {
+            return;
+        }
+        for (exports, ty) in self.others.types(key) {
+            let same = self.by_name.entry(key.clone()).or_default();
+            same.push(self.list.len() as u32);
+            self.list.push(NamedType::unread(ty.clone(), Some(&exports.file)));
+        }
+    }
+
+    /// Reads what a name means that nothing but an operand may mention. What is wrong with it is said where it is declared.
+    pub(crate) fn read(&mut self, name: &str) {
+        self.load(&Name::new(name));
+        if let Some(index) = self.position(name, None) {
+            Reading::of_known(self, &mut Vec::new()).read(self, index);
+        }
     }
 
     /// Whether there is an enumeration.
     pub(crate) fn have_values(&self) -> bool {
-        !self.values.is_empty()
+        !self.values.is_empty() || self.others.type_values().have_values()
     }
 
     /// Adds all that operands can mean by the name of a type.
     pub(crate) fn stamp(&self, hasher: &mut impl Hasher) {
-        self.enumerations.hash(hasher);
+        (self.enumerations, self.others.type_values().stamp).hash(hasher);
     }
 
     /// Whether an enumeration has a value of this name.
     pub fn has_value(&self, name: &Name) -> bool {
-        self.values.contains(name)
+        self.values.contains(name) || self.others.type_values().contains(name)
     }
 
     /// The type of a name, as the file sees it.
@@ -135,9 +167,21 @@ impl NamedTypes {
         &self.list[..self.own]
     }
 
-    /// All that the file can name.
-    pub fn all(&self) -> &[NamedType] {
-        &self.list
+    /// All that the file can name, with the files that others are declared in.
+    pub fn all(&self) -> impl Iterator<Item = (&DeclaredType, Option<&Arc<str>>)> {
+        let own = self.own().iter().map(|ty| (&ty.declaration, None));
+        let others = self.others.all_types();
+        own.chain(others.map(|(exports, ty)| (ty, Some(&exports.file))))
+    }
+
+    /// What the declaration of a name says, as a file sees it; and the file that declares it, if it is another one.
+    pub(crate) fn declaration(
+        &self,
+        name: &str,
+        file: Option<&Arc<str>>,
+    ) -> Option<(&TypeSpec, Option<&Arc<str>>)> {
+        let found = &self.list[self.position(name, file)?];
+        Some((&found.declaration.declared.spec, found.file.as_ref()))
     }
 
     /// The type of a name as a file sees it: one of its own, else the first of the others.
@@ -166,16 +210,12 @@ impl NamedTypes {
             self.ambiguous(&key, &name, at, out);
             self.mentioned.insert(key);
         }
-        let mut reading = Reading {
-            state: vec![State::Done; self.list.len()],
-            out,
-            way: Vec::new(),
-        };
-        reading.declared(self, declared, None)
+        Reading::of_known(self, out).declared(self, declared, None)
     }
 
     /// Says so if a name means types of several other files.
-    fn ambiguous(&self, key: &Name, name: &SmolStr, at: TextRange, out: &mut Vec<NameProblem>) {
+    fn ambiguous(&mut self, key: &Name, name: &SmolStr, at: TextRange, out: &mut Vec<NameProblem>) {
+        self.load(key);
         let Some(same) = self.by_name.get(key) else { return };
         let all = || same.iter().map(|index| &self.list[*index as usize]);
         let differ = |other: &NamedType| {
@@ -196,12 +236,7 @@ impl NamedTypes {
     /// What a declaration of another file means; what is wrong with it is said there.
     pub(crate) fn meaning_in(&mut self, declared: &Declared, file: &Arc<str>) -> Option<Meaning> {
         let mut unsaid = Vec::new();
-        let mut reading = Reading {
-            state: vec![State::Done; self.list.len()],
-            out: &mut unsaid,
-            way: Vec::new(),
-        };
-        reading.declared(self, declared, Some(file))
+        Reading::of_known(self, &mut unsaid).declared(self, declared, Some(file))
     }
 }
 
@@ -219,6 +254,18 @@ struct Reading<'o> {
     out: &'o mut Vec<NameProblem>,
     /// The types that are open, the outermost first.
     way: Vec<usize>,
+}
+
+impl<'o> Reading<'o> {
+    /// Where all that was asked for is read: what is asked for later is not.
+    fn of_known(types: &NamedTypes, out: &'o mut Vec<NameProblem>) -> Reading<'o> {
+        let state = |ty: &NamedType| if ty.is_read { State::Done } else { State::Open };
+        Reading {
+            state: types.list.iter().map(state).collect(),
+            out,
+            way: Vec::new(),
+        }
+    }
 }
 
 impl Reading<'_> {
@@ -248,11 +295,12 @@ impl Reading<'_> {
             }
         }
         let meaning = self.type_of(types, &declared.spec, &name, file.as_ref());
-        let meaning = meaning.map(|meaning| self.with_initial(&declared, meaning, file.as_ref()));
+        let meaning = meaning.map(|meaning| self.with_initial(types, &declared, meaning, file.as_ref()));
         if let Some((ty, initial)) = meaning {
             types.list[index].ty = Some(ty);
             types.list[index].initial = initial;
         }
+        types.list[index].is_read = true;
         self.way.pop();
         self.state[index] = State::Done;
     }
@@ -271,12 +319,13 @@ impl Reading<'_> {
         file: Option<&Arc<str>>,
     ) -> Option<Meaning> {
         let meaning = self.type_of(types, &declared.spec, "", file)?;
-        Some(self.with_initial(declared, meaning, file))
+        Some(self.with_initial(types, declared, meaning, file))
     }
 
     /// A type with the values that its declaration says.
     fn with_initial(
         &mut self,
+        types: &NamedTypes,
         declared: &Declared,
         (ty, default): Meaning,
         file: Option<&Arc<str>>,
@@ -285,7 +334,15 @@ impl Reading<'_> {
             return (ty, default);
         };
         match constant::initial_values(&initial.node, ty) {
-            Ok(values) => (ty, Some(values.into())),
+            Ok(values) => {
+                if file.is_none() {
+                    let start = initial.start;
+                    limits::check_initial(types, &declared.spec, &initial.node, &mut |problem| {
+                        self.out.push(NameProblem::InitialValue(problem.moved_by(start)));
+                    });
+                }
+                (ty, Some(values.into()))
+            }
             Err(problem) => {
                 let start = initial.start;
                 self.say(file, || NameProblem::InitialValue(problem.moved_by(start)));
@@ -304,7 +361,10 @@ impl Reading<'_> {
     ) -> Option<Meaning> {
         match &spec.kind {
             SpecKind::Known(ty) => Some((*ty, None)),
-            SpecKind::Subrange(scalar, low) => Some((Type::Scalar(*scalar), Some(type_spec::one(*low)))),
+            SpecKind::Subrange(scalar, (low, _)) => {
+                types.have_limits = true;
+                Some((Type::Scalar(*scalar), Some(type_spec::one(*low as i64))))
+            }
             SpecKind::Block(block) => {
                 let id = TypeId::of(Compound::Block(block.clone()))?;
                 Some((Type::Compound(id), None))
@@ -377,9 +437,14 @@ impl Reading<'_> {
         range: TextRange,
         file: Option<&Arc<str>>,
     ) -> Option<Meaning> {
+        types.load(&Name::new(name));
+        self.state.resize(types.list.len(), State::Open);
         let Some(index) = types.position(name, file) else {
-            let near = types.list.iter().map(|ty| ty.declaration.name.as_str());
-            let near = type_spec::nearest_type(name, near).map(SmolStr::from);
+            let near = file.is_none().then(|| {
+                let all = types.all().map(|(declaration, _)| declaration.name.as_str());
+                type_spec::nearest_type(name, all).map(SmolStr::from)
+            });
+            let near = near.flatten();
             let name = name.clone();
             self.say(file, || NameProblem::UnknownType {
                 name,

@@ -27,6 +27,9 @@ pub(crate) type TypeProblem = (TextRange, String);
 /// Whole numbers that are CONSTANT in a file, for bounds.
 pub(crate) type Constants = FxHashMap<Name, i128>;
 
+/// The lowest and the highest value.
+pub(crate) type Limits = (i128, i128);
+
 /// A type as it is written. Places do not count where two are compared.
 #[derive(Debug, Clone)]
 pub struct TypeSpec {
@@ -41,8 +44,8 @@ pub struct TypeSpec {
 pub enum SpecKind {
     /// An elementary type, a state, an array of elementary values.
     Known(Type),
-    /// `INT(5..9)`, with the value that such a tag starts with.
-    Subrange(Scalar, i64),
+    /// `INT(5..9)`: such a tag starts with the lowest value.
+    Subrange(Scalar, Limits),
     /// `Motor`
     Named(SmolStr),
     /// `$Motor`
@@ -104,8 +107,8 @@ impl PartialEq for TypeSpec {
         let same = |one: &SmolStr, other: &SmolStr| Name::new(one) == Name::new(other);
         match (&self.kind, &other.kind) {
             (SpecKind::Known(one), SpecKind::Known(other)) => one == other,
-            (SpecKind::Subrange(one, low), SpecKind::Subrange(other, low_too)) => {
-                (one, low) == (other, low_too)
+            (SpecKind::Subrange(one, limits), SpecKind::Subrange(other, limits_too)) => {
+                (one, limits) == (other, limits_too)
             }
             (SpecKind::Named(one), SpecKind::Named(other))
             | (SpecKind::Block(one), SpecKind::Block(other)) => same(one, other),
@@ -334,7 +337,7 @@ fn subrange(
         let message = format!("{low}..{high} is no range within {scalar}, which holds {least} to {most}");
         return Err((type_ref.range(), message));
     }
-    Ok(SpecKind::Subrange(scalar, low as i64))
+    Ok(SpecKind::Subrange(scalar, (low, high)))
 }
 
 /// `(IDLE, FILLING, MIXING := 10)`: from 0, or one past the one before.

@@ -31,6 +31,7 @@ impl Asking<'_> {
     pub(crate) fn is_value(&mut self, network: NetworkAt<'_>, named: &Named) -> bool {
         let name = spelling(network.facts(), named);
         if named.kind.extent() == Extent::Member {
+            self.types.read(name);
             return self.types.enumeration(name).is_some() && self.root(network.scope, name).is_none();
         }
         if !self.types.has_value(&named.key) || self.root(network.scope, name).is_some() {

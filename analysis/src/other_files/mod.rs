@@ -8,3 +8,4 @@ pub mod others;
 pub(crate) mod outward;
 mod outward_uses;
 mod part_uses;
+mod type_values;

@@ -4,9 +4,10 @@ use crate::names::type_spec::DeclaredType;
 use crate::other_files::exports::{ExportedBlock, ExportedFunction, Exports, Global};
 use crate::other_files::outward::TagUse;
 use crate::other_files::part_uses::PartUses;
+use crate::other_files::type_values::TypeValues;
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, LazyLock, OnceLock};
 
 /// What all files of a workspace show to each other.
 #[derive(Debug, Default)]
@@ -15,12 +16,14 @@ pub struct Exported {
     functions: FxHashMap<Name, Vec<(u32, u32)>>,
     blocks: FxHashMap<Name, Vec<(u32, u32)>>,
     globals: FxHashMap<Name, Vec<(u32, u32)>>,
+    types: FxHashMap<Name, Vec<(u32, u32)>>,
     states: FxHashMap<Name, Vec<(u32, u32)>>,
     /// How each file uses VAR_GLOBAL tags.
     uses: FxHashMap<Name, Vec<(u32, TagUse)>>,
     /// The files that call a function.
     calls: FxHashMap<Name, Vec<u32>>,
     part_uses: OnceLock<PartUses>,
+    type_values: OnceLock<TypeValues>,
     library: Option<Library>,
 }
 
@@ -48,6 +51,9 @@ impl Exported {
             }
             for (item, global) in exports.globals.iter().enumerate() {
                 enter(&mut exported.globals, &global.key, item);
+            }
+            for (item, ty) in exports.types.iter().enumerate() {
+                enter(&mut exported.types, &ty.key, item);
             }
             for (item, (name, _)) in exports.states.iter().enumerate() {
                 enter(&mut exported.states, name, item);
@@ -95,7 +101,7 @@ impl Exported {
 
     /// Whether one of the files declares a type.
     fn have_types(&self) -> bool {
-        self.files.iter().any(|file| !file.types.is_empty())
+        !self.types.is_empty()
     }
 
     /// The files.
@@ -237,6 +243,23 @@ impl Others {
     pub fn all_globals(&self) -> impl Iterator<Item = (&Exports, &Global)> {
         self.files()
             .flat_map(|file| file.globals.iter().map(move |global| (file, global)))
+    }
+
+    /// The types of a name, in the order of the files.
+    pub fn types(&self, name: &Name) -> impl Iterator<Item = (&Exports, &DeclaredType)> {
+        self.find(name, |exported| &exported.types)
+            .map(|(file, item)| (file, &file.types[item]))
+    }
+
+    /// What all files declare of enumerations.
+    pub(crate) fn type_values(&self) -> &TypeValues {
+        static NONE: LazyLock<TypeValues> = LazyLock::new(TypeValues::default);
+        match self.exported.as_deref() {
+            Some(exported) => exported
+                .type_values
+                .get_or_init(|| TypeValues::of(&exported.files)),
+            None => &NONE,
+        }
     }
 
     /// All types of the others. The library has blocks only.

@@ -2,8 +2,5 @@
 
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 
-pub(crate) const RULE: Rule = Rule(&RuleFacts::new(
-    RuleGroup::Text,
-    "bad-directive",
-    Severity::Warning,
-));
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Text, "bad-directive", Severity::Warning).about_directives());

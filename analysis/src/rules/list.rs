@@ -57,7 +57,10 @@ const LIST: &[(Rule, Check)] = &[
     (bad_arity::RULE, Check::Form(bad_arity::check)),
     (bad_operand::RULE, Check::Form(bad_operand::check)),
     (type_mismatch::RULE, Check::Tag(type_conflict::check)),
-    (literal_out_of_range::RULE, Check::ByOthers),
+    (
+        literal_out_of_range::RULE,
+        Check::File(literal_out_of_range::check),
+    ),
     (constant_write::RULE, Check::ByOthers),
     (
         alternative_mnemonic::RULE,

@@ -2,8 +2,5 @@
 
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 
-pub(crate) const RULE: Rule = Rule(&RuleFacts::new(
-    RuleGroup::Text,
-    "suppression-unused",
-    Severity::Info,
-));
+pub(crate) const RULE: Rule =
+    Rule(&RuleFacts::new(RuleGroup::Text, "suppression-unused", Severity::Info).about_directives());

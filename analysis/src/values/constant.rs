@@ -31,6 +31,11 @@ pub(crate) struct ConstantProblem {
 }
 
 impl ConstantProblem {
+    /// Of a number that its place may not have.
+    pub(crate) fn out_of_range(range: TextRange, message: String) -> ConstantProblem {
+        ConstantProblem::new(ConstantFault::OutOfRange, range, message)
+    }
+
     fn new(fault: ConstantFault, range: TextRange, message: impl Into<String>) -> ConstantProblem {
         ConstantProblem {
             fault,

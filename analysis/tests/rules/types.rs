@@ -426,3 +426,37 @@ fn members_with_the_names_of_a_timers() {
         "#]],
     );
 }
+
+/// Constants are checked where they are written; what is computed is not.
+#[test]
+fn values_within_limits() {
+    check(
+        "TYPE\n    Percent : INT(0..100);\n    Valve : STRUCT\n        open : Percent := 101;\n        all  : ARRAY[1..2, 1..2] OF USINT(1..5);\n    END_STRUCT;\nEND_TYPE\n\
+         FUNCTION_BLOCK [$Set]\nVAR_INPUT\n    to : Percent;\nEND_VAR\n+--[GT]( to, 5 )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n\
+         VAR\n    p : Percent := -1;\n    v : Valve := (open := 5, all := [1, 2(6)]);\n    n : INT;\n    a : ARRAY[1..3] OF Percent := [100, 2(100)];\nEND_VAR\n\
+         +--[MOV]( p, 100 )--[MOV]( p, 101 )--[MOV]( v.open, -1 )--[MOV]( v.all[1, n], 0 )--[FILL]( a[1..2], 200 )--+\n\
+         +--[SEL]( p, I1, 0, 300 )--[ADD]( p, p, 200 )--[MOV]( p, n )--[CALC]( p, 200 )--[MUX]( p, 500, 1, 2 )--[GT]( p, 200 )--[$Set]( 200 )--+\n",
+        expect![[r#"
+            >         open : Percent := 101;
+                                        ^^^ error[literal-out-of-range]: 101 is none of the values 0..100 that an INT here may have
+            >     p : Percent := -1;
+                                 ^^ error[literal-out-of-range]: -1 is none of the values 0..100 that an INT here may have
+            >     v : Valve := (open := 5, all := [1, 2(6)]);
+                                                        ^ error[literal-out-of-range]: 6 is none of the values 1..5 that a USINT here may have
+            > +--[MOV]( p, 100 )--[MOV]( p, 101 )--[MOV]( v.open, -1 )--[MOV]( v.all[1, n], 0 )--[FILL]( a[1..2], 200 )--+
+                                            ^^^ error[literal-out-of-range]: 101 is none of the values 0..100 that an INT here may have
+            > +--[MOV]( p, 100 )--[MOV]( p, 101 )--[MOV]( v.open, -1 )--[MOV]( v.all[1, n], 0 )--[FILL]( a[1..2], 200 )--+
+                                                                  ^^ error[literal-out-of-range]: -1 is none of the values 0..100 that an INT here may have
+            > +--[MOV]( p, 100 )--[MOV]( p, 101 )--[MOV]( v.open, -1 )--[MOV]( v.all[1, n], 0 )--[FILL]( a[1..2], 200 )--+
+                                                                                            ^ error[literal-out-of-range]: 0 is none of the values 1..5 that a USINT here may have
+            > +--[MOV]( p, 100 )--[MOV]( p, 101 )--[MOV]( v.open, -1 )--[MOV]( v.all[1, n], 0 )--[FILL]( a[1..2], 200 )--+
+                                                                                                                  ^^^ error[literal-out-of-range]: 200 is none of the values 0..100 that an INT here may have
+            > +--[SEL]( p, I1, 0, 300 )--[ADD]( p, p, 200 )--[MOV]( p, n )--[CALC]( p, 200 )--[MUX]( p, 500, 1, 2 )--[GT]( p, 200 )--[$Set]( 200 )--+
+                                  ^^^ error[literal-out-of-range]: 300 is none of the values 0..100 that an INT here may have
+            > +--[SEL]( p, I1, 0, 300 )--[ADD]( p, p, 200 )--[MOV]( p, n )--[CALC]( p, 200 )--[MUX]( p, 500, 1, 2 )--[GT]( p, 200 )--[$Set]( 200 )--+
+                                                                                       ^^^ error[literal-out-of-range]: 200 is none of the values 0..100 that an INT here may have
+            > +--[SEL]( p, I1, 0, 300 )--[ADD]( p, p, 200 )--[MOV]( p, n )--[CALC]( p, 200 )--[MUX]( p, 500, 1, 2 )--[GT]( p, 200 )--[$Set]( 200 )--+
+                                                                                                                                             ^^^ error[literal-out-of-range]: 200 is none of the values 0..100 that an INT here may have
+        "#]],
+    );
+}

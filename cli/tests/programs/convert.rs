@@ -246,7 +246,7 @@ fn what_cannot_be_read_is_not_written() {
             expect![[r#"
                 exit status 2
                 -- stderr
-                error: broken.clad: this cannot be written as rung in the textbook grammar: the program has errors, or needs another file of its workspace
+                error: broken.clad: this cannot be written as rung in the textbook grammar: the program has errors: 1:7: `( a` is not closed: `)` is missing
             "#]],
         ),
         (
@@ -327,4 +327,56 @@ fn files_that_belong_to_a_program_are_read_and_written_with_it() {
     let run = folder.ladder(&["convert", "made/main.clad", "-o", "plant/new.csv"]);
     assert_eq!(run.status, Some(2), "{run}");
     assert!(!folder.path("plant/new.csv").exists(), "nothing is half written");
+}
+
+/// No other notation has the blocks of the library: which one it is is said, and where.
+#[test]
+fn what_a_program_uses_of_other_files() {
+    let folder = Folder::with(&[
+        ("pulse.clad", "+--[$Blink]( T#1s, T#1s )--( )( Q1 )--+\n"),
+        ("call.clad", "+--[ ]( I1 )--<CALL>( count )--+\n"),
+        (
+            "count.clad",
+            "VAR\n    n : INT;\nEND_VAR\n+--<FUN>( count )--[ADD]( n, n, 1 )--+\n",
+        ),
+    ]);
+    let mut shown = String::new();
+    for notation in ["textbook", "cplc-draft", "ldmicro", "iot", "click"] {
+        for program in ["pulse.clad", "call.clad"] {
+            let run = folder.ladder(&["convert", program, "--to", notation, "-o", "out"]);
+            shown.push_str(&format!("{notation}: {run}"));
+        }
+    }
+    expect![[r#"
+        textbook: exit status 2
+        -- stderr
+        error: pulse.clad: this cannot be written as rung in the textbook grammar: 1:4: [$Blink] is a block of the library, and the notation has no blocks of one's own: draw what it does on rungs of the program
+        textbook: exit status 2
+        -- stderr
+        error: call.clad: this cannot be written as rung in the textbook grammar: 1:15: the function `count` is in count.clad, and the notation has one file: put it into this one
+        cplc-draft: exit status 2
+        -- stderr
+        error: pulse.clad: this cannot be written as program in the first draft of CPLC-LD: 1:4: [$Blink] is a block of the library, and the notation has no blocks of one's own: draw what it does on rungs of the program
+        cplc-draft: exit status 2
+        -- stderr
+        error: call.clad: this cannot be written as program in the first draft of CPLC-LD: 1:15: the function `count` is in count.clad, and the notation has one file: put it into this one
+        ldmicro: exit status 2
+        -- stderr
+        error: pulse.clad: this cannot be written as LDmicro program: 1:4: [$Blink] is a block of the library, and the notation has no blocks of one's own: draw what it does on rungs of the program
+        ldmicro: exit status 2
+        -- stderr
+        error: call.clad: this cannot be written as LDmicro program: 1:15: the function `count` is in count.clad, and the notation has one file: put it into this one
+        iot: exit status 2
+        -- stderr
+        error: pulse.clad: this cannot be written as program of the IoT ladder language: 1:4: [$Blink] is a block of the library, and the notation has no blocks of one's own: draw what it does on rungs of the program
+        iot: exit status 2
+        -- stderr
+        error: call.clad: this cannot be written as program of the IoT ladder language: 1:15: the function `count` is in count.clad, and the notation has one file: put it into this one
+        click: exit status 2
+        -- stderr
+        error: pulse.clad: this cannot be written as Click program in Python: 1:4: [$Blink] is a block of the library, and the notation has no blocks of one's own: draw what it does on rungs of the program
+        click: exit status 2
+        -- stderr
+        error: call.clad: this cannot be written as Click program in Python: the program has errors: 1:23: there is no function `count`
+    "#]].assert_eq(&shown);
 }

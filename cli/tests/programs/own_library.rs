@@ -65,12 +65,14 @@ fn its_blocks_are_there_in_every_program() {
           = help: define it: FUNCTION_BLOCK [$Hold], its declarations and rungs, END_FUNCTION_BLOCK
 
         Checked 1 file: 1 error.
-    "#]].assert_eq(&check(""));
+    "#]]
+    .assert_eq(&check(""));
     expect![[r#"
         exit status 0
         -- stdout
         Checked 1 file: no errors found.
-    "#]].assert_eq(&check(LIBRARY));
+    "#]]
+    .assert_eq(&check(LIBRARY));
     let folder = plant(LIBRARY);
     let sim = ["sim", "plant/main.clad", "--scans", "2", "--set", "go=1"];
     expect![[r#"
@@ -79,7 +81,8 @@ fn its_blocks_are_there_in_every_program() {
         scan,time_ms,go,held
         0,0,1,1
         1,10,1,1
-    "#]].assert_eq(&folder.ladder(&sim).to_string());
+    "#]]
+    .assert_eq(&folder.ladder(&sim).to_string());
     expect![[r#"
         exit status 0
         -- stdout
@@ -88,7 +91,8 @@ fn its_blocks_are_there_in_every_program() {
 
         - `a`: BOOL, input
         - `q`: BOOL, output
-    "#]].assert_eq(
+    "#]]
+    .assert_eq(
         &folder
             .ladder(&["explain", "$Hold", "plant/main.clad"])
             .to_string(),
@@ -111,7 +115,8 @@ fn what_is_wrong_in_it_is_said_where_it_is_checked() {
         exit status 0
         -- stdout
         Checked 1 file: no errors found.
-    "#]].assert_eq(&folder.ladder(&["check", "main.clad"]).to_string());
+    "#]]
+    .assert_eq(&folder.ladder(&["check", "main.clad"]).to_string());
     expect![[r#"
         exit status 1
         -- stdout
@@ -189,28 +194,28 @@ fn it_lies_inside_of_the_workspace() {
           |            ^^^^^^^^^^^^^^
         none: exit status 2
         -- stderr
-        error[bad-setting]: `library` cannot be used: no such file or folder
+        error[bad-setting]: `none` cannot be used: no such file or folder
          --> plant/ladder.toml:2:12
           |
         2 | library = ["none"]
           |            ^^^^^^
         main.clad: exit status 2
         -- stderr
-        error[bad-setting]: `library` cannot be used: this is a file, and a folder is expected here
+        error[bad-setting]: `main.clad` cannot be used: this is a file, and a folder is expected here
          --> plant/ladder.toml:2:12
           |
         2 | library = ["main.clad"]
           |            ^^^^^^^^^^^
         link: exit status 2
         -- stderr
-        error[bad-setting]: `library` cannot be used: this leads out of the workspace, the folder of ladder.toml (without one: the file's own folder); an empty ladder.toml in a folder above both makes them one
+        error[bad-setting]: `link` cannot be used: this leads out of the workspace, the folder of ladder.toml (without one: the file's own folder); an empty ladder.toml in a folder above both makes them one
          --> plant/ladder.toml:2:12
           |
         2 | library = ["link"]
           |            ^^^^^^
         inner: exit status 2
         -- stderr
-        error[bad-setting]: `library` cannot be used: a link leads to it: name the folder itself
+        error[bad-setting]: `inner` cannot be used: a link leads to it: name the folder itself
          --> plant/ladder.toml:2:12
           |
         2 | library = ["inner"]

@@ -168,9 +168,9 @@ fn types(typing: &Typing<'_>, out: &mut Proposals<'_>) {
             Topic::Keyword(word.to_owned()),
         );
     }
-    for ty in typing.context.types.all() {
-        let detail = ty.file.as_deref().unwrap_or("type of this file");
-        let name = &ty.declaration.name;
+    for (ty, file) in typing.context.types.all() {
+        let detail = file.map_or("type of this file", |file| file);
+        let name = &ty.name;
         out.word((0, 0), CompletionKind::Type, name, detail, Topic::Nothing);
     }
     blocks(typing, out);

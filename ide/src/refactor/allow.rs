@@ -2,21 +2,14 @@
 
 use super::drawing::line_end;
 use super::{Action, ActionKind};
+use ladder_analysis::Finding;
 use ladder_analysis::context::Context;
-use ladder_analysis::{Finding, Rule, Severity};
 use ladder_format::Edit;
 use ladder_syntax::{LineKind, TextRange, TextSize};
 
-/// Whether a rule may be switched off: not what is an error, for a program with a hidden error does not run either, nor what
-/// is found about such comments themselves.
-pub fn may_be_switched_off(rule: Rule) -> bool {
-    rule.default_severity() != Severity::Error
-        && !matches!(rule.name(), "suppression-unused" | "bad-directive")
-}
-
 /// The comments that hide a finding, with a reason to be filled in.
 pub(super) fn offer(context: &Context, found: &Finding, mut give: impl FnMut(Action)) {
-    if !may_be_switched_off(found.rule) {
+    if !found.rule.may_be_switched_off() {
         return;
     }
     let name = found.rule.name();

@@ -38,7 +38,6 @@ mod suggestions;
 mod toggle;
 mod wrap_branch;
 
-pub use allow::may_be_switched_off;
 pub use fixes::{fix_all, quick_fixes};
 pub use redraw::{Redraw, Redrawn, redraw};
 

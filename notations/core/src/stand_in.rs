@@ -1,6 +1,7 @@
 //! Elements without a counterpart, which are in ladder text as comments, on their way back.
 
-use super::{Lines, WriteError};
+use super::WriteError;
+use super::no_program::no_program;
 use ladder_analysis::Analysis;
 use ladder_syntax::{NodeOrToken, SyntaxKind};
 use std::borrow::Cow;
@@ -46,10 +47,5 @@ pub fn analysis<'a>(
     if analysis.program().is_some() {
         return Ok(analysis);
     }
-    let first = analysis.errors().next().map(|error| {
-        let place = Lines::of(text).place(text, error.range.start().into());
-        format!(": {place}: {}", error.message)
-    });
-    let why = first.unwrap_or_else(|| ", or needs another file of its workspace".to_owned());
-    Err(WriteError::new(format!("the program has errors{why}")))
+    Err(no_program(&analysis, text))
 }

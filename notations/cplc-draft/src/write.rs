@@ -9,7 +9,7 @@ use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::values::value::Value;
 use ladder_format::{ElementKind, Options, Sketch, display_width};
 use ladder_instructions::Op;
-use ladder_notation::{LineColumn, Lines, Report, WriteError, Writing, comments};
+use ladder_notation::{LineColumn, Lines, Report, WriteError, Writing, comments, no_program};
 use ladder_syntax::Item;
 use ladder_syntax::wiring::PartKind;
 use std::collections::{HashMap, HashSet};
@@ -17,9 +17,7 @@ use std::collections::{HashMap, HashSet};
 /// Writes all networks that the draft can say; the others stay as comments.
 pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     let Some(program) = analysis.program() else {
-        return Err(WriteError::new(
-            "the program has errors, or needs another file of its workspace",
-        ));
+        return Err(no_program(analysis, &analysis.context.parse.to_string()));
     };
     let text = analysis.context.parse.to_string();
     let lines = Lines::of(&text);

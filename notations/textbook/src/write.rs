@@ -9,16 +9,14 @@ use ladder_analysis::values::value::Value;
 use ladder_format::Circuit;
 use ladder_instructions::Op;
 use ladder_notation::circuit::series_parallel;
-use ladder_notation::{LineColumn, Lines, Report, WriteError, Writing, comments};
+use ladder_notation::{LineColumn, Lines, Report, WriteError, Writing, comments, no_program};
 use ladder_syntax::Item;
 use std::collections::{BTreeSet, HashMap, HashSet};
 
 /// Writes all networks that the grammar can say.
 pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     let Some(program) = analysis.program() else {
-        return Err(WriteError::new(
-            "the program has errors, or needs another file of its workspace",
-        ));
+        return Err(no_program(analysis, &analysis.context.parse.to_string()));
     };
     let text = analysis.context.parse.to_string();
     let lines = Lines::of(&text);

@@ -122,6 +122,60 @@ fn the_other_files_of_the_workspace_count() {
     );
 }
 
+/// The folder of a library is a workspace of its own.
+#[test]
+fn the_blocks_of_a_library_of_the_workspace_count() {
+    let hold = "FUNCTION_BLOCK [$Hold]\n+--[ ]( EN )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n";
+    let mut session = opened(
+        "+--[$Hold]--( )( y )--+\n",
+        &[
+            ("ladder.toml", "[workspace]\nlibrary = [\"shared/blocks\"]\n"),
+            ("shared/blocks/ladder.toml", ""),
+            ("shared/blocks/hold.clad", hold),
+        ],
+    );
+    let found = |session: &Session| {
+        session.heard("textDocument/publishDiagnostics").last().unwrap()["diagnostics"].clone()
+    };
+    assert_eq!(found(&session), json!([]));
+    let at = json!({"textDocument": {"uri": URI}, "position": {"line": 0, "character": 5}});
+    let definition = session.ask("textDocument/definition", at.clone())["result"].to_string();
+    assert!(definition.contains("shared/blocks/hold.clad"), "{definition}");
+    let hover = session.ask("textDocument/hover", at.clone())["result"].to_string();
+    assert!(hover.contains("$Hold"), "{hover}");
+    let completion = session.ask("textDocument/completion", at)["result"].to_string();
+    assert!(completion.contains("$Hold"), "{completion}");
+    session.write("shared/blocks/hold.clad", &hold.replace("$Hold", "$Held"));
+    session.wait(3_000);
+    assert_eq!(found(&session)[0]["code"], "unknown-block");
+}
+
+#[test]
+fn folders_of_a_library_lie_inside_of_the_workspace() {
+    let outside = "[workspace]\nlibrary = [\"../blocks\", \"none\"]\n";
+    let mut session = opened(CONTACT, &[("ladder.toml", "")]);
+    let document =
+        json!({"uri": "file:///plant/ladder.toml", "languageId": "toml", "version": 1, "text": outside});
+    session.notify("textDocument/didOpen", json!({"textDocument": document}));
+    session.wait(1_000);
+    let found = session.heard("textDocument/publishDiagnostics");
+    let of_settings = found
+        .iter()
+        .rfind(|found| found["uri"] == "file:///plant/ladder.toml")
+        .unwrap();
+    let messages = of_settings["diagnostics"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|found| found["message"].as_str().unwrap().to_owned());
+    let messages: Vec<String> = messages.collect();
+    assert!(
+        messages[0].starts_with("`../blocks` cannot be used: this leads out of the workspace"),
+        "{messages:?}"
+    );
+    assert_eq!(messages[1], "`none` cannot be used: no such file or folder");
+}
+
 #[test]
 fn the_page_about_the_protocol_shows_what_is_answered_here_too() {
     const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/protocol.md");

@@ -146,6 +146,13 @@ impl Session {
     }
 
     /// The text of a file.
+    /// Another program writes a file, and the client tells.
+    pub(crate) fn write(&mut self, name: &str, text: &str) {
+        self.disk.write(&Path::new("/plant").join(name), text.as_bytes());
+        let changed = json!({"uri": format!("file:///plant/{name}"), "type": 2});
+        self.notify("workspace/didChangeWatchedFiles", json!({"changes": [changed]}));
+    }
+
     pub(crate) fn file(&self, name: &str) -> String {
         self.disk.read(&Path::new("/plant").join(name)).unwrap()
     }

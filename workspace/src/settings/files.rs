@@ -24,6 +24,7 @@ pub struct Files {
 /// A folder of blocks inside of the workspace, which may be one of its own: a repository in the repository.
 #[derive(Debug, Clone)]
 struct LibraryFolder {
+    name: String,
     named: Named,
     path: PathBuf,
     /// Where the settings file names it.
@@ -74,7 +75,7 @@ impl LibraryFolder {
             Ok(located) if !disk.is_there(&located) => Problem::Missing.to_string(),
             Ok(_) => return None,
         };
-        Some(format!("`library` cannot be used: {what}"))
+        Some(format!("`{}` cannot be used: {what}", self.name))
     }
 }
 
@@ -106,7 +107,12 @@ fn folders(given: &Given, folder: &Path, reader: &mut Reader) -> Vec<LibraryFold
             .error()
             .map_or(located, |problem| Err(FileError::new(folder, problem)))
         {
-            Ok(path) => folders.push(LibraryFolder { named, path, range }),
+            Ok(path) => folders.push(LibraryFolder {
+                name,
+                named,
+                path,
+                range,
+            }),
             Err(error) => {
                 let problem = match error.problem {
                     Problem::Directory => {

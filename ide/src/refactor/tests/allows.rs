@@ -1,6 +1,6 @@
 //! Comments that switch a rule off, written where a finding is meant so.
 
-use crate::refactor::{may_be_switched_off, quick_fixes};
+use crate::refactor::quick_fixes;
 use expect_test::{Expect, expect};
 use ladder_analysis::{Analysis, Rule, analyze, rules};
 use ladder_format::{Options, apply};
@@ -104,7 +104,7 @@ fn where_the_comment_is() {
 fn a_comment_hides_its_finding() {
     let pages = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/src/rules");
     let mut tried = 0;
-    for &rule in rules::ALL.iter().filter(|rule| may_be_switched_off(**rule)) {
+    for &rule in rules::ALL.iter().filter(|rule| rule.may_be_switched_off()) {
         let page = std::fs::read_to_string(pages.join(format!("{rule}.md"))).expect("each rule has its page");
         let wrong = page.split("```clad wrong\n").skip(1);
         for program in wrong.filter_map(|rest| rest.split("```").next()) {

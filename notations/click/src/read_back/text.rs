@@ -3,7 +3,7 @@
 use super::Back;
 use ladder_analysis::Analysis;
 use ladder_analysis::program::{Block, Program, TagId};
-use ladder_notation::{Lines, WriteError};
+use ladder_notation::{WriteError, no_program};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -20,12 +20,7 @@ pub(super) fn program(analysis: &Analysis, text: &str) -> Result<Arc<Program>, W
     if let Some(program) = again.program().or(analysis.program()) {
         return Ok(Arc::clone(program));
     }
-    let first = again.errors().next().map(|error| {
-        let place = Lines::of(text).place(text, error.range.start().into());
-        format!(": {place}: {}", error.message)
-    });
-    let why = first.unwrap_or_else(|| ", or needs another file of its workspace".to_owned());
-    Err(WriteError::new(format!("the program has errors{why}")))
+    Err(no_program(&again, text))
 }
 
 /// What holds the place of an instruction without a counterpart; a parenthesis closes it.

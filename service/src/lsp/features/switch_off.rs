@@ -3,7 +3,6 @@
 use std::collections::BTreeSet;
 
 use ladder_analysis::Rule;
-use ladder_ide::may_be_switched_off;
 use ladder_syntax::TextRange;
 use ladder_workspace::Settings;
 use ropey::Rope;
@@ -67,7 +66,7 @@ pub(super) fn actions(
     let found = || {
         let touched = |range: TextRange| range.intersect(problems).is_some();
         let findings = analysis.findings().iter();
-        findings.filter(move |found| touched(found.range) && may_be_switched_off(found.rule))
+        findings.filter(move |found| touched(found.range) && found.rule.may_be_switched_off())
     };
     let rules: BTreeSet<Rule> = found().map(|found| found.rule).collect();
     let settings = (!rules.is_empty()).then(|| SettingsText::above(shared, revision));
