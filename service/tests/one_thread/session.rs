@@ -145,7 +145,6 @@ impl Session {
         these.map(|message| message["params"].clone()).collect()
     }
 
-    /// The text of a file.
     /// Another program writes a file, and the client tells.
     pub(crate) fn write(&mut self, name: &str, text: &str) {
         self.disk.write(&Path::new("/plant").join(name), text.as_bytes());
@@ -153,6 +152,7 @@ impl Session {
         self.notify("workspace/didChangeWatchedFiles", json!({"changes": [changed]}));
     }
 
+    /// The text of a file.
     pub(crate) fn file(&self, name: &str) -> String {
         self.disk.read(&Path::new("/plant").join(name)).unwrap()
     }

@@ -20,7 +20,8 @@ pub(super) fn program(analysis: &Analysis, text: &str) -> Result<Arc<Program>, W
     if let Some(program) = again.program().or(analysis.program()) {
         return Ok(Arc::clone(program));
     }
-    Err(no_program(&again, text))
+    let reason = if stood_in == text { analysis } else { &again };
+    Err(no_program(reason, text))
 }
 
 /// What holds the place of an instruction without a counterpart; a parenthesis closes it.
