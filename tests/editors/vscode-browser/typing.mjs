@@ -121,7 +121,8 @@ export async function typing(page, { step, until, screenshot, project }) {
         const before = await lines(page);
         await page.locator('.editor-group-container.active .view-line span', { hasText: /^third$/ }).first().dblclick();
         await page.keyboard.type('seco', { delay: 50 });
-        await page.locator('.suggest-widget.visible .monaco-list-row', { hasText: 'second' }).first().waitFor({ timeout: 5000 });
+        // The lists to fewer letters have what is waited for too, further down.
+        await page.locator('.suggest-widget.visible .monaco-list-row[data-index="0"]', { hasText: 'second' }).first().waitFor({ timeout: 5000 });
         await page.keyboard.press('Tab');
         await until('the whole name', 5, async () => (await lines(page))[0].includes('( )( second )'));
         // What an undo has done is on the page a moment later; one more would take back what was there before.
@@ -141,7 +142,7 @@ export async function typing(page, { step, until, screenshot, project }) {
         await page.keyboard.press('Enter');
         await until('the beginning of a rung', 5, async () => (await lines(page))[1] === '+--');
         await page.keyboard.type('[ ]( run )--[TON', { delay: 50 });
-        await page.locator('.suggest-widget.visible .monaco-list-row', { hasText: 'TON' }).first().waitFor({ timeout: 5000 });
+        await page.locator('.suggest-widget.visible .monaco-list-row[data-index="0"]', { hasText: 'TON' }).first().waitFor({ timeout: 5000 });
         const count = (await lines(page)).length;
         await page.keyboard.press('Enter');
         const whole = /^\+--\[ \]\( run \)-+\[TON\](\( |$)/;
