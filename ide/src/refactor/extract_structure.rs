@@ -8,14 +8,15 @@ use super::place::Selected;
 use super::scenarios::InScenarios;
 use super::{Action, ActionKind};
 use ladder_analysis::context::Context;
+use ladder_analysis::networks::network::{Formal, Meaning};
+use ladder_analysis::networks::{BlockAt, NetworkAt};
+use ladder_analysis::program::ParameterKind;
 use ladder_analysis::values::compound::Compound;
 use ladder_analysis::values::types::Type;
 use ladder_analysis::values::value::Value;
 use ladder_format::Edit;
 use ladder_instructions::Profile;
-use ladder_syntax::{
-    LineKind, Name, TextRange, TextSize, is_declaration_keyword, is_identifier, is_reserved,
-};
+use ladder_syntax::{LineKind, Name, TextRange, is_declaration_keyword, is_identifier, is_reserved};
 
 pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
     let context = place.context;
@@ -160,6 +161,12 @@ fn extracted(place: &Selected<'_>, group: &Group<'_>) -> Result<(Vec<Edit>, InSc
     let first = &group.tags[0];
     for tag in &group.tags {
         is_inner(tag)?;
+        if let Some(block) = given_by_reference(context, tag) {
+            return Err(format!(
+                "`{}` goes into `{block}` by reference, as a whole array",
+                tag.name
+            ));
+        }
         let alike = like_section_of(context, first.line);
         if !alike.iter().any(|other| other.at == tag.at) {
             return Err("the tags are in sections of different kinds".to_owned());
@@ -179,6 +186,25 @@ fn extracted(place: &Selected<'_>, group: &Group<'_>) -> Result<(Vec<Edit>, InSc
         paths.push((tag.symbol.clone(), path));
     }
     Ok((edits, InScenarios::Tags(paths)))
+}
+
+/// The block that an array goes into by reference: what that compiles to knows no arrays in structures.
+fn given_by_reference(context: &Context, tag: &DeclaredTag<'_>) -> Option<String> {
+    tag.tag.ty?.array()?;
+    let uses = uses(context, tag);
+    let blocks = context.networks.iter().flat_map(NetworkAt::blocks);
+    let takes = |block: &BlockAt<'_>| {
+        let Meaning::User(user) = block.meaning else {
+            return false;
+        };
+        let parameters = &context.user_blocks[user].parameters;
+        let mut given = block.facts.operands.iter().zip(block.formals.iter());
+        given.any(|(operand, formal)| {
+            matches!(formal, Formal::Parameter(index) if parameters[*index].kind == ParameterKind::InOut)
+                && uses.contains(&block.absolute(operand.value.range))
+        })
+    };
+    blocks.into_iter().find(takes).map(|block| block.head_text())
 }
 
 /// The declaration of the type: in the last section of types, else in one before the section of the tags.
@@ -214,14 +240,21 @@ fn declared(context: &Context, group: &Group<'_>) -> Result<Edit, String> {
             text,
         });
     }
+    let line = before_section(context, group.tags[0].section);
+    let above = line.checked_sub(1).map(|above| parse.lines()[above].kind);
+    let blank = if above.is_some_and(|above| above != LineKind::Blank) {
+        line_end
+    } else {
+        ""
+    };
     Ok(Edit {
-        range: TextRange::empty(before_section(context, group.tags[0].section)),
-        text: format!("TYPE{line_end}{text}END_TYPE{line_end}{line_end}"),
+        range: TextRange::empty(parse.line_start(line)),
+        text: format!("{blank}TYPE{line_end}{text}END_TYPE{line_end}{line_end}"),
     })
 }
 
-/// Before a section, or the block that it is in, with the comments right above it.
-fn before_section(context: &Context, section: usize) -> TextSize {
+/// The line of a section, or of the block that it is in, or of the comments right above that.
+fn before_section(context: &Context, section: usize) -> usize {
     let frame = context.parse.frame();
     let section = &frame.sections[section];
     let line = match section.block {
@@ -234,6 +267,5 @@ fn before_section(context: &Context, section: usize) -> TextSize {
         .take_while(|line| lines[*line].kind == LineKind::Comment);
     let above = above.count();
     // What begins the file is said of all of it.
-    let first = if above == line { line } else { line - above };
-    context.parse.line_start(first)
+    if above == line { line } else { line - above }
 }

@@ -252,6 +252,7 @@ fn tags_that_stay() {
             "VAR a_x$0, # the first # a_y : INT; END_VAR",
             "VAR a_x$0, b_y : INT; END_VAR",
             "FUNCTION_BLOCK [$B]\nVAR_INPUT a_x$0, a_y : BOOL; END_VAR\nEND_FUNCTION_BLOCK",
+            "VAR a_x$0 : ARRAY[1..16] OF WORD; a_y : ARRAY[1..16] OF TIME; END_VAR\n+--[$Drum]( a_x, a_y, 3 )--( )( on )--+",
             "# ladder: profile click #\nVAR a_x$0, a_y : BOOL; END_VAR",
         ],
         expect![[r#"
@@ -273,6 +274,9 @@ fn tags_that_stay() {
             VAR_INPUT a_x$0, a_y : BOOL; END_VAR
             END_FUNCTION_BLOCK
                 `a_x`: it is an operand of its block
+            VAR a_x$0 : ARRAY[1..16] OF WORD; a_y : ARRAY[1..16] OF TIME; END_VAR
+            +--[$Drum]( a_x, a_y, 3 )--( )( on )--+
+                `a_x` goes into `[$Drum]` by reference, as a whole array
             # ladder: profile click #
             VAR a_x$0, a_y : BOOL; END_VAR
                 programs of this profile have no structures
