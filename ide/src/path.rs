@@ -1,13 +1,20 @@
 //! Paths as they are written in text: `cell[2].zone[k].valve`, perhaps not finished.
 
 use crate::hover::block_named;
-use crate::wanted::tag_of;
 use ladder_analysis::context::Context;
+use ladder_analysis::names::scope::TagFacts;
 use ladder_analysis::state_member;
 use ladder_analysis::values::compound::Compound;
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_syntax::Name;
 use std::ops::Range;
+
+/// The tag of a name, or the one that it is an alias of.
+pub(crate) fn tag_of<'c>(context: &'c Context, scope: usize, name: &str) -> Option<&'c TagFacts> {
+    let scope = context.scopes.get(scope)?;
+    let tag = &scope.tags[scope.find(&Name::new(name))?];
+    Some(context.shared(tag))
+}
 
 /// What a path goes on with.
 pub(crate) enum Step {

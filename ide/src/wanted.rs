@@ -2,7 +2,7 @@
 
 use crate::typing::{Open, Operand, Typing};
 use ladder_analysis::context::Context;
-use ladder_analysis::names::scope::{TagFacts, type_by_form};
+use ladder_analysis::names::scope::type_by_form;
 use ladder_analysis::networks::user_block::{Parameter, UserBlockFacts};
 use ladder_analysis::program::{ParameterKind, SystemTag};
 use ladder_analysis::values::callable::is_callable;
@@ -252,13 +252,6 @@ fn result_type(typing: &Typing<'_>, operand: &Operand) -> Option<Scalar> {
     type_of(typing.context, typing.scope, &typing.text[first.clone()])
 }
 
-/// The tag of a name, or the one that it is an alias of.
-pub(crate) fn tag_of<'c>(context: &'c Context, scope: usize, name: &str) -> Option<&'c TagFacts> {
-    let scope = context.scopes.get(scope)?;
-    let tag = &scope.tags[scope.find(&Name::new(name))?];
-    Some(context.shared(tag))
-}
-
 /// The type of a place that is written out: `count`, `a[3]`, `t.ET`, `%MW1`. None for anything else.
 pub(crate) fn type_of(context: &Context, scope: usize, text: &str) -> Option<Scalar> {
     let text = text.trim();
@@ -282,7 +275,7 @@ pub(crate) fn whole_type(context: &Context, scope: usize, text: &str) -> Option<
     if text.contains(['[', '.']) {
         return crate::path::type_of(context, scope, text);
     }
-    match tag_of(context, scope, text) {
+    match crate::path::tag_of(context, scope, text) {
         Some(tag) => tag.ty,
         None => type_by_form(text).map(|(scalar, _)| Type::Scalar(scalar)),
     }

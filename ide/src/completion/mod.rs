@@ -19,8 +19,9 @@ mod tags;
 pub use item::{Completion, CompletionKind, Completions, Snippet, Topic};
 
 use crate::hover;
+use crate::path::tag_of;
 use crate::typing::{CursorContext, Declaration, Operand, Typing, typing};
-use crate::wanted::{Called, Kind, called, tag_of, wanted};
+use crate::wanted::{Called, Kind, called, wanted};
 use ladder_analysis::context::Context;
 use ladder_instructions::by_op;
 use ladder_syntax::{Name, TextSize};

@@ -3,8 +3,8 @@
 use super::Renamed;
 use super::layout::compose;
 use crate::neighbour::{ScenarioFile, Workspace};
+use crate::scenario::edits::layout;
 use crate::scenario::row::rows_naming;
-use crate::scenario::scenario_layout;
 use crate::symbol::Symbol;
 use ladder_analysis::context::Context;
 use ladder_format::{Edit, apply, display_width};
@@ -77,7 +77,7 @@ pub(crate) fn in_columns(suite: &Suite, text: &str, words: Vec<Edit>) -> Vec<Edi
         return edits;
     }
     let is_straight = {
-        let crooked = scenario_layout(text);
+        let crooked = layout(text);
         move |range: TextRange| !crooked.iter().any(|edit| range.contains_range(edit.range))
     };
     let straight: Vec<usize> = in_cells
@@ -86,13 +86,13 @@ pub(crate) fn in_columns(suite: &Suite, text: &str, words: Vec<Edit>) -> Vec<Edi
         .collect();
     let between = apply(text, &edits);
     let after = parse(&between);
-    let mut layout = scenario_layout(&between);
+    let mut straight_again = layout(&between);
     let ranges: Vec<TextRange> = straight
         .iter()
         .map(|number| extent(&after, &between, *number))
         .collect();
-    layout.retain(|edit| ranges.iter().any(|range| range.contains_range(edit.range)));
-    compose(text, &edits, &between, &layout)
+    straight_again.retain(|edit| ranges.iter().any(|range| range.contains_range(edit.range)));
+    compose(text, &edits, &between, &straight_again)
 }
 
 /// From a scenario's name to the next.

@@ -5,7 +5,7 @@
 //! next to it, if it was found. The reader is the one that runs the scenarios.
 
 mod completion;
-mod edits;
+pub(crate) mod edits;
 mod file;
 mod hover;
 mod members;
