@@ -6,6 +6,7 @@ use serde::Deserialize;
 use serde_json::Value;
 use serde_json::value::RawValue;
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::ops::Range;
 
 /// Rungs are this far apart in the one drawing that they become.
@@ -133,7 +134,7 @@ impl<P: Fn(&RawValue) -> LineColumn> Reader<'_, P> {
                 Ok(element) => self.element(element, place, &mut known, &mut tied),
                 Err(error) => {
                     self.report
-                        .refused(place, "element", format!("it is no element of a rung: {error}"))
+                        .refused(place, "element", format!("it is no element of a rung: {error}"));
                 }
             }
         }
@@ -261,9 +262,10 @@ impl<P: Fn(&RawValue) -> LineColumn> Reader<'_, P> {
                 if !block.is_empty() {
                     tied.push((element.id.clone(), place, block, handle, is_input));
                 }
-                match is_input {
-                    true => Kind::Value(variable, false),
-                    false => Kind::Variable(variable, false),
+                if is_input {
+                    Kind::Value(variable, false)
+                } else {
+                    Kind::Variable(variable, false)
                 }
             }
             // What the editor shows while something is dragged.
@@ -281,22 +283,24 @@ impl<P: Fn(&RawValue) -> LineColumn> Reader<'_, P> {
             node.inputs.clear();
         }
         if matches!(node.kind, Kind::Block { .. }) {
-            self.pins(&element, &mut node);
+            Self::pins(&element, &mut node);
         }
         let inputs = node.inputs.iter().map(|pin| pin.name.clone()).collect();
         let outputs = node.outputs.iter().map(|output| output.name.clone()).collect();
         let index = self.graph.nodes.len();
-        if known.contains_key(&element.id) {
-            let why = "another element of the rung has this id, and wires lead to that";
-            self.report.approximated(place, format!("id {}", element.id), why);
-        } else {
-            known.insert(element.id, (index, inputs, outputs));
+        match known.entry(element.id) {
+            Entry::Vacant(entry) => drop(entry.insert((index, inputs, outputs))),
+            Entry::Occupied(entry) => {
+                let why = "another element of the rung has this id, and wires end at that";
+                self.report
+                    .approximated(place, format!("id {}", entry.key()), why);
+            }
         }
         self.graph.nodes.push(node);
     }
 
     /// The pins of a block: those of its variant, and EN and ENO where they are shown.
-    fn pins(&self, element: &Element, node: &mut Node) {
+    fn pins(element: &Element, node: &mut Node) {
         node.inputs.clear();
         node.outputs.clear();
         let pin = |name: &str, in_out| Pin {

@@ -1,4 +1,4 @@
-//! The programs of OpenPLC Editor 4 give the same ladder text as the XML that the editor exports of them.
+//! The programs of OpenPLC Editor 4 become the same ladder text as the XML that the editor exports of them.
 
 use expect_test::{Expect, expect};
 use ladder_format::Options;
@@ -38,7 +38,7 @@ fn program(file: &Path, notation: &dyn Notation) -> String {
     let text = text(notation, &bytes);
     let lines = text.lines().filter(|line| !line.starts_with("# "));
     let lines = lines.skip_while(|line| line.is_empty());
-    lines.map(|line| format!("{line}\n")).collect()
+    lines.collect::<Vec<_>>().join("\n")
 }
 
 #[test]

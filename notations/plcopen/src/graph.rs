@@ -235,7 +235,7 @@ impl Graph {
     }
 }
 
-/// A wire: to this pin of this element, the n-th of those that lead there.
+/// A wire: to this pin of this element, the n-th of those that end there.
 type Wire = (usize, usize, usize);
 
 /// The wires of a drawing are no deeper.
@@ -245,14 +245,13 @@ const DEEPEST: usize = 300;
 const MOST_LOOPS: usize = 200;
 
 impl Graph {
-    /// Makes sure that it can be drawn: wires that lead in a circle are taken out, and one that is too deep keeps its
+    /// Makes sure that it can be drawn: wires that make a circle are taken out, and one that is too deep keeps its
     /// comments only.
     pub fn open(&mut self, report: &mut Report) {
         match self.without_loops() {
             Ok(taken) => {
                 for (node, _) in taken {
-                    let why =
-                        "a wire leads from it back to it, without a block between: that wire is left out";
+                    let why = "its power comes back to it, without a block between: that wire is left out";
                     report.refused(self.nodes[node].place, "wire", why);
                 }
             }
@@ -273,7 +272,7 @@ impl Graph {
         }
     }
 
-    /// Takes apart what leads in a circle: a wire from a block that acts shows what the block had in the scan before, and
+    /// Takes apart what is wired in a circle: a wire from a block that acts shows what the block had in the scan before, and
     /// goes into [`Graph::feedback`]; any other is taken out and comes back. The error is the element that is too deep.
     fn without_loops(&mut self) -> Result<Vec<(usize, usize)>, usize> {
         let acts = |kind: &Kind| match kind {

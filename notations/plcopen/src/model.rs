@@ -26,7 +26,7 @@ pub struct Project {
 /// When contacts are read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Evaluation {
-    /// All that leads to a coil is read again for each coil: the generator of Beremiz and OpenPLC.
+    /// All that feeds a coil is read again for each coil: the generator of Beremiz and OpenPLC.
     #[default]
     EachOutput,
     /// A network is read once: CODESYS.

@@ -47,11 +47,6 @@ impl Scope {
         }
     }
 
-    /// Another scope that shares the spellings: two programs in one file.
-    pub(crate) fn beside(&self) -> Scope {
-        Scope::next_to(self)
-    }
-
     /// The variable of a name.
     pub(crate) fn get(&self, name: &str) -> Option<&Known> {
         self.known.get(&name.to_lowercase())
@@ -135,9 +130,9 @@ impl<'p> Shared<'p> {
         }
     }
 
-    /// The scope of a program; `beside` is that of others in the same file.
-    pub(crate) fn program(&self, unit: &Unit, beside: Option<&Scope>) -> Scope {
-        let mut scope = beside.map_or_else(|| Scope::next_to(&self.globals), Scope::beside);
+    /// The scope of a program; `others` is that of programs in the same file.
+    pub(crate) fn program(&self, unit: &Unit, others: Option<&Scope>) -> Scope {
+        let mut scope = others.map_or_else(|| Scope::next_to(&self.globals), Scope::next_to);
         for variable in local(unit) {
             scope.declare(&variable.name, &variable.ty, &unit.name);
         }

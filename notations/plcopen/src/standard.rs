@@ -141,7 +141,7 @@ pub(crate) fn function(name: &str) -> Option<Function> {
     known.copied().map(Function::Value)
 }
 
-/// What gives a value from values, in the order of the standard's pins.
+/// What makes a value of values, in the order of the standard's pins.
 const VALUES: &[&str] = &[
     "MOV", "ADD", "SUB", "MUL", "DIV", "MOD", "EXP", "ABS", "SQRT", "LN", "LOG", "EXPE", "SIN", "COS", "TAN",
     "ASIN", "ACOS", "ATAN", "MIN", "MAX", "LIMIT", "SEL", "MUX", "SHL", "SHR", "ROL", "ROR", "LEN", "LEFT",

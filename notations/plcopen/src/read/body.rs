@@ -43,7 +43,7 @@ impl<'x> Reader<'x, '_> {
             "SFC" => {
                 let is_chart = |node: &Node<'_, '_>| kind_in_chart(*node).is_some();
                 let shown = language.elements().filter(is_chart);
-                let shown = shown.map(|node| (self.xml.place(node), self.shown(node)));
+                let shown = shown.map(|node| (self.xml.place(node), Self::shown(node)));
                 Body::Chart(shown.collect())
             }
             other => {
@@ -74,7 +74,7 @@ impl<'x> Reader<'x, '_> {
     }
 
     /// A part of a chart in words.
-    fn shown(&self, node: Node<'x, '_>) -> String {
+    fn shown(node: Node<'x, '_>) -> String {
         let mut said = Element::name(&node).to_owned();
         for attribute in ["name", "targetName", "priority"] {
             if let Some(value) = node.attribute(attribute) {
@@ -325,7 +325,7 @@ impl<'x> Reader<'x, '_> {
         };
         if let Some(first) = reading.by_id.get(id) {
             let first = reading.graph.nodes[*first].place;
-            let why = format!("the element at {first} has this localId too, and wires lead to that");
+            let why = format!("the element at {first} has this localId too, and wires end at that");
             self.project
                 .report
                 .approximated(self.xml.place(node), format!("localId {id}"), why);

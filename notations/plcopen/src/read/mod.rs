@@ -60,6 +60,18 @@ pub(super) fn project(text: &str) -> Result<Project, ReadError> {
         project: Project::default(),
     };
     reader.project(root);
+    let Project {
+        types,
+        globals,
+        units,
+        ..
+    } = &reader.project;
+    if types.is_empty() && globals.is_empty() && units.is_empty() {
+        return Err(ReadError::at(
+            place,
+            "nothing is in the project: no program, no type, no variable",
+        ));
+    }
     Ok(reader.project)
 }
 
@@ -96,14 +108,14 @@ impl<'x> Reader<'x, '_> {
         let types = root.child("types");
         for node in types
             .iter()
-            .flat_map(|types| types.child("dataTypes"))
+            .filter_map(|types| types.child("dataTypes"))
             .flat_map(|list| list.elements())
         {
             self.data_type(node);
         }
         for node in types
             .iter()
-            .flat_map(|types| types.child("pous"))
+            .filter_map(|types| types.child("pous"))
             .flat_map(|list| list.elements())
         {
             self.unit(node);
@@ -148,7 +160,7 @@ impl<'x> Reader<'x, '_> {
         let returns = returns.and_then(|node| node.elements().next());
         let returns = returns.map(|node| self.ty(node, 0));
         let mut variables = Vec::new();
-        for list in interface.iter().flat_map(|interface| interface.elements()) {
+        for list in interface.iter().flat_map(super::xml::Element::elements) {
             if let Some(role) = role(list) {
                 variables.extend(self.variable_list(list, role, 0));
             }
@@ -251,7 +263,7 @@ impl<'x> Reader<'x, '_> {
         }
     }
 
-    /// The name of the program that an instance is of. CODESYS gives the instance its name and leaves the type empty.
+    /// The name of the program that an instance is of. In CODESYS the instance has its name, and the type is empty.
     fn instance(&self, node: Node<'x, '_>) -> (ladder_notation::LineColumn, String) {
         let named = |name| node.attribute(name).filter(|name| !name.is_empty());
         let name = named("typeName").or_else(|| named("name")).unwrap_or_default();

@@ -16,7 +16,7 @@ pub(super) enum Class {
     Compare(&'static str),
     /// AND, OR, XOR, NOT and comparisons of which a tag holds the result.
     Logic(Function),
-    /// An instruction that gives a value, by its mnemonic.
+    /// An instruction that makes a value, by its mnemonic.
     Value(&'static str),
     /// A value in another type.
     Convert,
@@ -148,14 +148,14 @@ pub(super) fn result_output(node: &Node) -> Option<usize> {
         .position(|output| !is_enable_out(&output.name))
 }
 
-/// For blocks with a state its type; the inner None: an edge detector.
-pub(super) fn state(shared: &Shared<'_>, name: &str) -> Option<Option<String>> {
+/// The type of the tag that a block has: its state, or the power after an edge detector.
+pub(super) fn state(shared: &Shared<'_>, name: &str) -> Option<String> {
     if let Some(block) = shared.blocks.get(&name.to_lowercase()) {
-        return (block.unit.kind == UnitKind::FunctionBlock).then(|| Some(block.name.clone()));
+        return (block.unit.kind == UnitKind::FunctionBlock).then(|| block.name.clone());
     }
     match standard::block(name)? {
-        StandardBlock::Stateful(mnemonic, ..) => Some(Some(mnemonic.to_owned())),
-        StandardBlock::Rising | StandardBlock::Falling => Some(None),
+        StandardBlock::Stateful(mnemonic, ..) => Some(mnemonic.to_owned()),
+        StandardBlock::Rising | StandardBlock::Falling => Some("BOOL".to_owned()),
     }
 }
 

@@ -1,4 +1,4 @@
-//! A drawing as networks: what writes is taken in the order of the source, with all that leads to it; what is taken one
+//! A drawing as networks: what writes is taken in the order of the source, with all that feeds it; what is taken one
 //! after the other and shares elements is one network, as long as that reads and writes as the source does.
 
 use super::blocks::{self, Class};
@@ -22,7 +22,7 @@ pub(super) struct Made {
     pub(super) needed: HashSet<String>,
 }
 
-/// What leads to all that is done in a drawing has no more elements, each counted wherever it leads to.
+/// What feeds all that is done in a drawing has no more elements, each counted for all that it feeds.
 const MOST_WORK: usize = 1_000_000;
 
 /// A drawing on its way.
@@ -49,7 +49,7 @@ pub(super) struct Body<'b> {
     pub(super) operands: HashMap<(usize, usize), Operand>,
     /// The instances of blocks, as they are written here.
     pub(super) instances: HashMap<usize, Operand>,
-    /// What is done in the next network, and what leads to it.
+    /// What is done in the next network, and what feeds it.
     group: Vec<usize>,
     shown: HashSet<usize>,
     work: usize,
@@ -125,12 +125,12 @@ impl<'b> Body<'b> {
     /// Instances, and which tags are read by name.
     fn names(&mut self) {
         for node in 0..self.graph.nodes.len() {
-            let text = match &self.graph.nodes[node].kind {
-                Kind::Contact(text, _)
-                | Kind::Coil(text, ..)
-                | Kind::Value(text, _)
-                | Kind::Variable(text, _) => text,
-                _ => continue,
+            let (Kind::Contact(text, _)
+            | Kind::Coil(text, ..)
+            | Kind::Value(text, _)
+            | Kind::Variable(text, _)) = &self.graph.nodes[node].kind
+            else {
+                continue;
             };
             if let Ok(operand) = self.operand(text) {
                 self.made.needed.extend(operand.reads);
@@ -153,7 +153,6 @@ impl<'b> Body<'b> {
                         .filter(|name| *name != "???")
                         .map(str::to_owned);
                     let like = like.unwrap_or_else(|| name.to_lowercase());
-                    let ty = ty.unwrap_or_else(|| "BOOL".to_owned());
                     let text = self.helper(&like, &ty, "a block that the project does not declare");
                     Ok(Operand {
                         text,
@@ -216,7 +215,7 @@ impl<'b> Body<'b> {
                 }
             }
             Kind::Block { .. } => {
-                if self.class(node).is_some_and(|class| class.acts()) || unused {
+                if self.class(node).is_some_and(super::blocks::Class::acts) || unused {
                     self.root(node);
                 }
             }
@@ -241,7 +240,7 @@ impl<'b> Body<'b> {
             return;
         }
         let mut own = HashSet::new();
-        self.leads_to(node, &mut own);
+        self.feeds(node, &mut own);
         self.work += own.len();
         if self.work > MOST_WORK {
             self.refuse(node, "the drawing is larger than what can be read");
@@ -259,7 +258,7 @@ impl<'b> Body<'b> {
         self.group.push(node);
     }
 
-    /// Whether what leads to an element belongs into the network so far: something of it stands there, and reads nothing
+    /// Whether what feeds an element belongs into the network so far: something of it stands there, and reads nothing
     /// that is written in it before. Else all of it is read again.
     fn goes_on(&self, own: &HashSet<usize>) -> bool {
         let mut both = own.intersection(&self.shown).peekable();
@@ -274,7 +273,7 @@ impl<'b> Body<'b> {
     }
 
     /// All elements that power goes through on its way to an element.
-    fn leads_to(&self, node: usize, all: &mut HashSet<usize>) {
+    fn feeds(&self, node: usize, all: &mut HashSet<usize>) {
         let mut waiting = vec![node];
         while let Some(node) = waiting.pop() {
             if self.graph.nodes[node].kind == Kind::LeftRail || !all.insert(node) {
@@ -398,7 +397,7 @@ impl<'b> Body<'b> {
         }
     }
 
-    /// The outputs that lead to an element, each after those that lead to it.
+    /// The outputs that feed an element, each after those that feed it.
     fn ends_before(&self, node: usize) -> Vec<End> {
         let mut done = HashSet::new();
         let mut out = Vec::new();

@@ -166,7 +166,10 @@ impl Body<'_> {
     /// A value that a variable takes.
     pub(super) fn moved(&mut self, node: usize, tag: &Operand, value: &Operand) -> String {
         // The count of a counter is a DINT here, and an INT there.
-        let is_count = value.text.ends_with(".CV");
+        let is_count = value
+            .text
+            .rsplit_once('.')
+            .is_some_and(|(_, member)| member == "CV");
         let fits = matches!(&tag.ty, Some(Type::Named(name)) if matches!(standard::elementary(name), Some("DINT" | "LINT")));
         let mnemonic = if is_count && !fits { "TYP" } else { "MOV" };
         if let Kind::Variable(_, true) = self.graph.nodes[node].kind {

@@ -1,7 +1,8 @@
 //! Declarations: types, variables, initial values.
 
+use super::initial::{initial_text, zero};
 use crate::expression::{Meaning, address_of, operand};
-use crate::model::{Initial, Project, Role, Type, Unit, UnitKind, Variable};
+use crate::model::{Project, Role, Type, Unit, UnitKind, Variable};
 use crate::scope::{Scope, Shared, local, member, trigger};
 use crate::standard::{self, StandardBlock};
 use ladder_format::program::{Declaration, Item, Qualifier, Section, SectionKind};
@@ -13,6 +14,9 @@ use ladder_notation::{LineColumn, Reading};
 ///
 /// Why it has no counterpart.
 pub(super) fn type_text(shared: &Shared<'_>, ty: &Type) -> Result<String, String> {
+    if let Type::Other(what) = shared.real(ty) {
+        return Err(format!("{what} has no counterpart"));
+    }
     Ok(match ty {
         Type::Named(name) => {
             if let Some((spelled, _)) = shared.types.get(&name.to_lowercase()) {
@@ -379,136 +383,4 @@ impl Sections {
         let qualifier = variable.qualifier.filter(|_| kind != SectionKind::VarInOut);
         self.push(kind, qualifier, declaration);
     }
-}
-
-/// What an input has that nothing is wired to.
-fn zero(shared: &Shared<'_>, ty: &Type) -> Option<String> {
-    let text = type_text(shared, shared.real(ty)).ok()?;
-    let zero = match text.as_str() {
-        "BOOL" => "FALSE",
-        "REAL" | "LREAL" => "0.0",
-        "TIME" => "T#0s",
-        "DATE" | "TOD" | "DT" => return None,
-        _ if text.starts_with("STRING") => "''",
-        _ if standard::elementary(&text).is_some() => "0",
-        _ => return None,
-    };
-    Some(zero.to_owned())
-}
-
-/// An initial value as it is written here.
-///
-/// # Errors
-///
-/// Why it has no counterpart.
-pub(super) fn initial_text(shared: &Shared<'_>, ty: &Type, initial: &Initial) -> Result<String, String> {
-    match initial {
-        Initial::Simple(text) => simple(shared, ty, text),
-        Initial::Array(values) => {
-            let of = match shared.real(ty) {
-                Type::Array(_, of) => of,
-                _ => return Err("only an array begins with several values".to_owned()),
-            };
-            let values: Result<Vec<String>, String> = values
-                .iter()
-                .map(|(times, value)| {
-                    let value = initial_text(shared, of, value)?;
-                    Ok(if *times == 1 {
-                        value
-                    } else {
-                        format!("{times}({value})")
-                    })
-                })
-                .collect();
-            Ok(format!("[{}]", values?.join(", ")))
-        }
-        Initial::Structure(values) => {
-            let members = shared.members(ty).ok_or("only a structure begins with members")?;
-            let values: Result<Vec<String>, String> = values
-                .iter()
-                .map(|(name, value)| {
-                    let found = members.iter().find(|one| one.name.eq_ignore_ascii_case(name));
-                    let found = found.ok_or_else(|| format!("its type has no member `{name}`"))?;
-                    Ok(format!(
-                        "{} := {}",
-                        member(&found.name),
-                        initial_text(shared, &found.ty, value)?
-                    ))
-                })
-                .collect();
-            Ok(format!("({})", values?.join(", ")))
-        }
-    }
-}
-
-fn simple(shared: &Shared<'_>, ty: &Type, text: &str) -> Result<String, String> {
-    let real = shared.real(ty);
-    let name = match real {
-        Type::Named(name) => standard::elementary(name),
-        Type::Text(_) => Some("STRING"),
-        _ => None,
-    };
-    match (name, text) {
-        (Some("BOOL"), "0") => return Ok("FALSE".to_owned()),
-        (Some("BOOL"), "1") => return Ok("TRUE".to_owned()),
-        (Some("STRING"), text) if !text.starts_with(['\'', '"']) => {
-            let quoted = text.replace('$', "$$").replace('\'', "$'");
-            return operand(
-                &format!("'{quoted}'"),
-                Meaning {
-                    shared,
-                    scope: &Scope::default(),
-                },
-            )
-            .map(|it| it.text);
-        }
-        _ => {}
-    }
-    let value = operand(
-        text,
-        Meaning {
-            shared,
-            scope: &Scope::default(),
-        },
-    )?;
-    let is_whole = value.text.bytes().all(|c| c.is_ascii_digit() || c == b'-');
-    match name {
-        Some("REAL" | "LREAL") if is_whole => Ok(format!("{}.0", value.text)),
-        _ => Ok(value.text),
-    }
-}
-
-/// A duration such as `T#20ms`, in nanoseconds.
-pub(super) fn nanoseconds(text: &str) -> Option<u64> {
-    let rest = text.trim().to_ascii_lowercase();
-    let rest = rest.split_once('#').map_or(rest.as_str(), |(_, rest)| rest);
-    let mut total: f64 = 0.0;
-    let mut rest = rest.replace('_', "");
-    while !rest.is_empty() {
-        let end = rest.find(|c: char| !c.is_ascii_digit() && c != '.')?;
-        let number: f64 = rest[..end].parse().ok()?;
-        let after = rest[end..].to_owned();
-        let units = [
-            ("ms", 1e6),
-            ("us", 1e3),
-            ("ns", 1.0),
-            ("d", 864e11),
-            ("h", 36e11),
-            ("m", 6e10),
-            ("s", 1e9),
-        ];
-        let (unit, size) = units.iter().find(|(unit, _)| after.starts_with(unit))?;
-        total += number * size;
-        rest = after[unit.len()..].to_owned();
-    }
-    (total > 0.0 && total < 1e18).then_some(total as u64)
-}
-
-/// A scan's length as settings have it: `20ms`.
-pub(super) fn interval(nanoseconds: u64) -> Option<String> {
-    let units = [(1_000_000_000, "s"), (1_000_000, "ms"), (1_000, "us")];
-    let (size, unit) = units
-        .iter()
-        .find(|(size, _)| nanoseconds % size == 0 && nanoseconds > 0)?;
-    Some(format!("{}{unit}", nanoseconds / size))
 }

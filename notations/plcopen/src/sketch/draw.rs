@@ -1,10 +1,10 @@
-//! One network: everything that leads to what is done in it, as wires between points.
+//! One network: everything that feeds what is done in it, as wires between points.
 
 use super::blocks::{Class, power_output, power_pins};
 use super::body::Body;
 use crate::expression::{Form, Operand};
-use crate::graph::{Edge, End, Kind, Modifier, Storage};
-use crate::standard::{Gate, StandardBlock};
+use crate::graph::{Edge, End, Kind, Modifier};
+use crate::standard::StandardBlock;
 use ladder_format::Circuit;
 use ladder_format::program::Element;
 use ladder_notation::circuit::Wires;
@@ -26,11 +26,11 @@ pub(super) enum Target {
 /// A network has no more elements.
 const MOST_ELEMENTS: usize = 1_000;
 
-/// No more wires lead to one pin.
+/// No more wires end at one pin.
 const MOST_BRANCHES: usize = 200;
 
 /// The number of the left rail.
-const RAIL: usize = Wires::SOURCE;
+pub(super) const RAIL: usize = Wires::SOURCE;
 
 /// Why something cannot be drawn: which element, and why.
 pub(super) type Refused = (usize, String);
@@ -57,7 +57,7 @@ pub(super) struct Pencil<'d, 'b> {
     /// The points after coils and blocks.
     after: HashMap<usize, usize>,
     executed: Vec<usize>,
-    shown: HashSet<usize>,
+    pub(super) shown: HashSet<usize>,
     held: Vec<(End, String)>,
 }
 
@@ -158,6 +158,12 @@ impl Pencil<'_, '_> {
         }
     }
 
+    /// Wires from points to another, which has the power of all.
+    pub(super) fn join(&mut self, points: Vec<usize>, to: usize) {
+        self.wires
+            .extend(points.into_iter().map(|from| (from, to, Vec::new())));
+    }
+
     pub(super) fn point(&mut self) -> usize {
         self.points += 1;
         Wires::point(self.points - 1)
@@ -189,7 +195,7 @@ impl Pencil<'_, '_> {
     }
 
     /// A comment in the place of an element.
-    fn stand_in(&mut self, from: usize, node: usize) -> usize {
+    pub(super) fn stand_in(&mut self, from: usize, node: usize) -> usize {
         let shown = super::blocks::shown(&self.body.graph.nodes[node]);
         let comment = Element::comment(&format!("{shown}: not translated"), None);
         self.series(from, [comment.text], node)
@@ -249,7 +255,7 @@ impl Pencil<'_, '_> {
     }
 
     /// The tag of a contact or coil.
-    fn tag(&self, node: usize, text: &str) -> Result<Operand, Refused> {
+    pub(super) fn tag(&self, node: usize, text: &str) -> Result<Operand, Refused> {
         let operand = self.body.operand(text).map_err(|why| (node, why))?;
         match operand.form {
             Form::Path | Form::NotPath => Ok(operand),
@@ -265,38 +271,6 @@ impl Pencil<'_, '_> {
                 })
             }
             Form::Literal | Form::Expression => Err((node, "it is no variable".to_owned())),
-        }
-    }
-
-    /// A coil, and whether power goes on after it as it came. What comes after other coils in the source has the power
-    /// from before them.
-    fn coil(
-        &mut self,
-        node: usize,
-        tag: &Operand,
-        modifier: Modifier,
-        storage: Storage,
-    ) -> (Vec<String>, bool) {
-        let tag = &tag.text;
-        let dropped = (modifier.negated && (storage != Storage::None || modifier.edge != Edge::None))
-            || (storage != Storage::None && modifier.edge != Edge::None);
-        if dropped {
-            self.body.note(
-                node,
-                "it is negated, latched or of an edge at once: only the first of these counts",
-            );
-        }
-        let one = |text: &str| (vec![format!("{text}( {tag} )")], false);
-        match (modifier.negated, storage, modifier.edge) {
-            (true, ..) => (vec![format!("(/)( {tag} )")], true),
-            (false, Storage::Set, _) => one("(S)"),
-            (false, Storage::Reset, _) => one("(R)"),
-            (false, Storage::None, Edge::None) => (vec![format!("( )( {tag} )")], true),
-            (false, Storage::None, Edge::Rising) => one("(P)"),
-            // The first scan without power counts as a fall in the standard.
-            (false, Storage::None, Edge::Falling) => {
-                (vec!["[NOT]".to_owned(), format!("(P)( {tag} )")], false)
-            }
         }
     }
 
@@ -334,7 +308,7 @@ impl Pencil<'_, '_> {
             }
             [end] => self.source(node, *end, start)?,
             ends if ends.len() > MOST_BRANCHES => {
-                return Err((node, format!("more than {MOST_BRANCHES} wires lead to it")));
+                return Err((node, format!("more than {MOST_BRANCHES} wires end at it")));
             }
             ends => {
                 let mut points = Vec::new();
@@ -342,9 +316,7 @@ impl Pencil<'_, '_> {
                     points.push(self.source(node, *end, start)?);
                 }
                 let point = self.point();
-                points
-                    .into_iter()
-                    .for_each(|from| self.wires.push((from, point, Vec::new())));
+                self.join(points, point);
                 point
             }
         };
@@ -360,30 +332,7 @@ impl Pencil<'_, '_> {
         Ok(point)
     }
 
-    /// What comes to a pin, inverted, if that is one contact.
-    fn inverted(&mut self, node: usize, pin: usize, start: usize) -> Result<Option<usize>, Refused> {
-        let Some(end) = self.body.invertible(node, pin) else {
-            return Ok(None);
-        };
-        self.shown.insert(end.node);
-        let graph = self.body.graph;
-        let point = match &graph.nodes[end.node].kind {
-            Kind::Contact(text, modifier) => {
-                let tag = self.tag(end.node, text)?;
-                let modifier = Modifier {
-                    negated: !modifier.negated,
-                    edge: Edge::None,
-                };
-                let texts = self.contact(end.node, &tag, modifier, false);
-                self.series(start, texts, end.node)
-            }
-            Kind::Value(text, negated) => self.value(end, text, !negated, start)?,
-            _ => return Ok(None),
-        };
-        Ok(Some(point))
-    }
-
-    fn source(&mut self, node: usize, end: End, start: usize) -> Result<usize, Refused> {
+    pub(super) fn source(&mut self, node: usize, end: End, start: usize) -> Result<usize, Refused> {
         if self.body.graph.feedback.contains(&(node, end)) {
             return self.referenced(end, start);
         }
@@ -461,68 +410,6 @@ impl Pencil<'_, '_> {
         }
     }
 
-    /// A value where power is wanted.
-    fn value(&mut self, end: End, text: &str, negated: bool, start: usize) -> Result<usize, Refused> {
-        if self.body.is_refused(end.node) {
-            return Ok(self.stand_in(start, end.node));
-        }
-        let operand = self.body.operand(text).map_err(|why| (end.node, why))?;
-        let contact = |negated: bool| if negated { "[/]" } else { "[ ]" };
-        let text = match operand.form {
-            Form::Literal => match (operand.text.as_str(), negated) {
-                ("TRUE" | "BOOL#TRUE" | "BOOL#1", false) | ("FALSE" | "BOOL#FALSE" | "BOOL#0", true) => {
-                    return Ok(start);
-                }
-                ("TRUE" | "BOOL#TRUE" | "BOOL#1", true) | ("FALSE" | "BOOL#FALSE" | "BOOL#0", false) => {
-                    "[ ]( SYS.OFF )".to_owned()
-                }
-                _ => return Err((end.node, "it is no power".to_owned())),
-            },
-            Form::Path => format!("{}( {} )", contact(negated), operand.text),
-            Form::NotPath => format!("{}( {} )", contact(!negated), &operand.text[4..]),
-            Form::Expression => {
-                let tag = self.body.results.get(&end);
-                let tag = tag.ok_or_else(|| (end.node, "its value is not known here".to_owned()))?;
-                format!("{}( {tag} )", contact(negated))
-            }
-        };
-        Ok(self.series(start, [text], end.node))
-    }
-
-    fn contact(&mut self, node: usize, tag: &Operand, modifier: Modifier, is_at_rail: bool) -> Vec<String> {
-        let (tag, is_not) = match tag.form {
-            Form::NotPath => (&tag.text[4..], true),
-            _ => (tag.text.as_str(), false),
-        };
-        if modifier.negated && modifier.edge != Edge::None {
-            self.body.note(
-                node,
-                "it is negated and of an edge at once: the edge does not count",
-            );
-        }
-        match (modifier.negated != is_not, modifier.edge) {
-            (true, Edge::Rising | Edge::Falling) if is_not && !modifier.negated => {
-                self.body
-                    .note(node, "the edge of what is inverted does not count");
-                vec![format!("[/]( {tag} )")]
-            }
-            (true, _) => vec![format!("[/]( {tag} )")],
-            (false, Edge::Rising) if !modifier.negated => vec![format!("[P]( {tag} )")],
-            // The first scan with the tag low counts as a fall in the standard.
-            (false, Edge::Falling) if !modifier.negated && is_at_rail => {
-                vec![format!("[/]( {tag} )"), "[OSR]".to_owned()]
-            }
-            (false, Edge::Falling) if !modifier.negated => {
-                self.body.note(
-                    node,
-                    "the first scan with the tag low counts as a fall there, and not here",
-                );
-                vec![format!("[N]( {tag} )")]
-            }
-            (false, _) => vec![format!("[ ]( {tag} )")],
-        }
-    }
-
     fn block_end(&mut self, end: End, start: usize) -> Result<usize, Refused> {
         let node = end.node;
         let Some(class) = self.body.class(node) else {
@@ -554,51 +441,6 @@ impl Pencil<'_, '_> {
         } else {
             point
         })
-    }
-
-    /// A gate or a comparison.
-    fn condition(&mut self, node: usize, class: Class, start: usize) -> Result<usize, Refused> {
-        if self.body.is_refused(node) {
-            return Ok(self.stand_in(start, node));
-        }
-        let pins = 0..self.body.graph.nodes[node].inputs.len();
-        let used = |pencil: &Self, pin: usize| !pencil.body.graph.nodes[node].inputs[pin].from.is_empty();
-        let pins: Vec<usize> = pins.filter(|pin| used(self, *pin)).collect();
-        match class {
-            Class::Gate(Gate::And) => {
-                let mut point = start;
-                for pin in pins {
-                    point = self.pin(node, pin, point)?;
-                }
-                Ok(point)
-            }
-            Class::Gate(Gate::Or) => {
-                let mut points = Vec::new();
-                for pin in pins {
-                    points.push(self.pin(node, pin, start)?);
-                }
-                let point = self.point();
-                points
-                    .into_iter()
-                    .for_each(|from| self.wires.push((from, point, Vec::new())));
-                Ok(point)
-            }
-            Class::Gate(_) => {
-                if let Some(point) = self.inverted(node, 0, start)? {
-                    return Ok(point);
-                }
-                if let (true, Some(operand)) = (start != RAIL, self.body.operands.get(&(node, 0))) {
-                    let text = format!("[/]( {} )", operand.text);
-                    return Ok(self.series(start, [text], node));
-                }
-                let point = self.pin(node, 0, start)?;
-                Ok(self.series(point, ["[NOT]".to_owned()], node))
-            }
-            _ => {
-                let text = self.body.condition_text(node, class).map_err(|why| (node, why))?;
-                Ok(self.series(start, [text], node))
-            }
-        }
     }
 
     /// A block that does something, from the rail on; comes back where its power leaves.

@@ -5,6 +5,9 @@ mod body;
 mod call;
 mod declare;
 mod draw;
+mod duration;
+mod initial;
+mod power;
 mod prepare;
 mod units;
 
@@ -29,7 +32,7 @@ pub fn reading(project: Project) -> Reading {
     let blocks = blocks(&shared, project, &mut reading);
     let order = order(project, &mut reading.report);
     let mut items: Vec<Item> = project.comments.iter().cloned().map(Item::Comment).collect();
-    if let Some(interval) = shortest(project).and_then(declare::interval) {
+    if let Some(interval) = shortest(project).and_then(duration::interval) {
         items.push(Item::Directive(format!("cycle {interval}")));
     }
     for part in [&types, &globals, &blocks] {
@@ -132,7 +135,7 @@ fn order<'p>(project: &'p Project, report: &mut Report) -> Vec<(&'p Unit, bool)>
     for task in tasks {
         let shown = format!("task {}", task.name);
         match task.interval.as_deref() {
-            Some(interval) if declare::nanoseconds(interval) != shortest => {
+            Some(interval) if duration::nanoseconds(interval) != shortest => {
                 let why = format!("it runs every {interval} there, and in every scan here");
                 report.approximated(task.place, shown, why);
             }
@@ -173,7 +176,7 @@ fn order<'p>(project: &'p Project, report: &mut Report) -> Vec<(&'p Unit, bool)>
 fn shortest(project: &Project) -> Option<u64> {
     let intervals = project.tasks.iter().filter_map(|task| task.interval.as_deref());
     intervals
-        .filter_map(declare::nanoseconds)
+        .filter_map(duration::nanoseconds)
         .filter(|interval| *interval > 0)
         .min()
 }
@@ -235,7 +238,7 @@ fn files(shared: &Shared<'_>, project: &Project, parts: [(&str, Vec<Item>); 3]) 
         items.extend(inside.items);
         files.push(file(&unit.name, Content::Program(ProgramSketch { items })));
     }
-    let interval = shortest(project).and_then(declare::interval);
+    let interval = shortest(project).and_then(duration::interval);
     let mut settings = format!(
         "# {}\n",
         project

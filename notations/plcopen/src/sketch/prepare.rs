@@ -1,4 +1,4 @@
-//! What must stand above a network: the blocks that lead to its operands, and tags for power that is an operand.
+//! What must stand above a network: the blocks that its operands come from, and tags for power that is an operand.
 
 use super::blocks::{Class, is_enable, operand_pins, power_output, power_pins, result_output};
 use super::body::Body;
@@ -29,12 +29,10 @@ impl Body<'_> {
                 }
             }
             Kind::Variable(text, _) => {
-                if !self.is_written_by_power(node, text) {
-                    if let Err(why) = self.direct(node, 0, seen) {
-                        self.refuse(node, why);
-                    }
-                } else {
+                if self.is_written_by_power(node, text) {
                     self.prepare_pin(node, 0, inline, seen);
+                } else if let Err(why) = self.direct(node, 0, seen) {
+                    self.refuse(node, why);
                 }
             }
             _ => {
@@ -135,10 +133,10 @@ impl Body<'_> {
         match &self.graph.nodes[node].kind {
             Kind::Value(text, _) => {
                 let form = self.operand(text).map(|operand| operand.form);
-                if form == Ok(Form::Expression) {
-                    if let Err(why) = self.computed(end) {
-                        self.refuse(node, why);
-                    }
+                if form == Ok(Form::Expression)
+                    && let Err(why) = self.computed(end)
+                {
+                    self.refuse(node, why);
                 }
             }
             Kind::Block { .. } => {
@@ -164,7 +162,7 @@ impl Body<'_> {
         self.flush();
         // It may have stood in the network that is written now.
         if !self.executed[node] && !self.network(&[Target::Root(node)]) {
-            let why = "what leads to it is larger than what can be drawn";
+            let why = "what feeds it is larger than what can be drawn";
             self.refuse(node, why);
             self.executed[node] = true;
         }
@@ -207,7 +205,7 @@ impl Body<'_> {
         self.results_of(node, class)
     }
 
-    /// The tags that hold what a function gives.
+    /// The tags that hold the results of a function.
     fn results_of(&mut self, node: usize, class: Class) -> Result<(), String> {
         let is_function = matches!(
             class,
@@ -391,7 +389,7 @@ impl Body<'_> {
             return Ok(path(tag.clone()));
         }
         let Kind::Block { name, .. } = &node.kind else {
-            return Err("what leads to it has no result".to_owned());
+            return Err("what feeds it has no result".to_owned());
         };
         let instance = self
             .instances
@@ -412,7 +410,7 @@ impl Body<'_> {
                 let known = known.ok_or_else(|| format!("`{name}` has no output `{output}`"))?;
                 Ok(path(format!("{instance}.{}", known.spelled)))
             }
-            _ => Err(format!("nothing holds what `{name}` gives at `{output}`")),
+            _ => Err(format!("nothing holds what `{name}` has at `{output}`")),
         }
     }
 }

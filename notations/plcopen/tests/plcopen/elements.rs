@@ -258,7 +258,7 @@ fn functions() {
 
             +--# block MYSTERY: not translated #--# output n: not translated #-------------+
             refused block MYSTERY: neither the project nor ladder text has a block `MYSTERY`
-            refused output n: nothing holds what `MYSTERY` gives at `OUT`
+            refused output n: nothing holds what `MYSTERY` has at `OUT`
         "#]],
     );
 }
@@ -418,12 +418,12 @@ fn loops_and_open_ends() {
             |  /--[ ]( T1.Q )--[ ]( a )--/                                                 |
 
             +--[ ]( q )--------------------------------------------------------------------+
-            refused wire: a wire leads from it back to it, without a block between: that wire is left out
+            refused wire: its power comes back to it, without a block between: that wire is left out
             approximated contact q: nothing is wired to it: no power comes there
             approximated coil a: nothing is wired to it: no power comes there
             approximated contact a: nothing is wired to it: no power comes there
             refused connection to 77: no element has this localId
-            approximated localId 6: the element at 9:1 has this localId too, and wires lead to that
+            approximated localId 6: the element at 9:1 has this localId too, and wires end at that
         "#]],
     );
 }

@@ -25,7 +25,7 @@ const VARIABLES: &str = r#"<interface>
 <variable name="phase"><type><derived name="Phase"/></type><initialValue><simpleValue value="IDLE"/></initialValue></variable>
 <variable name="motor"><type><derived name="Motor"/></type><initialValue><structValue><value member="speed"><simpleValue value="20"/></value></structValue></initialValue></variable>
 <variable name="mix"><type><array><dimension lower="1" upper="4"/><baseType><INT/></baseType></array></type><initialValue><arrayValue><value><simpleValue value="1"/></value><value repetitionValue="3"><simpleValue value="2"/></value></arrayValue></initialValue></variable>
-<variable name="text"><type><string length="20"/></type><initialValue><simpleValue value="'it''"/></initialValue></variable>
+<variable name="text"><type><string length="20"/></type><initialValue><simpleValue value="'it$'s'"/></initialValue></variable>
 <variable name="far"><type><derived name="Far"/></type></variable>
 <variable name="share"><type><derived name="Percent"/></type></variable>
 </localVars>
@@ -74,88 +74,86 @@ fn several_programs_in_one() {
     check(
         &plant(),
         expect![[r#"
-        # ladder: cycle 20ms #
+            # ladder: cycle 20ms #
 
-        TYPE
-            Phase   : (IDLE, FILLING := 5) := FILLING;
-            Motor   : STRUCT
-                speed : REAL := 50.0;
-                times : ARRAY[0..3] OF TIME;
-            END_STRUCT;
-            Percent : INT(0..100);
-        END_TYPE
+            TYPE
+                Phase   : (IDLE, FILLING := 5) := FILLING;
+                Motor   : STRUCT
+                    speed : REAL := 50.0;
+                    times : ARRAY[0..3] OF TIME;
+                END_STRUCT;
+                Percent : INT(0..100);
+            END_TYPE
 
-        VAR_GLOBAL
-            level : INT;
-        END_VAR
+            VAR_GLOBAL
+                level : INT;
+            END_VAR
 
-        # of Second #
-        VAR
-            out  : BOOL;
-            hold : BOOL;
-        END_VAR
+            # of Second #
+            VAR
+                out  : BOOL;
+                hold : BOOL;
+            END_VAR
 
-        # of First #
-        VAR RETAIN
-            total : DINT;
-        END_VAR
-        VAR CONSTANT
-            limit : INT := 80;
-        END_VAR
-        VAR
-            First_out  AT %QX0.1 : BOOL;  # out in the project: the pump #
-            deep                 : BOOL;  # AT %IX0.1.2 in the project #
-            phase                : Phase              := IDLE;
-            motor                : Motor              := (speed := 20.0);
-            mix                  : ARRAY[1..4] OF INT := [1, 3(2)];
-            text                 : STRING[20];  # an initial value in the project #
-            far                  : Far;
-            share                : Percent;
-            First_hold           : BOOL;  # hold in the project #
-        END_VAR
+            # of First #
+            VAR RETAIN
+                total : DINT;
+            END_VAR
+            VAR CONSTANT
+                limit : INT := 80;
+            END_VAR
+            VAR
+                First_out  AT %QX0.1 : BOOL;  # out in the project: the pump #
+                deep                 : BOOL;  # AT %IX0.1.2 in the project #
+                phase                : Phase              := IDLE;
+                motor                : Motor              := (speed := 20.0);
+                mix                  : ARRAY[1..4] OF INT := [1, 3(2)];
+                text                 : STRING[20]         := 'it$'s';
+                share                : Percent;
+                First_hold           : BOOL;  # hold in the project #
+            END_VAR
 
-        # of Idle #
-        VAR
-            x : INT;
-        END_VAR
+            # of Idle #
+            VAR
+                x : INT;
+            END_VAR
 
-        +------------------------------------------------------------<CALL>( Second )--+
+            +------------------------------------------------------------<CALL>( Second )--+
 
-        +-------------------------------------------------------------<CALL>( First )--+
+            +-------------------------------------------------------------<CALL>( First )--+
 
-        +--<FUN>( Second )-------------------------------------------------------------+
+            +--<FUN>( Second )-------------------------------------------------------------+
 
-        +--[ ]( hold )--\-----------------------------------------------( )( out )--\--+
-        |               /----------------------------------------------------<RET>--/  |
+            +--[ ]( hold )--\-----------------------------------------------( )( out )--\--+
+            |               /----------------------------------------------------<RET>--/  |
 
-        +--<FUN>( First )--------------------------------------------------------------+
+            +--<FUN>( First )--------------------------------------------------------------+
 
-        # motor.speed, which nothing is wired to #
-        +--[EQ]( phase, FILLING )------------------------------------( )( First_out )--+
+            # motor.speed, which nothing is wired to #
+            +--[EQ]( phase, FILLING )------------------------------------( )( First_out )--+
 
-        +-----------------------------------------------[ADD]( level, level, mix[2] )--+
+            +-----------------------------------------------[ADD]( level, level, mix[2] )--+
 
-        +--[ ]( First_out )-----------------------------------------( )( First_hold )--+
+            +--[ ]( First_out )-----------------------------------------( )( First_hold )--+
 
-        +--<FUN>( Idle )---------------------------------------------------------------+
+            +--<FUN>( Idle )---------------------------------------------------------------+
 
-        # In ST, which is not run here: #
-        # x := x + 1; #
-        refused type Far: a pointer has no counterpart
-        approximated variable out: it is spelled `First_out` here
-        approximated variable deep AT %IX0.1.2: there is no such address here: the tag has none
-        approximated variable text an initial value: a string does not end
-        approximated variable hold: it keeps its value from one scan to the next here
-        approximated variable hold: it is spelled `First_hold` here
-        refused variable gone: the project has no global of this name
-        approximated input motor.speed: nothing is wired to it: it is a comment
-        approximated program Idle: no task runs it: it is a function that nothing calls
-        refused body of Idle: a body in ST is not run here: its text is a comment
-        approximated task slow: it runs every T#1s there, and in every scan here
-        refused instance of Second: the program runs once here, with one set of variables
-        refused instance of Nothing: there is no such program
-        error: there is no type `Far`
-    "#]],
+            # In ST, which is not run here: #
+            # x := x + 1; #
+            refused type Far: a pointer has no counterpart
+            approximated variable out: it is spelled `First_out` here
+            approximated variable deep AT %IX0.1.2: there is no such address here: the tag has none
+            refused variable far: a pointer has no counterpart
+            approximated variable hold: it keeps its value from one scan to the next here
+            approximated variable hold: it is spelled `First_hold` here
+            refused variable gone: the project has no global of this name
+            approximated input motor.speed: nothing is wired to it: it is a comment
+            approximated program Idle: no task runs it: it is a function that nothing calls
+            refused body of Idle: a body in ST is not run here: its text is a comment
+            approximated task slow: it runs every T#1s there, and in every scan here
+            refused instance of Second: the program runs once here, with one set of variables
+            refused instance of Nothing: there is no such program
+        "#]],
     );
 }
 
@@ -203,8 +201,7 @@ fn several_programs_as_files() {
             phase           : Phase              := IDLE;
             motor           : Motor              := (speed := 20.0);
             mix             : ARRAY[1..4] OF INT := [1, 3(2)];
-            text            : STRING[20];  # an initial value in the project #
-            far             : Far;
+            text            : STRING[20]         := 'it$'s';
             share           : Percent;
             hold            : BOOL;
         END_VAR
@@ -299,7 +296,7 @@ fn what_is_no_project() {
         "<a>".repeat(100_000),
         "</a>".repeat(100_000)
     );
-    expect![[""]].assert_eq(&text(&deep));
+    expect!["1:1: nothing is in the project: no program, no type, no variable"].assert_eq(&text(&deep));
     let wide = format!("<project>{}</project>", "<a/>".repeat(600_000));
     expect!["1:1: the file has more than 500000 elements; projects do not"].assert_eq(&text(&wide));
 }
