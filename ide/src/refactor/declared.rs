@@ -44,9 +44,10 @@ pub(super) fn selected(context: &Context, range: TextRange) -> Vec<DeclaredTag<'
     let sections = 0..context.parse.frame().sections.len();
     let touches = |tag: &DeclaredTag<'_>| {
         let line = context.parse.line_range(tag.line);
-        match range.is_empty() {
-            true => tag.at.contains_inclusive(range.start()),
-            false => tag.at.start() < range.end() && range.start() < line.end(),
+        if range.is_empty() {
+            tag.at.contains_inclusive(range.start())
+        } else {
+            tag.at.start() < range.end() && range.start() < line.end()
         }
     };
     sections

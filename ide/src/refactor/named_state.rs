@@ -10,8 +10,8 @@ use crate::symbol::{Symbol, block_file};
 use ladder_analysis::context::Context;
 use ladder_analysis::names::declaring::Places;
 use ladder_analysis::names::scope::SectionKind;
-use ladder_analysis::networks::BlockAt;
 use ladder_analysis::networks::network::{Formal, Meaning};
+use ladder_analysis::networks::{BlockAt, NetworkAt};
 use ladder_format::Edit;
 use ladder_syntax::{Name, TextRange};
 use std::sync::Arc;
@@ -97,7 +97,7 @@ fn named(
 fn number(context: &Context, scope: usize, block: BlockAt<'_>, name: &str) -> usize {
     let key = Name::new(name);
     let networks = context.networks.iter().filter(|network| network.scope == scope);
-    let blocks = networks.flat_map(|network| network.blocks());
+    let blocks = networks.flat_map(NetworkAt::blocks);
     let alike = blocks
         .filter(|other| other.user_name().is_some_and(|name| Name::new(name) == key) && !has_state(other));
     let before = alike.take_while(|other| other.range().start() < block.range().start());

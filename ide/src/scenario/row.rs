@@ -65,7 +65,7 @@ impl<'c> Files<'c> {
 
     /// The body of a block that a file knows: its file and scope.
     pub(super) fn body(&self, file: &Context, block: &Name) -> Option<(File<'c>, usize)> {
-        let home = self.named(&*block_file(file, block)?)?;
+        let home = self.named(&block_file(file, block)?)?;
         let own = home.user_blocks[..home.own_blocks].iter();
         let (_, scope) = own.zip(1..).find(|(facts, _)| facts.key == *block)?;
         Some((home, scope))
