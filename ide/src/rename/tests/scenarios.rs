@@ -244,3 +244,32 @@ fn types_members_values_and_instances() {
     "#]];
     expected.assert_eq(&shown);
 }
+
+/// The type is in one file, the scenarios are about another.
+#[test]
+fn members_of_types_in_other_files() {
+    check(
+        "%% types.clad\nTYPE\n    Valve : STRUCT\n        op$0en : BOOL;\n    END_STRUCT;\nEND_TYPE\n\
+         %% main.clad\nVAR v : Valve; END_VAR\n+--[ ]( a )--( )( v.open )--+\n\
+         %% a.ladder-test\nprogram main.clad\nscenario \"x\"\na         _-\nv.open => _-\n\
+         %% other.clad\nVAR v : BOOL; END_VAR\n+--[ ]( a )--( )( v )--+\n\
+         %% b.ladder-test\nprogram other.clad\nscenario \"open\"\nv => _-\n",
+        "on",
+        expect![[r#"
+            %% types.clad
+            TYPE
+                Valve : STRUCT
+                    on : BOOL;
+                END_STRUCT;
+            END_TYPE
+            %% main.clad
+            VAR v : Valve; END_VAR
+            +--[ ]( a )-------------------------------------------------------( )( v.on )--+
+            %% a.ladder-test
+            program main.clad
+            scenario "x"
+            a         _-
+            v.on   => _-
+        "#]],
+    );
+}
