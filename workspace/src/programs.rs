@@ -2,6 +2,7 @@
 
 use crate::disk::{Disk, SystemDisk};
 use crate::error::FileError;
+use crate::library::folder_errors;
 use crate::settings::Settings;
 use crate::settings::SettingsError;
 use crate::shown::from_here;
@@ -55,7 +56,7 @@ impl Workspace {
             Some(file) => {
                 let text = disk.settings_text(&file).map_err(SettingsError::File)?;
                 let settings = Settings::parse(&file, &text)?;
-                let errors = settings.folder_errors(&text, &**disk);
+                let errors = folder_errors(&settings, &text, &**disk);
                 if !errors.is_empty() {
                     return Err(SettingsError::Content { file, errors });
                 }

@@ -3,9 +3,7 @@
 
 use super::named_types::NamedTypes;
 use super::type_spec::{Limits, SpecKind, TypeSpec};
-use crate::context::Context;
 use crate::findings::article::with_article;
-use crate::names::operand_value::tag;
 use crate::networks::facts::{Node, NodeKind, Operator};
 use crate::values::constant::ConstantProblem;
 use crate::values::literal::Literal;
@@ -17,13 +15,13 @@ use std::sync::Arc;
 pub(crate) type Limited = (Scalar, Limits);
 
 /// What a declaration says, and the file that it is in, if that is another one.
-type Said<'t> = (&'t TypeSpec, Option<&'t Arc<str>>);
+pub(super) type Said<'t> = (&'t TypeSpec, Option<&'t Arc<str>>);
 
-/// Names of types lead to each other no more often than this: they may go in a circle.
+/// Names of types that stand for each other may go in a circle: no more of them are followed.
 const MOST_NAMES: usize = 50;
 
-/// The declaration after all names that only lead to another one.
-fn behind_names<'t>(types: &'t NamedTypes, mut said: Said<'t>) -> Option<Said<'t>> {
+/// The declaration after all names that only stand for another one.
+pub(super) fn resolved<'t>(types: &'t NamedTypes, mut said: Said<'t>) -> Option<Said<'t>> {
     for _ in 0..MOST_NAMES {
         match &said.0.kind {
             SpecKind::Named(name) => said = types.declaration(name, said.1)?,
@@ -34,8 +32,8 @@ fn behind_names<'t>(types: &'t NamedTypes, mut said: Said<'t>) -> Option<Said<'t
 }
 
 /// What is said of a member.
-fn member<'t>(types: &'t NamedTypes, said: Said<'t>, name: &str) -> Option<Said<'t>> {
-    let (spec, file) = behind_names(types, said)?;
+pub(super) fn member<'t>(types: &'t NamedTypes, said: Said<'t>, name: &str) -> Option<Said<'t>> {
+    let (spec, file) = resolved(types, said)?;
     let SpecKind::Structure(members) = &spec.kind else {
         return None;
     };
@@ -45,16 +43,16 @@ fn member<'t>(types: &'t NamedTypes, said: Said<'t>, name: &str) -> Option<Said<
 }
 
 /// What is said of the elements.
-fn element<'t>(types: &'t NamedTypes, said: Said<'t>) -> Option<Said<'t>> {
-    let (spec, file) = behind_names(types, said)?;
+pub(super) fn element<'t>(types: &'t NamedTypes, said: Said<'t>) -> Option<Said<'t>> {
+    let (spec, file) = resolved(types, said)?;
     match &spec.kind {
         SpecKind::Array(_, element) => Some((element, file)),
         _ => None,
     }
 }
 
-fn limits(types: &NamedTypes, said: Said<'_>) -> Option<Limited> {
-    match behind_names(types, said)?.0.kind {
+pub(super) fn limits(types: &NamedTypes, said: Said<'_>) -> Option<Limited> {
+    match resolved(types, said)?.0.kind {
         SpecKind::Subrange(scalar, limits) => Some((scalar, limits)),
         _ => None,
     }
@@ -69,47 +67,6 @@ pub(crate) fn message(number: i128, (scalar, (low, high)): Limited) -> Option<St
             with_article(scalar)
         )
     })
-}
-
-impl Context {
-    /// The limits of what a path of a scope means.
-    pub(crate) fn limits(&self, scope: usize, path: &Node) -> Option<Limited> {
-        limits(&self.types, self.said(scope, path)?.0)
-    }
-
-    /// The limits that the declaration of a parameter says.
-    pub(crate) fn limits_of<'c>(&'c self, spec: &'c TypeSpec, file: Option<&'c Arc<str>>) -> Option<Limited> {
-        limits(&self.types, (spec, file))
-    }
-
-    /// What is said of a path, and how many dimensions of an array are open in it.
-    fn said<'c>(&'c self, scope: usize, path: &Node) -> Option<(Said<'c>, usize)> {
-        let types = &self.types;
-        match &path.kind {
-            NodeKind::Name(name) => {
-                let (_, facts) = tag(self, scope, name)?;
-                let declared = facts.cold.declared.as_deref()?;
-                Some(((&declared.spec, facts.cold.foreign.as_ref()), 0))
-            }
-            NodeKind::Paren(inner) => self.said(scope, inner),
-            NodeKind::Member(base, word) => {
-                let (said, open) = self.said(scope, base)?;
-                (open == 0).then_some((member(types, said, &word.text)?, 0))
-            }
-            NodeKind::Index(base, _) => {
-                let (said, open) = self.said(scope, base)?;
-                let SpecKind::Array(dimensions, _) = &behind_names(types, said)?.0.kind else {
-                    return None;
-                };
-                if open + 1 < dimensions.len() {
-                    return Some((said, open + 1));
-                }
-                Some((element(types, said)?, 0))
-            }
-            NodeKind::Range(base, ..) => Some((element(types, self.said(scope, base)?.0)?, 0)),
-            _ => None,
-        }
-    }
 }
 
 /// Checks the numbers of an initial value of the file's own, which fits its type.

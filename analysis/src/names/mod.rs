@@ -21,6 +21,7 @@ pub(crate) mod joined;
 pub(crate) mod limits;
 pub mod named_types;
 pub(crate) mod operand_value;
+mod path_limits;
 pub(crate) mod path_type;
 pub(crate) mod problem;
 mod refused_name;

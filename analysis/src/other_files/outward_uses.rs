@@ -2,7 +2,7 @@
 
 use super::outward::{Outward, TagUse};
 use crate::context::Context;
-use crate::names::scope::{Origin, TagFacts};
+use crate::names::scope::{Origin, SectionKind, TagFacts, type_by_form};
 use crate::networks::NetworkAt;
 use crate::networks::access::Access;
 use crate::networks::control_flow::ControlFlow;
@@ -41,7 +41,7 @@ fn names(context: &Context, network: NetworkAt<'_>, outward: &mut Outward) {
         let used = at(context, meaning, named.kind.access());
         match named.kind.extent() {
             Extent::Member => members(network, named, used, &mut outward.members),
-            Extent::Whole | Extent::Elements if may_be_structure(found) => {
+            Extent::Whole | Extent::Elements if may_be_structure(&named.key, found) => {
                 outward.wholes.insert(named.key.clone());
             }
             Extent::Whole | Extent::Elements => {}
@@ -55,12 +55,15 @@ fn names(context: &Context, network: NetworkAt<'_>, outward: &mut Outward) {
     }
 }
 
-/// Whether the text of its file leaves it open whether a tag has members.
-fn may_be_structure(tag: Option<&TagFacts>) -> bool {
-    tag.is_none_or(|tag| match tag.origin {
-        Origin::Undeclared | Origin::Shared => true,
-        _ => tag.cold.declared.is_some(),
-    })
+/// Whether the text of its file leaves it open whether a tag has members. What other files declare has no part in it.
+fn may_be_structure(key: &Name, tag: Option<&TagFacts>) -> bool {
+    match tag.map(|tag| tag.origin) {
+        Some(Origin::Implicit) => false,
+        Some(Origin::Declared(kind)) if kind != SectionKind::External => {
+            tag.is_some_and(|tag| tag.cold.declared.is_some())
+        }
+        _ => !key.as_str().starts_with('%') && type_by_form(key.as_str()).is_none(),
+    }
 }
 
 /// The members in the path that begins with a name.

@@ -6,8 +6,11 @@ use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
 use crate::library;
 use ladder_syntax::Name;
 
-pub(crate) const RULE: Rule =
-    Rule(&RuleFacts::new(RuleGroup::Names, "library-name", Severity::Info).without_effect());
+pub(crate) const RULE: Rule = Rule(
+    &RuleFacts::new(RuleGroup::Names, "library-name", Severity::Info)
+        .without_effect()
+        .off(),
+);
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if library::source(&context.name).is_some() {

@@ -377,6 +377,6 @@ fn what_a_program_uses_of_other_files() {
         error: pulse.clad: this cannot be written as Click program in Python: 1:4: [$Blink] is a block of the library, and the notation has no blocks of one's own: draw what it does on rungs of the program
         click: exit status 2
         -- stderr
-        error: call.clad: this cannot be written as Click program in Python: the program has errors: 1:23: there is no function `count`
+        error: call.clad: this cannot be written as Click program in Python: 1:15: the function `count` is in count.clad, and the notation has one file: put it into this one
     "#]].assert_eq(&shown);
 }

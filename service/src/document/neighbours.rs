@@ -182,10 +182,15 @@ impl Neighbours {
         state.begin_again();
     }
 
-    /// Whether two files belong to one workspace.
+    /// Whether two files belong to one workspace, or one of them to the library of the other's.
     pub(crate) fn together(&self, a: &Path, b: &Path) -> bool {
         let mut state = self.lock();
-        state.root(a) == state.root(b)
+        let (of_a, of_b) = (state.root(a), state.root(b));
+        let holds = |root: &PathBuf, path: &Path| {
+            let folder = state.folders.get(root);
+            folder.is_some_and(|folder| folder.settings.files.is_in_library(path))
+        };
+        of_a == of_b || holds(&of_a, b) || holds(&of_b, a)
     }
 
     /// The folder of the workspace that a file belongs to.

@@ -171,7 +171,7 @@ impl Disk for MemoryDisk {
         };
         let mut found = self.below(folder, is_program);
         found.retain(|program| is_own(program) && files.contain(program));
-        for library in files.library(self) {
+        for library in files.library().iter().map(|library| &*library.path) {
             let is_inner = |program: &PathBuf| {
                 let root = self.root_of(program).ok();
                 root.is_none_or(|root| !root.folder().starts_with(library) || root.folder() == library)

@@ -6,7 +6,6 @@ mod walk;
 pub(crate) use ignored::is_ignored;
 pub(crate) use walk::is_own_file;
 
-use crate::disk::SystemDisk;
 use crate::error::{FileError, Problem};
 use crate::named;
 use crate::root::{Root, SETTINGS_FILE};
@@ -82,8 +81,15 @@ impl Root {
             Root::Settings(folder) => {
                 let mut programs = programs_below(folder, None);
                 programs.retain(|program| files.contain(program));
-                for folder in files.library(&SystemDisk) {
-                    programs.extend(programs_of_library(folder));
+                for library in files.library() {
+                    // A link may point out of the workspace.
+                    if library
+                        .named
+                        .locate()
+                        .is_ok_and(|located| located == library.path)
+                    {
+                        programs.extend(programs_of_library(&library.path));
+                    }
                 }
                 programs.sort();
                 programs.dedup();

@@ -3,7 +3,6 @@
 use super::given::Given;
 use super::reader::{Reader, Table};
 use super::table::{EXCLUDE, INCLUDE, LIBRARY};
-use crate::disk::Disk;
 use crate::error::{FileError, Problem};
 use crate::named::Named;
 use ignore::gitignore::{Gitignore, GitignoreBuilder};
@@ -23,12 +22,14 @@ pub struct Files {
 
 /// A folder of blocks inside of the workspace, which may be one of its own: a repository in the repository.
 #[derive(Debug, Clone)]
-struct LibraryFolder {
-    name: String,
-    named: Named,
-    path: PathBuf,
+pub(crate) struct LibraryFolder {
+    /// As the settings file names it.
+    pub(crate) name: String,
+    pub(crate) named: Named,
+    /// Where it lies, if no link is on the way.
+    pub(crate) path: PathBuf,
     /// Where the settings file names it.
-    range: Range<usize>,
+    pub(crate) range: Range<usize>,
 }
 
 impl Files {
@@ -46,36 +47,9 @@ impl Files {
             .any(|folder| program.starts_with(&folder.path))
     }
 
-    /// The folders of the library, those that can be used.
-    pub(crate) fn library<'f>(&'f self, disk: &'f dyn Disk) -> impl Iterator<Item = &'f Path> {
-        let folders = self.library.iter();
-        let usable = folders.filter(|folder| folder.problem(disk).is_none());
-        usable.map(|folder| &*folder.path)
-    }
-
-    /// Why folders of the library cannot be used, and where the settings file names them.
-    pub(super) fn problems(&self, disk: &dyn Disk) -> Vec<(Range<usize>, String)> {
-        let problems = self
-            .library
-            .iter()
-            .filter_map(|folder| Some((folder.range.clone(), folder.problem(disk)?)));
-        problems.collect()
-    }
-}
-
-impl LibraryFolder {
-    /// Why the folder cannot be used.
-    fn problem(&self, disk: &dyn Disk) -> Option<String> {
-        let what = match disk.locate(&self.named) {
-            Err(error) => error.problem.to_string(),
-            Ok(located) if located != self.path => "a link leads to it: name the folder itself".to_owned(),
-            Ok(located) if disk.is_file(&located) => {
-                "this is a file, and a folder is expected here".to_owned()
-            }
-            Ok(located) if !disk.is_there(&located) => Problem::Missing.to_string(),
-            Ok(_) => return None,
-        };
-        Some(format!("`{}` cannot be used: {what}", self.name))
+    /// The folders of the library.
+    pub(crate) fn library(&self) -> &[LibraryFolder] {
+        &self.library
     }
 }
 

@@ -17,16 +17,17 @@ pub mod table;
 pub use editor::EditorSettings;
 pub use error::{SettingError, SettingsError};
 pub use files::Files;
+pub(crate) use files::LibraryFolder;
 pub use given::Tree;
 pub use lint::{Levels, Lint};
 pub use project::Project;
 pub use simulate::Simulate;
 
-use crate::disk::Disk;
 use crate::error::FileError;
 use crate::named::Named;
 use crate::root::Root;
-use ladder_analysis::RuleSettings;
+use ladder_analysis::rules::rule_named;
+use ladder_analysis::{Level, RuleSettings};
 use ladder_syntax::{LineIndex, TextRange, TextSize};
 use reader::{Reader, Source, Table};
 use std::ops::Range;
@@ -80,6 +81,11 @@ impl Settings {
             scan_interval: self.simulate.interval,
             ..RuleSettings::default()
         };
+        if self.files.is_in_library(program)
+            && let Some(rule) = rule_named("library-name")
+        {
+            rules.set(rule, Level::Shown(rule.default_severity()));
+        }
         for (rule, level) in self.lint.levels_of(program) {
             rules.set(rule, level);
         }
@@ -150,11 +156,6 @@ impl Settings {
         (settings, errors(text, reader.finish()))
     }
 
-    /// What is wrong with the folders that a settings file names, of which this is the text. No file but that tells.
-    pub fn folder_errors(&self, text: &str, disk: &dyn Disk) -> Vec<SettingError> {
-        errors(text, self.files.problems(disk))
-    }
-
     /// Takes the sections that are the project's out of all that is set.
     fn take(top: &mut Table, folder: &Path, reader: &mut Reader) -> Settings {
         let mut settings = Settings::default();
@@ -178,7 +179,7 @@ impl Settings {
 }
 
 /// What was found to be wrong in a text, with its places.
-fn errors(text: &str, found: Vec<(Range<usize>, String)>) -> Vec<SettingError> {
+pub(crate) fn errors(text: &str, found: Vec<(Range<usize>, String)>) -> Vec<SettingError> {
     let index = LineIndex::new(text);
     let offset = |at: usize| TextSize::new(at.min(text.len()) as u32);
     let found = found.into_iter().map(|(range, message)| {

@@ -7,7 +7,7 @@ use ladder_analysis::{Analysis, Diagnostic as Finding, Severity};
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{self, ScenarioError};
 use ladder_syntax::TextRange;
-use ladder_workspace::Settings;
+use ladder_workspace::{Settings, folder_errors};
 use tower_lsp::ls_types::Diagnostic;
 
 use super::{diagnostics, foreign, pull, settings_file};
@@ -107,7 +107,7 @@ fn settings(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
     let text = revision.text();
     let (settings, errors) = Settings::examine(path.as_deref().unwrap_or(Path::new("")), &text);
     let disk = &shared.world().disk;
-    let of_folders = path.map_or_else(Vec::new, |_| settings.folder_errors(&text, &**disk));
+    let of_folders = path.map_or_else(Vec::new, |_| folder_errors(&settings, &text, &**disk));
     let errors = errors.into_iter().chain(of_folders);
     errors
         .map(|error| error_at(revision, error.range, BAD_SETTING, error.message))
