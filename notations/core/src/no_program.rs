@@ -2,6 +2,7 @@
 
 use crate::{Lines, WriteError};
 use ladder_analysis::context::Callee;
+use ladder_analysis::networks::NetworkAt;
 use ladder_analysis::networks::facts::NodeKind;
 use ladder_analysis::networks::network::Meaning;
 use ladder_analysis::{Analysis, library};
@@ -16,7 +17,7 @@ pub fn no_program(analysis: &Analysis, text: &str) -> WriteError {
         return WriteError::new(format!("the program has errors: {place}: {message}"));
     }
     let context = &analysis.context;
-    let blocks = context.networks.iter().flat_map(|network| network.blocks());
+    let blocks = context.networks.iter().flat_map(NetworkAt::blocks);
     for block in blocks {
         let head = block.head_text();
         let place = place(block.range());
