@@ -371,6 +371,7 @@ impl Place {
     pub fn root(&self) -> Option<TagId> {
         match self {
             Place::Tag(tag) | Place::Element(tag, _) | Place::Member(tag, _) => Some(*tag),
+            Place::Chosen(chosen) | Place::ChosenMember(chosen, _) => Some(chosen.first),
             Place::Bit(inner, ..) | Place::As(inner, ..) => inner.root(),
             Place::System(_) => None,
         }
@@ -384,6 +385,7 @@ impl Argument {
             Argument::Place(place, _) => place.root(),
             Argument::Range(range) => Some(range.tag),
             Argument::State(tag) => Some(*tag),
+            Argument::ChosenState(chosen) => Some(chosen.first),
             _ => None,
         }
     }
@@ -400,6 +402,8 @@ pub enum Argument {
     Parts(Vec<Argument>),
     /// The state of a timer, counter or bistable.
     State(TagId),
+    /// The same, where a computed index says which tag it is.
+    ChosenState(Box<Chosen>),
     /// A range of an array, or (with `last` absent) the elements from an index on.
     Range(RangeRef),
     /// The network that a jump to this label from this block goes to; none for the label in `<LBL>` itself.
@@ -422,6 +426,10 @@ pub enum Place {
     Element(TagId, Box<Expr>),
     /// A member of a timer, counter or bistable.
     Member(TagId, Member),
+    /// An elementary tag of several: an input or output of a block that a computed index chooses.
+    Chosen(Box<Chosen>),
+    /// A member of a timer, counter or bistable that a computed index chooses.
+    ChosenMember(Box<Chosen>, Member),
     /// One bit of an integer or bit string, from 0.
     Bit(Box<Place>, Scalar, u8),
     /// A tag at a direct address which this place knows in another type than the tag has: the bits of the first type,
@@ -429,6 +437,19 @@ pub enum Place {
     As(Box<Place>, Scalar, Scalar),
     /// A system tag.
     System(SystemTag),
+}
+
+/// One of several tags of one kind at equal distances: each element of an array of timers, counters or blocks is a tag.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Chosen {
+    /// The first of them.
+    pub first: TagId,
+    /// How many tags of the program are from one to the next.
+    pub step: u32,
+    /// How many they are.
+    pub count: u32,
+    /// Which one it is, counted from 0. It checks the indices that it is computed from.
+    pub number: Expr,
 }
 
 /// A range of an array.

@@ -40,8 +40,19 @@ pub(crate) enum Home {
 /// What a tag of a block's body is that has no memory of its own: an in-out parameter stands for a place of the caller.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Borrowed {
-    /// It stands for an element of an array: the word holds the element's slot.
-    Element { at: Word, ty: Scalar },
+    /// It stands for elements of an array, or for one: the word holds the slot of the first.
+    Elements {
+        at: Word,
+        first: i64,
+        len: u32,
+        ty: Scalar,
+    },
+    /// It stands for the state of a timer, counter or bistable: the words hold where that begins.
+    State {
+        state: StateType,
+        bits: Word,
+        words: Word,
+    },
     /// It stands for one bit of a word.
     BitOf { word: Word, bit: u8, width: Width },
     /// The same, of an element of an array.

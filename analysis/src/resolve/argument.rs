@@ -231,7 +231,7 @@ impl<'c> Resolver<'c, '_> {
                     && let Some(state) = self.state_type(node)
                     && (state.is_timer() || state.is_counter())
                 {
-                    return self.state_id(node).map(Argument::State);
+                    return self.state(node);
                 }
                 if reads {
                     return self.value(node, Scalar::Bool).map(Argument::Value);
@@ -239,7 +239,7 @@ impl<'c> Resolver<'c, '_> {
                 self.target(node, operand, Scalar::Bool)
             }
             Accepts::State(state) if self.is_in_parts(node) => match self.state_type(node) {
-                Some(found) if self.is_state_for(found, state) => self.state_id(node).map(Argument::State),
+                Some(found) if self.is_state_for(found, state) => self.state(node),
                 _ => {
                     let part = self.part(node)?;
                     let found =
@@ -263,9 +263,7 @@ impl<'c> Resolver<'c, '_> {
                 }
             },
             Accepts::TimerOrCounter => match self.state_type(node) {
-                Some(state) if state.is_timer() || state.is_counter() => {
-                    self.state_id(node).map(Argument::State)
-                }
+                Some(state) if state.is_timer() || state.is_counter() => self.state(node),
                 _ => {
                     let message = "the tag of a timer or counter is expected here";
                     self.report(bad_operand::wrong(self.at(node.range), message));
@@ -318,7 +316,7 @@ impl<'c> Resolver<'c, '_> {
             Accepts::Tag => {
                 if self.is_in_parts(node) {
                     return match self.part_type(node) {
-                        Some((Type::State(_), _)) => self.state_id(node).map(Argument::State),
+                        Some((Type::State(_), _)) => self.state(node),
                         Some((Type::Scalar(_), 0)) => self
                             .place_or_say(node)
                             .map(|(place, ty)| Argument::Place(place, ty)),

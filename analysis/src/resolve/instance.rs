@@ -3,7 +3,7 @@
 use super::Resolver;
 use super::numbers::{Numbers, Unit};
 use crate::networks::facts::{Node, NodeKind, Word};
-use crate::program::{Disagreement, Instance, ParameterKind, Place, Program, TagId};
+use crate::program::{Argument, Chosen, Disagreement, Instance, ParameterKind, Place, Program, TagId};
 use crate::rules::{constant_write, type_mismatch, unknown_member};
 use crate::values::types::{Scalar, Type};
 use ladder_syntax::Name;
@@ -36,11 +36,25 @@ impl Resolver<'_, '_> {
             self.report(type_mismatch::wrong(self.at(word.range), message));
             return None;
         };
-        let tag = self.state_id(base)?;
-        let inside = self
-            .lowering
-            .and_then(|lowering| lowering.insides.get(&(tag, Name::new(&word.text))));
-        Some((Place::Tag(inside.copied().unwrap_or(tag)), scalar))
+        let insides = self.lowering.map(|lowering| lowering.insides);
+        let key = Name::new(&word.text);
+        let inside = |tag: TagId| insides.and_then(|insides| insides.get(&(tag, key.clone())).copied());
+        let place = match self.state(base)? {
+            Argument::ChosenState(chosen) => {
+                let first = inside(chosen.first).unwrap_or(chosen.first);
+                let second = inside(TagId(chosen.first.0.wrapping_add(1))).filter(|_| chosen.count > 1);
+                Place::Chosen(Box::new(Chosen {
+                    first,
+                    step: second.map_or(0, |second| second.0 - first.0),
+                    ..*chosen
+                }))
+            }
+            state => {
+                let tag = state.root()?;
+                Place::Tag(inside(tag).unwrap_or(tag))
+            }
+        };
+        Some((place, scalar))
     }
 
     /// Says so if a place is an input or output of a block, which that alone writes.

@@ -230,6 +230,12 @@ fn retain(program: &mut Program, blocks: &[Block]) {
             let tag = match &bound.argument {
                 Argument::Place(place, _) => place.root(),
                 Argument::State(tag) => Some(*tag),
+                Argument::ChosenState(chosen) => {
+                    for n in 0..chosen.count {
+                        program.tags[(chosen.first.0 + n * chosen.step) as usize].retain = true;
+                    }
+                    None
+                }
                 Argument::Range(range) => Some(range.tag),
                 Argument::Parts(parts) => {
                     for tag in parts.iter().filter_map(Argument::root) {

@@ -4,7 +4,7 @@ use super::Resolver;
 use crate::findings::article::with_article;
 use crate::names::path_type::{InScope, path_type};
 use crate::networks::facts::{Node, NodeKind, Word};
-use crate::program::{Argument, Expr, ExprKind, Place, RangeRef, Subscript, TagId};
+use crate::program::{Argument, Chosen, Expr, ExprKind, Place, RangeRef, Subscript, TagId};
 use crate::rules::{bad_operand, type_mismatch, unknown_member};
 use crate::values::compound::Compound;
 use crate::values::types::{Scalar, Type};
@@ -226,8 +226,11 @@ impl Resolver<'_, '_> {
             self.report(unknown_member::of_state(&name, state, &word.text, at));
             return None;
         };
-        let tag = self.state_id(base)?;
-        Some((Place::Member(tag, member), member.ty(self.semantics())))
+        let place = match self.state(base)? {
+            Argument::ChosenState(chosen) => Place::ChosenMember(chosen, member),
+            state => Place::Member(state.root()?, member),
+        };
+        Some((place, member.ty(self.semantics())))
     }
 
     /// What a node names that keeps a state: its type. None: it is no such tag or part.
@@ -238,25 +241,14 @@ impl Resolver<'_, '_> {
         }
     }
 
-    /// The tag of the program on which the timer, counter or bistable keeps its state that a node names.
-    pub(super) fn state_id(&mut self, node: &Node) -> Option<TagId> {
+    /// The tag of the program on which the timer, counter, bistable or block keeps its state that a node names.
+    pub(super) fn state(&mut self, node: &Node) -> Option<Argument> {
         if !self.is_in_parts(node) {
-            return self.named_tag(node).map(|tag| self.tag_id(tag));
+            return self.named_tag(node).map(|tag| Argument::State(self.tag_id(tag)));
         }
         let part = self.part(node)?;
-        let mut number = 0;
-        for (index, (first, last)) in &part.indices {
-            let ExprKind::Constant(Value::Int(n)) = index.kind else {
-                let message =
-                    "a computed index does not choose a timer, counter or block yet: write a number";
-                self.report(bad_operand::wrong(index.range, message));
-                return None;
-            };
-            number = number * (last - first + 1) + (n - first);
-        }
         let first = self.column_id(part.tag, part.column);
-        // While a file is only checked the numbers mean nothing.
-        Some(TagId(first.0.wrapping_add(number as u32)))
+        Some(element_state(&part, first, (0, 1), self.at(node.range)))
     }
 
     /// A range of an array that is a part, `g[1, 2..3]`, or with `open` also an element from which on it is meant; or the whole
@@ -444,21 +436,8 @@ impl Resolver<'_, '_> {
 
     /// What a node names as an in-out: values by their place, arrays by their range, and what keeps a state one by one.
     pub(super) fn referred_parts(&mut self, node: &Node) -> Option<Vec<Argument>> {
+        let range = self.at(node.range);
         let part = self.part(node)?;
-        let is_fixed = |(index, _): &(Expr, (i64, i64))| matches!(index.kind, ExprKind::Constant(_));
-        let has_arrays = part
-            .ty
-            .column_list()
-            .iter()
-            .any(|column| !column.dimensions.is_empty());
-        if !part.indices.iter().all(is_fixed) && (has_arrays || part.ty.keeps_state()) {
-            let message = format!(
-                "a computed index does not choose {} as an in-out yet: it holds arrays, timers, counters or blocks",
-                with_article(part.ty)
-            );
-            self.report(bad_operand::wrong(self.at(node.range), message));
-            return None;
-        }
         let mut copied = self.copied_parts(node)?.into_iter();
         let mut arguments = Vec::new();
         for (number, column) in (0..).zip(part.ty.column_list()) {
@@ -466,16 +445,9 @@ impl Resolver<'_, '_> {
                 arguments.extend(copied.next());
                 continue;
             }
-            let mut first = 0;
-            for (index, (low, high)) in &part.indices {
-                if let ExprKind::Constant(Value::Int(n)) = index.kind {
-                    first = first * (high - low + 1) + (n - low);
-                }
-            }
-            let count = column.count();
+            let count = column.count() as i64;
             let id = self.column_id(part.tag, part.column + number);
-            let from = first as u32 * count as u32;
-            arguments.extend((0..count as u32).map(|n| Argument::State(TagId(id.0.wrapping_add(from + n)))));
+            arguments.extend((0..count).map(|n| element_state(&part, id, (n, count), range)));
         }
         Some(arguments)
     }
@@ -524,9 +496,38 @@ fn linear(part: &Part, more: &[(Expr, (i64, i64))], range: TextRange) -> Expr {
     if let [(index, _)] = all.as_slice() {
         return index.clone();
     }
+    offset(&all, range)
+}
+
+/// The n-th of so many states that a part has, as its tag: those of its elements follow each other.
+fn element_state(part: &Part, first: TagId, (n, count): (i64, i64), range: TextRange) -> Argument {
+    let own = Expr {
+        ty: Scalar::Lint,
+        kind: ExprKind::Constant(Value::Int(n)),
+        range,
+    };
+    let own = (own, (0, count - 1));
+    let all: Vec<&(Expr, (i64, i64))> = part.indices.iter().chain([&own]).collect();
+    let elements = all.iter().map(|(_, (first, last))| last - first + 1);
+    let elements = elements.product::<i64>() as u32;
+    let number = offset(&all, range);
+    match number.kind {
+        // While a file is only checked the numbers mean nothing.
+        ExprKind::Constant(Value::Int(n)) => Argument::State(TagId(first.0.wrapping_add(n as u32))),
+        _ => Argument::ChosenState(Box::new(Chosen {
+            first,
+            step: 1,
+            count: elements,
+            number,
+        })),
+    }
+}
+
+/// Where an element is, counted from 0 over all indices.
+fn offset(all: &[&(Expr, (i64, i64))], range: TextRange) -> Expr {
     let mut stride = 1;
     let mut subscripts: Vec<Subscript> = Vec::with_capacity(all.len());
-    for (index, (first, last)) in all.into_iter().rev() {
+    for (index, (first, last)) in all.iter().copied().rev() {
         subscripts.push(Subscript {
             index: index.clone(),
             first: *first,

@@ -303,10 +303,12 @@ impl Resolver<'_, '_> {
                 return false;
             }
             // There what they count is a variable like any other.
-            Place::Member(_, Member::Et | Member::Cv) if self.semantics().states.are_written() => {
+            Place::Member(_, Member::Et | Member::Cv) | Place::ChosenMember(_, Member::Et | Member::Cv)
+                if self.semantics().states.are_written() =>
+            {
                 return true;
             }
-            Place::Member(..) => {
+            Place::Member(..) | Place::ChosenMember(..) => {
                 let message = "a member of a timer or counter is written by its own block only: use (RES) or R := to \
                                clear it";
                 self.report(bad_operand::wrong(range, message));
@@ -315,7 +317,7 @@ impl Resolver<'_, '_> {
             Place::Bit(base, ..) | Place::As(base, ..) => {
                 return self.check_writable(base, node, access);
             }
-            Place::Tag(_) | Place::Element(..) => self.written_tag(node),
+            Place::Tag(_) | Place::Element(..) | Place::Chosen(_) => self.written_tag(node),
         };
         let Some(tag) = tag.filter(|&tag| self.scope.tags[tag].constant) else {
             return true;

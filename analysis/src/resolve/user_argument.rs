@@ -20,11 +20,11 @@ impl<'c> Resolver<'c, '_> {
         let mut given = vec![false; facts.parameters.len()];
         for (written, formal) in bound.facts.operands.iter().zip(bound.formals.iter()) {
             if let Formal::Instance = formal {
-                if let Some(tag) = self.state_id(&written.value) {
+                if let Some(argument) = self.state(&written.value) {
                     arguments.push(Bound {
                         operand: None,
                         parameter: None,
-                        argument: Argument::State(tag),
+                        argument,
                         range: bound.absolute(written.range),
                     });
                 }
@@ -73,7 +73,7 @@ impl<'c> Resolver<'c, '_> {
             && self.is_in_parts(node)
             && self.state_type(node) == Some(state)
         {
-            return self.state_id(node).map(Argument::State);
+            return self.state(node);
         }
         let Type::Scalar(scalar) = ty else {
             // Arrays and states go as what they are, by reference.

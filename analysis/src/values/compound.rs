@@ -80,7 +80,7 @@ pub struct Enumeration {
 /// An elementary part of a tag with parts, for all indices of the arrays around it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Column {
-    /// Its path from the tag on, without indices: `[].valve.open`.
+    /// Its path from the tag on, with `[]` for each index: `[].valve.open`.
     pub path: String,
     /// First and last index of each array around it, the outermost first.
     pub dimensions: Dimensions,

@@ -3,7 +3,7 @@
 
 use super::renamed::Renamed;
 use ladder_analysis::program::{
-    Argument, Block, BlockKind, Expr, ExprKind, Location, Network, Place, Program, RangeRef, TagId,
+    Argument, Block, BlockKind, Chosen, Expr, ExprKind, Location, Network, Place, Program, RangeRef, TagId,
 };
 use ladder_instructions::{Coil, Group, Op, Power};
 use ladder_syntax::Name;
@@ -102,6 +102,7 @@ impl<'p> Signatures<'p> {
                 ty.hash(hasher);
             }
             Argument::State(tag) => self.tag(*tag).hash(hasher),
+            Argument::ChosenState(chosen) => self.hash_chosen(chosen, hasher),
             Argument::Range(range) => self.hash_range(range, hasher),
             Argument::Label(to) => {
                 let here = || {
@@ -127,6 +128,11 @@ impl<'p> Signatures<'p> {
         }
     }
 
+    fn hash_chosen(&self, chosen: &Chosen, hasher: &mut DefaultHasher) {
+        (self.tag(chosen.first), chosen.count).hash(hasher);
+        self.hash_expr(&chosen.number, hasher);
+    }
+
     fn hash_place(&self, place: &Place, hasher: &mut DefaultHasher) {
         std::mem::discriminant(place).hash(hasher);
         match place {
@@ -136,6 +142,11 @@ impl<'p> Signatures<'p> {
                 self.hash_expr(index, hasher);
             }
             Place::Member(tag, member) => (self.tag(*tag), member).hash(hasher),
+            Place::Chosen(chosen) => self.hash_chosen(chosen, hasher),
+            Place::ChosenMember(chosen, member) => {
+                self.hash_chosen(chosen, hasher);
+                member.hash(hasher);
+            }
             Place::Bit(word, ty, bit) => {
                 self.hash_place(word, hasher);
                 (ty, bit).hash(hasher);

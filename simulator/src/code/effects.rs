@@ -2,6 +2,7 @@
 
 use super::Instr;
 use crate::memory::Bit;
+use ladder_instructions::Op;
 
 impl Instr {
     /// Whether it may end in a fault that the scan survives.
@@ -54,6 +55,12 @@ impl Instr {
                 read(en);
                 read(reset);
             }
+            I::StateAt { op, en, operand, .. } => {
+                read(en);
+                if matches!(op, Op::Sr | Op::Rs) {
+                    read(Bit(operand));
+                }
+            }
             I::Invert { en, .. }
             | I::Follow { en, .. }
             | I::Compare { en, .. }
@@ -76,6 +83,7 @@ impl Instr {
             | I::Ctud { en, .. }
             | I::Ctc { en, .. }
             | I::Clear { en, .. }
+            | I::ClearAt { en, .. }
             | I::Jump { en, .. }
             | I::Call { en, .. }
             | I::Return { en, .. }

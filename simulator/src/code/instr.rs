@@ -343,6 +343,23 @@ pub(crate) enum Instr {
         reset: Bit,
         bits: Bit,
     },
+    /// Any of these, where the words `bits` and `words` hold the slots at which the state begins. The operand is that of the
+    /// instruction: the word of PT or PV, the bit of a bistable's reset.
+    StateAt {
+        op: ladder_instructions::Op,
+        out: Bit,
+        en: Bit,
+        operand: u32,
+        bits: Word,
+        words: Word,
+    },
+    /// `Clear` likewise.
+    ClearAt {
+        en: Bit,
+        state: ladder_instructions::StateType,
+        bits: Word,
+        words: Word,
+    },
     /// `(RES)`, and `(R)` on such a tag.
     Clear {
         en: Bit,

@@ -100,6 +100,9 @@ impl<'b> Arguments<'b> {
     pub(super) fn state(self, n: usize) -> Result<TagId> {
         match self.get(n)? {
             Argument::State(tag) => Ok(*tag),
+            Argument::ChosenState(_) => Err(self.refused(
+                "in the profile of its file a computed index does not choose a timer or counter: write a number".into(),
+            )),
             _ => Err(self.mismatch()),
         }
     }

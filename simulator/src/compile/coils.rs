@@ -1,6 +1,7 @@
 //! Coils (LANGUAGE §5.4). They act at every evaluation, so what they write is found at every evaluation too.
 
 use super::arguments::Arguments;
+use super::chosen::StateSpot;
 use super::number_coils::is_number_coil;
 use super::place::{Slot, Spot};
 use super::{Compiler, Result};
@@ -91,7 +92,7 @@ impl Compiler<'_> {
     fn reset_coil(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
         match arguments.get(0)? {
             Argument::Range(range) => return self.reset_coil_on_range(range, en),
-            Argument::State(_) => return self.clear(arguments, en),
+            Argument::State(_) | Argument::ChosenState(_) => return self.clear(arguments, en),
             _ => {}
         }
         let (spot, out) = self.coil_place(arguments, en)?;
@@ -125,6 +126,9 @@ impl Compiler<'_> {
 
     /// `(RES)`
     pub(super) fn clear(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
+        if matches!(self.semantics.timing, Timing::Clock | Timing::Units) {
+            return self.clear_chosen(arguments, en);
+        }
         let tag = arguments.state(0)?;
         let Home::State { state, bits, words } = self.homes[tag.0 as usize] else {
             return Err(arguments.mismatch());
@@ -142,6 +146,36 @@ impl Compiler<'_> {
             words,
         });
         Ok(en)
+    }
+
+    /// The same, where a computed index may choose the timer or counter.
+    fn clear_chosen(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
+        let out = self.layout.bit();
+        let start = self.code.instrs.len();
+        self.emit(Instr::Follow { out, en });
+        let found = self.state_spot(arguments.get(0)?)?;
+        let (state, spot) = found.ok_or_else(|| arguments.mismatch())?;
+        match spot {
+            StateSpot::Fixed { bits, words } => {
+                self.code.instrs.truncate(start);
+                self.emit(Instr::Clear {
+                    en,
+                    state,
+                    bits,
+                    words,
+                });
+                Ok(en)
+            }
+            StateSpot::At { bits, words } => {
+                self.emit(Instr::ClearAt {
+                    en,
+                    state,
+                    bits,
+                    words,
+                });
+                Ok(out)
+            }
+        }
     }
 
     /// The place that a coil writes, and the power after it: EN, in a slot of its own where finding the place

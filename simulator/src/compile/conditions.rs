@@ -2,7 +2,7 @@
 
 use super::arguments::Arguments;
 use super::place::{Slot, Spot};
-use super::{Cell, Compiler, Result};
+use super::{Compiler, Result};
 use crate::code::Instr;
 use crate::memory::Bit;
 use crate::operation::{Test, Width};
@@ -67,16 +67,22 @@ impl Compiler<'_> {
     /// The same, with a memory that others share.
     pub(super) fn edge_with(&mut self, memory: Option<Bit>, en: Bit, tag: Bit, rising: bool) -> Bit {
         let out = self.layout.bit();
-        let before = memory.unwrap_or_else(|| {
-            let memory = self.layout.bit();
-            self.remember(Cell::Bit(memory));
-            memory
-        });
+        let spot = match memory {
+            Some(memory) => Spot::Bit(memory),
+            None => self.remembered_bit(),
+        };
+        let Slot::Bit(before) = self.load(spot) else {
+            return Bit::LOW;
+        };
         self.emit(if rising {
             Instr::Rising { out, en, tag, before }
         } else {
             Instr::Falling { out, en, tag, before }
         });
+        if !matches!(spot, Spot::Bit(_)) {
+            self.layout.keep(before);
+            self.store(spot, Slot::Bit(before));
+        }
         out
     }
 

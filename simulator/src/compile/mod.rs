@@ -9,6 +9,7 @@
 mod arguments;
 mod c_arithmetic;
 mod call_graph;
+mod chosen;
 mod coils;
 mod conditions;
 mod controller;
@@ -21,6 +22,7 @@ mod formula;
 mod instruction;
 mod network;
 mod number_coils;
+mod owner;
 mod parts;
 mod place;
 mod ports;
@@ -48,6 +50,7 @@ use call_graph::Cycles;
 use flow::Region;
 use ladder_analysis::program::{Location, Program, TagId};
 use ladder_instructions::Semantics;
+use owner::{Owner, Thing};
 pub(crate) use ports::{CHANNELS, Ports};
 use std::collections::HashMap;
 use std::ops::Range;
@@ -147,6 +150,10 @@ pub(crate) fn compile(program: &Program, interval: i64) -> Result<Compiled> {
         line_free: None,
         places: Places::default(),
         standing: Vec::new(),
+        owners: Vec::new(),
+        passed_owners: HashMap::new(),
+        owned_bits: HashMap::new(),
+        owned_tags: HashMap::new(),
     };
     compiler.starting_counts();
     compiler.controller();
@@ -204,6 +211,14 @@ struct Compiler<'p> {
     places: Places,
     /// The block that is being compiled, after those in whose bodies it is.
     standing: Vec<BlockAt>,
+    /// The states that are tags of the blocks in whose bodies it is.
+    owners: Vec<Owner>,
+    /// What in-outs stand for that are states of blocks.
+    passed_owners: HashMap<TagId, Owner>,
+    /// What such states have besides the tags of the program: the first bit, one for each state.
+    owned_bits: HashMap<Thing, Bit>,
+    /// The same for the tags of bodies inside: the first two, which say where all are.
+    owned_tags: HashMap<Thing, (Home, Home)>,
 }
 
 impl Compiler<'_> {

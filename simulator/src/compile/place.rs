@@ -1,14 +1,14 @@
 //! Places: reading and writing tags, elements, members and bits.
 
+use super::range::constant;
 use super::{Compiler, Result};
 use crate::code::{ArrayPlace, Instr};
-use crate::layout::{self, Borrowed, Home, MemberSlot};
+use crate::layout::{Borrowed, Home};
 use crate::memory::{Bit, TextSlot, Word};
-use crate::operation::Width;
+use crate::operation::{IntegerOp, Width};
 use crate::system::{self, SystemSlot};
-use ladder_analysis::program::{Expr, ExprKind, Place, TagId};
+use ladder_analysis::program::{Expr, Place, TagId};
 use ladder_analysis::values::types::Scalar;
-use ladder_analysis::values::value::Value;
 
 /// Where a value is read or written. What ends in `At` holds the slot's number in a word, which is known only
 /// when the place is reached.
@@ -44,6 +44,11 @@ pub(super) enum Spot {
         input: Bit,
         done: Bit,
     },
+    /// The same, of one that a computed index chooses.
+    TimingAt {
+        input: Word,
+        done: Word,
+    },
 }
 
 /// A value in one of the banks.
@@ -69,29 +74,14 @@ impl Compiler<'_> {
     /// Finds a place. Emits what computes the index of an element, if that is not known yet.
     pub(super) fn spot(&mut self, place: &Place) -> Result<Spot> {
         Ok(match place {
-            Place::Tag(tag) => match self.homes[tag.0 as usize] {
-                Home::Bits { at, .. } => Spot::Bit(at),
-                Home::Words { at, .. } => Spot::Word(at),
-                Home::Texts { at, .. } => Spot::Text(at),
-                Home::State { bits, .. } => Spot::Bit(bits),
-                Home::Borrowed(borrowed) => match borrowed {
-                    Borrowed::Element { at, ty } => element_spot(at, ty),
-                    Borrowed::BitOf { word, bit, width } => Spot::BitOf { word, bit, width },
-                    Borrowed::BitOfAt { at, bit, width } => Spot::BitOfAt { at, bit, width },
-                    Borrowed::As { word, stored, ty } => Spot::As { word, stored, ty },
-                    Borrowed::Unbound => Spot::Bit(Bit::LOW),
-                },
-            },
+            Place::Tag(tag) => spot_of(self.homes[tag.0 as usize]),
+            Place::Chosen(chosen) => spot_of(self.chosen(chosen)?),
             Place::Element(tag, index) => self.element(*tag, index)?,
-            Place::Member(tag, member) => match self.homes[tag.0 as usize] {
-                Home::State { state, bits, words } => match layout::member(state, bits, words, *member) {
-                    Some(MemberSlot::Bit(slot)) => Spot::Bit(slot),
-                    Some(MemberSlot::Word(slot)) => Spot::Word(slot),
-                    Some(MemberSlot::Timing { input, done }) => Spot::Timing { input, done },
-                    None => Spot::Bit(Bit::LOW),
-                },
-                _ => Spot::Bit(Bit::LOW),
-            },
+            Place::Member(tag, member) => self.member(self.homes[tag.0 as usize], *member),
+            Place::ChosenMember(chosen, member) => {
+                let home = self.chosen(chosen)?;
+                self.member(home, *member)
+            }
             Place::Bit(word, ty, bit) => match self.spot(word)? {
                 Spot::Word(word) => Spot::BitOf {
                     word,
@@ -127,15 +117,26 @@ impl Compiler<'_> {
 
     fn element(&mut self, tag: TagId, index: &Expr) -> Result<Spot> {
         let (base, first, len, ty) = match self.homes[tag.0 as usize] {
+            Home::Borrowed(Borrowed::Elements { at, first, len, ty }) => {
+                let last = first + i64::from(len) - 1;
+                if let Some(index) = constant(index).filter(|index| (first..=last).contains(index)) {
+                    let to = self.slot_offset(at, (index - first) as u32);
+                    return Ok(element_spot(to, ty));
+                }
+                let index = self.count(index)?;
+                let to = self.layout.word();
+                let array = self.array(ArrayPlace { base: 0, first, last });
+                self.emit(Instr::Index { to, index, array });
+                let to = self.integer(IntegerOp::Add, Scalar::Lint, to, at);
+                return Ok(element_spot(to, ty));
+            }
             Home::Bits { at, first, len } => (at.0, first, len, Scalar::Bool),
             Home::Words { at, first, len, ty } => (at.0, first, len, ty),
             Home::Texts { at, first, len, max } => (at.0, first, len, Scalar::String(max)),
             _ => return Ok(Spot::Bit(Bit::LOW)),
         };
         let last = first + i64::from(len) - 1;
-        if let ExprKind::Constant(Value::Int(index)) = index.kind
-            && (first..=last).contains(&index)
-        {
+        if let Some(index) = constant(index).filter(|index| (first..=last).contains(index)) {
             let slot = base + (index - first) as u32;
             return Ok(match ty {
                 Scalar::Bool => Spot::Bit(Bit(slot)),
@@ -198,6 +199,14 @@ impl Compiler<'_> {
                 self.emit(Instr::AndBit { to, a: to, b: input });
                 Slot::Bit(to)
             }
+            Spot::TimingAt { input: at, done } => {
+                let [input, to] = [self.layout.bit(), self.layout.bit()];
+                self.emit(Instr::LoadBit { to: input, at });
+                self.emit(Instr::LoadBit { to, at: done });
+                self.emit(Instr::NotBit { to, a: to });
+                self.emit(Instr::AndBit { to, a: to, b: input });
+                Slot::Bit(to)
+            }
         }
     }
 
@@ -240,7 +249,25 @@ impl Compiler<'_> {
     }
 }
 
-fn element_spot(at: Word, ty: Scalar) -> Spot {
+/// Where the value of an elementary tag is, or the first of an array.
+const fn spot_of(home: Home) -> Spot {
+    match home {
+        Home::Bits { at, .. } => Spot::Bit(at),
+        Home::Words { at, .. } => Spot::Word(at),
+        Home::Texts { at, .. } => Spot::Text(at),
+        Home::State { bits, .. } => Spot::Bit(bits),
+        Home::Borrowed(borrowed) => match borrowed {
+            Borrowed::Elements { at, ty, .. } => element_spot(at, ty),
+            Borrowed::State { bits, .. } => Spot::BitAt(bits),
+            Borrowed::BitOf { word, bit, width } => Spot::BitOf { word, bit, width },
+            Borrowed::BitOfAt { at, bit, width } => Spot::BitOfAt { at, bit, width },
+            Borrowed::As { word, stored, ty } => Spot::As { word, stored, ty },
+            Borrowed::Unbound => Spot::Bit(Bit::LOW),
+        },
+    }
+}
+
+const fn element_spot(at: Word, ty: Scalar) -> Spot {
     match ty {
         Scalar::Bool => Spot::BitAt(at),
         Scalar::String(max) => Spot::TextAt { at, max },

@@ -2,10 +2,12 @@
 
 use super::{Compiler, Result};
 use crate::code::Instr;
-use crate::layout::Home;
+use crate::layout::{Borrowed, Home};
 use crate::memory::{Bit, Word};
+use crate::operation::IntegerOp;
 use crate::routine::Routine;
 use ladder_analysis::program::{Expr, ExprKind, RangeRef};
+use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
 
 /// A range: the words that hold the slot of its first element, and how many there are.
@@ -25,6 +27,7 @@ impl Compiler<'_> {
     /// Finds a range. An end that is left out is the end of the array.
     pub(super) fn range(&mut self, range: &RangeRef) -> Result<Span> {
         let (base, first, last) = self.bounds(range);
+        let borrowed = self.borrowed(range);
         let ends = (
             constant(&range.first),
             range.last.as_deref().map_or(Some(last), constant),
@@ -34,17 +37,19 @@ impl Compiler<'_> {
             && from <= to
             && to <= last
         {
-            return Ok(Span {
-                start: self.constant(i64::from(base) + (from - first)),
-                count: self.constant(to - from + 1),
-            });
+            let start = match borrowed {
+                Some(at) => self.slot_offset(at, (from - first) as u32),
+                None => self.constant(i64::from(base) + (from - first)),
+            };
+            let count = self.constant(to - from + 1);
+            return Ok(Span { start, count });
         }
         let from = self.count(&range.first)?;
         let to = match &range.last {
             Some(to) => self.count(to)?,
             None => self.constant(last),
         };
-        let span = Span {
+        let mut span = Span {
             start: self.layout.word(),
             count: self.layout.word(),
         };
@@ -53,6 +58,9 @@ impl Compiler<'_> {
             Routine::Range,
             &[from.0, to.0, base, first.0, last.0, span.start.0, span.count.0],
         );
+        if let Some(at) = borrowed {
+            span.start = self.integer(IntegerOp::Add, Scalar::Lint, span.start, at);
+        }
         Ok(span)
     }
 
@@ -66,15 +74,28 @@ impl Compiler<'_> {
             Routine::RangeFrom,
             &[from.0, count.0, base, first.0, last.0, start.0],
         );
+        let start = match self.borrowed(range) {
+            Some(at) => self.integer(IntegerOp::Add, Scalar::Lint, start, at),
+            None => start,
+        };
         Ok(Span { start, count })
     }
 
-    /// The slot of an array's first element, and its bounds.
-    fn bounds(&self, range: &RangeRef) -> (u32, i64, i64) {
+    /// The word that holds the slot of an array's first element, where an in-out stands for the array.
+    pub(super) fn borrowed(&self, range: &RangeRef) -> Option<Word> {
+        match self.homes[range.tag.0 as usize] {
+            Home::Borrowed(Borrowed::Elements { at, .. }) => Some(at),
+            _ => None,
+        }
+    }
+
+    /// The slot of an array's first element, counted from where an in-out begins, and its bounds.
+    pub(super) fn bounds(&self, range: &RangeRef) -> (u32, i64, i64) {
         let (base, first, len) = match self.homes[range.tag.0 as usize] {
             Home::Bits { at, first, len } => (at.0, first, len),
             Home::Words { at, first, len, .. } => (at.0, first, len),
             Home::Texts { at, first, len, .. } => (at.0, first, len),
+            Home::Borrowed(Borrowed::Elements { first, len, .. }) => (0, first, len),
             _ => (0, 0, 1),
         };
         (base, first, first + i64::from(len) - 1)

@@ -5,8 +5,8 @@ use super::place::Slot;
 use super::range::Span;
 use super::{Compiler, Result};
 use crate::code::Instr;
-use crate::layout::Home;
 use crate::memory::{Bit, Word};
+use crate::operation::IntegerOp;
 use crate::routine::{Routine, type_operand};
 use ladder_analysis::program::{Argument, Expr, ExprKind, RangeRef};
 use ladder_analysis::values::types::Scalar;
@@ -194,13 +194,12 @@ impl Compiler<'_> {
         let wanted_type = type_operand(wanted.ty);
         let wanted = self.wanted(wanted, range.element)?.number();
         let [first, count] = self.range(range)?.operands();
-        let (base, first_index) = match self.homes[range.tag.0 as usize] {
-            Home::Bits { at, first, .. } => (at.0, first),
-            Home::Words { at, first, .. } => (at.0, first),
-            Home::Texts { at, first, .. } => (at.0, first),
-            _ => return Err(arguments.mismatch()),
-        };
-        let (first_index, found) = (self.constant(first_index), self.layout.bit());
+        let (base, first_index, _) = self.bounds(range);
+        let (mut first_index, found) = (self.constant(first_index), self.layout.bit());
+        if let Some(at) = self.borrowed(range) {
+            // The index of what would be in slot 0.
+            first_index = self.integer(IntegerOp::Sub, Scalar::Lint, first_index, at);
+        }
         self.routine(
             Routine::Search,
             &[

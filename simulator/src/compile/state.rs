@@ -2,6 +2,7 @@
 //! is evaluated.
 
 use super::arguments::Arguments;
+use super::chosen::StateSpot;
 use super::{Compiler, Result};
 use crate::code::Instr;
 use crate::layout::{Home, counter, timer};
@@ -18,6 +19,39 @@ impl Compiler<'_> {
             Home::State { bits, words, .. } => Ok((bits, words)),
             _ => Err(arguments.mismatch()),
         }
+    }
+
+    /// Where the state of a timer, counter or bistable begins.
+    fn state(&mut self, arguments: Arguments) -> Result<StateSpot> {
+        let found = self.state_spot(arguments.get(0)?)?;
+        found.map(|(_, spot)| spot).ok_or_else(|| arguments.mismatch())
+    }
+
+    /// The same as [`Compiler::inputs`], of a state that may be chosen by a computed index.
+    fn inputs_of(&mut self, arguments: Arguments, state: StateSpot, inputs: &[(&str, u32)]) -> Result<()> {
+        let (bits, at) = match state {
+            StateSpot::Fixed { bits, .. } => (bits, None),
+            StateSpot::At { bits, .. } => (Bit(0), Some(bits)),
+        };
+        let Some(at) = at else {
+            let inputs: Vec<(&str, Bit)> = (inputs.iter())
+                .map(|&(name, member)| (name, bits.offset(member)))
+                .collect();
+            return self.inputs(arguments, &inputs);
+        };
+        let mut moves = Vec::new();
+        for &(name, member) in inputs {
+            if let Some(value) = arguments.named_value(name)? {
+                let from = self.bit(value)?;
+                let value = self.layout.bit();
+                self.emit(Instr::MoveBit { to: value, from });
+                moves.push((self.slot_offset(at, member), value));
+            }
+        }
+        for (at, from) in moves {
+            self.emit(Instr::StoreBit { at, from });
+        }
+        Ok(())
     }
 
     /// Copies named operands into members, once all of them are read. A block without one leaves its member low.
@@ -43,10 +77,25 @@ impl Compiler<'_> {
     }
 
     pub(super) fn timer(&mut self, op: Op, arguments: Arguments, en: Bit) -> Result<Bit> {
-        let (bits, words) = self.home_of(arguments)?;
+        let state = self.state(arguments)?;
         let out = self.layout.bit();
         let pt = self.preset(arguments.value(1)?)?;
-        self.inputs(arguments, &[("R", bits.offset(timer::R))])?;
+        self.inputs_of(arguments, state, &[("R", timer::R)])?;
+        let (bits, words) = match state {
+            StateSpot::Fixed { bits, words } => (bits, words),
+            StateSpot::At { bits, words } => {
+                let operand = pt.0;
+                self.emit(Instr::StateAt {
+                    op,
+                    out,
+                    en,
+                    operand,
+                    bits,
+                    words,
+                });
+                return Ok(out);
+            }
+        };
         self.emit(match op {
             Op::Tof => Instr::Tof {
                 out,
@@ -103,14 +152,26 @@ impl Compiler<'_> {
     }
 
     pub(super) fn counter(&mut self, op: Op, arguments: Arguments, en: Bit) -> Result<Bit> {
-        let (bits, words) = self.home_of(arguments)?;
+        let state = self.state(arguments)?;
         let out = self.layout.bit();
         let pv = self.word(arguments.value(1)?)?;
         let inputs = [("CD", counter::CD), ("R", counter::R), ("LD", counter::LD)];
-        self.inputs(
-            arguments,
-            &inputs.map(|(name, member)| (name, bits.offset(member))),
-        )?;
+        self.inputs_of(arguments, state, &inputs)?;
+        let (bits, words) = match state {
+            StateSpot::Fixed { bits, words } => (bits, words),
+            StateSpot::At { bits, words } => {
+                let operand = pv.0;
+                self.emit(Instr::StateAt {
+                    op,
+                    out,
+                    en,
+                    operand,
+                    bits,
+                    words,
+                });
+                return Ok(out);
+            }
+        };
         self.emit(match op {
             Op::Ctd => Instr::Ctd {
                 out,
@@ -145,11 +206,26 @@ impl Compiler<'_> {
     }
 
     pub(super) fn bistable(&mut self, op: Op, arguments: Arguments, en: Bit) -> Result<Bit> {
-        let (bits, _) = self.home_of(arguments)?;
+        let state = self.state(arguments)?;
         let out = self.layout.bit();
         let reset = match arguments.named_value("R")? {
             Some(value) => self.bit(value)?,
             None => Bit::LOW,
+        };
+        let bits = match state {
+            StateSpot::Fixed { bits, .. } => bits,
+            StateSpot::At { bits, words } => {
+                let operand = reset.0;
+                self.emit(Instr::StateAt {
+                    op,
+                    out,
+                    en,
+                    operand,
+                    bits,
+                    words,
+                });
+                return Ok(out);
+            }
         };
         self.emit(match op {
             Op::Rs => Instr::Rs { out, en, reset, bits },

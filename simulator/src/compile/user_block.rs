@@ -14,6 +14,7 @@ use ladder_analysis::program::{Argument, Block, BlockKind, Bound, Network, Param
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::values::value::Value;
 use ladder_instructions::{Op, Shape};
+use std::collections::HashSet;
 
 /// Blocks inside blocks; compiling them nests as deep.
 pub(super) const DEEPEST: usize = 100;
@@ -43,6 +44,7 @@ impl Compiler<'_> {
         let out = self.layout.bit();
         // Low until the body has run: a fault in an operand leaves it so.
         self.emit(Instr::Follow { out, en: Bit::LOW });
+        let mut references = Vec::new();
         for (number, &(tag, kind)) in user.parameters.iter().enumerate() {
             if kind != ParameterKind::InOut {
                 continue;
@@ -57,26 +59,23 @@ impl Compiler<'_> {
                 one => vec![(tag, one)],
             };
             for (tag, argument) in pairs {
-                let home = self.reference(tag, argument, arguments)?;
-                self.homes[tag.0 as usize] = home;
-                self.places.body_in_outs.push((self.standing.clone(), tag, home));
+                references.extend(self.references(tag, argument, arguments)?);
             }
         }
-        let state = block
-            .arguments
-            .iter()
-            .find_map(|bound| match (bound.parameter, &bound.argument) {
-                (None, Argument::State(tag)) => Some(*tag),
-                _ => None,
-            });
-        match state.and_then(|tag| program.instances.iter().find(|instance| instance.tag == tag)) {
-            Some(instance) => {
-                for (body, own) in &instance.tags {
-                    self.homes[body.0 as usize] = self.homes[own.0 as usize];
-                }
+        let state = block.arguments.iter().find(|bound| bound.parameter.is_none());
+        let owner = match state {
+            Some(Bound { argument, .. }) => {
+                let inside = self.homes_inside(argument)?;
+                references.extend(inside.ok_or_else(|| arguments.mismatch())?);
+                self.owner(argument)?
             }
-            None if state.is_some() => return Err(arguments.mismatch()),
-            None => self.own_tags(index)?,
+            None => None,
+        };
+        for &(tag, home) in &references {
+            self.homes[tag.0 as usize] = home;
+        }
+        if state.is_none() {
+            self.own_tags(index, &references)?;
         }
         let mut inputs = Vec::new();
         for (number, &(tag, kind)) in user.parameters.iter().enumerate() {
@@ -112,7 +111,12 @@ impl Compiler<'_> {
             hidden: shown,
             step,
         });
+        let is_owned = owner.is_some();
+        self.owners.extend(owner);
         self.stretch(user.networks.clone(), kind)?;
+        if is_owned {
+            self.owners.pop();
+        }
         self.powers = self.outer_powers.pop().unwrap_or_default();
         self.step = step;
         if shown {
@@ -131,33 +135,49 @@ impl Compiler<'_> {
     }
 
     /// Room for the tags of a body, but for its in-outs, which stand for others.
-    fn own_tags(&mut self, index: usize) -> Result<()> {
-        let program = self.program;
-        let in_outs = &program.blocks[index].parameters;
-        let parts = &program.blocks[index].parts;
-        for tag in std::mem::take(&mut self.block_tags[index]) {
-            let is_reference = in_outs.iter().zip(parts).any(|(&(other, kind), parts)| {
-                kind == ParameterKind::InOut
-                    && (other == tag || parts.iter().any(|part| part.root() == Some(tag)))
-            });
-            if !is_reference {
-                let declared = &program.tags[tag.0 as usize];
-                let home = self.layout.tag(declared)?;
-                self.places.body_tags.push((self.standing.clone(), tag, home));
-                self.homes[tag.0 as usize] = home;
-                if self.keeps[tag.0 as usize] {
-                    self.retained.push((tag, home));
-                }
+    fn own_tags(&mut self, index: usize, references: &[(TagId, Home)]) -> Result<()> {
+        let references: HashSet<TagId> = references.iter().map(|(tag, _)| *tag).collect();
+        let tags = std::mem::take(&mut self.block_tags[index]);
+        for tag in &tags {
+            if !references.contains(tag) {
+                self.homes[tag.0 as usize] = self.body_tag(*tag)?;
             }
-            self.block_tags[index].push(tag);
         }
+        self.block_tags[index] = tags;
         Ok(())
     }
 
-    /// What an in-out stands for, which is this tag of the body.
+    /// What an in-out stands for, which is this tag of the body; of the state of a block also the tags inside.
+    fn references(
+        &mut self,
+        inner: TagId,
+        argument: &Argument,
+        arguments: Arguments,
+    ) -> Result<Vec<(TagId, Home)>> {
+        let home = self.reference(inner, argument, arguments)?;
+        self.places
+            .body_in_outs
+            .push((self.standing.clone(), inner, home));
+        let mut references = vec![(inner, home)];
+        let mut instances = self.program.instances.iter();
+        if let Some(instance) = instances.find(|instance| instance.tag == inner) {
+            let inside = self.homes_inside(argument)?;
+            let inside = inside.ok_or_else(|| arguments.mismatch())?;
+            let own = instance.tags.iter().map(|(_, own)| *own);
+            references.extend(own.zip(inside.into_iter().map(|(_, home)| home)));
+            let owner = self.owner(argument)?;
+            self.passed_owners.extend(owner.map(|owner| (inner, owner)));
+        }
+        Ok(references)
+    }
+
+    /// The place that one tag of the body stands for.
     fn reference(&mut self, inner: TagId, argument: &Argument, arguments: Arguments) -> Result<Home> {
         match argument {
-            Argument::State(tag) => Ok(self.homes[tag.0 as usize]),
+            Argument::State(_) | Argument::ChosenState(_) => {
+                let home = self.state_home(argument)?;
+                home.ok_or_else(|| arguments.mismatch())
+            }
             Argument::Range(range) => {
                 let home = self.homes[range.tag.0 as usize];
                 let first = match self.program.tags[inner.0 as usize].ty {
@@ -165,10 +185,17 @@ impl Compiler<'_> {
                     _ => 0,
                 };
                 let ends = (constant(&range.first), range.last.as_deref().and_then(constant));
-                let (Some(from), Some(to)) = ends else {
-                    return Err(arguments.mismatch());
-                };
-                Ok(stretch_of(home, from, to, first))
+                match (ends, home) {
+                    (_, Home::Borrowed(_)) | ((None, _) | (_, None), _) => {
+                        let len = match self.program.tags[inner.0 as usize].ty {
+                            Type::Array { first, last, .. } => (last - first + 1) as u32,
+                            _ => 1,
+                        };
+                        let (at, ty) = (self.range(range)?.start, range.element);
+                        Ok(Home::Borrowed(Borrowed::Elements { at, first, len, ty }))
+                    }
+                    ((Some(from), Some(to)), _) => Ok(stretch_of(home, from, to, first)),
+                }
             }
             Argument::Place(place, ty) => {
                 let spot = self.spot(place)?;
@@ -339,12 +366,13 @@ fn home_of(spot: Spot, ty: Scalar) -> Option<Home> {
             max: 0,
         },
         Spot::BitAt(at) | Spot::WordAt(at) | Spot::TextAt { at, .. } => {
-            Home::Borrowed(Borrowed::Element { at, ty })
+            let (first, len) = (0, 1);
+            Home::Borrowed(Borrowed::Elements { at, first, len, ty })
         }
         Spot::BitOf { word, bit, width } => Home::Borrowed(Borrowed::BitOf { word, bit, width }),
         Spot::BitOfAt { at, bit, width } => Home::Borrowed(Borrowed::BitOfAt { at, bit, width }),
         Spot::As { word, stored, ty } => Home::Borrowed(Borrowed::As { word, stored, ty }),
-        Spot::Timing { .. } => return None,
+        Spot::Timing { .. } | Spot::TimingAt { .. } => return None,
     })
 }
 

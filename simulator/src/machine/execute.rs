@@ -8,7 +8,7 @@ use crate::operation::{convert, integer, real, real_function};
 use crate::routine;
 use crate::timers::{Clock, Timer};
 use crate::work;
-use ladder_instructions::StateType;
+use ladder_instructions::{Op, StateType};
 use std::cmp::Ordering;
 
 /// What comes after an instruction.
@@ -429,6 +429,31 @@ pub(super) fn execute<const FORCED: bool>(
             let q = counters::rs::<FORCED>(memory, bits, set, reset);
             memory.set_bit(out, q);
         }
+        Instr::StateAt {
+            op,
+            out,
+            en,
+            operand,
+            bits,
+            words,
+        } => {
+            let bits = Bit(memory.word(bits) as u32);
+            let words = Word(memory.word(words) as u32);
+            let q = state_at::<FORCED>(memory, op, (en, operand), (bits, words), clock);
+            memory.set_bit(out, q);
+        }
+        Instr::ClearAt {
+            en,
+            state,
+            bits,
+            words,
+        } => {
+            if memory.bit(en) {
+                let bits = Bit(memory.word(bits) as u32);
+                let words = Word(memory.word(words) as u32);
+                clear::<FORCED>(memory, state, bits, words);
+            }
+        }
         Instr::Clear {
             en,
             state,
@@ -469,6 +494,38 @@ fn look_up(memory: &mut Memory, record: &Record, row: &mut u8) {
     let index = bits[slot(a)] | bits[slot(b)] << 1 | bits[slot(c)] << 2;
     *row = index;
     bits[slot(record.out)] = record.truth >> (index & 7) & 1;
+}
+
+/// A timer, counter or bistable that a computed index chose.
+#[inline(never)]
+fn state_at<const FORCED: bool>(
+    memory: &mut Memory,
+    op: Op,
+    (en, operand): (Bit, u32),
+    (bits, words): (Bit, Word),
+    clock: Clock,
+) -> bool {
+    let (timer, counter) = (Timer { bits, words }, Counter { bits, words });
+    let en = memory.bit(en);
+    if let Op::Sr | Op::Rs = op {
+        let reset = memory.bit(Bit(operand));
+        return match op {
+            Op::Sr => counters::sr::<FORCED>(memory, bits, en, reset),
+            _ => counters::rs::<FORCED>(memory, bits, en, reset),
+        };
+    }
+    let preset = memory.word(Word(operand));
+    match op {
+        Op::Tof => timer.tof::<FORCED>(memory, en, preset, clock),
+        Op::Tp => timer.tp::<FORCED>(memory, en, preset, clock),
+        Op::Rto => timer.rto::<FORCED>(memory, en, preset, clock),
+        Op::Rtof => timer.rtof::<FORCED>(memory, en, preset, clock),
+        Op::Ctu => counter.ctu::<FORCED>(memory, en, preset),
+        Op::Ctd => counter.ctd::<FORCED>(memory, en, preset),
+        Op::Ctud => counter.ctud::<FORCED>(memory, en, preset),
+        Op::Ctc => counter.ctc::<FORCED>(memory, en, preset),
+        _ => timer.ton::<FORCED>(memory, en, preset, clock),
+    }
 }
 
 fn clear<const FORCED: bool>(memory: &mut Memory, state: StateType, bits: Bit, words: Word) {

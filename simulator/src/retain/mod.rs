@@ -150,6 +150,7 @@ fn tag_of(argument: &Argument) -> Option<TagId> {
         Argument::Place(place, _) => place.root(),
         Argument::Range(range) => Some(range.tag),
         Argument::State(tag) => Some(*tag),
+        Argument::ChosenState(chosen) => Some(chosen.first),
         _ => None,
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Simulation;
 use crate::tags::Point;
-use ladder_analysis::program::{BinaryOperator, Expr, ExprKind, Member, Place, TagId};
+use ladder_analysis::program::{BinaryOperator, Chosen, Expr, ExprKind, Member, Place, TagId};
 use ladder_analysis::values::value::Value;
 
 impl Simulation {
@@ -15,8 +15,12 @@ impl Simulation {
             return None;
         }
         let point = self.resolve(&name(self, place)?).ok()?;
+        let chosen = match place {
+            Place::Chosen(chosen) | Place::ChosenMember(chosen, _) => chosen_tag(self, chosen),
+            _ => place.root(),
+        };
         let is_it = |tag: TagId| self.compiled.homes[tag.0 as usize].holds(point.slot);
-        place.root().is_some_and(is_it).then_some(point)
+        chosen.is_some_and(is_it).then_some(point)
     }
 
     /// Whether a place has an index that is computed.
@@ -24,6 +28,7 @@ impl Simulation {
         match place {
             Place::Element(_, index) => !matches!(index.kind, ExprKind::Constant(_)),
             Place::Bit(inner, ..) | Place::As(inner, ..) => Self::has_index(inner),
+            Place::Chosen(_) | Place::ChosenMember(..) => true,
             _ => false,
         }
     }
@@ -39,10 +44,24 @@ pub(crate) fn name(simulation: &Simulation, place: &Place) -> Option<String> {
             let index = number(simulation, index)?;
             simulation.program().tags[it.0 as usize].element_name(index)
         }
+        Place::Chosen(chosen) => tag(&chosen_tag(simulation, chosen)?),
+        Place::ChosenMember(chosen, member) => {
+            format!(
+                "{}.{}",
+                tag(&chosen_tag(simulation, chosen)?),
+                member_name(*member)
+            )
+        }
         Place::Bit(word, _, bit) => format!("{}.{bit}", name(simulation, word)?),
         Place::As(inner, ..) => name(simulation, inner)?,
         Place::System(system) => format!("SYS.{}", system.name()),
     })
+}
+
+/// The tag that an index chooses now.
+pub(crate) fn chosen_tag(simulation: &Simulation, chosen: &Chosen) -> Option<TagId> {
+    let number = u32::try_from(number(simulation, &chosen.number)?).ok()?;
+    Some(TagId(chosen.first.0 + chosen.step * number))
 }
 
 /// What an index is now.
