@@ -58,6 +58,7 @@ mod machine;
 mod members;
 mod memory;
 mod operation;
+mod overlap;
 mod places;
 mod retain;
 mod routine;

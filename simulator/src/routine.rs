@@ -46,6 +46,9 @@ pub(crate) enum Routine {
     FillBits,
     FillWords,
     FillTexts,
+    RepeatBits,
+    RepeatWords,
+    RepeatTexts,
     /// Sets the bits of a range if EN is high: EN, range.
     SetBits,
     /// Clears them likewise.
@@ -288,6 +291,9 @@ pub(crate) fn run<const FORCED: bool>(
         Routine::FillTexts => ranges::fill_texts::<FORCED>(memory, with),
         Routine::SetBits => ranges::write_bits_when::<FORCED>(memory, with, true),
         Routine::ResetBits => ranges::write_bits_when::<FORCED>(memory, with, false),
+        Routine::RepeatBits => ranges::repeat_bits::<FORCED>(memory, with),
+        Routine::RepeatWords => ranges::repeat_words::<FORCED>(memory, with),
+        Routine::RepeatTexts => ranges::repeat_texts::<FORCED>(memory, with),
         Routine::CopyBits => ranges::copy_bits::<FORCED>(memory, with)?,
         Routine::CopyWords => ranges::copy_words::<FORCED>(memory, with)?,
         Routine::CopyTexts => ranges::copy_texts::<FORCED>(memory, with)?,

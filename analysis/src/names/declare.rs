@@ -160,7 +160,7 @@ fn declaration(
     if let Some((_, Some(values))) = meaning {
         initial = values.to_vec();
     } else if let (Some(value), Some(ty)) = (node.initial_value(), known) {
-        match constant::initial_values(&facts::node(&value), ty) {
+        match constant::initial_values(&facts::node(&value), ty, None) {
             Ok(values) => initial = values,
             Err(problem) => out.push(NameProblem::InitialValue(problem.moved_by(start))),
         }

@@ -325,7 +325,7 @@ impl Reading<'_> {
     /// A type with the values that its declaration says.
     fn with_initial(
         &mut self,
-        types: &NamedTypes,
+        types: &mut NamedTypes,
         declared: &Declared,
         (ty, default): Meaning,
         file: Option<&Arc<str>>,
@@ -333,7 +333,8 @@ impl Reading<'_> {
         let Some(initial) = &declared.initial else {
             return (ty, default);
         };
-        match constant::initial_values(&initial.node, ty) {
+        let element = self.of_element(types, &declared.spec, file);
+        match constant::initial_values(&initial.node, ty, element.as_deref()) {
             Ok(values) => {
                 if file.is_none() {
                     let start = initial.start;
@@ -348,6 +349,27 @@ impl Reading<'_> {
                 self.say(file, || NameProblem::InitialValue(problem.moved_by(start)));
                 (ty, default)
             }
+        }
+    }
+
+    /// The values that the type of an array's elements says.
+    fn of_element(
+        &mut self,
+        types: &mut NamedTypes,
+        spec: &TypeSpec,
+        file: Option<&Arc<str>>,
+    ) -> Option<Arc<[Value]>> {
+        match &spec.kind {
+            SpecKind::Array(_, element) => self.type_of(types, element, "", file)?.1,
+            SpecKind::Named(name) => {
+                let index = types
+                    .position(name, file)
+                    .filter(|index| self.state[*index] == State::Done)?;
+                let named = &types.list[index];
+                let (declared, file) = (Arc::clone(&named.declaration.declared), named.file.clone());
+                self.of_element(types, &declared.spec, file.as_ref())
+            }
+            _ => None,
         }
     }
 
@@ -406,6 +428,7 @@ impl Reading<'_> {
                             key: Name::new(&member.name),
                             ty,
                             initial,
+                            element: self.of_element(types, &member.declared.spec, file),
                         }),
                         None => is_whole = false,
                     }

@@ -205,7 +205,7 @@ impl<'c> Resolver<'c, '_> {
     }
 
     /// The argument of an operand that asks for something of its own.
-    fn argument(&mut self, node: &Node, operand: &'static Operand) -> Option<Argument> {
+    pub(super) fn argument(&mut self, node: &Node, operand: &'static Operand) -> Option<Argument> {
         let reads = operand.direction == Direction::In;
         match operand.accepts {
             Accepts::Bool if reads => self.value(node, Scalar::Bool).map(Argument::Value),

@@ -358,6 +358,70 @@ impl Resolver<'_, '_> {
         })
     }
 
+    /// A range of structures, `lines[2..3]`, or with `open` also an element from which on it is meant, or a whole array of them:
+    /// the range of each of their elementary parts.
+    pub(super) fn part_ranges(&mut self, node: &Node, open: bool) -> Option<Vec<Argument>> {
+        let range = self.at(node.range);
+        let (base, first, last) = match &node.kind {
+            NodeKind::Paren(inner) => return self.part_ranges(inner, open),
+            NodeKind::Range(base, first, last) => (base, first, Some(&**last)),
+            NodeKind::Index(base, first)
+                if open && self.part_type(node).is_some_and(|(ty, _)| ty.array().is_none()) =>
+            {
+                (base, first, None)
+            }
+            _ => {
+                if self.part(node)?.ty.array().is_some() {
+                    return self.copied_parts(node);
+                }
+                let message = "a range of an array is expected here: a[1..9]";
+                self.report(bad_operand::wrong(range, message));
+                return None;
+            }
+        };
+        let part = self.part(base)?;
+        let Some((left, element)) = part.array() else {
+            self.report(no_array(part.ty, self.text_of(base), self.at(base.range)));
+            return None;
+        };
+        let [bounds] = *left.as_slice() else {
+            let message = "a range is in the last dimension: write an index for each of the others";
+            self.report(bad_operand::wrong(self.at(base.range), message));
+            return None;
+        };
+        let first = self.subscript(base, first, bounds)?;
+        let last = match last {
+            Some(last) => Some(self.subscript(base, last, bounds)?),
+            // The elements from there on are those of its own row.
+            None if !part.indices.is_empty() => {
+                Some(self.constant_expr(Value::Int(bounds.1), Scalar::Lint, node.range))
+            }
+            None => None,
+        };
+        let mut ranges = Vec::new();
+        for (number, column) in (0..).zip(element.column_list()) {
+            let Type::Scalar(scalar) = column.ty else { continue };
+            let end = |index: &Expr, pick: fn(&(i64, i64)) -> i64| {
+                let mut indices = vec![(index.clone(), bounds)];
+                indices.extend(column.dimensions.iter().map(|bounds| {
+                    let index = self.constant_expr(Value::Int(pick(bounds)), Scalar::Lint, node.range);
+                    (index, *bounds)
+                }));
+                Box::new(linear(&part, &indices, range))
+            };
+            ranges.push(Argument::Range(RangeRef {
+                tag: TagId(0),
+                element: scalar,
+                first: end(&first, |bounds| bounds.0),
+                last: last.as_ref().map(|last| end(last, |bounds| bounds.1)),
+            }));
+            if let Some(Argument::Range(range)) = ranges.last_mut() {
+                range.tag = self.column_id(part.tag, part.column + number);
+            }
+        }
+        Some(ranges)
+    }
+
     /// The elementary parts of what a node names, each as it is copied: values by their place, arrays by their range.
     pub(super) fn copied_parts(&mut self, node: &Node) -> Option<Vec<Argument>> {
         let range = self.at(node.range);

@@ -57,6 +57,8 @@ pub struct MemberType {
     pub ty: Type,
     /// The values of its elementary parts at the start, where the structure says so.
     pub initial: Option<Arc<[Value]>>,
+    /// The same of one element, if it is an array whose elements' type says so.
+    pub element: Option<Arc<[Value]>>,
 }
 
 /// An array of anything.
@@ -507,6 +509,7 @@ mod tests {
             key: Name::new(name),
             ty,
             initial: None,
+            element: None,
         };
         let structure = Structure {
             name: "Pair".into(),

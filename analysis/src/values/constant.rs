@@ -214,10 +214,15 @@ pub(crate) fn signed_literal(node: &Node) -> Option<(&Result<Literal, LiteralPro
 }
 
 /// The initial values of a declaration: one for each elementary part, in the order of
-/// [`Type::initial_values`]. What is left out has its type's own.
-pub(crate) fn initial_values(node: &Node, ty: Type) -> Result<Vec<Value>, ConstantProblem> {
+/// [`Type::initial_values`]. What is left out has its type's own; `element` are those of an element, if it is an array whose
+/// elements' type has values of its own.
+pub(crate) fn initial_values(
+    node: &Node,
+    ty: Type,
+    element: Option<&[Value]>,
+) -> Result<Vec<Value>, ConstantProblem> {
     let mut values = Vec::new();
-    add_values(node, ty, &mut values)?;
+    add_values(node, ty, element, &mut values)?;
     Ok(values)
 }
 
@@ -226,12 +231,18 @@ fn not_initial(range: TextRange, message: impl Into<String>) -> ConstantProblem 
 }
 
 /// Adds the values of a part.
-fn add_values(node: &Node, ty: Type, values: &mut Vec<Value>) -> Result<(), ConstantProblem> {
+fn add_values(
+    node: &Node,
+    ty: Type,
+    own: Option<&[Value]>,
+    values: &mut Vec<Value>,
+) -> Result<(), ConstantProblem> {
     if let Some((dimensions, element)) = ty.array() {
         let most = dimensions.iter().fold(1u64, |all, (first, last)| {
             all.saturating_mul(last.abs_diff(*first) + 1)
         });
-        return add_elements(node, element, most, values);
+        let own = own.map_or_else(|| element.initial_values(), <[Value]>::to_vec);
+        return add_elements(node, element, (most, &own), values);
     }
     let id = match ty {
         Type::Scalar(scalar) => {
@@ -272,7 +283,7 @@ fn add_values(node: &Node, ty: Type, values: &mut Vec<Value>) -> Result<(), Cons
     }
     for (member, given) in structure.members.iter().zip(by_member) {
         match (given, &member.initial) {
-            (Some(value), _) => add_values(value, member.ty, values)?,
+            (Some(value), _) => add_values(value, member.ty, member.element.as_deref(), values)?,
             (None, Some(initial)) => values.extend_from_slice(initial),
             (None, None) => values.extend(member.ty.initial_values()),
         }
@@ -284,7 +295,7 @@ fn add_values(node: &Node, ty: Type, values: &mut Vec<Value>) -> Result<(), Cons
 fn add_elements(
     node: &Node,
     element: Type,
-    most: u64,
+    (most, own): (u64, &[Value]),
     values: &mut Vec<Value>,
 ) -> Result<(), ConstantProblem> {
     let NodeKind::Array(nodes) = &node.kind else {
@@ -294,16 +305,15 @@ fn add_elements(
     let before = values.len();
     let mut given = 0;
     for node in nodes {
-        given += add_element(node, element, most, values)?;
+        given += add_element(node, element, (most, own), values)?;
     }
     if given > most {
         let message = format!("there are {given} values for {most} elements");
         values.truncate(before);
         return Err(not_initial(node.range, message));
     }
-    let own = element.initial_values();
     for _ in given..most {
-        values.extend_from_slice(&own);
+        values.extend_from_slice(own);
     }
     Ok(())
 }
@@ -312,11 +322,11 @@ fn add_elements(
 fn add_element(
     node: &Node,
     element: Type,
-    most: u64,
+    (most, own): (u64, &[Value]),
     values: &mut Vec<Value>,
 ) -> Result<u64, ConstantProblem> {
     let NodeKind::Repeat(count, repeated) = &node.kind else {
-        add_values(node, element, values)?;
+        add_values(node, element, None, values)?;
         return Ok(1);
     };
     let Some(&Literal::Int(count)) = count.literal() else {
@@ -330,10 +340,10 @@ fn add_element(
     }
     let mut once = Vec::new();
     for value in repeated {
-        add_values(value, element, &mut once)?;
+        add_values(value, element, None, &mut once)?;
     }
     if repeated.is_empty() {
-        once = element.initial_values();
+        once = own.to_vec();
     }
     for _ in 0..count {
         values.extend_from_slice(&once);

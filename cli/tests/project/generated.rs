@@ -69,21 +69,21 @@ fn wild_programs_hold_no_errors() {
 
 #[test]
 fn the_tree_holds_every_character() {
-    for mode in [Mode::Sensible, Mode::Wild, Mode::Boolean] {
+    for mode in [Mode::Sensible, Mode::Wild, Mode::Boolean, Mode::Typed] {
         each(mode, 300, |_, text| assert_eq!(parse(text).to_string(), text));
     }
 }
 
 #[test]
 fn the_same_seed_gives_the_same_program() {
-    for mode in [Mode::Sensible, Mode::Wild, Mode::Boolean] {
+    for mode in [Mode::Sensible, Mode::Wild, Mode::Boolean, Mode::Typed] {
         each(mode, 100, |seed, text| assert_eq!(program(seed, mode), text));
     }
 }
 
 #[test]
 fn formatting_twice_gives_the_same_text() {
-    for mode in [Mode::Sensible, Mode::Wild, Mode::Boolean] {
+    for mode in [Mode::Sensible, Mode::Wild, Mode::Boolean, Mode::Typed] {
         each(mode, 250, |_, text| {
             let once = formatted(text);
             assert_eq!(formatted(&once), once);
@@ -93,7 +93,7 @@ fn formatting_twice_gives_the_same_text() {
 
 #[test]
 fn formatting_keeps_the_tokens() {
-    for mode in [Mode::Sensible, Mode::Wild] {
+    for mode in [Mode::Sensible, Mode::Wild, Mode::Typed] {
         each(mode, 250, |_, text| {
             assert_eq!(tokens(&formatted(text)), tokens(text));
         });
@@ -135,7 +135,7 @@ fn formatting_keeps_the_wiring() {
 
 #[test]
 fn formatting_never_changes_the_trace() {
-    for (mode, count) in [(Mode::Sensible, 100), (Mode::Wild, 200), (Mode::Boolean, 100)] {
+    for (mode, count) in [(Mode::Sensible, 100), (Mode::Wild, 200), (Mode::Boolean, 100), (Mode::Typed, 100)] {
         each(mode, count, |seed, text| {
             let before = trace(text, stimulus(seed), Engine::Fused);
             let after = trace(&formatted(text), stimulus(seed), Engine::Fused);
@@ -152,7 +152,7 @@ fn formatting_never_changes_the_trace() {
 /// Compiled and run a second time, and as it runs while something is forced.
 #[test]
 fn the_same_inputs_give_the_same_trace() {
-    for (mode, count) in [(Mode::Sensible, 100), (Mode::Wild, 200), (Mode::Boolean, 100)] {
+    for (mode, count) in [(Mode::Sensible, 100), (Mode::Wild, 200), (Mode::Boolean, 100), (Mode::Typed, 100)] {
         each(mode, count, |seed, text| {
             let first = trace(text, stimulus(seed), Engine::Fused);
             for (engine, what) in [(Engine::Fused, "a second time"), (Engine::Plain, "plain code")] {

@@ -65,7 +65,16 @@ fn does_the_same(old: &Simulation, new: &Simulation) -> bool {
                     was.constant,
                     &was.address,
                     was.block,
-                ) == (is.ty, is.role, is.retain, is.constant, &is.address, is.block)
+                    &was.column,
+                ) == (
+                    is.ty,
+                    is.role,
+                    is.retain,
+                    is.constant,
+                    &is.address,
+                    is.block,
+                    &is.column,
+                )
             })
     };
     old.program.networks.len() == new.program.networks.len()

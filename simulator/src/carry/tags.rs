@@ -5,11 +5,13 @@ use super::matching::Matching;
 use super::renamed::Renamed;
 use crate::layout::{Home, state_size};
 use crate::memory::{Bit, Memory, Word};
+use crate::overlap::{dimensions, overlap};
 use crate::places::EdgeOf;
 use crate::simulation::Simulation;
 use ladder_analysis::program::{Tag, TagId};
-use ladder_analysis::values::types::Type;
+use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::with_article;
+use ladder_instructions::StateType;
 use ladder_syntax::Name;
 use std::collections::{HashMap, HashSet};
 
@@ -37,7 +39,12 @@ pub(super) fn carry(
         if is.0.constant {
             continue;
         }
-        if !copied.tag(*was, is) {
+        let is_block = |tag: &Tag| matches!(tag.ty, Type::Compound(_));
+        if is_block(was.0) && was.0.ty == is.0.ty {
+            // The tags of its body are tags of their own.
+            continue;
+        }
+        let Some(missing) = copied.tag(*was, is) else {
             lost.push(Lost {
                 message: format!(
                     "{} was {} and is {} now: it begins with its initial value",
@@ -47,7 +54,21 @@ pub(super) fn carry(
                 ),
                 location: Some(is.0.location),
             });
-        } else if was.0.initial != is.0.initial {
+            continue;
+        };
+        for (number, value) in missing {
+            let name = match is.0.ty {
+                Type::Array { first, .. } => is.0.element_name(first + i64::from(number)),
+                _ => is.0.name.clone(),
+            };
+            lost.push(Lost {
+                message: format!(
+                    "{name} was {value}, which is no value any more: it begins with its initial value"
+                ),
+                location: Some(is.0.location),
+            });
+        }
+        if dimensions(was.0) == dimensions(&is.0) && was.0.initial != is.0.initial {
             lost.push(Lost {
                 message: format!(
                     "{} keeps its value: its initial value counts from the next cold start on",
@@ -141,67 +162,58 @@ struct Copied<'s> {
 }
 
 impl Copied<'_> {
-    /// Copies what a tag holds. False if that cannot be.
-    fn tag(&mut self, (was, from): Living<'_>, (is, to): &(Tag, Home)) -> bool {
-        let is_alike = match (was.ty, is.ty) {
-            (Type::Scalar(was), Type::Scalar(is)) => was == is || (was.is_string() && is.is_string()),
-            (Type::State(was), Type::State(is)) => was == is,
-            (Type::Array { element: was, .. }, Type::Array { element: is, .. }) => {
-                was == is || (was.is_string() && is.is_string())
+    /// Copies what a tag holds. Returns the elements of an enumeration whose value is no more. None: nothing can be copied.
+    fn tag(&mut self, (was, from): Living<'_>, (is, to): &(Tag, Home)) -> Option<Vec<(u32, String)>> {
+        let (element, is_element) = (element(was.ty)?, element(is.ty)?);
+        let names = match (element, is_element) {
+            (Element::Value(Scalar::Enum(was)), Element::Value(Scalar::Enum(is))) if was != is => {
+                let (was, is) = (was.get(), is.get());
+                if Name::new(&was.name) != Name::new(&is.name) {
+                    return None;
+                }
+                Some((was, is))
             }
-            _ => false,
+            (Element::Value(was), Element::Value(is)) if was == is || (was.is_string() && is.is_string()) => {
+                None
+            }
+            (Element::State(was), Element::State(is)) if was == is => None,
+            _ => return None,
         };
-        if !is_alike {
-            return false;
+        let (was_dimensions, is_dimensions) = (dimensions(was), dimensions(is));
+        if was_dimensions.len() != is_dimensions.len() {
+            return None;
         }
+        let runs = overlap(&was_dimensions, &is_dimensions);
+        let slots = |from: u32, to: u32| {
+            let runs = runs.iter();
+            runs.flat_map(move |run| (0..run.count).map(move |n| (from + run.from + n, to + run.to + n)))
+        };
+        let mut missing = Vec::new();
         match (from, *to) {
-            (
-                Home::Bits { at, first, len },
-                Home::Bits {
-                    at: to,
-                    first: to_first,
-                    len: to_len,
-                },
-            ) => {
-                for (from, to) in
-                    Elements::new(at.0, first, len).overlap(Elements::new(to.0, to_first, to_len))
-                {
+            (Home::Bits { at, .. }, Home::Bits { at: to, .. }) => {
+                for (from, to) in slots(at.0, to.0) {
                     self.bit(Bit(from), Bit(to));
                 }
-                true
             }
-            (
-                Home::Words { at, first, len, .. },
-                Home::Words {
-                    at: to,
-                    first: to_first,
-                    len: to_len,
-                    ..
-                },
-            ) => {
-                for (from, to) in
-                    Elements::new(at.0, first, len).overlap(Elements::new(to.0, to_first, to_len))
-                {
-                    self.word(Word(from), Word(to));
+            (Home::Words { at, .. }, Home::Words { at: first, .. }) => {
+                for (from, to) in slots(at.0, first.0) {
+                    let Some((was, is)) = &names else {
+                        self.word(Word(from), Word(to));
+                        continue;
+                    };
+                    let held = self.old.machine.memory.words[from as usize];
+                    let name = was.name_of(held).map_or_else(String::new, ToString::to_string);
+                    match is.number(&name) {
+                        Some(number) => self.memory.words[to as usize] = i64::from(number),
+                        None => missing.push((to - first.0, name)),
+                    }
                 }
-                true
             }
-            (
-                Home::Texts { at, first, len, .. },
-                Home::Texts {
-                    at: to,
-                    first: to_first,
-                    len: to_len,
-                    ..
-                },
-            ) => {
-                for (from, to) in
-                    Elements::new(at.0, first, len).overlap(Elements::new(to.0, to_first, to_len))
-                {
+            (Home::Texts { at, .. }, Home::Texts { at: to, .. }) => {
+                for (from, to) in slots(at.0, to.0) {
                     let text = self.old.machine.memory.texts[from as usize].bytes();
                     self.memory.texts[to as usize].set(text);
                 }
-                true
             }
             (
                 Home::State { state, bits, words },
@@ -218,10 +230,10 @@ impl Copied<'_> {
                 for n in 0..word_count {
                     self.word(words.offset(n), to_words.offset(n));
                 }
-                true
             }
-            _ => false,
+            _ => return None,
         }
+        Some(missing)
     }
 
     fn bit(&mut self, from: Bit, to: Bit) {
@@ -243,33 +255,18 @@ impl Copied<'_> {
     }
 }
 
-/// The elements of an array: the slot and the index of the first one, and how many there are.
+/// What a tag holds, or each of its elements.
 #[derive(Clone, Copy)]
-struct Elements {
-    at: u32,
-    first: i64,
-    len: u32,
+enum Element {
+    Value(Scalar),
+    State(StateType),
 }
 
-impl Elements {
-    fn new(at: u32, first: i64, len: u32) -> Elements {
-        Elements { at, first, len }
-    }
-
-    /// The slots of elements with the same index, here and in another array.
-    fn overlap(self, other: Elements) -> impl Iterator<Item = (u32, u32)> {
-        let first = self.first.max(other.first);
-        let end = self.end().min(other.end());
-        (first..end).map(move |index| (self.slot(index), other.slot(index)))
-    }
-
-    /// The index after the last one.
-    fn end(self) -> i64 {
-        self.first + i64::from(self.len)
-    }
-
-    fn slot(self, index: i64) -> u32 {
-        self.at + (index - self.first) as u32
+fn element(ty: Type) -> Option<Element> {
+    match ty {
+        Type::Scalar(scalar) | Type::Array { element: scalar, .. } => Some(Element::Value(scalar)),
+        Type::State(state) => Some(Element::State(state)),
+        Type::Compound(_) => None,
     }
 }
 

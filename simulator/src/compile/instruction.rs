@@ -25,7 +25,9 @@ impl Compiler<'_> {
             | Op::Lt
             | Op::Le => self.condition(row, arguments, en),
 
-            Op::Mov if arguments.are_parts() => self.move_parts(arguments, en),
+            Op::Mov | Op::Sel | Op::Mux if arguments.are_parts() => self.select_parts(row.op, arguments, en),
+            Op::Bmov if arguments.are_parts() => self.move_ranges(arguments, en),
+            Op::Fill if arguments.are_parts() => self.fill_ranges(arguments, en),
             op if self.is_as_in_c(op) => self.c_arithmetic(op, arguments, en),
             Op::Lut | Op::Pwl if self.semantics.tables == Tables::Open => {
                 self.open_table(row.op, arguments, en)

@@ -37,7 +37,7 @@ impl Compiler<'_> {
     }
 
     /// Two ranges, of which one may be an index alone: it is then as long as the other.
-    fn spans(&mut self, to: &RangeRef, from: &RangeRef) -> Result<(Span, Span)> {
+    pub(super) fn spans(&mut self, to: &RangeRef, from: &RangeRef) -> Result<(Span, Span)> {
         Ok(match (&to.last, &from.last) {
             (Some(_), Some(_)) => (self.range(to)?, self.range(from)?),
             (Some(_), None) => {

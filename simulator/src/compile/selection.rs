@@ -3,7 +3,7 @@
 use super::place::Slot;
 use super::{Compiler, Result};
 use crate::code::Instr;
-use crate::memory::TextSlot;
+use crate::memory::{TextSlot, Word};
 use crate::operation::Width;
 use crate::routine::{Routine, type_operand};
 use ladder_analysis::program::Expr;
@@ -37,7 +37,12 @@ impl Compiler<'_> {
             .iter()
             .map(|value| self.expression(value))
             .collect::<Result<_>>()?;
-        let to = self.slot_like(&values);
+        Ok(Some(self.select_slot(selector, &values)))
+    }
+
+    /// The value that a selector names, in a slot of its own.
+    pub(super) fn select_slot(&mut self, selector: Word, values: &[Slot]) -> Slot {
+        let to = self.slot_like(values);
         let (routine, to_slot) = match to {
             Slot::Bit(to) => (Routine::SelectBit, to.0),
             Slot::Word(to) => (Routine::SelectWord, to.0),
@@ -46,7 +51,7 @@ impl Compiler<'_> {
         let mut list = vec![to_slot, selector.0, values.len() as u32];
         list.extend(values.iter().map(|value| value.number()));
         self.routine(routine, &list);
-        Ok(Some(to))
+        to
     }
 
     /// `[PWL]`

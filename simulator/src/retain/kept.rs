@@ -3,8 +3,9 @@
 use super::Retained;
 use crate::layout::{Home, state_size, timer};
 use crate::memory::{Bit, Memory, TextSlot, Word};
+use crate::overlap::{dimensions, overlap};
 use crate::value_text;
-use ladder_analysis::program::Program;
+use ladder_analysis::program::{Program, Tag};
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::values::value::Value;
 use ladder_analysis::with_article;
@@ -28,10 +29,35 @@ pub struct Kept {
 pub(crate) fn kept(program: &Program, retained: &[Retained], memory: &Memory, now: i64) -> Vec<Kept> {
     let kept = retained.iter().map(|tag| Kept {
         name: tag.name.clone(),
-        ty: program.tags[tag.tag.0 as usize].ty.to_string(),
+        ty: type_text(&program.tags[tag.tag.0 as usize]),
         values: values(tag.home, memory, now),
     });
     kept.collect()
+}
+
+/// The type of a tag as it is declared, of a column with all dimensions of the arrays around it.
+fn type_text(tag: &Tag) -> String {
+    match (tag.ty, dimensions(tag)) {
+        (Type::Array { element, .. }, dimensions) if dimensions.len() > 1 => {
+            let bounds = dimensions.iter().map(|(first, last)| format!("{first}..{last}"));
+            format!("ARRAY[{}] OF {element}", bounds.collect::<Vec<_>>().join(", "))
+        }
+        (ty, _) => ty.to_string(),
+    }
+}
+
+/// The dimensions and the element of a type as it is declared.
+fn shape(ty: &str) -> Option<(Vec<(i64, i64)>, &str)> {
+    let Some(array) = ty.strip_prefix("ARRAY[") else {
+        return Some((Vec::new(), ty));
+    };
+    let (bounds, element) = array.split_once("] OF ")?;
+    let bounds = bounds.split(", ").map(|bounds| {
+        let (first, last) = bounds.split_once("..")?;
+        let (first, last): (i64, i64) = (first.parse().ok()?, last.parse().ok()?);
+        (first <= last).then_some((first, last))
+    });
+    Some((bounds.collect::<Option<_>>()?, element))
 }
 
 fn values(home: Home, memory: &Memory, now: i64) -> Vec<String> {
@@ -102,43 +128,64 @@ pub(crate) fn restore(
             ));
             continue;
         };
-        let ty = program.tags[tag.tag.0 as usize].ty;
-        if ty.to_string() != kept.ty {
+        let declared = &program.tags[tag.tag.0 as usize];
+        let ty = type_text(declared);
+        let element = shape(&ty).map_or(ty.as_str(), |(_, element)| element);
+        let was =
+            shape(&kept.ty).filter(|(was, of)| *of == element && was.len() == dimensions(declared).len());
+        let Some((was, _)) = was else {
             complaints.push(format!(
                 "{name} was kept as {}, but it is {ty} now: it begins with its initial value",
                 kept.ty
             ));
-        } else if let Err(problem) = put(tag.home, ty, &kept.values, memory) {
+            continue;
+        };
+        if let Err(problem) = put(tag.home, declared, (&was, &kept.values), memory) {
             complaints.push(format!("{name}: {problem}: it begins with its initial value"));
         }
     }
     complaints
 }
 
-/// All values of a tag, or none.
-fn put(home: Home, ty: Type, texts: &[String], memory: &mut Memory) -> Result<(), String> {
+/// The values of a tag: of an array those of the elements that it has still. What cannot be read leaves all as it is, of an
+/// enumeration whose value is no more that element.
+fn put(
+    home: Home,
+    tag: &Tag,
+    (was, texts): (&[(i64, i64)], &[String]),
+    memory: &mut Memory,
+) -> Result<(), String> {
     let count = match home {
-        Home::Bits { len, .. } | Home::Words { len, .. } | Home::Texts { len, .. } => len,
         Home::State { state, .. } => {
             let (bits, words) = state_size(state);
-            bits + words
+            u64::from(bits + words)
         }
         Home::Borrowed(_) => 0,
+        _ => (was.iter()).fold(1u64, |all, (first, last)| {
+            all.saturating_mul(last.abs_diff(*first).saturating_add(1))
+        }),
     };
-    if texts.len() != count as usize {
+    if texts.len() as u64 != count {
         return Err(format!("{} values were kept where {count} belong", texts.len()));
     }
     if let Home::State { state, bits, words } = home {
         return put_state(state, bits, words, texts, memory);
     }
-    let (Type::Scalar(scalar) | Type::Array { element: scalar, .. }) = ty else {
+    let (Type::Scalar(scalar) | Type::Array { element: scalar, .. }) = tag.ty else {
         return Ok(());
     };
-    let values: Vec<Value> = texts
-        .iter()
-        .map(|text| value_text::parse(text, scalar))
-        .collect::<Result<_, _>>()?;
-    for (n, value) in (0..).zip(values) {
+    let mut values = Vec::new();
+    let mut missing = Ok(());
+    for run in overlap(was, &dimensions(tag)) {
+        for n in 0..run.count {
+            match value_text::parse(&texts[(run.from + n) as usize], scalar) {
+                Ok(value) => values.push((run.to + n, value)),
+                Err(problem) if scalar.is_enumeration() => missing = Err(problem),
+                Err(problem) => return Err(problem),
+            }
+        }
+    }
+    for (n, value) in values {
         match (home, value) {
             (Home::Bits { at, .. }, Value::Bool(high)) => memory.set_bit(at.offset(n), high),
             (Home::Texts { at, .. }, Value::Text(bytes)) => memory.texts[(at.0 + n) as usize].set(&bytes),
@@ -148,7 +195,7 @@ fn put(home: Home, ty: Type, texts: &[String], memory: &mut Memory) -> Result<()
             _ => {}
         }
     }
-    Ok(())
+    missing
 }
 
 fn put_state(

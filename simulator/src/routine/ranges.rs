@@ -72,6 +72,35 @@ pub(super) fn fill_texts<const FORCED: bool>(memory: &mut Memory, with: &mut Ope
     }
 }
 
+/// Each slot of a range with the one of a shorter range that goes into it: that is repeated. Where it lies in the first, it begins
+/// at a multiple of its length there, and so stays as it is.
+fn repeated(memory: &Memory, with: &mut Operands) -> impl Iterator<Item = (usize, usize)> + use<> {
+    let (to, from) = (with.range(memory), with.range(memory));
+    let count = from.len().max(1);
+    to.enumerate().map(move |(n, to)| (to, from.start + n % count))
+}
+
+pub(super) fn repeat_bits<const FORCED: bool>(memory: &mut Memory, with: &mut Operands) {
+    for (to, from) in repeated(memory, with) {
+        let value = memory.bits[from] != 0;
+        memory.put_bit::<FORCED>(Bit(to as u32), value);
+    }
+}
+
+pub(super) fn repeat_words<const FORCED: bool>(memory: &mut Memory, with: &mut Operands) {
+    for (to, from) in repeated(memory, with) {
+        let value = memory.words[from];
+        memory.put_word::<FORCED>(Word(to as u32), value);
+    }
+}
+
+pub(super) fn repeat_texts<const FORCED: bool>(memory: &mut Memory, with: &mut Operands) {
+    for (to, from) in repeated(memory, with) {
+        with.count(memory.texts[from].bytes().len());
+        memory.copy_text::<FORCED>(TextSlot(to as u32), TextSlot(from as u32));
+    }
+}
+
 pub(super) fn write_bits_when<const FORCED: bool>(memory: &mut Memory, with: &mut Operands, value: bool) {
     if memory.bit(with.bit()) {
         let range = with.range(memory);

@@ -22,13 +22,13 @@ pub(crate) fn session(text: &str) -> Session {
     Session::of(simulation(text), HistoryLimits::default())
 }
 
-fn set(session: &mut Session, tag: &str, value: &str) {
+pub(crate) fn set(session: &mut Session, tag: &str, value: &str) {
     let point = session.simulation().resolve(tag).unwrap();
     let value = parse(value, point.ty).unwrap();
     session.set(&point, value).unwrap();
 }
 
-fn run(session: &mut Session, inputs: &str) {
+pub(crate) fn run(session: &mut Session, inputs: &str) {
     let (scans, rows) = stimulus(inputs);
     for scan in 0..scans {
         for (tag, cells) in &rows {
@@ -41,7 +41,7 @@ fn run(session: &mut Session, inputs: &str) {
 }
 
 /// What tags hold: `run 1, t.ET 30`.
-fn held(session: &Session, tags: &str) -> String {
+pub(crate) fn held(session: &Session, tags: &str) -> String {
     let held = tags.split_whitespace().map(|tag| {
         let point = session
             .simulation()
@@ -53,7 +53,7 @@ fn held(session: &Session, tags: &str) -> String {
 }
 
 /// Changes the program; what was lost, with the text of its place.
-fn change(session: &mut Session, text: &str) -> String {
+pub(crate) fn change(session: &mut Session, text: &str) -> String {
     match session.change(program(text)).unwrap() {
         Changeover::None => "nothing has changed\n".to_owned(),
         Changeover::Carried { lost } => {

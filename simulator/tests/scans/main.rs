@@ -5,6 +5,7 @@ mod calc;
 mod change;
 mod change_and_back;
 mod click;
+mod compound;
 mod conditions;
 mod counters;
 mod data;

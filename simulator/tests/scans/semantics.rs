@@ -101,7 +101,10 @@ fn traces_are_equal() {
     let mut wrong = String::new();
     for name in names {
         let expected = fs::read_to_string(folder().join(format!("{name}.expected.csv"))).unwrap();
-        let Ok(found) = std::panic::catch_unwind(|| run(&name)) else { wrong.push_str(&format!("{name}: panicked")); continue };
+        let Ok(found) = std::panic::catch_unwind(|| run(&name)) else {
+            wrong.push_str(&format!("{name}: panicked"));
+            continue;
+        };
         if found != expected {
             wrong.push_str(&format!("{name}: expected\n{expected}found\n{found}\n"));
         }

@@ -126,8 +126,8 @@ fn throw(dice: &mut Dice, points: &[Point]) -> Vec<Given> {
             ty if ty.is_string() => Value::Text(format!("{}", dice.roll(99)).into_bytes().into()),
             ty if ty.is_date() => continue,
             Scalar::Enum(id) => {
-                let listed = &id.get().values;
-                Value::Int(i64::from(listed[dice.roll(listed.len() as u64) as usize].1))
+                let values = &id.get().values;
+                Value::Int(i64::from(values[dice.roll(values.len() as u64) as usize].1))
             }
             _ => Value::Int(dice.roll(5) as i64),
         };

@@ -2,10 +2,10 @@
 //!
 //! The first byte chooses the kind of program, the second the inputs; each byte after them is a choice in making it.
 
-use crate::generator::{Dice, Mode, program_of};
+use crate::generator::{Dice, Mode, program_of, typed_of};
 use crate::input::Numbers;
 use crate::reference::Boolean;
-use crate::trace::{Engine, Stimulus, compare, compile, difference, trace};
+use crate::trace::{Engine, Stimulus, compare, compare_typed, compile, difference, trace};
 use ladder_analysis::program::Program;
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_format::{Options, format_text};
@@ -26,7 +26,7 @@ const MOST_USER_BLOCKS: usize = 5;
 
 pub(crate) fn check(data: &[u8]) {
     let mut numbers = Numbers(data);
-    let mode = [Mode::Boolean, Mode::Wild, Mode::Sensible][numbers.small() % 3];
+    let mode = [Mode::Boolean, Mode::Wild, Mode::Sensible, Mode::Typed][numbers.small() % 4];
     let stimulus = Stimulus {
         seed: numbers.small() as u64,
         scans: SCANS,
@@ -34,6 +34,9 @@ pub(crate) fn check(data: &[u8]) {
     let text = program_of(&mut Dice::of_bytes(numbers.0), mode);
     if mode == Mode::Boolean {
         compare(&text, &mut Boolean::new(&text), stimulus);
+    }
+    if mode == Mode::Typed {
+        compare_typed(&typed_of(&mut Dice::of_bytes(numbers.0)), stimulus);
     }
     let Some(program) = compile(&text) else {
         panic!("this is not a program:\n{text}");

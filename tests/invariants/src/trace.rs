@@ -1,7 +1,8 @@
 //! What a program does, whole: every tag and every power in every scan, with inputs that a seed gives.
 
 use crate::generator::Dice;
-use crate::reference::Boolean;
+use crate::generator::typed::{INPUTS, Typed};
+use crate::reference::{Boolean, Running};
 use ladder_analysis::program::{ElementKind, Program, Role};
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::values::value::{Value, wrap};
@@ -189,7 +190,7 @@ fn points(simulation: &Simulation) -> Vec<Point> {
     let program = simulation.program().clone();
     for tag in program.tags.iter().filter(|tag| tag.block.is_none()) {
         if let Type::Array { first, last, .. } = tag.ty {
-            let elements = (first..=last).map(|index| format!("{}[{index}]", tag.name));
+            let elements = (first..=last).map(|index| tag.element_name(index));
             points.extend(elements.map(|name| simulation.resolve(&name).expect("an element")));
         }
     }
@@ -207,6 +208,10 @@ fn any_value(dice: &mut Dice, ty: Scalar) -> Value {
         Scalar::String(_) => {
             let texts: [&[u8]; 5] = [b"", b"a", b"12", b"-3", b"long enough for a cut"];
             Value::Text(dice.of(&texts).into())
+        }
+        Scalar::Enum(id) => {
+            let values = id.get();
+            Value::Int(i64::from(values.values[dice.below(values.values.len())].1))
         }
         _ => {
             let number = if dice.one_in(4) {
@@ -259,6 +264,46 @@ pub fn compare(text: &str, reference: &mut Boolean, stimulus: Stimulus) {
         blocks.sort_unstable();
         let power: Vec<bool> = blocks.into_iter().map(|(_, power)| power).collect();
         assert_eq!(power, reference.power, "power in scan {scan} of\n{text}");
+    }
+}
+
+/// Runs a program with types of its own next to the reference, with the same inputs now and then.
+///
+/// # Panics
+/// A part of a tag differs, or how many faults there were.
+pub fn compare_typed(typed: &Typed, stimulus: Stimulus) {
+    let text = typed.to_string();
+    let program = compile(&text).unwrap_or_else(|| panic!("this is not a program:\n{text}"));
+    let mut simulation = Simulation::new(program, Options::default())
+        .unwrap_or_else(|error| panic!("it is refused: {error:?}\n{text}"));
+    let mut reference = Running::new(typed);
+    let mut dice = Dice::new(stimulus.seed);
+    for scan in 0..stimulus.scans {
+        for input in 0..INPUTS {
+            let (high, number) = (dice.one_in(2), dice.between(-1, 3));
+            (reference.switches[input], reference.numbers[input]) = (high, number);
+            for (name, value) in [("e", Value::Bool(high)), ("i", Value::Int(number))] {
+                let point = simulation.resolve(&format!("{name}{input}")).expect("an input");
+                simulation
+                    .set(&point, value)
+                    .expect("an input takes a value of its type");
+            }
+        }
+        assert!(simulation.scan(), "scan {scan} of\n{text}");
+        reference.scan();
+        for (name, expected) in reference.values() {
+            let point = simulation
+                .resolve(&name)
+                .unwrap_or_else(|error| panic!("{error} in\n{text}"));
+            let found = cell(&simulation.value(&point), point.ty);
+            assert_eq!(found, expected, "{name} in scan {scan} of\n{text}");
+        }
+        let faults = simulation.take_faults();
+        assert_eq!(
+            faults.len(),
+            reference.faults,
+            "{faults:?} in scan {scan} of\n{text}"
+        );
     }
 }
 

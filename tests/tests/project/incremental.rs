@@ -292,7 +292,7 @@ fn settings(dice: &mut Dice) -> RuleSettings {
 fn random_edits_of_several_files() {
     for seed in 0..asked(60) {
         let mut dice = Dice::new(seed);
-        let generated = dice.of(&[Mode::Sensible, Mode::Wild]);
+        let generated = dice.of(&[Mode::Sensible, Mode::Wild, Mode::Typed]);
         let main = match dice.below(3) {
             0 => MAIN.to_owned(),
             1 => program(seed, generated),

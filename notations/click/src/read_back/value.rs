@@ -128,6 +128,9 @@ impl Back<'_> {
             Place::As(..) => {
                 Err("Click has one kind for each address: give all names of it one type".to_owned())
             }
+            Place::Chosen(_) | Place::ChosenMember(..) => {
+                Err("Click chooses no timer or counter by an index: write a number".to_owned())
+            }
             Place::Bit(..) => Err("Click has no single bits of words: unpack the word".to_owned()),
         }
     }

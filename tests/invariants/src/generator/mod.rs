@@ -8,6 +8,7 @@
 //! - [`Mode::Sensible`]: programs as a careful person writes them. `ladder check` has nothing to say.
 //! - [`Mode::Wild`]: no errors, but any wiring and every instruction: staggered branches, side-by-side segments,
 //!   bridges, jumps, loops, functions, user-defined blocks, comments in wires.
+//! - [`Mode::Typed`]: structures, enumerations and arrays of everything, likewise for the reference.
 //! - [`Mode::Boolean`]: wild wiring of contacts and coils only, for the [reference evaluation](crate::reference).
 
 mod block;
@@ -18,6 +19,7 @@ mod flow;
 mod operand;
 mod scope;
 mod sensible;
+pub mod typed;
 mod user_block;
 mod value;
 mod wiring;
@@ -28,6 +30,7 @@ pub use drawing::{Item, Network, Pen};
 use flow::Region;
 use ladder_analysis::values::types::Scalar;
 use scope::{Scope, Section, Tag, Type};
+use typed::Typed;
 use user_block::Definition;
 
 /// What kind of program is made.
@@ -39,6 +42,8 @@ pub enum Mode {
     Wild,
     /// Any wiring of contacts and coils.
     Boolean,
+    /// Types of its own, and computed indices at every place.
+    Typed,
 }
 
 /// The text of a program.
@@ -52,7 +57,13 @@ pub fn program_of(dice: &mut Dice, mode: Mode) -> String {
         Mode::Sensible => sensible::program(dice),
         Mode::Wild => wild(dice),
         Mode::Boolean => boolean(dice),
+        Mode::Typed => typed::typed(dice).to_string(),
     }
+}
+
+/// A program with types of its own, as the reference evaluates it.
+pub fn typed_of(dice: &mut Dice) -> Typed {
+    typed::typed(dice)
 }
 
 fn boolean(dice: &mut Dice) -> String {

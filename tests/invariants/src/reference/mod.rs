@@ -6,9 +6,11 @@
 
 mod boolean;
 mod reader;
+mod typed;
 
 pub use boolean::{Boolean, Contact};
 pub use reader::{networks, rung};
+pub use typed::Running;
 
 /// A thing on a line of a network.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,0 +1,111 @@
+//! Structures, arrays, enumerations and states of blocks over changes of the program and restarts.
+
+use crate::change::{change, held, run, session, set};
+use crate::support::{self, get, simulation};
+use expect_test::{Expect, expect};
+
+/// Runs a program for one scan, changes it, and shows what was lost and what tags hold.
+#[track_caller]
+fn over_a_change(old: &str, given: &[(&str, &str)], new: &str, tags: &str, expected: Expect) {
+    let mut session = session(old);
+    for (tag, value) in given {
+        set(&mut session, tag, value);
+    }
+    session.scan();
+    let lost = change(&mut session, new);
+    expected.assert_eq(&format!("{lost}{}\n", held(&session, tags)));
+}
+
+/// The same with what a retentive file keeps. Returns the complaints too.
+#[track_caller]
+fn over_a_file(old: &str, given: &[(&str, &str)], new: &str, tags: &str, expected: Expect) {
+    let mut before = simulation(old);
+    for (tag, value) in given {
+        support::set(&mut before, tag, value);
+    }
+    before.scan();
+    let mut after = simulation(new);
+    let complaints = after.warm_start(&before.retained());
+    let tags = tags.split(' ').map(|tag| format!("{tag} {}", get(&after, tag)));
+    let lines = complaints
+        .into_iter()
+        .chain([tags.collect::<Vec<_>>().join(", ")]);
+    expected.assert_eq(&lines.map(|line| line + "\n").collect::<String>());
+}
+
+const LINE: &str = "TYPE\nLine : STRUCT\nn : INT := 3;\nlog : ARRAY[1..COLUMNS] OF INT;\nEND_STRUCT;\nEND_TYPE\n\
+                    VAR RETAIN\nl : ARRAY[ROWS] OF Line;\nEND_VAR\nVAR\nk : INT := 2;\nEND_VAR\n\
+                    +--[MOV]( y, l[k].n )--[MOV]( y, l[k].log[2] )--+\n";
+
+fn line(rows: &str, columns: &str) -> String {
+    LINE.replace("ROWS", rows).replace("COLUMNS", columns)
+}
+
+const GIVEN: &[(&str, &str)] = &[
+    ("l[1].n", "10"),
+    ("l[2].n", "20"),
+    ("l[2].log[1]", "21"),
+    ("l[2].log[2]", "22"),
+];
+
+#[test]
+fn elements_that_remain_go_on() {
+    over_a_change(
+        &line("1..2", "2"),
+        GIVEN,
+        &line("2..4", "3"),
+        "l[2].n l[3].n l[2].log[1] l[2].log[2] l[2].log[3] l[4].log[2]",
+        expect![[""]],
+    );
+}
+
+#[test]
+fn elements_that_remain_are_kept() {
+    over_a_file(
+        &line("1..2", "2"),
+        GIVEN,
+        &line("2..4", "3"),
+        "l[2].n l[3].n l[2].log[1] l[2].log[2] l[2].log[3] l[4].log[2]",
+        expect![[""]],
+    );
+}
+
+const PHASES: &str = "TYPE\nPhase : (VALUES);\nEND_TYPE\nVAR RETAIN\np : ARRAY[1..3] OF Phase;\nEND_VAR\n\
+                      +--[MOV]( p[3], p[3] )--+\n";
+
+#[test]
+fn only_a_value_that_is_no_more_starts_cold() {
+    let old = PHASES.replace("VALUES", "IDLE, FILLING, MIXING");
+    let new = PHASES.replace("VALUES", "STOPPED, MIXING, IDLE");
+    let given = [("p[1]", "MIXING"), ("p[2]", "FILLING")];
+    over_a_change(&old, &given, &new, "p[1] p[2] p[3]", expect![[""]]);
+    over_a_file(&old, &given, &new, "p[1] p[2] p[3]", expect![[""]]);
+}
+
+const COUNT: &str = "FUNCTION_BLOCK [$Count]\nVAR_INPUT\nx : BOOL;\nEND_VAR\nVAR_OUTPUT\nn : INT;\nEND_VAR\nVAR\nt : TON;\nEND_VAR\n\
+                     +--[ ]( x )--[OSR]--[ADD]( n, n, 1 )--+\n+--[ ]( x )--[TON]( t, 1s )--+\nEND_FUNCTION_BLOCK\n\
+                     VAR_INPUT\nx : BOOL;\nEND_VAR\nVAR RETAIN\nm : ARRAY[1..2] OF $Count;\nEND_VAR\nVAR\nk : INT := 2;\nEND_VAR\n\
+                     +--[$Count]( m[k], x )--+\n";
+
+#[test]
+fn the_state_of_a_block_goes_on_with_its_edges() {
+    let mut session = session(COUNT);
+    run(&mut session, "x _-");
+    let lost = change(&mut session, &format!("{COUNT}+--[ ]( x )--( )( y )--+\n"));
+    run(&mut session, "x -");
+    expect![[""]].assert_eq(&format!(
+        "{lost}{}\n",
+        held(&session, "m[2].n m[2].t.ET m[1].n y")
+    ));
+}
+
+#[test]
+fn the_state_of_a_block_is_kept() {
+    over_a_file(
+        COUNT,
+        &[("x", "1")],
+        COUNT,
+        "m[1].n m[2].n m[2].t.Q",
+        expect![[""]],
+    );
+}
