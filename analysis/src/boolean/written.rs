@@ -4,12 +4,12 @@ use crate::context::Context;
 use crate::findings::excerpt::shortened;
 use crate::names::operand_value::tag;
 use crate::networks::BlockAt;
-use crate::networks::facts::{Node, NodeKind};
+use crate::networks::facts::{Node, NodeKind, Operator};
 use crate::networks::network::Formal;
 use crate::values::literal::Literal;
 use ladder_instructions::Accepts;
 
-/// A place or number as it is written, without blanks.
+/// A place, number or expression as it is written, laid out.
 pub(crate) fn written(context: &Context, scope: usize, node: &Node) -> String {
     let inner = |node: &Node| written(context, scope, node);
     match &node.kind {
@@ -21,8 +21,17 @@ pub(crate) fn written(context: &Context, scope: usize, node: &Node) -> String {
         NodeKind::Member(base, word) => format!("{}.{}", inner(base), word.text),
         NodeKind::Index(base, index) => format!("{}[{}]", inner(base), inner(index)),
         NodeKind::Range(base, first, last) => format!("{}[{}..{}]", inner(base), inner(first), inner(last)),
+        NodeKind::Paren(node) if matches!(node.kind, NodeKind::Binary(..)) => format!("({})", inner(node)),
         NodeKind::Paren(node) => inner(node),
+        NodeKind::Unary(Operator::Not, node) => format!("NOT {}", inner(node)),
         NodeKind::Unary(_, node) => format!("-{}", inner(node)),
+        NodeKind::Binary(operator, left, right) => {
+            format!("{} {} {}", inner(left), operator.text(), inner(right))
+        }
+        NodeKind::Call(word, arguments) => {
+            let arguments = arguments.iter().map(inner).collect::<Vec<_>>();
+            format!("{}({})", word.text.to_uppercase(), arguments.join(", "))
+        }
         _ => node.literal().map_or_else(|| "...".to_owned(), literal_text),
     }
 }

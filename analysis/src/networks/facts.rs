@@ -223,6 +223,32 @@ pub enum Operator {
     Not,
 }
 
+impl Operator {
+    /// As it is written.
+    pub const fn text(self) -> &'static str {
+        match self {
+            Operator::Or => "OR",
+            Operator::Xor => "XOR",
+            Operator::And => "AND",
+            Operator::Equal => "=",
+            Operator::NotEqual => "<>",
+            Operator::Less => "<",
+            Operator::LessEqual => "<=",
+            Operator::Greater => ">",
+            Operator::GreaterEqual => ">=",
+            Operator::Shl => "SHL",
+            Operator::Shr => "SHR",
+            Operator::Add => "+",
+            Operator::Sub => "-",
+            Operator::Mul => "*",
+            Operator::Div => "/",
+            Operator::Mod => "MOD",
+            Operator::Power => "^",
+            Operator::Not => "NOT",
+        }
+    }
+}
+
 /// The blocks of a rung, from left to right, from its line's node. `parts` are the indices of the block parts on it.
 pub fn blocks(
     line: &GreenNodeData,

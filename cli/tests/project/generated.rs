@@ -135,7 +135,12 @@ fn formatting_keeps_the_wiring() {
 
 #[test]
 fn formatting_never_changes_the_trace() {
-    for (mode, count) in [(Mode::Sensible, 100), (Mode::Wild, 200), (Mode::Boolean, 100), (Mode::Typed, 100)] {
+    for (mode, count) in [
+        (Mode::Sensible, 100),
+        (Mode::Wild, 200),
+        (Mode::Boolean, 100),
+        (Mode::Typed, 100),
+    ] {
         each(mode, count, |seed, text| {
             let before = trace(text, stimulus(seed), Engine::Fused);
             let after = trace(&formatted(text), stimulus(seed), Engine::Fused);
@@ -152,7 +157,12 @@ fn formatting_never_changes_the_trace() {
 /// Compiled and run a second time, and as it runs while something is forced.
 #[test]
 fn the_same_inputs_give_the_same_trace() {
-    for (mode, count) in [(Mode::Sensible, 100), (Mode::Wild, 200), (Mode::Boolean, 100), (Mode::Typed, 100)] {
+    for (mode, count) in [
+        (Mode::Sensible, 100),
+        (Mode::Wild, 200),
+        (Mode::Boolean, 100),
+        (Mode::Typed, 100),
+    ] {
         each(mode, count, |seed, text| {
             let first = trace(text, stimulus(seed), Engine::Fused);
             for (engine, what) in [(Engine::Fused, "a second time"), (Engine::Plain, "plain code")] {

@@ -273,7 +273,11 @@ pub fn compare(text: &str, reference: &mut Boolean, stimulus: Stimulus) {
 /// A part of a tag differs, or how many faults there were.
 pub fn compare_typed(typed: &Typed, stimulus: Stimulus) {
     let text = typed.to_string();
-    let program = compile(&text).unwrap_or_else(|| panic!("this is not a program:\n{text}"));
+    let program = compile(&text).unwrap_or_else(|| {
+        let analysis = analyze(&Arc::new(parse(&text)), "program");
+        let errors = analysis.diagnostics().iter().map(|found| &found.message);
+        panic!("this is not a program: {:#?}\n{text}", errors.collect::<Vec<_>>())
+    });
     let mut simulation = Simulation::new(program, Options::default())
         .unwrap_or_else(|error| panic!("it is refused: {error:?}\n{text}"));
     let mut reference = Running::new(typed);

@@ -5,7 +5,7 @@ use crate::generator::typed::{Act, CELL_MEMBERS, Index, Path, Span, Step, Ty, Ty
 
 /// A value with its parts.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Value {
+enum Value {
     /// BOOL, INT, and the number of an enumeration's value.
     One(i64),
     /// The members of a structure, or the elements of an array row by row.
