@@ -43,6 +43,8 @@ pub(crate) struct Places {
     pub(crate) remembered: Vec<Remembered>,
     /// The tags of bodies, with the path of the place.
     pub(crate) body_tags: Vec<(Vec<BlockAt>, TagId, Home)>,
+    /// The same of bodies inside blocks whose state is a tag, with the number of that tag among those like it.
+    pub(crate) owned_tags: Vec<(Vec<BlockAt>, u32, TagId, Home)>,
     /// What the in-outs of bodies stand for, likewise.
     pub(crate) body_in_outs: Vec<(Vec<BlockAt>, TagId, Home)>,
     /// Edges that belong to a tag.

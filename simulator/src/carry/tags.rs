@@ -6,7 +6,7 @@ use super::renamed::Renamed;
 use crate::layout::{Home, state_size};
 use crate::memory::{Bit, Memory, Word};
 use crate::overlap::{dimensions, overlap};
-use crate::places::EdgeOf;
+use crate::places::{BlockAt, EdgeOf};
 use crate::simulation::Simulation;
 use ladder_analysis::program::{Tag, TagId};
 use ladder_analysis::values::types::{Scalar, Type};
@@ -138,21 +138,31 @@ fn pairs<'s>(
             gone.push(old_tag(id));
         }
     }
-    let mut bodies: HashMap<(&[_], Name), Living<'_>> = HashMap::new();
-    for (path, id, home) in &old.compiled.places.body_tags {
+    let mut bodies: HashMap<(&[_], Option<u32>, Name), Living<'_>> = HashMap::new();
+    for (path, number, id, home) in of_bodies(old) {
         let tag = &old.program.tags[id.0 as usize];
-        bodies.insert((path, Name::new(&tag.name)), (tag, *home));
+        bodies.insert((path, number, Name::new(&tag.name)), (tag, home));
     }
-    for (path, id, home) in &new.compiled.places.body_tags {
+    for (path, number, id, home) in of_bodies(new) {
         let tag = &new.program.tags[id.0 as usize];
-        let was = matching
-            .path(path)
-            .and_then(|path| bodies.get(&(path.as_slice(), Name::new(&tag.name))).copied());
+        let was = matching.path(path).and_then(|path| {
+            let key = (path.as_slice(), number, Name::new(&tag.name));
+            bodies.get(&key).copied()
+        });
         if let Some(was) = was {
-            pairs.push((was, (tag.clone(), *home)));
+            pairs.push((was, (tag.clone(), home)));
         }
     }
     (pairs, gone)
+}
+
+/// The tags of bodies: the path of the place, and of which of several states they are that are tags.
+fn of_bodies(simulation: &Simulation) -> impl Iterator<Item = (&[BlockAt], Option<u32>, TagId, Home)> {
+    let places = &simulation.compiled.places;
+    let own = places.body_tags.iter();
+    let own = own.map(|(path, tag, home)| (path.as_slice(), None, *tag, *home));
+    let owned = places.owned_tags.iter();
+    own.chain(owned.map(|(path, number, tag, home)| (path.as_slice(), Some(*number), *tag, *home)))
 }
 
 struct Copied<'s> {

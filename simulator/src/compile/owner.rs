@@ -194,7 +194,13 @@ impl Compiler<'_> {
                 self.places.body_tags.push((self.standing.clone(), tag, home));
                 home
             }
-            Number::At(number) => self.nth(number, zero, one).unwrap_or(zero),
+            Number::At(number) => {
+                for n in 0..count {
+                    let path = self.standing.clone();
+                    self.places.owned_tags.push((path, n, tag, zero.after(n, one)));
+                }
+                self.nth(number, zero, one).unwrap_or(zero)
+            }
         })
     }
 }

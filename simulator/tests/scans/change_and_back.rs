@@ -74,11 +74,15 @@ pub(crate) fn programs() -> Vec<String> {
         .iter()
         .map(|row| row.example.to_owned())
         .collect();
-    let examples = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples");
-    for entry in std::fs::read_dir(examples).unwrap() {
-        let path = entry.unwrap().path();
-        if path.extension().is_some_and(|extension| extension == "clad") {
-            programs.push(std::fs::read_to_string(path).unwrap());
+    for folder in ["../examples", "../tests/corpus/semantics"] {
+        let folder = format!("{}/{folder}", env!("CARGO_MANIFEST_DIR"));
+        let entries = std::fs::read_dir(folder).unwrap();
+        let mut paths: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
+        paths.sort();
+        for path in paths {
+            if path.extension().is_some_and(|extension| extension == "clad") {
+                programs.push(std::fs::read_to_string(path).unwrap());
+            }
         }
     }
     programs.push(format!(

@@ -55,7 +55,9 @@ fn elements_that_remain_go_on() {
         GIVEN,
         &line("2..4", "3"),
         "l[2].n l[3].n l[2].log[1] l[2].log[2] l[2].log[3] l[4].log[2]",
-        expect![[""]],
+        expect![[r#"
+            l[2].n 20, l[3].n 3, l[2].log[1] 21, l[2].log[2] 22, l[2].log[3] 0, l[4].log[2] 0
+        "#]],
     );
 }
 
@@ -66,7 +68,9 @@ fn elements_that_remain_are_kept() {
         GIVEN,
         &line("2..4", "3"),
         "l[2].n l[3].n l[2].log[1] l[2].log[2] l[2].log[3] l[4].log[2]",
-        expect![[""]],
+        expect![[r#"
+            l[2].n 20, l[3].n 3, l[2].log[1] 21, l[2].log[2] 22, l[2].log[3] 0, l[4].log[2] 0
+        "#]],
     );
 }
 

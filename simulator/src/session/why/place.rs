@@ -3,7 +3,9 @@
 use crate::memory::Bit;
 use crate::simulation::{Simulation, name, number};
 use crate::tags::Point;
-use ladder_analysis::program::{Argument, Block, BlockKind, Expr, ExprKind, Place, RangeRef, Step, TagId};
+use ladder_analysis::program::{
+    Argument, Block, BlockKind, Expr, ExprKind, Member, Place, RangeRef, Step, TagId,
+};
 use ladder_analysis::values::value::Value;
 use ladder_instructions::Group;
 use std::ops::Range;
@@ -15,24 +17,24 @@ pub(super) fn tag_of(simulation: &Simulation, point: &Point) -> Option<TagId> {
     found.map(|(_, tag)| TagId(tag))
 }
 
-/// The tag that an argument names.
-pub(super) fn argument_tag(argument: &Argument) -> Option<TagId> {
+/// The tags that an argument names, or may name.
+pub(super) fn argument_tags(argument: &Argument) -> Vec<TagId> {
     match argument {
-        Argument::Place(place, _) => place.root(),
-        Argument::Range(range) => Some(range.tag),
-        Argument::State(tag) => Some(*tag),
-        _ => None,
+        Argument::Parts(parts) => parts.iter().flat_map(argument_tags).collect(),
+        Argument::ChosenState(chosen) => {
+            let all = 0..chosen.count;
+            all.map(|n| TagId(chosen.first.0 + n * chosen.step)).collect()
+        }
+        argument => argument.root().into_iter().collect(),
     }
 }
 
 /// The name of what an argument writes, if it is always the same: a tag, or an element with a constant index.
 pub(super) fn written_name(simulation: &Simulation, argument: &Argument) -> Option<String> {
     match argument {
-        Argument::Place(place, _) => {
-            let is_fixed =
-                !matches!(place, Place::Element(_, index) if !matches!(index.kind, ExprKind::Constant(_)));
-            is_fixed.then(|| name(simulation, place)).flatten()
-        }
+        Argument::Place(place, _) => (!Simulation::has_index(place))
+            .then(|| name(simulation, place))
+            .flatten(),
         Argument::State(tag) => Some(simulation.program().tags[tag.0 as usize].name.clone()),
         _ => None,
     }
@@ -49,6 +51,14 @@ pub(super) fn values_read(simulation: &Simulation, block: &Block) -> Vec<(Point,
             {
                 let tag = &simulation.program().tags[tag.0 as usize].name;
                 names.extend(["ET", "CV"].map(|member| format!("{tag}.{member}")));
+            }
+            Argument::ChosenState(chosen) if matches!(block.kind, BlockKind::Instruction(row) if row.group == Group::State) =>
+            {
+                let members = [Member::Et, Member::Cv].into_iter();
+                names.extend(
+                    members
+                        .filter_map(|member| name(simulation, &Place::ChosenMember(chosen.clone(), member))),
+                );
             }
             Argument::Place(place, _) if matches!(block.kind, BlockKind::Instruction(row) if row.group == Group::Condition) =>
             {

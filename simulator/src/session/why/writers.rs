@@ -72,5 +72,5 @@ fn written_by<'p>(program: &'p Program, block: &'p Block) -> impl Iterator<Item 
             .parameter
             .is_some_and(|parameter| program.blocks[user].parameters[parameter].1 != ParameterKind::Input),
     });
-    written.filter_map(|bound| place::argument_tag(&bound.argument))
+    written.flat_map(|bound| place::argument_tags(&bound.argument))
 }
