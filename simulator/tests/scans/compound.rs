@@ -82,8 +82,14 @@ fn only_a_value_that_is_no_more_starts_cold() {
     let old = PHASES.replace("VALUES", "IDLE, FILLING, MIXING");
     let new = PHASES.replace("VALUES", "STOPPED, MIXING, IDLE");
     let given = [("p[1]", "MIXING"), ("p[2]", "FILLING")];
-    over_a_change(&old, &given, &new, "p[1] p[2] p[3]", expect![[""]]);
-    over_a_file(&old, &given, &new, "p[1] p[2] p[3]", expect![[""]]);
+    over_a_change(&old, &given, &new, "p[1] p[2] p[3]", expect![[r#"
+        p: p[2] was FILLING, which is no value any more: it begins with its initial value
+        p[1] MIXING, p[2] STOPPED, p[3] IDLE
+    "#]]);
+    over_a_file(&old, &given, &new, "p[1] p[2] p[3]", expect![[r#"
+        p: `FILLING` is not a value of Phase: write one of STOPPED MIXING IDLE: it begins with its initial value
+        p[1] MIXING, p[2] STOPPED, p[3] IDLE
+    "#]]);
 }
 
 const COUNT: &str = "FUNCTION_BLOCK [$Count]\nVAR_INPUT\nx : BOOL;\nEND_VAR\nVAR_OUTPUT\nn : INT;\nEND_VAR\nVAR\nt : TON;\nEND_VAR\n\

@@ -304,7 +304,6 @@ fn values_of_another_program_are_taken_tag_by_tag() {
         gone was kept, but the program has no retentive tag of that name any more
         d was kept, but the program has no retentive tag of that name any more
         c: 2 values were kept where 3 belong: it begins with its initial value
-        c was kept as ARRAY[0..2] OF INT, but it is ARRAY[1..3] OF INT now: it begins with its initial value
         a: 40000 does not fit: INT holds -32768 to 32767: it begins with its initial value
         t: this is not a state of a TON: it begins with its initial value
         k: this is not a state of a CTU: it begins with its initial value
