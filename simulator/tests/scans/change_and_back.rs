@@ -68,23 +68,23 @@ fn picture(session: &Session, count: usize) -> String {
     format!("{}\n{power}", values.join(", "))
 }
 
+fn programs_in(folder: &str) -> Vec<String> {
+    let folder = format!("{}/{folder}", env!("CARGO_MANIFEST_DIR"));
+    let entries = std::fs::read_dir(folder).unwrap();
+    let paths = entries.map(|entry| entry.unwrap().path());
+    paths
+        .filter(|path| path.extension().is_some_and(|extension| extension == "clad"))
+        .map(|path| std::fs::read_to_string(path).unwrap())
+        .collect()
+}
+
 /// The examples of all instructions, and whole programs.
 pub(crate) fn programs() -> Vec<String> {
     let mut programs: Vec<String> = ladder_instructions::TABLE
         .iter()
         .map(|row| row.example.to_owned())
         .collect();
-    for folder in ["../examples", "../tests/corpus/semantics"] {
-        let folder = format!("{}/{folder}", env!("CARGO_MANIFEST_DIR"));
-        let entries = std::fs::read_dir(folder).unwrap();
-        let mut paths: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
-        paths.sort();
-        for path in paths {
-            if path.extension().is_some_and(|extension| extension == "clad") {
-                programs.push(std::fs::read_to_string(path).unwrap());
-            }
-        }
-    }
+    programs.extend(programs_in("../examples"));
     programs.push(format!(
         "{COUNTS}+--[$Count]( a, x )--+\n+--[ ]( c )--[$Count]( b, y )--+\n"
     ));
@@ -94,7 +94,9 @@ pub(crate) fn programs() -> Vec<String> {
 
 #[test]
 fn there_and_back_the_trace_stays() {
-    for (number, text) in (0u64..).zip(programs()) {
+    let programs = programs().into_iter();
+    let programs = programs.chain(programs_in("../tests/corpus/semantics"));
+    for (number, text) in (0u64..).zip(programs) {
         let other = format!("{text}\n+--[ ]( zz_in )--[TON]( zz_t, T#50ms )--[OSR]--( )( zz_out )--+\n");
         // Some programs take no rung after them.
         let other = program_of(&other).unwrap_or_else(|| program(&text));

@@ -82,14 +82,26 @@ fn only_a_value_that_is_no_more_starts_cold() {
     let old = PHASES.replace("VALUES", "IDLE, FILLING, MIXING");
     let new = PHASES.replace("VALUES", "STOPPED, MIXING, IDLE");
     let given = [("p[1]", "MIXING"), ("p[2]", "FILLING")];
-    over_a_change(&old, &given, &new, "p[1] p[2] p[3]", expect![[r#"
+    over_a_change(
+        &old,
+        &given,
+        &new,
+        "p[1] p[2] p[3]",
+        expect![[r#"
         p: p[2] was FILLING, which is no value any more: it begins with its initial value
         p[1] MIXING, p[2] STOPPED, p[3] IDLE
-    "#]]);
-    over_a_file(&old, &given, &new, "p[1] p[2] p[3]", expect![[r#"
+    "#]],
+    );
+    over_a_file(
+        &old,
+        &given,
+        &new,
+        "p[1] p[2] p[3]",
+        expect![[r#"
         p: `FILLING` is not a value of Phase: write one of STOPPED MIXING IDLE: it begins with its initial value
         p[1] MIXING, p[2] STOPPED, p[3] IDLE
-    "#]]);
+    "#]],
+    );
 }
 
 const COUNT: &str = "FUNCTION_BLOCK [$Count]\nVAR_INPUT\nx : BOOL;\nEND_VAR\nVAR_OUTPUT\nn : INT;\nEND_VAR\nVAR\nt : TON;\nEND_VAR\n\
@@ -103,7 +115,10 @@ fn the_state_of_a_block_goes_on_with_its_edges() {
     run(&mut session, "x _-");
     let lost = change(&mut session, &format!("{COUNT}+--[ ]( x )--( )( y )--+\n"));
     run(&mut session, "x -");
-    expect![[""]].assert_eq(&format!(
+    expect![[r#"
+        m[2].n 1, m[2].t.ET 10, m[1].n 0, y 1
+    "#]]
+    .assert_eq(&format!(
         "{lost}{}\n",
         held(&session, "m[2].n m[2].t.ET m[1].n y")
     ));
@@ -116,6 +131,8 @@ fn the_state_of_a_block_is_kept() {
         &[("x", "1")],
         COUNT,
         "m[1].n m[2].n m[2].t.Q",
-        expect![[""]],
+        expect![[r#"
+            m[1].n 0, m[2].n 1, m[2].t.Q 0
+        "#]],
     );
 }

@@ -309,5 +309,5 @@ fn values_of_another_program_are_taken_tag_by_tag() {
         k: this is not a state of a CTU: it begins with its initial value
         s: `x` is not a number: it begins with its initial value"#]]
     .assert_eq(&complaints.join("\n"));
-    assert_eq!(values(&simulation, "a b d c[1]"), "a=77 b=2 d=4 c[1]=0");
+    assert_eq!(values(&simulation, "a b d c[1]"), "a=77 b=2 d=4 c[1]=2");
 }
