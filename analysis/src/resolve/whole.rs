@@ -72,9 +72,10 @@ impl<'c> Resolver<'c, '_> {
                 }));
                 continue;
             }
-            let found = match is_range {
-                true => self.whole_element(node),
-                false => self.whole(node),
+            let found = if is_range {
+                self.whole_element(node)
+            } else {
+                self.whole(node)
             };
             if found != Some(ty) {
                 // What it is instead may be an error of its own.
@@ -94,9 +95,10 @@ impl<'c> Resolver<'c, '_> {
                 self.report(type_mismatch::wrong(range, message));
                 continue;
             }
-            let parts = match is_range {
-                true => self.part_ranges(node, row.op == Op::Bmov),
-                false => self.copied_parts(node),
+            let parts = if is_range {
+                self.part_ranges(node, row.op == Op::Bmov)
+            } else {
+                self.copied_parts(node)
             };
             let Some(parts) = parts else { continue };
             let is_result = number == 0;

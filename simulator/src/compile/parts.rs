@@ -95,7 +95,7 @@ impl Compiler<'_> {
             match (part, value) {
                 (Part::Value(to), value) => self.store(to, value),
                 (Part::Range(element, to), Slot::Word(start)) => {
-                    self.copy_range(element, to, Span { start, ..to })
+                    self.copy_range(element, to, Span { start, ..to });
                 }
                 _ => return Err(arguments.mismatch()),
             }

@@ -56,9 +56,12 @@ fn run(name: &str) -> String {
         .collect();
     let mut rows = inputs.lines().map(|line| line.split(',').collect::<Vec<_>>());
     let header = rows.next().unwrap_or_default();
-    let quoted = watched.iter().map(|name| match name.contains(',') {
-        true => format!("\"{name}\""),
-        false => (*name).to_owned(),
+    let quoted = watched.iter().map(|name| {
+        if name.contains(',') {
+            format!("\"{name}\"")
+        } else {
+            (*name).to_owned()
+        }
     });
     let mut csv = format!("scan,time_ms,{}\n", quoted.collect::<Vec<_>>().join(","));
     for scan in 0..scans {

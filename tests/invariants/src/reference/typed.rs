@@ -159,7 +159,7 @@ impl Running {
             _ => {}
         }
         match act {
-            Act::Move(y, a) => self.store(y, a, |value| Ok(value))?,
+            Act::Move(y, a) => self.store(y, a, Ok)?,
             Act::Select(y, g, values) => {
                 let y = self.place(y)?;
                 let values = [self.value(&values[0])?, self.value(&values[1])?];
