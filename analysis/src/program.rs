@@ -170,6 +170,12 @@ pub struct Tag {
 pub struct ColumnOf {
     /// First and last index of each array around the part, the outermost first. In the tag's name each has its place: `[]`.
     pub dimensions: Box<[(i64, i64)]>,
+    /// How many elements the longest array around the part has. An array of arrays is one array, as `a[1][2]` is `a[1, 2]`.
+    pub longest_array: u64,
+    /// How many bytes of the tag's name are that of the tag as it is declared, and the type of that.
+    pub declared: (usize, Type),
+    /// How many bytes are the name of the tag of the program that it is in: for a tag in the state of a block that of the instance.
+    pub root: usize,
 }
 
 impl Tag {

@@ -8,6 +8,7 @@ use crate::memory::TextSlot;
 use crate::tags::{Point, PointSlot};
 use ladder_analysis::program::{Program, Role, Tag};
 use ladder_analysis::values::types::Type;
+use ladder_instructions::StateType;
 
 /// Of an array with more elements than this a list of all tags has none: it would be a list of that array.
 const MOST_LISTED: u64 = 256;
@@ -34,19 +35,34 @@ pub struct Group {
     pub read_only: bool,
     /// How many it opens into.
     pub parts: u64,
+    /// Which timer, counter or bistable it is: lists show the members of such a tag in its place.
+    pub state: Option<StateType>,
+}
+
+impl Group {
+    /// Whether what it opens into are elements.
+    pub fn is_array(&self) -> bool {
+        self.ty.starts_with("ARRAY[")
+    }
 }
 
 impl Point {
-    /// The array that it is an element of, or the bit of one: `a` of `a[3]`.
-    pub fn group(&self) -> Option<&str> {
-        let (group, _) = self.name.split_once('[')?;
-        Some(group)
+    /// Whether it is in what a path names: `a[3].b` in `a`, `a[3]`, and itself.
+    pub fn is_in(&self, path: &str) -> bool {
+        is_in(&self.name, path)
     }
 
     /// Which element of it, or bit of one: `[3]` of `a[3]`.
     pub fn index(&self) -> Option<&str> {
         self.name.find('[').map(|at| &self.name[at..])
     }
+}
+
+fn is_in(name: &str, path: &str) -> bool {
+    let Some((start, rest)) = name.split_at_checked(path.len()) else {
+        return false;
+    };
+    start.eq_ignore_ascii_case(path) && (rest.is_empty() || rest.starts_with(['.', '[']))
 }
 
 /// Every value that a list of all tags has, in the order of the program's tags.
@@ -78,11 +94,22 @@ pub(crate) fn parts<'p>(
         Type::Scalar(_) => (0, 0),
         Type::State(_) | Type::Compound(_) => (0, -1),
     };
-    let members = match (home, tag.ty) {
-        (Home::State { state, .. }, _) => shown(state),
+    (first..=last)
+        .filter_map(move |at| element(tag, home, at))
+        .chain(state_points(program, tag, home))
+}
+
+/// The members of a timer, counter or bistable that show what it does.
+pub(crate) fn state_points<'p>(
+    program: &'p Program,
+    tag: &'p Tag,
+    home: Home,
+) -> impl Iterator<Item = Point> + use<'p> {
+    let members = match home {
+        Home::State { state, .. } => shown(state),
         _ => &[],
     };
-    let members = members.iter().filter_map(move |&(name, member)| {
+    members.iter().filter_map(move |&(name, member)| {
         let Home::State { state, bits, words } = home else {
             return None;
         };
@@ -98,10 +125,7 @@ pub(crate) fn parts<'p>(
             read_only: tag.constant,
             slot,
         })
-    });
-    (first..=last)
-        .filter_map(move |at| element(tag, home, at))
-        .chain(members)
+    })
 }
 
 /// An element of an array, by its index; an elementary tag is itself.
@@ -128,13 +152,10 @@ pub(crate) fn element(tag: &Tag, home: Home, index: i64) -> Option<Point> {
     })
 }
 
-/// `a[2..5]`
+/// `a[2..5]`, `g[1, 2..5]`: what is before the range, and its ends.
 pub(crate) fn range_of(text: &str) -> Option<(&str, i64, i64)> {
-    let (name, range) = text.trim().strip_suffix(']')?.split_once('[')?;
+    let inside = text.trim().strip_suffix(']')?;
+    let (before, range) = inside.split_at(inside.rfind(['[', ','])? + 1);
     let (first, last) = range.split_once("..")?;
-    Some((
-        name.trim_end(),
-        first.trim().parse().ok()?,
-        last.trim().parse().ok()?,
-    ))
+    Some((before, first.trim().parse().ok()?, last.trim().parse().ok()?))
 }

@@ -69,6 +69,7 @@ mod system;
 mod tags;
 mod timers;
 pub mod trace;
+mod tree;
 pub mod value_text;
 mod work;
 

@@ -45,6 +45,8 @@ pub(crate) struct Places {
     pub(crate) body_tags: Vec<(Vec<BlockAt>, TagId, Home)>,
     /// The same of bodies inside blocks whose state is a tag, with the number of that tag among those like it.
     pub(crate) owned_tags: Vec<(Vec<BlockAt>, u32, TagId, Home)>,
+    /// The tags that are the states of blocks, with the path of the place where the block is, and where the tags of its body live.
+    pub(crate) named: Vec<(Vec<BlockAt>, TagId, Vec<(TagId, Home)>)>,
     /// What the in-outs of bodies stand for, likewise.
     pub(crate) body_in_outs: Vec<(Vec<BlockAt>, TagId, Home)>,
     /// Edges that belong to a tag.

@@ -197,8 +197,7 @@ impl Names {
 
     /// The value of an elementary part by its path: `lines[2].running`. None: there is no such part.
     fn in_column(&self, program: &Program, homes: &[Home], text: &str) -> Option<Result<Point, UnknownTag>> {
-        let (column, indices) = without_indices(text)?;
-        let number = self.find(&column)?;
+        let (number, indices) = self.column(text)?;
         let tag = &program.tags[number];
         let dimensions = &tag.column.as_ref()?.dimensions;
         if dimensions.len() != indices.len() {
@@ -222,6 +221,23 @@ impl Names {
             || unknown(format!("{} has no value that can be shown", tag.name)),
             Ok,
         ))
+    }
+
+    /// The tag that holds all elements of a part, and which of them a path names.
+    fn column(&self, text: &str) -> Option<(usize, Vec<i64>)> {
+        let (column, indices) = without_indices(text)?;
+        if let Some(number) = self.find(&column) {
+            return Some((number, indices));
+        }
+        // In the state of a block that is an element, the first indices belong to the name.
+        let text = canonical(text);
+        let ends = text.match_indices(']').map(|(at, _)| at + 1);
+        ends.take(indices.len()).find_map(|end| {
+            let (state, rest) = text.split_at(end);
+            let (column, left) = without_indices(rest)?;
+            let number = self.find(&format!("{state}{column}"))?;
+            Some((number, left))
+        })
     }
 
     /// The number of the tag with this name.

@@ -3,7 +3,9 @@
 use super::Resolver;
 use super::numbers::{Numbers, Unit};
 use crate::networks::facts::{Node, NodeKind, Word};
-use crate::program::{Argument, Chosen, Disagreement, Instance, ParameterKind, Place, Program, TagId};
+use crate::program::{
+    Argument, Chosen, ColumnOf, Disagreement, Instance, ParameterKind, Place, Program, Tag, TagId,
+};
 use crate::rules::{constant_write, type_mismatch, unknown_member};
 use crate::values::types::{Scalar, Type};
 use ladder_syntax::Name;
@@ -182,13 +184,7 @@ impl Adding {
             tag.retain |= instance.retain;
             tag.role = crate::program::Role::Internal;
             tag.block = outer;
-            tag.column.get_or_insert_with(|| {
-                let dimensions = match own.ty {
-                    Type::Array { first, last, .. } => Box::new([(first, last)]) as Box<[(i64, i64)]>,
-                    _ => Box::default(),
-                };
-                std::sync::Arc::new(crate::program::ColumnOf { dimensions })
-            });
+            tag.column = Some(std::sync::Arc::new(column_inside(instance, own)));
             if matches!(own.ty, Type::Array { .. }) && !own.name.contains("[]") {
                 tag.name.push_str("[]");
             }
@@ -201,5 +197,35 @@ impl Adding {
             tags.push((body, new));
         }
         program.instances.push(Instance { tag: id, block, tags });
+    }
+}
+
+/// How a tag of a block's body is a part of an instance.
+fn column_inside(instance: &Tag, own: &Tag) -> ColumnOf {
+    // The name of the instance and a dot are before that of the tag.
+    let before = instance.name.len() + 1;
+    let root = instance
+        .column
+        .as_ref()
+        .map_or(instance.name.len(), |column| column.root);
+    match &own.column {
+        Some(column) => ColumnOf {
+            dimensions: column.dimensions.clone(),
+            longest_array: column.longest_array,
+            declared: (before + column.declared.0, column.declared.1),
+            root,
+        },
+        None => ColumnOf {
+            dimensions: match own.ty {
+                Type::Array { first, last, .. } => Box::new([(first, last)]),
+                _ => Box::default(),
+            },
+            longest_array: match own.ty {
+                Type::Array { first, last, .. } => last.abs_diff(first) + 1,
+                _ => 0,
+            },
+            declared: (before + own.name.len(), own.ty),
+            root,
+        },
     }
 }

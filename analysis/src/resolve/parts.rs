@@ -31,9 +31,15 @@ pub(super) fn add(program: &mut Program, named: &Named<'_>, ty: Type) -> Vec<Tag
             continue;
         }
         let mut part = tag(named, format!("{name}{}", column.path), column.ty);
-        part.column = Some(Arc::new(ColumnOf {
-            dimensions: column.dimensions.clone(),
-        }));
+        let of = |dimensions| {
+            Some(Arc::new(ColumnOf {
+                dimensions,
+                longest_array: column.longest_array(),
+                declared: (name.len(), ty),
+                root: name.len(),
+            }))
+        };
+        part.column = of(column.dimensions.clone());
         match column.ty {
             Type::Scalar(element) => {
                 part.ty = stored_as(&column, element);
@@ -49,9 +55,7 @@ pub(super) fn add(program: &mut Program, named: &Named<'_>, ty: Type) -> Vec<Tag
                 let from = if is_one { column.dimensions[0].0 } else { 0 };
                 for index in from..from + count as i64 {
                     let mut one = tag(named, part.element_name(index), column.ty);
-                    one.column = Some(Arc::new(ColumnOf {
-                        dimensions: Box::default(),
-                    }));
+                    one.column = of(Box::default());
                     program.tags.push(one);
                 }
             }

@@ -95,6 +95,17 @@ impl Column {
     pub fn count(&self) -> u64 {
         count(&self.dimensions)
     }
+
+    /// How many elements the longest array around it has; an array of arrays is one.
+    pub fn longest_array(&self) -> u64 {
+        let (mut longest, mut dimensions) = (0, &*self.dimensions);
+        for part in self.path.split(|c| !matches!(c, '[' | ']')) {
+            let (run, rest) = dimensions.split_at(part.len() / 2);
+            longest = longest.max(if run.is_empty() { 0 } else { count(run) });
+            dimensions = rest;
+        }
+        longest
+    }
 }
 
 /// A type with what is often asked of it.
@@ -550,6 +561,8 @@ mod tests {
         let grid = Type::Compound(TypeId::of(Compound::Array(grid)).unwrap());
         assert_eq!(grid.column_list()[0].path, "[][]");
         assert_eq!(ty.value_count(), 6);
+        let longest: Vec<u64> = ty.column_list().iter().map(Column::longest_array).collect();
+        assert_eq!(longest, [2, 2]);
         let values = [1, 10, 11, 2, 20, 21].map(Value::Int);
         assert_eq!(ty.column_values(0, &values), [1, 2].map(Value::Int));
         assert_eq!(ty.column_values(1, &values), [10, 11, 20, 21].map(Value::Int));

@@ -72,13 +72,26 @@ impl Adapter {
             .instances()
             .iter()
             .position(|instance| instance.name.eq_ignore_ascii_case(text));
-        let whole = scope.tag(text).filter(|(_, ty)| ty.scalar().is_none());
-        let container = match (instance, whole) {
-            (Some(number), _) => Some(Container::Instance(number)),
-            (None, Some((name, ty))) => Some(Container::Whole(name, ty)),
-            (None, None) => None,
+        let named = simulation.instances().iter().filter_map(|instance| {
+            let rest = text.strip_prefix(&instance.name)?.strip_prefix('.')?;
+            Some((instance, rest))
+        });
+        let here = scope.instance.map(|instance| (instance, text));
+        let within = here.into_iter().chain(named).find_map(|(instance, path)| {
+            let group = simulation.group_within(instance, path)?;
+            let number = simulation
+                .instances()
+                .iter()
+                .position(|other| other.name == instance.name);
+            Some(Container::Part(number, group.name))
+        });
+        let outside = || {
+            simulation
+                .group(text)
+                .map(|group| Container::Part(None, group.name))
         };
-        if let Some(container) = container {
+        let place = || instance.map(Container::Instance);
+        if let Some(container) = within.or_else(outside).or_else(place) {
             let shown = variables::open_json(simulation, container, &mut self.handles);
             return Ok(result(shown));
         }

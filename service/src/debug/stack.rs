@@ -55,10 +55,15 @@ fn name(target: &Target, activation: &Activation, is_open: bool) -> String {
     let routine = match activation.routine {
         Routine::Main => "main".to_owned(),
         Routine::Function(function) => program.functions[function].name.clone(),
-        Routine::Block(block) => target.instance_of(activation).map_or_else(
-            || program.blocks[block].name.clone(),
-            |instance| instance.name.clone(),
-        ),
+        Routine::Block(block) => {
+            let block = &program.blocks[block].name;
+            match target.instance_of(activation) {
+                // Its place has a name of its own, and not the block's and a number.
+                Some(instance) if instance.is_tag() => format!("{block}  {}", instance.name),
+                Some(instance) => instance.name.clone(),
+                None => block.clone(),
+            }
+        }
     };
     let network = program.networks[activation.network].location;
     let source = target.source(network.file);

@@ -1,10 +1,10 @@
 //! Tags as variables: by what they are for, with the members of timers and counters, the elements of arrays, and the tags
 //! of each place of a user-defined block.
 
-use ladder_analysis::program::{Role, SystemTag, Tag};
-use ladder_analysis::values::types::{Scalar, Type};
+use ladder_analysis::program::{Role, SystemTag};
+use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
-use ladder_simulator::{Instance, Point, Simulation, members_of, value_text};
+use ladder_simulator::{Entry, Instance, Point, Simulation, members_of, value_text};
 use serde_json::{Value as Json, json};
 
 use super::target::Target;
@@ -23,8 +23,9 @@ pub(super) enum Container {
     Instance(usize),
     /// All these places.
     Instances,
-    /// A timer, counter or bistable, or an array.
-    Whole(String, Type),
+    /// A tag that opens, or a part of one: its path from outside. In a body the number of the instance is before it, and the path
+    /// is that in the body.
+    Part(Option<usize>, String),
 }
 
 /// Tags that belong together.
@@ -50,13 +51,26 @@ impl Group {
         }
     }
 
-    fn of(tag: &Tag) -> Group {
-        match (tag.constant, tag.ty, tag.role) {
-            (true, ..) => Group::Constants,
-            (_, Type::State(_), _) => Group::States,
-            (.., Role::Input) => Group::Inputs,
-            (.., Role::Output) => Group::Outputs,
-            (.., Role::Internal) => Group::Internal,
+    fn of(entry: &Entry) -> Group {
+        match entry {
+            Entry::Value(point) => Group::of_value(point),
+            Entry::Group(group) => match (group.read_only, group.state, group.role) {
+                (false, Some(_), _) => Group::States,
+                (constant, _, role) => Group::by(constant, role),
+            },
+        }
+    }
+
+    fn of_value(point: &Point) -> Group {
+        Group::by(point.read_only, point.role)
+    }
+
+    fn by(constant: bool, role: Role) -> Group {
+        match (constant, role) {
+            (true, _) => Group::Constants,
+            (_, Role::Input) => Group::Inputs,
+            (_, Role::Output) => Group::Outputs,
+            (_, Role::Internal) => Group::Internal,
         }
     }
 }
@@ -92,7 +106,7 @@ impl Handles {
 /// The scopes of a frame.
 pub(super) fn scopes(target: &Target, frame: i64, handles: &mut Handles) -> Vec<Json> {
     let simulation = target.simulation();
-    let program = simulation.program();
+    let tags = simulation.tags();
     let mut scopes = Vec::new();
     let mut push = |name: &str, container: Container, hint: Option<&str>, expensive: bool| {
         let mut scope = json!({
@@ -123,12 +137,11 @@ pub(super) fn scopes(target: &Target, frame: i64, handles: &mut Handles) -> Vec<
         Group::States,
         Group::Constants,
     ] {
-        let mut visible = program.tags.iter().filter(|tag| tag.block.is_none());
-        if visible.any(|tag| Group::of(tag) == group) {
+        if tags.iter().any(|entry| Group::of(entry) == group) {
             push(group.name(), Container::Tags(group), None, false);
         }
     }
-    if !simulation.instances().is_empty() {
+    if inner(simulation, None).next().is_some() {
         push("Blocks", Container::Instances, None, false);
     }
     push(Group::System.name(), Container::Tags(Group::System), None, true);
@@ -150,7 +163,7 @@ pub(super) fn list(
     handles: &mut Handles,
 ) -> Vec<Json> {
     let simulation = target.simulation();
-    let is_array = matches!(container, Container::Whole(_, Type::Array { .. }));
+    let is_array = group_of(simulation, container).is_some_and(|group| group.is_array());
     // Elements are indexed, everything else is named.
     if filter.is_some_and(|filter| (filter == "indexed") != is_array) {
         return Vec::new();
@@ -175,46 +188,57 @@ pub(super) fn list(
         }
         Container::Tags(group) => {
             let program = simulation.program();
-            let own = program.tags.iter().filter(|tag| tag.block.is_none());
-            let own = own.map(|tag| (tag.name.as_str(), tag));
-            let tags = own.chain(program.other_names_in(None));
-            let tags = tags.filter(|(_, tag)| Group::of(tag) == *group);
-            tags.filter_map(|(name, tag)| row(simulation, name, name, tag.ty))
-                .skip(start)
-                .take(take)
-                .collect()
+            let tags = simulation.tags().into_iter();
+            let tags = tags
+                .filter(|entry| Group::of(entry) == *group)
+                .map(|entry| row("", None, entry));
+            let others = program.other_names_in(None);
+            let others = others.filter_map(|(name, _)| value_row(simulation, name, name));
+            let others =
+                others.filter(|row| matches!(row, Row::Value(_, point) if Group::of_value(point) == *group));
+            tags.chain(others).skip(start).take(take).collect()
         }
         Container::Instance(number) => {
             let Some(instance) = simulation.instances().get(*number) else {
                 return Vec::new();
             };
-            let program = simulation.program();
-            let tags = instance.tags().map(|tag| &program.tags[tag.0 as usize]);
-            let tags = tags.map(|tag| (tag.name.as_str(), tag));
-            let tags = tags.chain(program.other_names_in(Some(instance.block)));
-            let own = tags.filter_map(|(name, tag)| {
-                row(simulation, name, &format!("{}.{name}", instance.name), tag.ty)
-            });
-            own.chain(inner(simulation, Some(instance)))
+            let entries = simulation
+                .opened_within(instance, "")
+                .unwrap_or_default()
+                .into_iter();
+            let own = entries.map(|entry| row(&instance.name, Some((*number, instance)), entry));
+            let others = simulation.program().other_names_in(Some(instance.block));
+            let others = others
+                .filter_map(|(name, _)| value_row(simulation, name, &format!("{}.{name}", instance.name)));
+            own.chain(others)
+                .chain(inner(simulation, Some(instance)))
                 .skip(start)
                 .take(take)
                 .collect()
         }
         Container::Instances => inner(simulation, None).skip(start).take(take).collect(),
-        Container::Whole(name, Type::State(state)) => {
-            let members = members_of(*state)
-                .filter_map(|member| value_row(simulation, member, &format!("{name}.{member}")));
-            members.skip(start).take(take).collect()
-        }
-        Container::Whole(name, Type::Array { first, last, .. }) => {
-            let first = first.saturating_add(start as i64);
-            let indices = (first..=*last).take(take);
-            indices
-                .filter_map(|index| value_row(simulation, &format!("[{index}]"), &format!("{name}[{index}]")))
-                .collect()
-        }
-        Container::Whole(name, Type::Scalar(_) | Type::Compound(_)) => {
-            value_row(simulation, name, name).into_iter().collect()
+        Container::Part(within, path) => {
+            let instance = within.and_then(|number| Some((number, simulation.instances().get(number)?)));
+            let whole = whole_name(simulation, container);
+            if let Some(state) = group_of(simulation, container).and_then(|group| group.state) {
+                let members = members_of(state)
+                    .filter_map(|member| value_row(simulation, member, &format!("{whole}.{member}")));
+                members.skip(start).take(take).collect()
+            } else {
+                let entries = match instance {
+                    Some((_, instance)) => simulation.opened_within(instance, path),
+                    None => simulation.opened(path),
+                };
+                let entries = entries.unwrap_or_default().into_iter();
+                let rows = entries.map(|entry| row(&whole, instance, entry));
+                // The blocks in the body of the one whose state this is.
+                let state = simulation
+                    .instances()
+                    .iter()
+                    .find(|instance| instance.name == whole);
+                let inside = state.into_iter().flat_map(|state| inner(simulation, Some(state)));
+                rows.chain(inside).skip(start).take(take).collect()
+            }
         }
     };
     rows.into_iter()
@@ -227,23 +251,62 @@ fn inner<'s>(simulation: &'s Simulation, outer: Option<&'s Instance>) -> impl It
     let all = simulation.instances().iter().enumerate();
     all.filter_map(move |(number, instance)| {
         let short = match outer {
-            None => (!instance.name.contains('.')).then_some(instance.name.as_str()),
-            Some(outer) => {
-                let rest = instance
-                    .name
-                    .strip_prefix(&outer.name)
-                    .and_then(|rest| rest.strip_prefix('.'));
-                rest.filter(|rest| !rest.contains('.'))
-            }
+            None => Some(instance.name.as_str()),
+            Some(outer) => instance
+                .name
+                .strip_prefix(&outer.name)
+                .and_then(|rest| rest.strip_prefix('.')),
         };
+        // One whose state is a tag is there as that tag.
+        let short = short.filter(|short| short.starts_with('$') && !short.contains('.'));
         Some(Row::Open(short?.to_owned(), Container::Instance(number)))
     })
 }
 
-fn row(simulation: &Simulation, shown: &str, name: &str, ty: Type) -> Option<Row> {
-    match ty {
-        Type::Scalar(_) => value_row(simulation, shown, name),
-        _ => Some(Row::Open(shown.to_owned(), Container::Whole(name.to_owned(), ty))),
+/// An entry as it is in what it belongs to: without the name of that.
+fn row(whole: &str, within: Option<(usize, &Instance)>, entry: Entry) -> Row {
+    let short = |name: &str| {
+        let rest = name.strip_prefix(whole).unwrap_or(name);
+        rest.strip_prefix('.').unwrap_or(rest).to_owned()
+    };
+    match entry {
+        Entry::Value(point) => Row::Value(short(&point.name), point),
+        Entry::Group(group) => {
+            let outside =
+                within.and_then(|(_, instance)| group.name.strip_prefix(&instance.name)?.strip_prefix('.'));
+            let path = outside.unwrap_or(&group.name).to_owned();
+            Row::Open(
+                short(&group.name),
+                Container::Part(within.map(|(number, _)| number), path),
+            )
+        }
+    }
+}
+
+/// The name of what opens, as from outside.
+fn whole_name(simulation: &Simulation, container: &Container) -> String {
+    match container {
+        Container::Part(None, path) => path.clone(),
+        Container::Part(Some(number), path) => match simulation.instances().get(*number) {
+            Some(instance) => format!("{}.{path}", instance.name),
+            None => path.clone(),
+        },
+        Container::Instance(number) => {
+            let instance = simulation.instances().get(*number);
+            instance.map_or(String::new(), |instance| instance.name.clone())
+        }
+        Container::Tags(_) | Container::Instances => String::new(),
+    }
+}
+
+/// What opens, if it is a tag or a part of one.
+fn group_of(simulation: &Simulation, container: &Container) -> Option<ladder_simulator::Group> {
+    match container {
+        Container::Part(None, path) => simulation.group(path),
+        Container::Part(Some(number), path) => {
+            simulation.group_within(simulation.instances().get(*number)?, path)
+        }
+        _ => None,
     }
 }
 
@@ -307,24 +370,43 @@ fn value_text_of(simulation: &Simulation, point: &Point) -> String {
     text
 }
 
+/// What a tag that opens shows while it is closed: of a timer its two most telling members, of a structure its first values.
+fn brief(simulation: &Simulation, group: Option<&ladder_simulator::Group>, name: &str) -> String {
+    const SHOWN: usize = 3;
+    let Some(group) = group.filter(|group| !group.is_array()) else {
+        return group.map_or(String::new(), |group| group.ty.clone());
+    };
+    let of_member = |member: &str| {
+        let point = simulation.resolve(&format!("{name}.{member}")).ok()?;
+        let value = value_text::display(&simulation.value(&point), point.ty);
+        Some(format!("{member}={value}"))
+    };
+    let values: Vec<String> = match group.state {
+        Some(state) => members_of(state).take(2).filter_map(of_member).collect(),
+        None => {
+            let entries = simulation.opened(name).unwrap_or_default().into_iter();
+            let values = entries.filter_map(|entry| match entry {
+                Entry::Value(point) => of_member(point.name.get(name.len() + 1..)?),
+                Entry::Group(_) => None,
+            });
+            values.take(SHOWN).collect()
+        }
+    };
+    match values.is_empty() {
+        true => group.ty.clone(),
+        false => values.join(" "),
+    }
+}
+
 /// Something that can be opened, with what it shows while it is closed; without its name.
 pub(super) fn open_json(simulation: &Simulation, container: Container, handles: &mut Handles) -> Json {
     let (value, ty, name) = match &container {
-        Container::Whole(name, ty @ Type::State(state)) => {
-            let values = members_of(*state).take(2).filter_map(|member| {
-                let point = simulation.resolve(&format!("{name}.{member}")).ok()?;
-                Some(format!(
-                    "{member}={}",
-                    value_text::display(&simulation.value(&point), point.ty)
-                ))
-            });
-            (
-                values.collect::<Vec<_>>().join(" "),
-                ty.to_string(),
-                Some(name.clone()),
-            )
+        Container::Part(..) => {
+            let group = group_of(simulation, &container);
+            let ty = group.as_ref().map_or(String::new(), |group| group.ty.clone());
+            let name = whole_name(simulation, &container);
+            (brief(simulation, group.as_ref(), &name), ty, Some(name))
         }
-        Container::Whole(name, ty) => (ty.to_string(), ty.to_string(), Some(name.clone())),
         Container::Instance(number) => {
             let instance = simulation.instances().get(*number);
             let block = instance.map(|instance| simulation.program().blocks[instance.block].name.clone());
@@ -341,8 +423,8 @@ pub(super) fn open_json(simulation: &Simulation, container: Container, handles: 
     if let Some(name) = name {
         shown["evaluateName"] = name.into();
     }
-    if let Container::Whole(_, Type::Array { first, last, .. }) = &container {
-        shown["indexedVariables"] = last.saturating_sub(*first).saturating_add(1).into();
+    if let Some(group) = group_of(simulation, &container).filter(ladder_simulator::Group::is_array) {
+        shown["indexedVariables"] = group.parts.into();
     }
     shown["variablesReference"] = handles.number(container).into();
     shown
@@ -351,17 +433,11 @@ pub(super) fn open_json(simulation: &Simulation, container: Container, handles: 
 /// The place that a name in a container means.
 pub(super) fn point_in(target: &Target, container: &Container, name: &str) -> Result<Point, Problem> {
     let simulation = target.simulation();
-    let whole = match container {
-        Container::Instance(number) => {
-            let instance = simulation.instances().get(*number);
-            format!(
-                "{}.{name}",
-                instance.map_or("", |instance| instance.name.as_str())
-            )
-        }
-        Container::Whole(tag, Type::Array { .. }) => format!("{tag}{name}"),
-        Container::Whole(tag, Type::State(_)) => format!("{tag}.{name}"),
-        Container::Tags(_) | Container::Instances | Container::Whole(..) => name.to_owned(),
+    let outer = whole_name(simulation, container);
+    let whole = match outer.as_str() {
+        "" => name.to_owned(),
+        outer if name.starts_with('[') => format!("{outer}{name}"),
+        outer => format!("{outer}.{name}"),
     };
     simulation.resolve(&whole).map_err(|unknown| unknown.message)
 }

@@ -1,6 +1,5 @@
 //! What a simulation shows: tags and power, and of those what a client looks at.
 
-use std::cell::LazyCell;
 use std::collections::HashSet;
 
 use ladder_analysis::program::Role;
@@ -63,10 +62,7 @@ impl Engine {
             (None, Some(names)) => self.named(names),
             (None, None) => self.values_with(wanted).into_iter().map(Entry::Value).collect(),
             (Some(""), _) => self.entries_with(wanted),
-            (Some(tag), _) => {
-                let parts = self.session.simulation().resolve_all(tag).unwrap_or_default();
-                parts.into_iter().map(Entry::Value).collect()
-            }
+            (Some(tag), _) => self.session.simulation().entries(tag),
         };
         let listed = found.iter().skip(search.first.unwrap_or_default());
         let listed = listed.take(search.count.unwrap_or(usize::MAX));
@@ -79,11 +75,9 @@ impl Engine {
     /// What each name means: one value, or what opens.
     fn named(&self, names: &[String]) -> Vec<Entry> {
         let simulation = self.session.simulation();
-        let groups = LazyCell::new(|| simulation.entries());
         let entry = |name: &String| {
-            let of_name = |entry: &&Entry| matches!(entry, Entry::Group(group) if group.name.eq_ignore_ascii_case(name));
             let value = simulation.resolve(name).ok().map(Entry::Value);
-            value.or_else(|| groups.iter().find(of_name).cloned())
+            value.or_else(|| simulation.group(name).map(Entry::Group))
         };
         names.iter().filter_map(entry).collect()
     }
@@ -103,16 +97,25 @@ impl Engine {
     fn entries_with(&self, wanted: &str) -> Vec<Entry> {
         let values = self.values_with(wanted);
         let names: HashSet<&str> = values.iter().map(|point| point.name.as_str()).collect();
-        let groups: HashSet<&str> = values.iter().filter_map(Point::group).collect();
+        let roots: HashSet<String> = values.iter().map(|point| root(&point.name)).collect();
         let small = wanted.to_lowercase();
-        let mut entries = self.session.simulation().entries();
+        let mut entries = self.session.simulation().entries("");
         entries.retain(|entry| match entry {
             Entry::Value(point) => names.contains(point.name.as_str()),
             Entry::Group(group) => {
-                groups.contains(group.name.as_str()) || group.name.to_lowercase().contains(&small)
+                roots.contains(&root(&group.name)) || group.name.to_lowercase().contains(&small)
             }
         });
-        let more = self.unlisted().filter(|forced| forced.group().is_none());
+        let groups: HashSet<String> = entries
+            .iter()
+            .filter_map(|entry| match entry {
+                Entry::Group(group) => Some(group.name.to_lowercase()),
+                Entry::Value(_) => None,
+            })
+            .collect();
+        let more = self
+            .unlisted()
+            .filter(|forced| !groups.contains(&root(&forced.name)));
         let more = more.filter(|forced| names.contains(forced.name.as_str()));
         entries.extend(more.cloned().map(Entry::Value));
         entries
@@ -131,7 +134,7 @@ impl Engine {
                     .session
                     .simulation()
                     .forced()
-                    .any(|forced| forced.group() == Some(group.name.as_str())),
+                    .any(|forced| forced.is_in(&group.name)),
                 read_only: group.read_only,
                 parts: Some(group.parts),
             },
@@ -231,6 +234,11 @@ impl Engine {
         });
         power.collect()
     }
+}
+
+/// What is before the first dot or bracket of a path, in lower case.
+fn root(path: &str) -> String {
+    path.split(['.', '[']).next().unwrap_or_default().to_lowercase()
 }
 
 fn role(role: Role) -> messages::Role {

@@ -66,7 +66,13 @@ impl Compiler<'_> {
         let owner = match state {
             Some(Bound { argument, .. }) => {
                 let inside = self.homes_inside(argument)?;
-                references.extend(inside.ok_or_else(|| arguments.mismatch())?);
+                let inside = inside.ok_or_else(|| arguments.mismatch())?;
+                if let Argument::State(tag) = argument {
+                    self.places
+                        .named
+                        .push((self.standing.clone(), *tag, inside.clone()));
+                }
+                references.extend(inside);
                 self.owner(argument)?
             }
             None => None,

@@ -1,39 +1,79 @@
 //! Tags in lists: which there are, what they open into, and which fit a text.
 
 use super::Simulation;
-use crate::groups::{Entry, Group, element, is_long, own, parts, range_of};
+use crate::groups::{Entry, Group, is_long, own, parts, range_of};
 use crate::tags::{Point, UnknownTag, canonical};
+use crate::tree::{Grown, Tree};
 use ladder_analysis::program::{Tag, TagId};
 use ladder_analysis::values::types::Type;
 
+/// Of an array with more elements than this a table of all tags has none.
+const MOST_IN_TABLE: u64 = 64;
+
+/// What a table has of timers, counters and bistables.
+const IN_TABLE: [&str; 4] = ["ET", "CV", "Q", "Q1"];
+
 impl Simulation {
-    /// The tags of the program in the order of their first appearance: elementary tags, the members of timers, counters and
-    /// bistables that show what they do, and an entry for each array.
-    pub fn entries(&self) -> Vec<Entry> {
-        let mut entries = Vec::new();
-        for (tag, home) in own(&self.program, &self.compiled.homes) {
-            let (first, last) = match (tag.ty, &tag.column) {
-                (Type::Array { first, last, .. }, None) => (first, last),
-                (_, Some(_)) if is_long(tag) => continue,
-                _ => {
-                    entries.extend(parts(&self.program, tag, home).map(Entry::Value));
-                    continue;
-                }
-            };
-            entries.push(Entry::Group(Group {
-                name: tag.name.clone(),
-                ty: tag.ty.to_string(),
-                role: tag.role,
-                read_only: tag.constant,
-                parts: last.abs_diff(first) + 1,
-            }));
-        }
-        entries
+    /// The tags of the program in the order of their first appearance: elementary tags, and an entry for each tag that opens.
+    pub fn tags(&self) -> Vec<Entry> {
+        self.grown().tags()
     }
 
-    /// Whether an array has so many elements that [`Self::points`] has none of them.
-    pub fn is_long(&self, tag: TagId) -> bool {
-        is_long(&self.program.tags[tag.0 as usize])
+    /// What a path opens into: the members of a structure or of a block's state, the elements of an array, the members of a timer
+    /// that show what it does. None: the program has no such tag, or it does not open.
+    pub fn opened(&self, path: &str) -> Option<Vec<Entry>> {
+        let grown = self.grown();
+        let part = grown.tree.part(path)?;
+        grown.group(&part).map(|_| grown.entries_of(&part))
+    }
+
+    /// What a path names, if it opens.
+    pub fn group(&self, path: &str) -> Option<Group> {
+        let grown = self.grown();
+        grown.group(&grown.tree.part(path)?)
+    }
+
+    /// The same tags, or the entries that a path opens into, with the members of timers, counters and bistables in their place.
+    pub fn entries(&self, path: &str) -> Vec<Entry> {
+        let entries = if path.is_empty() {
+            self.tags()
+        } else {
+            self.opened(path).unwrap_or_default()
+        };
+        let flat = entries.into_iter().flat_map(|entry| match entry {
+            Entry::Group(group) if group.state.is_some() => self.opened(&group.name).unwrap_or_default(),
+            entry => vec![entry],
+        });
+        flat.collect()
+    }
+
+    fn grown(&self) -> Grown<'_> {
+        Grown {
+            tree: self.tree.get_or_init(|| Tree::of(&self.program)),
+            program: &self.program,
+            homes: &self.compiled.homes,
+        }
+    }
+
+    /// What a table of all tags has of a tag: its elementary parts, of a timer or counter `ET`, `CV` and `Q`. Nothing of a
+    /// constant, of the inside of a block's state, and of a long array.
+    pub fn in_table(&self, id: TagId) -> Vec<Point> {
+        let (tag, home) = (
+            &self.program.tags[id.0 as usize],
+            self.compiled.homes[id.0 as usize],
+        );
+        if tag.constant || tag.block.is_some() || is_inside(tag) || longest_array(tag) > MOST_IN_TABLE {
+            return Vec::new();
+        }
+        if !matches!(tag.ty, Type::State(_)) {
+            return parts(&self.program, tag, home).collect();
+        }
+        let members = IN_TABLE.iter().filter_map(|member| {
+            let name = format!("{}.{member}", tag.name);
+            let point = self.resolve(&name).ok()?;
+            Some(Point { name, ..point })
+        });
+        members.collect()
     }
 
     /// The values that a text names: one, as for [`Self::resolve`]; of an array all elements, or those of a range,
@@ -46,56 +86,25 @@ impl Simulation {
         let Err(unknown) = resolved else {
             return resolved.map(|point| vec![point]);
         };
-        let (name, range) = match range_of(text) {
-            Some((name, first, last)) => (name, Some((first, last))),
-            None => (text.trim(), None),
-        };
-        let Some(index) = self.names.find(name) else {
-            let parts = self.parts_of(text);
-            return if parts.is_empty() { Err(unknown) } else { Ok(parts) };
-        };
-        let (tag, home) = (&self.program.tags[index], self.compiled.homes[index]);
-        let Some((from, to)) = range else {
-            let all: Vec<Point> = parts(&self.program, tag, home).collect();
-            return if all.is_empty() { Err(unknown) } else { Ok(all) };
+        let Some((before, from, to)) = range_of(text) else {
+            let grown = self.grown();
+            let found = grown.tree.part(text).map(|part| grown.values(&part));
+            return found.filter(|points| !points.is_empty()).ok_or(unknown);
         };
         // Both ends are elements.
         for end in [from, to] {
-            self.resolve(&format!("{name}[{end}]"))?;
+            self.resolve_all(&format!("{before}{end}]"))?;
         }
         if from > to {
             return Err(UnknownTag {
                 message: format!(
-                    "{}[{from}..{to}] has no elements: write the smaller index first",
-                    tag.name
+                    "{}{from}..{to}] has no elements: write the smaller index first",
+                    canonical(before)
                 ),
             });
         }
-        Ok((from..=to).filter_map(|at| element(tag, home, at)).collect())
-    }
-
-    /// The values of a structure, an array of such, or an element of one.
-    fn parts_of(&self, text: &str) -> Vec<Point> {
-        let whole = canonical(text).to_lowercase();
-        let is_part = |name: &str| {
-            let rest = name.to_lowercase();
-            let rest = rest.strip_prefix(&whole);
-            let ended = whole.strip_suffix(']').and_then(|begun| {
-                let name = name.to_lowercase();
-                name.strip_prefix(begun).map(|rest| rest.starts_with(", "))
-            });
-            rest.is_some_and(|rest| rest.starts_with(['.', '['])) || ended == Some(true)
-        };
-        let root = whole.split(['.', '[']).next().unwrap_or_default().to_owned();
-        let is_of_root = |tag: &Tag| {
-            let name = tag.name.to_lowercase();
-            let rest = name.strip_prefix(&root);
-            tag.column.is_some() && rest.is_some_and(|rest| rest.starts_with(['.', '[']))
-        };
-        let tags = own(&self.program, &self.compiled.homes).filter(|(tag, _)| is_of_root(tag));
-        tags.flat_map(|(tag, home)| parts(&self.program, tag, home))
-            .filter(|point| is_part(&point.name))
-            .collect()
+        let elements = (from..=to).map(|index| self.resolve_all(&format!("{before}{index}]")));
+        Ok(elements.flatten().flatten().collect())
     }
 
     /// Every listed value whose name holds a text, in any case; with a bracket also elements of long arrays.
@@ -111,5 +120,20 @@ impl Simulation {
             }
         }
         found
+    }
+}
+
+/// Whether a tag is in the state of a block.
+fn is_inside(tag: &Tag) -> bool {
+    let column = tag.column.as_ref();
+    column.is_some_and(|column| column.declared.0 > column.root)
+}
+
+/// How many elements the longest array around a value has.
+fn longest_array(tag: &Tag) -> u64 {
+    match (&tag.column, tag.ty) {
+        (Some(column), _) => column.longest_array,
+        (None, Type::Array { first, last, .. }) => last.abs_diff(first) + 1,
+        _ => 0,
     }
 }

@@ -17,6 +17,7 @@ use crate::groups;
 use crate::machine::{FaultRecord, Machine};
 use crate::memory::SERIAL_ROOM;
 use crate::tags::{self, Names, Point, UnknownTag};
+use crate::tree::Tree;
 use crate::work::Brake;
 use ladder_analysis::program::{Location, Place, Program, TagId};
 use ladder_analysis::values::value::Value;
@@ -80,6 +81,8 @@ pub struct Simulation {
     pub(crate) open: bool,
     /// What waits for its end.
     pub(crate) pending: Vec<Change>,
+    /// What its tags open into, for those who ask.
+    pub(crate) tree: OnceLock<Tree>,
     /// Where user-defined blocks are, for those who ask.
     pub(crate) instances: OnceLock<Vec<Instance>>,
     /// Where their bodies' code is, likewise.
@@ -135,6 +138,7 @@ impl Simulation {
             ran_plain: false,
             open: false,
             pending: Vec::new(),
+            tree: OnceLock::new(),
             instances: OnceLock::new(),
             bodies: OnceLock::new(),
         })

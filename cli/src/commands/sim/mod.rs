@@ -14,7 +14,6 @@ use crate::screen;
 use crate::terminal;
 use clap::{Args, ValueEnum};
 use ladder_analysis::program::{Argument, Place, Program, TagId};
-use ladder_analysis::values::types::Type;
 use ladder_simulator::{Point, Simulation, diagram, diagram_of};
 use ladder_workspace::shown;
 use std::collections::HashSet;
@@ -75,7 +74,8 @@ pub(crate) struct Arguments {
     retain: Option<PathBuf>,
 
     /// The tags to write, in this order; an array stands for its elements, `a[2..5]` for some of them.
-    /// Without it every tag but constants, timers and counters, sorted by name
+    /// A structure stands for its members. Without it every elementary part of every tag, sorted by name, but not constants, the
+    /// insides of blocks' states, and arrays of more than 64 elements
     #[arg(long, value_name = "TAG,...")]
     watch: Vec<String>,
 
@@ -225,7 +225,7 @@ fn names_in(lists: &[String]) -> Vec<String> {
     names
 }
 
-/// The tags to write: those asked for, by the names they were asked for with, or every elementary tag of the
+/// The tags to write: those asked for, by the names they were asked for with, or every elementary part of every tag of the
 /// program but constants, sorted by name. Where a run is about the coils, only the tags that blocks write.
 fn watched(
     simulation: &Simulation,
@@ -258,39 +258,36 @@ fn watched(
     let own = own.map(|(id, tag)| (id, tag.name.as_str()));
     let others = program.other_names.iter().filter(|other| other.block.is_none());
     let others = others.map(|other| (other.tag, other.name.as_str()));
-    let shown = |id: TagId| {
-        let tag = &program.tags[id.0 as usize];
-        !tag.constant && !matches!(tag.ty, Type::State(_)) && !simulation.is_long(id)
-    };
-    let mut names: Vec<&str> = own
+    let shown = own
         .chain(others)
-        .filter(|(id, _)| shown(*id) && written.as_ref().is_none_or(|written| written.contains(id)))
-        .map(|(_, name)| name)
-        .collect();
-    names.sort_by_cached_key(|name| ladder_syntax::Name::new(name));
-    // A tag that the simulation does not know by its name is shadowed by another of that name.
-    let mut watched: Vec<(String, Point)> = names
-        .iter()
-        .flat_map(|name| {
-            let points = simulation.resolve_all(name).unwrap_or_default();
-            points.into_iter().map(move |point| (called(name, &point), point))
+        .filter(|(id, _)| written.as_ref().is_none_or(|written| written.contains(id)));
+    let mut watched: Vec<(String, Point)> = shown
+        .flat_map(|(id, name)| {
+            let points = simulation.in_table(id).into_iter();
+            points.map(move |point| (called(name, &program.tags[id.0 as usize].name, &point), point))
         })
         .collect();
-    if program.tags.iter().any(|tag| tag.column.is_some()) {
-        watched.sort_by_cached_key(|(name, _)| in_order(name));
-    }
+    watched.sort_by_cached_key(|(name, _)| in_order(name));
+    // A tag is shadowed by one of the same name before it.
+    watched.dedup_by(|(name, _), (before, _)| name.eq_ignore_ascii_case(before));
     Ok(watched)
 }
 
-/// A name so that paths come by their parts, and elements by their numbers.
-fn in_order(name: &str) -> Vec<(String, i64)> {
-    let name = ladder_syntax::Name::new(name);
-    let parts = name.as_str().split_inclusive(['.', '[', ',', ']']);
-    let numbered = parts.map(|part| {
-        let number = part.trim().trim_end_matches([',', ']']).parse();
-        number.map_or_else(|_| (part.to_owned(), 0), |number| (String::new(), number))
-    });
-    numbered.collect()
+/// A path so that it comes after what it begins with, and elements come by their numbers.
+fn in_order(path: &str) -> Vec<(String, i64)> {
+    let path = ladder_syntax::Name::new(path);
+    let mut is_index = false;
+    let mut steps = Vec::new();
+    for step in path.as_str().split_inclusive(['.', '[', ',', ']']) {
+        let text = step.trim().trim_end_matches(['.', '[', ',', ']']);
+        match text.parse() {
+            Ok(number) if is_index => steps.push((String::new(), number)),
+            _ if text.is_empty() => {}
+            _ => steps.push((text.to_owned(), 0)),
+        }
+        is_index = step.ends_with(['[', ',']);
+    }
+    steps
 }
 
 /// Whether a name stands for what a tag opens into, of which there is only one.
@@ -298,13 +295,12 @@ fn opens(name: &str, point: &Point) -> bool {
     name.contains("..") || (point.name.contains(['[', '.']) && !name.contains(['[', '.']))
 }
 
-/// The name of a tag, or of an element of it, where the tag goes by this name.
-fn called(name: &str, point: &Point) -> String {
-    // The name of a column has no indices yet, that of what an element keeps has its own already.
-    if name.contains('[') {
-        return point.name.clone();
+/// What a tag, or a part of it, is called where the tag goes by this name.
+fn called(name: &str, own: &str, point: &Point) -> String {
+    match point.name.strip_prefix(own) {
+        Some(rest) => format!("{name}{rest}"),
+        None => point.name.clone(),
     }
-    format!("{name}{}", point.index().unwrap_or_default())
 }
 
 /// The tags that a block writes as a whole.

@@ -25,6 +25,7 @@ local max_height = 14
 --- @field listed ladder.Tag[] those of the program, of which those that open are one each
 --- @field watched ladder.Tag[] those that are listed first, with a mark, and once more in their place
 --- @field opened table<string, ladder.Tag[]> what the tags that are open open into
+--- @field depths table<integer, integer> how many tags a row is in that are open, by its line from 1; nothing for none
 --- @field drawn table<integer, string> what is in the lines that were drawn, by line from 1
 --- @field names integer the width of the names
 --- @field types integer the width of the types
@@ -38,9 +39,10 @@ local keys = '<CR> toggle  c change  f force  u release  w why  * watch  F filte
 --- @param panel ladder.Panel
 --- @param tag ladder.Tag
 --- @param is_watched boolean it is a row of the watch list
+--- @param depth integer
 --- @return string line, table[] marks { first column, end column, group }
-local function render(panel, tag, is_watched)
-  local mark = is_watched and '* ' or tag.parts and (panel.opened[tag.name] and '▾ ' or '▸ ') or ''
+local function render(panel, tag, is_watched, depth)
+  local mark = ('  '):rep(depth) .. (is_watched and '* ' or tag.parts and (panel.opened[tag.name] and '▾ ' or '▸ ') or '')
   local pad = (' '):rep(panel.names - vim.fn.strdisplaywidth(mark .. tag.name))
   local name = mark .. tag.name .. pad .. '  '
   local role = tag.readOnly and 'constant' or tag.role
@@ -79,7 +81,7 @@ local function draw(source, panel)
   vim.bo[panel.bufnr].modifiable = true
   for index = first, last do
     local tag = sessions.tag(session, panel.tags[index].name) or panel.tags[index]
-    local line, marks = render(panel, tag, index <= #panel.watched)
+    local line, marks = render(panel, tag, index <= #panel.watched, panel.depths[index] or 0)
     local key = line .. (tag.forced and '!' or '')
     if panel.drawn[index] ~= key then
       panel.drawn[index] = key
@@ -107,21 +109,34 @@ local function title(panel, source)
   end
 end
 
+--- Adds a row, and below it what it opens into, if it is open.
+--- @param panel ladder.Panel
+--- @param tag ladder.Tag
+--- @param depth integer
+local function add(panel, tag, depth)
+  table.insert(panel.tags, tag)
+  panel.depths[#panel.tags] = depth
+  for _, part in ipairs(panel.opened[tag.name] or {}) do
+    add(panel, part, depth + 1)
+  end
+end
+
 --- @param panel ladder.Panel
 --- @param listed ladder.Tag[]
 local function list(panel, listed)
   local sought = vim.fn.tolower(panel.wanted)
-  panel.listed, panel.tags, panel.drawn, panel.names, panel.types = listed, vim.list_slice(panel.watched), {}, 4, 4
+  panel.listed, panel.tags, panel.depths, panel.drawn = listed, vim.list_slice(panel.watched), {}, {}
+  panel.names, panel.types = 4, 4
   for _, tag in ipairs(listed) do
     if vim.fn.tolower(tag.name .. ' : ' .. tag.type):find(sought, 1, true) then
-      table.insert(panel.tags, tag)
-      vim.list_extend(panel.tags, panel.opened[tag.name] or {})
+      add(panel, tag, 0)
     end
   end
   local tags, names = panel.tags, {}
   for index, tag in ipairs(tags) do
     names[index] = tag.name
-    panel.names = math.max(panel.names, vim.fn.strdisplaywidth(tag.name) + ((tag.parts or index <= #panel.watched) and 2 or 0))
+    local mark = 2 * (panel.depths[index] or 0) + ((tag.parts or index <= #panel.watched) and 2 or 0)
+    panel.names = math.max(panel.names, mark + vim.fn.strdisplaywidth(tag.name))
     panel.types = math.max(panel.types, #tag.type)
   end
   vim.bo[panel.bufnr].modifiable = true
@@ -307,7 +322,7 @@ end
 
 --- @param source integer
 function M.open(source)
-  local panel = { bufnr = create(source), program = 0, wanted = '', tags = {}, listed = {}, watched = {}, opened = {}, drawn = {}, names = 4, types = 4 }
+  local panel = { bufnr = create(source), program = 0, wanted = '', tags = {}, listed = {}, watched = {}, opened = {}, depths = {}, drawn = {}, names = 4, types = 4 }
   panels[source] = panel
   shown.tags(source, function()
     local first, last = lines_shown(panel)

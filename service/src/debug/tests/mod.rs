@@ -1,5 +1,6 @@
 //! Sessions with the adapter, message by message.
 
+mod compound;
 mod hostile;
 mod watches;
 
