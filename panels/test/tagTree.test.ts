@@ -82,6 +82,25 @@ test('an array is a row that opens into its elements', () => {
     assert.deepEqual(names([opened(trip, []).id]), ['start', 'trip[1]', 'trip[2]']);
 });
 
+test('what a tag opens into may open again', () => {
+    const group = (name: string, type: string, parts: number): Tag => ({ name, type, value: '', text: '', role: 'internal', forced: false, parts });
+    const lines = group('lines', 'ARRAY[1..2] OF Motor', 2);
+    const line = group('lines[2]', 'Motor', 2);
+    const parts = new Map([
+        ['lines', [group('lines[1]', 'Motor', 2), line]],
+        ['lines[2]', ['lines[2].speed', 'lines[2].on'].map((name) => ({ ...elapsed, name }))],
+    ]);
+    const [internal] = tagGroups([lines]);
+    assert.ok(internal);
+    const names = (...open: readonly Tag[]) => {
+        const ids = open.map((tag) => opened(tag, []).id);
+        return unfoldedGroup(internal, (id) => ids.includes(id), parts).map(({ name }) => name);
+    };
+    assert.deepEqual(names(lines), []);
+    assert.deepEqual(names(line), []);
+    assert.deepEqual(names(lines, line), ['lines[2].speed', 'lines[2].on']);
+});
+
 test('what is watched is a group of its own, whose rows are others than those of the same tags below', () => {
     assert.deepEqual(watchedGroup([]), []);
     const rows = watchedRows([elapsed, start]);

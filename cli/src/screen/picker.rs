@@ -1,7 +1,8 @@
 //! Finding a tag by typing some of its name.
 
 use super::plant::Plant;
-use ladder_simulator::Point;
+use ladder_simulator::{Entry, Group, Point};
+use std::collections::HashSet;
 
 /// This many are offered.
 const OFFERED: usize = 100;
@@ -11,12 +12,37 @@ const OFFERED: usize = 100;
 pub(super) struct Picker {
     pub(super) purpose: Purpose,
     pub(super) text: String,
-    /// The best match first.
-    pub(super) matches: Vec<Point>,
+    /// The best match first; while nothing is typed the tags of the program as a tree.
+    pub(super) matches: Vec<Row>,
     /// The match that Enter takes.
     pub(super) chosen: usize,
     /// Offered first while nothing is typed.
     near: Vec<Point>,
+    /// The paths of those that are open.
+    open: HashSet<String>,
+}
+
+/// A line of the list.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Row {
+    pub(super) entry: Entry,
+    /// How many open tags it is in.
+    pub(super) depth: u16,
+    pub(super) is_open: bool,
+}
+
+impl Row {
+    fn of(point: Point) -> Row {
+        Row {
+            entry: Entry::Value(point),
+            depth: 0,
+            is_open: false,
+        }
+    }
+
+    fn is(&self, point: &Point) -> bool {
+        matches!(&self.entry, Entry::Value(own) if own.name == point.name)
+    }
 }
 
 /// What a tag is looked for for.
@@ -37,6 +63,7 @@ impl Picker {
             matches: Vec::new(),
             chosen: 0,
             near,
+            open: HashSet::new(),
         };
         picker.search(plant);
         picker
@@ -64,7 +91,64 @@ impl Picker {
 
     /// The tag that Enter takes.
     pub(super) fn choice(&self) -> Option<&Point> {
-        self.matches.get(self.chosen)
+        match &self.matches.get(self.chosen)?.entry {
+            Entry::Value(point) => Some(point),
+            Entry::Group(_) => None,
+        }
+    }
+
+    /// Whether the chosen line opens, and is open.
+    pub(super) fn opens(&self) -> Option<bool> {
+        let row = self.matches.get(self.chosen)?;
+        matches!(row.entry, Entry::Group(_)).then_some(row.is_open)
+    }
+
+    /// Opens the chosen line or closes it. In what is open, closing is that of the line around it.
+    pub(super) fn fold(&mut self, open: bool, plant: &Plant) {
+        let Some(row) = self.matches.get(self.chosen) else {
+            return;
+        };
+        let depth = row.depth;
+        if !open && (!row.is_open || self.opens().is_none()) {
+            let around = self.matches[..self.chosen].iter().rposition(|row| row.depth < depth);
+            self.chosen = around.unwrap_or(self.chosen);
+        }
+        let Some(Row {
+            entry: Entry::Group(group),
+            ..
+        }) = self.matches.get(self.chosen)
+        else {
+            return;
+        };
+        if open {
+            self.open.insert(group.name.clone());
+        } else {
+            self.open.remove(&group.name);
+        }
+        let chosen = self.chosen;
+        self.search(plant);
+        self.chosen = chosen.min(self.matches.len().saturating_sub(1));
+    }
+
+    fn add(&mut self, entries: Vec<Entry>, depth: u16, plant: &Plant) {
+        for entry in entries {
+            let is_near = |near: &Point| matches!(&entry, Entry::Value(point) if point.name == near.name);
+            if self.matches.len() >= OFFERED || self.near.iter().any(is_near) {
+                continue;
+            }
+            let opened = match &entry {
+                Entry::Group(Group { name, .. }) if self.open.contains(name) => Some(name.clone()),
+                _ => None,
+            };
+            self.matches.push(Row {
+                entry,
+                depth,
+                is_open: opened.is_some(),
+            });
+            if let Some(path) = opened {
+                self.add(plant.simulation().entries(&path), depth + 1, plant);
+            }
+        }
     }
 
     fn search(&mut self, plant: &Plant) {
@@ -72,12 +156,8 @@ impl Picker {
         let simulation = plant.simulation();
         let wanted = self.text.trim().to_lowercase();
         if wanted.is_empty() {
-            self.matches.clone_from(&self.near);
-            let others = simulation
-                .points()
-                .iter()
-                .filter(|point| self.near.iter().all(|near| near.name != point.name));
-            self.matches.extend(others.take(OFFERED).cloned());
+            self.matches = self.near.iter().cloned().map(Row::of).collect();
+            self.add(simulation.entries(""), 0, plant);
             return;
         }
         let mut found: Vec<(Likeness, usize, &Point)> = simulation
@@ -88,19 +168,20 @@ impl Picker {
             .collect();
         found.sort_by_key(|(likeness, index, _)| (*likeness, *index));
         found.truncate(OFFERED);
-        self.matches = found.into_iter().map(|(_, _, point)| point.clone()).collect();
+        let found = found.into_iter().map(|(_, _, point)| Row::of(point.clone()));
+        self.matches = found.collect();
         // Elements of long arrays, bits of words and system tags are not in the list of all tags.
         if wanted.contains('[') {
             let more = simulation.search(self.text.trim()).into_iter();
             let known = self.matches.len();
-            let new = |point: &Point| self.matches[..known].iter().all(|found| found.name != point.name);
-            let more: Vec<Point> = more.filter(new).take(OFFERED - known).collect();
+            let new = |point: &Point| !self.matches[..known].iter().any(|found| found.is(point));
+            let more: Vec<Row> = more.filter(new).take(OFFERED - known).map(Row::of).collect();
             self.matches.extend(more);
         }
         if let Ok(point) = simulation.resolve(self.text.trim())
-            && self.matches.iter().all(|found| found.name != point.name)
+            && !self.matches.iter().any(|found| found.is(&point))
         {
-            self.matches.insert(0, point);
+            self.matches.insert(0, Row::of(point));
         }
     }
 }

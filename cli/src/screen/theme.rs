@@ -145,6 +145,16 @@ impl Theme {
         }
     }
 
+    /// A tag that opens, or is open.
+    pub(super) fn fold(self, is_open: bool) -> &'static str {
+        match (self.charset, is_open) {
+            (Charset::Unicode, false) => "▸",
+            (Charset::Unicode, true) => "▾",
+            (Charset::Ascii, false) => "+",
+            (Charset::Ascii, true) => "-",
+        }
+    }
+
     /// A rung that a run stops at.
     pub(super) fn breakpoint(self) -> &'static str {
         match self.charset {

@@ -389,7 +389,12 @@ impl View {
         let control = key.modifiers.contains(KeyModifiers::CONTROL);
         match key.code {
             KeyCode::Esc => return Vec::new(),
-            KeyCode::Enter => return self.picked(&picker, plant),
+            KeyCode::Enter => match picker.opens() {
+                Some(is_open) => picker.fold(!is_open, plant),
+                None => return self.picked(&picker, plant),
+            },
+            KeyCode::Right => picker.fold(true, plant),
+            KeyCode::Left => picker.fold(false, plant),
             KeyCode::Up | KeyCode::BackTab => picker.move_by(-1),
             KeyCode::Down | KeyCode::Tab => picker.move_by(1),
             KeyCode::Backspace => picker.delete(plant),

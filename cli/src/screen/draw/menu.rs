@@ -1,10 +1,11 @@
 //! The tags that match what is being typed.
 
 use super::{Scene, put};
-use crate::screen::picker::{Picker, Purpose};
-use crate::screen::theme::quiet;
+use crate::screen::picker::{Picker, Purpose, Row};
+use crate::screen::theme::{Theme, quiet};
 use crate::screen::values;
 use ladder_format::display_width;
+use ladder_simulator::Entry;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
@@ -25,7 +26,7 @@ pub(super) fn draw(buffer: &mut Buffer, area: Rect, picker: &Picker, scene: Scen
     let longest = picker
         .matches
         .iter()
-        .map(|point| display_width(&point.name))
+        .map(|row| display_width(&name(row, theme)))
         .max();
     let name_width = longest.unwrap_or(0).clamp(12, 40) as u16;
     let width = (name_width + 40).min(area.width);
@@ -48,7 +49,7 @@ pub(super) fn draw(buffer: &mut Buffer, area: Rect, picker: &Picker, scene: Scen
         return;
     }
     let first = (picker.chosen + 1).saturating_sub(lines as usize);
-    for (line, point) in (0..lines).zip(&picker.matches[first..]) {
+    for (line, row) in (0..lines).zip(&picker.matches[first..]) {
         let chosen = first + line as usize == picker.chosen;
         let style = if chosen {
             Style::new().add_modifier(Modifier::REVERSED)
@@ -56,15 +57,31 @@ pub(super) fn draw(buffer: &mut Buffer, area: Rect, picker: &Picker, scene: Scen
             Style::new()
         };
         put(buffer, inside, 0, line, &" ".repeat(inside.width as usize), style);
-        let watched = plant.watches(point);
+        let watched = matches!(&row.entry, Entry::Value(point) if plant.watches(point));
         put(buffer, inside, 1, line, if watched { "*" } else { " " }, style);
         let name_pane = Rect {
             width: (name_width + 3).min(inside.width),
             ..inside
         };
-        put(buffer, name_pane, 3, line, &point.name, style);
-        put(buffer, inside, name_width + 5, line, &point.ty.to_string(), style);
-        let value = values::short(&plant.value(point), point.ty);
-        put(buffer, inside, name_width + 15, line, &value, style);
+        put(buffer, name_pane, 3, line, &name(row, theme), style);
+        match &row.entry {
+            Entry::Value(point) => {
+                put(buffer, inside, name_width + 5, line, &point.ty.to_string(), style);
+                let value = values::short(&plant.value(point), point.ty);
+                put(buffer, inside, name_width + 15, line, &value, style);
+            }
+            Entry::Group(group) => {
+                put(buffer, inside, name_width + 5, line, &group.ty, style);
+            }
+        }
+    }
+}
+
+/// The name of a line, in as far as it is in others, with a sign where it opens.
+fn name(row: &Row, theme: Theme) -> String {
+    let indent = "  ".repeat(row.depth.into());
+    match &row.entry {
+        Entry::Value(point) => format!("{indent}{}", point.name),
+        Entry::Group(group) => format!("{indent}{} {}", theme.fold(row.is_open), group.name),
     }
 }

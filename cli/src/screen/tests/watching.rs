@@ -187,3 +187,23 @@ fn more_tags_than_lines() {
         "#]],
     );
 }
+
+const LINES: &str = "\
+TYPE
+    Phase : (IDLE, FILLING);
+    Motor : STRUCT
+        speed : REAL := 50.0;
+        delay : TON;
+    END_STRUCT;
+END_TYPE
+VAR step : Phase := FILLING; lines : ARRAY[1..2] OF Motor; big : ARRAY[1..10000] OF INT; END_VAR
++--[TON]( lines[2].delay, T#5s )--[MOV]( big[3], 7 )--+
+";
+
+#[test]
+fn what_is_compound_is_opened_and_closed() {
+    let bench = Bench::new(LINES);
+    bench.check_lines("w down down down down right", 10..23, expect![[""]]);
+    bench.check_lines("w down down down down enter down down enter down enter", 8..23, expect![[""]]);
+    bench.check_lines("w down down down down right down right down left left", 10..23, expect![[""]]);
+}

@@ -69,9 +69,78 @@ fn what_is_compound_opens() {
     let mut client = Client::launched(TEXT);
     client.body("next", json!({"threadId": 1}));
     let internal = scope(&mut client, "Internal");
-    expect![[""]].assert_eq(&internal);
+    expect![[r#"
+        lines = ARRAY[1..2] OF Motor
+          [1] = speed=50.0 running=FALSE
+            speed = 50.0
+            running = FALSE
+            delay = Q=FALSE ET=T#0s
+              Q = FALSE
+              ET = T#0s
+              IN = FALSE
+              PT = T#0s
+          [2] = speed=50.0 running=FALSE
+            speed = 50.0
+            running = FALSE
+            delay = Q=FALSE ET=T#0s
+              Q = FALSE
+              ET = T#0s
+              IN = TRUE
+              PT = T#5s
+        step = FILLING
+        grid = ARRAY[1..2, 0..1] OF INT
+          [1, 0] = 0
+          [1, 1] = 0
+          [2, 0] = 0
+          [2, 1] = 0
+        m1 = EN=TRUE ENO=TRUE start=TRUE
+          EN = TRUE
+          ENO = TRUE
+          start = TRUE
+          inner = EN=TRUE ENO=TRUE a=TRUE
+            EN = TRUE
+            ENO = TRUE
+            a = TRUE
+            n = 1
+          own = speed=50.0 running=TRUE
+            speed = 50.0
+            running = TRUE
+            delay = Q=FALSE ET=T#0s
+              Q = FALSE
+              ET = T#0s
+              IN = FALSE
+              PT = T#0s
+          $Inner#1 = $Inner
+            EN = TRUE
+            ENO = TRUE
+            a = TRUE
+            n = 1
+    "#]].assert_eq(&internal);
     let blocks = scope(&mut client, "Blocks");
-    expect![[""]].assert_eq(&blocks);
+    expect![[r#"
+        $Motor#1 = $Motor
+          EN = TRUE
+          ENO = TRUE
+          start = TRUE
+          inner = $Inner
+            EN = TRUE
+            ENO = TRUE
+            a = TRUE
+            n = 1
+          own = Motor
+            speed = 50.0
+            running = TRUE
+            delay = Q=FALSE ET=T#0s
+              Q = FALSE
+              ET = T#0s
+              IN = FALSE
+              PT = T#0s
+          $Inner#1 = $Inner
+            EN = TRUE
+            ENO = TRUE
+            a = TRUE
+            n = 1
+    "#]].assert_eq(&blocks);
 }
 
 #[test]
