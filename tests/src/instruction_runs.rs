@@ -146,10 +146,8 @@ impl Stimulus {
         let points = simulation.points().iter();
         // Of an array of which some elements are given, the others are at rest.
         let is_of_given = |point: &Point| {
-            let given = self.inputs.iter().filter_map(|(name, _)| name.split_once('['));
-            point
-                .group()
-                .is_some_and(|group| given.into_iter().any(|(name, _)| name == group))
+            let mut given = self.inputs.iter().filter_map(|(name, _)| name.split_once('['));
+            given.any(|(array, _)| point.name.contains('[') && point.is_in(array))
         };
         points
             .filter(|point| !point.read_only && !is_given(point) && !is_of_given(point))

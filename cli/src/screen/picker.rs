@@ -110,7 +110,9 @@ impl Picker {
         };
         let depth = row.depth;
         if !open && (!row.is_open || self.opens().is_none()) {
-            let around = self.matches[..self.chosen].iter().rposition(|row| row.depth < depth);
+            let around = self.matches[..self.chosen]
+                .iter()
+                .rposition(|row| row.depth < depth);
             self.chosen = around.unwrap_or(self.chosen);
         }
         let Some(Row {

@@ -178,7 +178,7 @@ impl Sheet {
             let points = block.operands.iter().map(|operand| operand.point.name.as_str());
             // Which element of an array it is shows while it runs: any of them may be.
             let arrays = block.shown.iter().filter_map(|shown| match shown {
-                Shown::Indexed(indexed) => indexed.sample.group(),
+                Shown::Indexed(indexed) => array_of(&indexed.sample),
                 _ => None,
             });
             for name in points.chain(arrays) {
@@ -288,7 +288,7 @@ impl Sheet {
 
     /// The blocks that name a tag, in the order in which one reads.
     pub(super) fn uses(&self, point: &Point) -> &[usize] {
-        let of_array = || self.uses.get(point.group()?);
+        let of_array = || self.uses.get(array_of(point)?);
         let uses = self.uses.get(&point.name).or_else(of_array);
         uses.map_or(&[], Vec::as_slice)
     }
@@ -392,4 +392,10 @@ fn without_line_end(text: &str, range: TextRange) -> Range<usize> {
         0
     };
     range.start + mark..range.start + kept.max(mark)
+}
+
+/// The array that a value is an element of, or its part: `a` of `a[3]`.
+fn array_of(point: &Point) -> Option<&str> {
+    let (array, _) = point.name.split_once('[')?;
+    Some(array)
 }

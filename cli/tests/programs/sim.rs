@@ -31,11 +31,11 @@ fn without_watch_every_elementary_tag_is_written_sorted_by_name() {
         expect![[r#"
             exit status 0
             -- stdout
-            scan,time_ms,big,go,level,list[1],list[2],list[3],name,speed,total,wait,word1
-            0,0,0,1,0.1,0,0,0,,0,0.5,0,0
-            1,10,0,1,0.1,0,0,0,,0,1.0,0,0
-            2,20,0,1,0.1,0,0,0,,0,1.5,10,0
-            3,30,0,1,0.1,0,0,0,"a, b",0,2.0,20,255
+            scan,time_ms,big,go,level,list[1],list[2],list[3],name,speed,t1.ET,t1.Q,total,wait,word1
+            0,0,0,1,0.1,0,0,0,,0,0,0,0.5,0,0
+            1,10,0,1,0.1,0,0,0,,0,10,0,1.0,0,0
+            2,20,0,1,0.1,0,0,0,,0,20,0,1.5,10,0
+            3,30,0,1,0.1,0,0,0,"a, b",0,25,1,2.0,20,255
         "#]],
     );
 }
@@ -417,12 +417,12 @@ fn arrays_are_written_element_by_element() {
     run(
         &[],
         expect![[r#"
-        exit status 0
-        -- stdout
-        scan,time_ms,i,pump[1],pump[2],run,starts[1],starts[2],trip[1],trip[2]
-        0,0,2,1,0,1,1,0,0,1
-        1,10,2,1,0,1,2,0,0,1
-    "#]],
+            exit status 0
+            -- stdout
+            scan,time_ms,i,pump[1],pump[2],run,starts[1],starts[2],t.ET,t.Q,trip[1],trip[2]
+            0,0,2,1,0,1,1,0,0,0,0,1
+            1,10,2,1,0,1,2,0,0,0,0,1
+        "#]],
     );
     run(
         &["--watch", "pump"],

@@ -115,7 +115,8 @@ fn what_is_compound_opens() {
             ENO = TRUE
             a = TRUE
             n = 1
-    "#]].assert_eq(&internal);
+    "#]]
+    .assert_eq(&internal);
     let blocks = scope(&mut client, "Blocks");
     expect![[r#"
         $Motor#1 = $Motor
@@ -140,7 +141,8 @@ fn what_is_compound_opens() {
             ENO = TRUE
             a = TRUE
             n = 1
-    "#]].assert_eq(&blocks);
+    "#]]
+    .assert_eq(&blocks);
 }
 
 #[test]
