@@ -6,6 +6,9 @@ use crate::memory::{Bit, Word};
 use ladder_analysis::program::TagId;
 use std::collections::HashMap;
 
+/// Where tags live.
+pub(crate) type Homes = Vec<(TagId, Home)>;
+
 /// A block of a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct BlockAt {
@@ -46,7 +49,7 @@ pub(crate) struct Places {
     /// The same of bodies inside blocks whose state is a tag, with the number of that tag among those like it.
     pub(crate) owned_tags: Vec<(Vec<BlockAt>, u32, TagId, Home)>,
     /// The tags that are the states of blocks, with the path of the place where the block is, and where the tags of its body live.
-    pub(crate) named: Vec<(Vec<BlockAt>, TagId, Vec<(TagId, Home)>)>,
+    pub(crate) named: Vec<(Vec<BlockAt>, TagId, Homes)>,
     /// What the in-outs of bodies stand for, likewise.
     pub(crate) body_in_outs: Vec<(Vec<BlockAt>, TagId, Home)>,
     /// Edges that belong to a tag.

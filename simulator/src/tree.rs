@@ -181,7 +181,7 @@ impl Tree {
             .map(|(at, _)| at)
             .chain([text.len()]);
         let root = |end: &usize| self.next.contains_key(&(0, Step::Name(Name::new(&text[..*end]))));
-        let end = ends.filter(root).last()?;
+        let end = ends.rev().find(root)?;
         let mut part = Part {
             path: String::new(),
             nodes: vec![(0, Vec::new())],

@@ -398,6 +398,85 @@ VAR i : INT; starts : ARRAY[1..2] OF INT; t : TON; END_VAR
 +--<NEXT>--+
 ";
 
+const LINES: &str = "\
+TYPE
+    Phase : (IDLE, FILLING);
+    Motor : STRUCT
+        speed : REAL := 50.0;
+        delay : TON;
+    END_STRUCT;
+END_TYPE
+VAR_INPUT step : Phase; END_VAR
+VAR
+    lines : ARRAY[1..2] OF Motor;
+    grid  : ARRAY[1..2, 0..1] OF INT;
+    long  : ARRAY[1..65] OF INT;
+    once  : $Once;
+END_VAR
+
+FUNCTION_BLOCK [$Once]
+VAR n : INT; END_VAR
++--[ADD]( n, n, 1 )--( )( ENO )--+
+END_FUNCTION_BLOCK
+
++--[EQ]( step, FILLING )--[$Once]( once )--[TON]( lines[2].delay, T#5s )--[MOV]( grid[2, 1], 7 )--[MOV]( long[3], 7 )--+
+";
+
+#[test]
+fn compound_values_are_written_part_by_part() {
+    let inputs = "step,\"lines[2].speed\"\nfilling,12.5\n";
+    let folder = Folder::with(&[("lines.clad", LINES), ("in.csv", inputs)]);
+    let run = |arguments: &[&str], expected: Expect| {
+        let given = ["sim", "lines.clad", "--scans", "2", "--inputs", "in.csv"];
+        expected.assert_eq(&folder.ladder(&[&given, arguments].concat()).to_string());
+    };
+    run(
+        &[],
+        expect![[r#"
+            exit status 0
+            -- stdout
+            scan,time_ms,"grid[1, 0]","grid[1, 1]","grid[2, 0]","grid[2, 1]",lines[1].delay.ET,lines[1].delay.Q,lines[1].speed,lines[2].delay.ET,lines[2].delay.Q,lines[2].speed,step
+            0,0,0,0,0,0,0,0,50.0,0,0,12.5,FILLING
+            1,10,0,0,0,0,0,0,50.0,10,0,12.5,FILLING
+        "#]],
+    );
+    run(
+        &["--watch", "lines[2],grid[2, 0..1],once"],
+        expect![[r#"
+            exit status 0
+            -- stdout
+            scan,time_ms,lines[2].speed,lines[2].delay.Q,lines[2].delay.ET,"grid[2, 0]","grid[2, 1]",once.EN,once.ENO,once.n
+            0,0,12.5,0,0,0,0,1,1,1
+            1,10,12.5,0,10,0,0,1,1,2
+        "#]],
+    );
+    run(
+        &[
+            "--watch",
+            "step,lines[1].speed",
+            "--force",
+            "lines[1].speed=3",
+            "--force",
+            "step=idle",
+        ],
+        expect![[r#"
+            exit status 0
+            -- stdout
+            scan,time_ms,step,lines[1].speed
+            0,0,IDLE,3.0
+            1,10,IDLE,3.0
+        "#]],
+    );
+    run(
+        &["--watch", "lines[3]"],
+        expect![[r#"
+            exit status 2
+            -- stderr
+            error: --watch lines[3]: lines has parts: name one of them, as in lines[1].speed
+        "#]],
+    );
+}
+
 #[test]
 fn arrays_are_written_element_by_element() {
     let folder = Folder::with(&[("pumps.clad", PUMPS)]);

@@ -392,9 +392,10 @@ fn brief(simulation: &Simulation, group: Option<&ladder_simulator::Group>, name:
             values.take(SHOWN).collect()
         }
     };
-    match values.is_empty() {
-        true => group.ty.clone(),
-        false => values.join(" "),
+    if values.is_empty() {
+        group.ty.clone()
+    } else {
+        values.join(" ")
     }
 }
 

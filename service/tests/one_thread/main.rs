@@ -29,6 +29,54 @@ fn command(session: &mut Session, name: &str, given: Value) -> Value {
     answer["result"].clone()
 }
 
+/// Each level is asked for when it is opened; a member is set and forced by its path.
+#[test]
+fn compound_tags_are_listed_level_by_level() {
+    let text = "TYPE\n P : (IDLE, RUN);\n M : STRUCT\n  n : INT; p : P; t : TON;\n END_STRUCT;\nEND_TYPE\n\
+                VAR m : ARRAY[1..2] OF M; g : ARRAY[1..100, 1..100] OF INT; END_VAR\n\
+                +--[TON]( m[2].t, T#1s )--[MOV]( g[1, 2], 3 )--+\n";
+    let mut session = opened(text, &[]);
+    command(&mut session, "start", json!({"uri": URI}));
+    let mut listed = |given: Value| -> Vec<String> {
+        let mut search = json!({"session": "s1"});
+        let (search_map, given) = (search.as_object_mut().unwrap(), given.as_object().unwrap());
+        search_map.extend(given.clone());
+        let found = command(&mut session, "tags", search);
+        let tags = found["tags"].as_array().unwrap().iter();
+        tags.map(|tag| format!("{} {} {} {}", tag["name"], tag["type"], tag["text"], tag["parts"]))
+            .map(|line| line.replace('"', ""))
+            .collect()
+    };
+    let top = ["m ARRAY[1..2] OF M  2", "g ARRAY[1..100, 1..100] OF INT  10000"];
+    assert_eq!(listed(json!({"of": ""})), top);
+    assert_eq!(listed(json!({"of": "m"})), ["m[1] M  3", "m[2] M  3"]);
+    let members = [
+        "m[2].n INT 0 null",
+        "m[2].p P IDLE null",
+        "m[2].t.Q BOOL 0 null",
+        "m[2].t.ET TIME 0ms null",
+    ];
+    assert_eq!(listed(json!({"of": "m[2]"})), members);
+    let some = ["g[1, 3] INT 0 null", "g[1, 4] INT 0 null"];
+    assert_eq!(listed(json!({"of": "g", "first": 2, "count": 2})), some);
+    assert_eq!(listed(json!({"of": "", "containing": "[2].P"})), [top[0]]);
+    let named = ["m[2] M  3", "m[1].n INT 0 null"];
+    assert_eq!(listed(json!({"names": ["m[2]", "m[1].n"]})), named);
+    command(
+        &mut session,
+        "force",
+        json!({"session": "s1", "tag": "m[2].p", "value": "run"}),
+    );
+    let found = command(&mut session, "tags", json!({"session": "s1", "of": "m"}));
+    let forced: Vec<&Value> = found["tags"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|tag| &tag["forced"])
+        .collect();
+    assert_eq!(forced, [false, true]);
+}
+
 #[test]
 fn a_run_scans_at_its_times() {
     let mut session = opened(CONTACT, &[]);

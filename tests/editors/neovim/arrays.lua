@@ -39,6 +39,29 @@ return function(t)
     vim.cmd('Ladder stop')
   end)
 
+  t.step('what a tag opens into may open again', function()
+    local bufnr = t.open('lines.clad')
+    vim.cmd('Ladder start')
+    assert(ladder.wait(), 'no answer')
+    vim.cmd('Ladder tags')
+    assert(ladder.wait(bufnr), 'no answer')
+    press(bufnr, 2, '<CR>')
+    press(bufnr, 4, '<CR>')
+    t.equal('the tags', {
+      'step Phase internal FILLING',
+      '▾ lines ARRAY[1..2] OF Motor internal',
+      ' ▸ lines[1] Motor internal',
+      ' ▾ lines[2] Motor internal',
+      ' lines[2].speed REAL internal 50.0',
+      ' lines[2].delay.Q BOOL internal 0',
+      ' lines[2].delay.ET TIME internal 0ms',
+    }, lines())
+    press(bufnr, 2, '<CR>')
+    t.equal('the tags with the array closed', { 'step Phase internal FILLING', '▸ lines ARRAY[1..2] OF Motor internal' }, lines())
+    vim.api.nvim_feedkeys('q', 'x', false)
+    vim.cmd('Ladder stop')
+  end)
+
   t.step('an operand in a loop shows which element it is', function()
     local bufnr = t.open('pumps.clad')
     vim.cmd('Ladder start')

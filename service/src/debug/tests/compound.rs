@@ -182,10 +182,10 @@ fn frames_and_expressions_go_by_the_names_of_states() {
         "$Motor#1.own.speed",
         "m1.$Inner#1",
     ];
-    let values: String = values
-        .iter()
-        .map(|name| format!("{name}: {}\n", client.evaluate(name, "watch")))
-        .collect();
+    let mut shown = String::new();
+    for name in values {
+        shown.push_str(&format!("{name}: {}\n", client.evaluate(name, "watch")));
+    }
     expect![[r#"
         m1: EN=TRUE ENO=TRUE start=TRUE
         m1.inner: EN=TRUE ENO=TRUE a=TRUE
@@ -200,7 +200,7 @@ fn frames_and_expressions_go_by_the_names_of_states() {
         $Motor#1.own.speed: 50.0
         m1.$Inner#1: $Inner
     "#]]
-    .assert_eq(&values);
+    .assert_eq(&shown);
     let set = json!({"expression": "lines[1].speed", "value": "12.5", "frameId": 1});
     assert_eq!(
         client.body("setExpression", set)["value"],
