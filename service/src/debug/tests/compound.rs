@@ -206,5 +206,6 @@ fn frames_and_expressions_go_by_the_names_of_states() {
         client.body("setExpression", set)["value"],
         "50.0 → 12.5 after this scan"
     );
-    assert_eq!(client.evaluate("force step := idle", "repl"), "");
+    let forced = client.evaluate("force step := idle", "repl");
+    assert_eq!(forced, "FILLING → IDLE after this scan");
 }
