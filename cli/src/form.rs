@@ -3,7 +3,7 @@
 use crate::outcome::Failure;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 pub(crate) use ladder_notations::Form;
-use ladder_notations::{LADDER, NOTATIONS, by_extension as notation_of, recognise};
+use ladder_notations::{LADDER, NOTATIONS, Notation, by_extension as notation_of, recognise};
 use ladder_workspace::{is_program, shown};
 use std::path::Path;
 
@@ -46,11 +46,19 @@ fn is_foreign_name(path: &Path) -> bool {
         .is_some_and(|extension| !extension.eq_ignore_ascii_case("txt") && notation_of(extension).is_some())
 }
 
-/// The names that `--from` and `--to` take.
+/// The names that `--from` takes.
 pub(crate) fn names() -> PossibleValuesParser {
+    listed(|notation| notation.is_read())
+}
+
+/// The names that `--to` takes.
+pub(crate) fn targets() -> PossibleValuesParser {
+    listed(|_| true)
+}
+
+fn listed(takes: fn(&dyn Notation) -> bool) -> PossibleValuesParser {
     let own = PossibleValue::new(LADDER).help("Ladder text");
-    let others = NOTATIONS
-        .iter()
-        .map(|notation| PossibleValue::new(notation.name()).help(notation.title()));
+    let others = NOTATIONS.iter().filter(|notation| takes(**notation));
+    let others = others.map(|notation| PossibleValue::new(notation.name()).help(notation.title()));
     PossibleValuesParser::new(std::iter::once(own).chain(others))
 }

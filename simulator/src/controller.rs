@@ -6,7 +6,7 @@ use crate::memory::{Bit, Memory};
 
 /// A relay that reports an error in a scan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Relay {
+pub enum Relay {
     /// A division by zero.
     Zero,
     /// A number that does not fit.
@@ -19,7 +19,7 @@ pub(crate) enum Relay {
 
 impl Relay {
     /// Its number among the controller's relays.
-    pub(crate) const fn number(self) -> u32 {
+    pub const fn number(self) -> u32 {
         match self {
             Relay::Zero => 40,
             Relay::Range => 43,
@@ -45,18 +45,18 @@ pub(crate) const STOP: u32 = 50;
 
 /// Where the relays of a program are, as far as it has them.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(crate) struct Relays {
-    pub(crate) zero: Option<Bit>,
-    pub(crate) range: Option<Bit>,
-    pub(crate) address: Option<Bit>,
-    pub(crate) math: Option<Bit>,
+pub struct Relays {
+    pub zero: Option<Bit>,
+    pub range: Option<Bit>,
+    pub address: Option<Bit>,
+    pub math: Option<Bit>,
     /// That of [`STOP`].
-    pub(crate) stop: Option<Bit>,
+    pub stop: Option<Bit>,
 }
 
 impl Relays {
     /// Where one of them is.
-    pub(crate) const fn slot(&self, relay: Relay) -> Option<Bit> {
+    pub const fn slot(&self, relay: Relay) -> Option<Bit> {
         match relay {
             Relay::Zero => self.zero,
             Relay::Range => self.range,
@@ -66,7 +66,7 @@ impl Relays {
     }
 
     /// Whether the controller stops after the scan that has just run.
-    pub(crate) fn stops(&self, memory: &Memory) -> bool {
+    pub fn stops(&self, memory: &Memory) -> bool {
         self.stop.is_some_and(|stop| memory.bit(stop))
     }
 }

@@ -10,7 +10,7 @@ use ladder_instructions::StateType;
 
 /// Where a tag lives. An elementary tag is an array of one.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Home {
+pub enum Home {
     Bits {
         at: Bit,
         first: i64,
@@ -39,7 +39,7 @@ pub(crate) enum Home {
 
 /// What a tag of a block's body is that has no memory of its own: an in-out parameter stands for a place of the caller.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Borrowed {
+pub enum Borrowed {
     /// It stands for elements of an array, or for one: the word holds the slot of the first.
     Elements {
         at: Word,
@@ -64,19 +64,19 @@ pub(crate) enum Borrowed {
 }
 
 /// Where parts of a timer's state lie after its first bit and word.
-pub(crate) mod timer {
-    pub(crate) const IN: u32 = 0;
-    pub(crate) const Q: u32 = 1;
-    pub(crate) const R: u32 = 2;
+pub mod timer {
+    pub const IN: u32 = 0;
+    pub const Q: u32 = 1;
+    pub const R: u32 = 2;
     /// What the timer is doing, see `timers`.
-    pub(crate) const PHASE: u32 = 3;
-    pub(crate) const BITS: u32 = 4;
+    pub const PHASE: u32 = 3;
+    pub const BITS: u32 = 4;
 
-    pub(crate) const PT: u32 = 0;
-    pub(crate) const ET: u32 = 1;
+    pub const PT: u32 = 0;
+    pub const ET: u32 = 1;
     /// The instant it began, or of the last evaluation.
-    pub(crate) const SINCE: u32 = 2;
-    pub(crate) const WORDS: u32 = 3;
+    pub const SINCE: u32 = 2;
+    pub const WORDS: u32 = 3;
 }
 
 /// Where parts of a counter's state lie after its first bit and word.
@@ -100,7 +100,7 @@ pub(crate) mod counter {
 }
 
 /// How many bits and words the state of a type takes.
-pub(crate) const fn state_size(state: StateType) -> (u32, u32) {
+pub const fn state_size(state: StateType) -> (u32, u32) {
     if state.is_timer() {
         (timer::BITS, timer::WORDS)
     } else if state.is_counter() {

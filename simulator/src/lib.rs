@@ -42,6 +42,7 @@
 
 mod carry;
 pub mod chart;
+#[allow(missing_docs, reason = "operands and members are said at what has them")]
 mod code;
 mod compile;
 mod compile_error;
@@ -53,14 +54,18 @@ mod fault;
 mod fuse;
 mod groups;
 mod inputs;
+#[allow(missing_docs, reason = "operands and members are said at what has them")]
 mod layout;
 mod machine;
 mod members;
+#[allow(missing_docs, reason = "operands and members are said at what has them")]
 mod memory;
+#[allow(missing_docs, reason = "operands and members are said at what has them")]
 mod operation;
 mod overlap;
 mod places;
 mod retain;
+#[allow(missing_docs, reason = "operands and members are said at what has them")]
 mod routine;
 pub mod scenario;
 mod session;
@@ -72,6 +77,19 @@ pub mod trace;
 mod tree;
 pub mod value_text;
 mod work;
+
+/// The compiled form of a program, for those who translate it further: flat code over banks of bits, words and texts, so
+/// that each instruction has one meaning wherever it runs.
+pub mod compiled {
+    pub use crate::code::{ArrayPlace, BlockPlace, Code, Instr, NOTHING_SAVED, NetworkPlace};
+    pub use crate::compile::{CHANNELS, Compiled, Ports, compile};
+    pub use crate::layout::{Home, state_size, timer};
+    pub use crate::memory::{Bit, Memory, Text, TextSlot, Word};
+    pub use crate::operation::{Conversion, IntegerOp, RealFunction, RealOp, Test, Width};
+    pub use crate::retain::Retained;
+    pub use crate::routine::{Routine, TYPES};
+    pub use crate::work::CALL_DEPTH;
+}
 
 pub use carry::{Changeover, Lost};
 pub use compile_error::CompileError;

@@ -5,48 +5,50 @@ use std::collections::VecDeque;
 
 /// A slot of the bank of bits: BOOL tags, powers, edge memories. One byte each, 0 or 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(crate) struct Bit(pub(crate) u32);
+pub struct Bit(pub u32);
 
 /// A slot of the bank of words: whole numbers and times as themselves, reals as the bits of an `f64`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(crate) struct Word(pub(crate) u32);
+pub struct Word(pub u32);
 
 /// A slot of the bank of texts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(crate) struct TextSlot(pub(crate) u32);
+pub struct TextSlot(pub u32);
 
 impl Bit {
     /// Always low: an open end, `SYS.OFF`.
-    pub(crate) const LOW: Bit = Bit(0);
+    pub const LOW: Bit = Bit(0);
     /// Always high: the left rail, `SYS.ON`.
-    pub(crate) const HIGH: Bit = Bit(1);
+    pub const HIGH: Bit = Bit(1);
     /// `SYS.FIRST_SCAN`
-    pub(crate) const FIRST_SCAN: Bit = Bit(2);
+    pub const FIRST_SCAN: Bit = Bit(2);
     /// `SYS.FAULT`
-    pub(crate) const FAULT: Bit = Bit(3);
+    pub const FAULT: Bit = Bit(3);
     /// The first of the clocks of `SYS`.
-    pub(crate) const CLOCKS: Bit = Bit(4);
+    pub const CLOCKS: Bit = Bit(4);
     /// How many bits are the engine's own.
-    pub(crate) const RESERVED: usize = 4 + Clock::ALL.len();
+    pub const RESERVED: usize = 4 + Clock::ALL.len();
 
     /// The slot this many after this one.
-    pub(crate) const fn offset(self, by: u32) -> Bit {
+    #[must_use]
+    pub const fn offset(self, by: u32) -> Bit {
         Bit(self.0 + by)
     }
 }
 
 impl Word {
     /// `SYS.SCAN`
-    pub(crate) const SCAN: Word = Word(0);
+    pub const SCAN: Word = Word(0);
     /// `SYS.TIME`
-    pub(crate) const TIME: Word = Word(1);
+    pub const TIME: Word = Word(1);
     /// `SYS.SCAN_TIME`
-    pub(crate) const SCAN_TIME: Word = Word(2);
+    pub const SCAN_TIME: Word = Word(2);
     /// How many words are the engine's own.
-    pub(crate) const RESERVED: usize = 3;
+    pub const RESERVED: usize = 3;
 
     /// The slot this many after this one.
-    pub(crate) const fn offset(self, by: u32) -> Word {
+    #[must_use]
+    pub const fn offset(self, by: u32) -> Word {
         Word(self.0 + by)
     }
 }
@@ -54,7 +56,7 @@ impl Word {
 /// A text with its type's limit. The room for `max` bytes is taken when the program is compiled, so writing it
 /// never allocates.
 #[derive(Debug, Default, PartialEq, Eq)]
-pub(crate) struct Text {
+pub struct Text {
     bytes: Vec<u8>,
     max: usize,
 }
@@ -77,30 +79,30 @@ impl Clone for Text {
 
 impl Text {
     /// An empty text.
-    pub(crate) fn new(max: usize) -> Text {
+    pub fn new(max: usize) -> Text {
         Text {
             bytes: Vec::with_capacity(max),
             max,
         }
     }
 
-    pub(crate) fn bytes(&self) -> &[u8] {
+    pub fn bytes(&self) -> &[u8] {
         &self.bytes
     }
 
     /// How many bytes it can hold.
-    pub(crate) fn room(&self) -> usize {
+    pub fn room(&self) -> usize {
         self.max
     }
 
     /// Replaces the text; what is longer than the type allows is cut off, as IEC 61131-3 does.
-    pub(crate) fn set(&mut self, bytes: &[u8]) {
+    pub fn set(&mut self, bytes: &[u8]) {
         self.bytes.clear();
         self.push(bytes);
     }
 
     /// Appends, as far as there is room.
-    pub(crate) fn push(&mut self, bytes: &[u8]) {
+    pub fn push(&mut self, bytes: &[u8]) {
         let room = self.max - self.bytes.len();
         self.bytes.extend_from_slice(&bytes[..bytes.len().min(room)]);
     }
@@ -115,15 +117,15 @@ impl std::fmt::Write for Text {
 
 /// The banks, and what of them is held by forces.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub(crate) struct Memory {
-    pub(crate) bits: Vec<u8>,
-    pub(crate) words: Vec<i64>,
-    pub(crate) texts: Vec<Text>,
-    pub(crate) held: Held,
+pub struct Memory {
+    pub bits: Vec<u8>,
+    pub words: Vec<i64>,
+    pub texts: Vec<Text>,
+    pub held: Held,
     /// Bytes that wait at the serial port.
-    pub(crate) received: VecDeque<u8>,
+    pub received: VecDeque<u8>,
     /// Bytes that were sent through it; never more than there is room for.
-    pub(crate) sent: VecDeque<u8>,
+    pub sent: VecDeque<u8>,
 }
 
 /// How many sent bytes are kept.
@@ -132,48 +134,48 @@ pub(crate) const SERIAL_ROOM: usize = 1 << 16;
 /// Which slots are forced. Empty until there was a force, or a scan in steps: any other scan runs code that never looks
 /// here.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub(crate) struct Held {
+pub struct Held {
     /// One for each bit: 1 where it is held.
-    pub(crate) bits: Vec<u8>,
+    pub bits: Vec<u8>,
     /// For each word the bits of it that are held.
-    pub(crate) words: Vec<i64>,
-    pub(crate) texts: Vec<bool>,
+    pub words: Vec<i64>,
+    pub texts: Vec<bool>,
 }
 
 impl Memory {
     #[inline]
-    pub(crate) fn bit(&self, slot: Bit) -> bool {
+    pub fn bit(&self, slot: Bit) -> bool {
         self.bits[slot.0 as usize] != 0
     }
 
     #[inline]
-    pub(crate) fn word(&self, slot: Word) -> i64 {
+    pub fn word(&self, slot: Word) -> i64 {
         self.words[slot.0 as usize]
     }
 
     #[inline]
-    pub(crate) fn real(&self, slot: Word) -> f64 {
+    pub fn real(&self, slot: Word) -> f64 {
         f64::from_bits(self.words[slot.0 as usize] as u64)
     }
 
-    pub(crate) fn text(&self, slot: TextSlot) -> &[u8] {
+    pub fn text(&self, slot: TextSlot) -> &[u8] {
         self.texts[slot.0 as usize].bytes()
     }
 
     /// Makes the bits as many as a power of two: see the machine's records.
-    pub(crate) fn fill_up_bits(&mut self) {
+    pub fn fill_up_bits(&mut self) {
         self.bits.resize(self.bits.len().next_power_of_two(), 0);
     }
 
     /// Room to note what is forced; nothing is, unless it was there.
-    pub(crate) fn make_room_for_forces(&mut self) {
+    pub fn make_room_for_forces(&mut self) {
         self.held.bits.resize(self.bits.len(), 0);
         self.held.words.resize(self.words.len(), 0);
         self.held.texts.resize(self.texts.len(), false);
     }
 
     /// Takes over what another memory of the same program holds. No room is given up.
-    pub(crate) fn take_from(&mut self, other: &Memory) {
+    pub fn take_from(&mut self, other: &Memory) {
         self.bits.clone_from(&other.bits);
         self.words.clone_from(&other.words);
         self.texts.clone_from(&other.texts);
@@ -185,7 +187,7 @@ impl Memory {
     }
 
     /// Whether another memory has as many slots.
-    pub(crate) fn has_room_of(&self, other: &Memory) -> bool {
+    pub fn has_room_of(&self, other: &Memory) -> bool {
         self.bits.len() == other.bits.len()
             && self.words.len() == other.words.len()
             && self.texts.len() == other.texts.len()
@@ -193,13 +195,13 @@ impl Memory {
 
     /// Writes power, or anything else that cannot be forced.
     #[inline]
-    pub(crate) fn set_bit(&mut self, slot: Bit, value: bool) {
+    pub fn set_bit(&mut self, slot: Bit, value: bool) {
         self.bits[slot.0 as usize] = u8::from(value);
     }
 
     /// Writes a tag's bit. A forced one stays as it is (LANGUAGE §6).
     #[inline]
-    pub(crate) fn put_bit<const FORCED: bool>(&mut self, slot: Bit, value: bool) {
+    pub fn put_bit<const FORCED: bool>(&mut self, slot: Bit, value: bool) {
         let at = slot.0 as usize;
         if !FORCED || self.held.bits[at] == 0 {
             self.bits[at] = u8::from(value);
@@ -208,7 +210,7 @@ impl Memory {
 
     /// Writes a tag's word, but for the bits of it that are forced.
     #[inline]
-    pub(crate) fn put_word<const FORCED: bool>(&mut self, slot: Word, value: i64) {
+    pub fn put_word<const FORCED: bool>(&mut self, slot: Word, value: i64) {
         let at = slot.0 as usize;
         if FORCED {
             let held = self.held.words[at];
@@ -219,7 +221,7 @@ impl Memory {
     }
 
     /// Copies one text slot to another.
-    pub(crate) fn copy_text<const FORCED: bool>(&mut self, to: TextSlot, from: TextSlot) {
+    pub fn copy_text<const FORCED: bool>(&mut self, to: TextSlot, from: TextSlot) {
         let (to, from) = (to.0 as usize, from.0 as usize);
         if to == from || (FORCED && self.held.texts[to]) {
             return;

@@ -6,35 +6,35 @@ use std::cmp::Ordering;
 
 /// A comparison, as the set of orders for which it holds: one look instead of a choice among six.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(crate) struct Test(u8);
+pub struct Test(u8);
 
 impl Test {
-    pub(crate) const EQ: Test = Test(0b010);
-    pub(crate) const NE: Test = Test(0b101);
-    pub(crate) const GT: Test = Test(0b100);
-    pub(crate) const GE: Test = Test(0b110);
-    pub(crate) const LT: Test = Test(0b001);
-    pub(crate) const LE: Test = Test(0b011);
+    pub const EQ: Test = Test(0b010);
+    pub const NE: Test = Test(0b101);
+    pub const GT: Test = Test(0b100);
+    pub const GE: Test = Test(0b110);
+    pub const LT: Test = Test(0b001);
+    pub const LE: Test = Test(0b011);
 
     /// As a routine's operand.
-    pub(crate) const fn operand(self) -> u32 {
+    pub const fn operand(self) -> u32 {
         self.0 as u32
     }
 
     /// The reverse.
-    pub(crate) const fn of_operand(operand: u32) -> Test {
+    pub const fn of_operand(operand: u32) -> Test {
         Test(operand as u8)
     }
 
     #[inline]
-    pub(crate) fn holds(self, order: Ordering) -> bool {
+    pub fn holds(self, order: Ordering) -> bool {
         self.0 >> (order as i8 + 1) & 1 != 0
     }
 }
 
 /// How a whole number is held: its width and sign. TIME and dates are signed with 64 bits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(crate) enum Width {
+pub enum Width {
     I8,
     I16,
     I32,
@@ -47,7 +47,7 @@ pub(crate) enum Width {
 
 impl Width {
     /// The width of an integer, bit string, time or date; 64 signed bits for anything else.
-    pub(crate) const fn of(ty: Scalar) -> Width {
+    pub const fn of(ty: Scalar) -> Width {
         match ty {
             Scalar::Sint => Width::I8,
             Scalar::Int => Width::I16,
@@ -62,7 +62,7 @@ impl Width {
 
     /// Brings a number into the width: two's complement.
     #[inline]
-    pub(crate) const fn wrap(self, value: i64) -> i64 {
+    pub const fn wrap(self, value: i64) -> i64 {
         match self {
             Width::I8 => value as i8 as i64,
             Width::I16 => value as i16 as i64,
@@ -87,7 +87,7 @@ impl Width {
         }
     }
 
-    pub(crate) const fn bits(self) -> u32 {
+    pub const fn bits(self) -> u32 {
         match self {
             Width::I8 | Width::U8 => 8,
             Width::I16 | Width::U16 => 16,
@@ -97,7 +97,7 @@ impl Width {
     }
 
     /// The value as a number: 64 unsigned bits are held as the same bits of an `i64`.
-    pub(crate) const fn number(self, value: i64) -> i128 {
+    pub const fn number(self, value: i64) -> i128 {
         match self {
             Width::U64 => value as u64 as i128,
             _ => value as i128,
@@ -105,12 +105,12 @@ impl Width {
     }
 
     /// A number cut to the width.
-    pub(crate) fn wrap_number(self, number: i128) -> i64 {
+    pub fn wrap_number(self, number: i128) -> i64 {
         self.wrap(number as i64)
     }
 
     /// A number held at the ends of the width.
-    pub(crate) fn clamp_number(self, number: i128) -> i64 {
+    pub fn clamp_number(self, number: i128) -> i64 {
         match self {
             Width::U64 => number.clamp(0, u64::MAX.into()) as u64 as i64,
             _ => {
@@ -138,7 +138,7 @@ impl Width {
 
 /// Operations on two whole numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(crate) enum IntegerOp {
+pub enum IntegerOp {
     Add,
     Sub,
     Mul,
@@ -237,7 +237,7 @@ fn power(base: i64, exponent: i64, unsigned: bool) -> Result<i64, Trouble> {
 
 /// Operations on two reals.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(crate) enum RealOp {
+pub enum RealOp {
     Add,
     Sub,
     Mul,
@@ -297,7 +297,7 @@ pub(crate) fn real(op: RealOp, single: bool, a: f64, b: f64) -> Result<f64, Trou
 
 /// Functions of one real.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(crate) enum RealFunction {
+pub enum RealFunction {
     Abs,
     Neg,
     Trunc,
@@ -365,7 +365,7 @@ pub(crate) fn finite(value: f64, single: bool) -> Result<f64, Trouble> {
 
 /// From one word to another.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(crate) enum Conversion {
+pub enum Conversion {
     /// Bits kept: WORD 16#FFFF is INT -1.
     Wrap(Width),
     /// A whole number, which must fit.

@@ -30,7 +30,7 @@ use ladder_analysis::values::types::Scalar;
 /// Which routine; after each what its operands are. A range is two words: the slot of its first element, and how
 /// many there are. A list is its length and its members.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(crate) enum Routine {
+pub enum Routine {
     // Ranges.
     /// Finds a range whose ends are known only now: first and last index, base slot, first and last index of the
     /// array, to: start, count.
@@ -171,7 +171,7 @@ pub(crate) enum Routine {
 }
 
 /// Types as operands: their place in this list.
-const TYPES: [Scalar; 20] = [
+pub const TYPES: [Scalar; 20] = [
     Scalar::Bool,
     Scalar::Byte,
     Scalar::Word,

@@ -10,7 +10,7 @@ pub(crate) const ELEMENTS: usize = 100;
 pub(crate) const UNBRAKED: u64 = 100_000;
 
 /// How deep calls may nest (LANGUAGE §5.5).
-pub(crate) const CALL_DEPTH: usize = 64;
+pub const CALL_DEPTH: usize = 64;
 
 /// For how many further blocks these elements count.
 pub(crate) fn blocks(elements: usize) -> u32 {

@@ -33,6 +33,8 @@ pub const NOTATIONS: &[&dyn Notation] = &[
     &ladder_notation_openplc::OpenPlc,
     #[cfg(feature = "plcopen")]
     &ladder_notation_plcopen::Plcopen,
+    #[cfg(feature = "c")]
+    &ladder_notation_c::C,
     // Last: what looks drawn may be one of the others.
     #[cfg(feature = "ascii")]
     &ladder_notation_ascii::Ascii,

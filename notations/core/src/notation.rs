@@ -24,6 +24,11 @@ pub trait Notation: Sync {
     /// Whether a file is in this notation, from its content alone. No more than the first lines are checked.
     fn recognises(&self, bytes: &[u8]) -> bool;
 
+    /// Whether such a file is read, too. A language that programs are only translated to is not.
+    fn is_read(&self) -> bool {
+        true
+    }
+
     /// Whether a run of such a program is about its coils, and nothing else is shown of it unless asked for.
     fn shows_coils(&self) -> bool {
         false

@@ -3,7 +3,7 @@
 use super::{Foreign, LineColumn, Notation, Source, WriteError, Writing};
 use ladder_analysis::Analysis;
 
-/// Writes a program that has no errors. What is written is read again, as a file whose name has this stem: what cannot
+/// Writes a program that has no errors. What is written is read again, where the notation [is](Notation::is_read), as a file whose name has this stem: what cannot
 /// be read, and each error in what it becomes, is refused in the report.
 ///
 /// # Errors
@@ -15,6 +15,9 @@ pub fn write_checked(
     stem: &str,
 ) -> Result<Writing, WriteError> {
     let mut writing = notation.write(analysis)?;
+    if !notation.is_read() {
+        return Ok(writing);
+    }
     let source = Source {
         name: stem.into(),
         bytes: &writing.bytes,

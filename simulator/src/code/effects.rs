@@ -6,7 +6,7 @@ use ladder_instructions::Op;
 
 impl Instr {
     /// Whether it may end in a fault that the scan survives.
-    pub(crate) const fn can_fault(&self) -> bool {
+    pub const fn can_fault(&self) -> bool {
         matches!(
             self,
             Instr::Index { .. }
@@ -21,7 +21,7 @@ impl Instr {
     }
 
     /// The bits that it reads. Not those of a routine or of a timer's state: they are never temporary.
-    pub(crate) fn for_each_bit_read(&self, mut read: impl FnMut(Bit)) {
+    pub fn for_each_bit_read(&self, mut read: impl FnMut(Bit)) {
         use Instr as I;
         match *self {
             I::Contact { en, tag, .. } | I::NegatedContact { en, tag, .. } => {
@@ -124,12 +124,12 @@ impl Instr {
     }
 
     /// The instructions that it may go on at, other than the one after it.
-    pub(crate) fn for_each_target(mut self, mut target: impl FnMut(u32)) {
+    pub fn for_each_target(mut self, mut target: impl FnMut(u32)) {
         self.for_each_target_mut(|to| target(*to));
     }
 
     /// The same, to change them.
-    pub(crate) fn for_each_target_mut(&mut self, mut target: impl FnMut(&mut u32)) {
+    pub fn for_each_target_mut(&mut self, mut target: impl FnMut(&mut u32)) {
         match self {
             Instr::Powered { end, .. } => target(end),
             Instr::Jump { to, .. } | Instr::Call { to, .. } => target(to),

@@ -8,7 +8,7 @@ use crate::routine::Routine;
 ///
 /// `out` is the power that an instruction gives, `en` the power it takes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Instr {
+pub enum Instr {
     // Power.
     /// EN and tag.
     Contact {
@@ -449,7 +449,7 @@ pub(crate) enum Instr {
 }
 
 /// For a call that cannot come back to its own network.
-pub(crate) const NOTHING_SAVED: u32 = u32::MAX;
+pub const NOTHING_SAVED: u32 = u32::MAX;
 
 #[cfg(test)]
 mod tests {

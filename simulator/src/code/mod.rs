@@ -4,7 +4,7 @@
 mod effects;
 mod instr;
 
-pub(crate) use instr::{Instr, NOTHING_SAVED};
+pub use instr::{Instr, NOTHING_SAVED};
 
 use crate::controller::Relays;
 use crate::memory::Bit;
@@ -13,37 +13,37 @@ use ladder_instructions::Controller;
 
 /// One result of a few boolean instructions: the bit of a truth table that three bits select.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Record {
-    pub(crate) inputs: [Bit; 3],
-    pub(crate) out: Bit,
+pub struct Record {
+    pub inputs: [Bit; 3],
+    pub out: Bit,
     /// Bit n is the result where the inputs are the binary digits of n, the first one the lowest.
-    pub(crate) truth: u8,
+    pub truth: u8,
 }
 
 /// The instructions of a program.
 #[derive(Debug, Default)]
-pub(crate) struct Code {
-    pub(crate) instrs: Vec<Instr>,
-    pub(crate) records: Vec<Record>,
+pub struct Code {
+    pub instrs: Vec<Instr>,
+    pub records: Vec<Record>,
     /// For each instruction what the blocks count that begin at it or before it: one each, and more for one of very
     /// many instructions. Not kept up after jumps: it counts text.
-    pub(crate) work_through: Vec<u32>,
+    pub work_through: Vec<u32>,
     /// The blocks in the order of the code.
-    pub(crate) blocks: Vec<BlockPlace>,
+    pub blocks: Vec<BlockPlace>,
     /// Where each network begins, in the order of the code: its first instruction and its number.
-    pub(crate) networks: Vec<NetworkPlace>,
+    pub networks: Vec<NetworkPlace>,
     /// For each instruction the kinds of [`stop`] in front of it. Plain code only.
-    pub(crate) stops: Vec<u8>,
+    pub stops: Vec<u8>,
     /// Arrays that are indexed while scanning.
-    pub(crate) arrays: Vec<ArrayPlace>,
+    pub arrays: Vec<ArrayPlace>,
     /// Operands of routines.
-    pub(crate) operands: Vec<u32>,
+    pub operands: Vec<u32>,
     /// Powers that a call which can come back to the same network must keep.
-    pub(crate) saved: Vec<Vec<Bit>>,
+    pub saved: Vec<Vec<Bit>>,
     /// Where errors are reported that are not faults.
-    pub(crate) relays: Relays,
+    pub relays: Relays,
     /// Most frames that can be open at once.
-    pub(crate) depth: usize,
+    pub depth: usize,
 }
 
 /// Where a scan can halt: in front of what has code. A set of kinds for each instruction.
@@ -58,14 +58,14 @@ pub(crate) mod stop {
 
 impl Code {
     /// The network that begins at an instruction; one without code is passed by.
-    pub(crate) fn network_at(&self, pc: u32) -> Option<usize> {
+    pub fn network_at(&self, pc: u32) -> Option<usize> {
         let through = self.networks.partition_point(|place| place.start <= pc);
         let place = self.networks[..through].last()?;
         (place.start == pc).then_some(place.network as usize)
     }
 
     /// All networks that begin at an instruction: those without code are there too.
-    pub(crate) fn networks_at(&self, pc: u32) -> impl Iterator<Item = usize> + '_ {
+    pub fn networks_at(&self, pc: u32) -> impl Iterator<Item = usize> + '_ {
         let first = self.networks.partition_point(|place| place.start < pc);
         let here = self.networks[first..]
             .iter()
@@ -74,7 +74,7 @@ impl Code {
     }
 
     /// The block that begins at an instruction; one without code is passed by.
-    pub(crate) fn block_from(&self, pc: u32) -> Option<&BlockPlace> {
+    pub fn block_from(&self, pc: u32) -> Option<&BlockPlace> {
         let through = self.blocks.partition_point(|place| place.start <= pc);
         let here = self.blocks[..through]
             .iter()
@@ -84,7 +84,7 @@ impl Code {
     }
 
     /// Notes where scans can halt.
-    pub(crate) fn note_stops(&mut self) {
+    pub fn note_stops(&mut self) {
         self.stops = vec![0; self.instrs.len()];
         for place in self.blocks.iter().filter(|place| place.start < place.end) {
             self.stops[place.start as usize] |= stop::BLOCK;
@@ -100,50 +100,50 @@ impl Code {
 
 /// Where a network's code begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct NetworkPlace {
-    pub(crate) start: u32,
+pub struct NetworkPlace {
+    pub start: u32,
     /// By its number in the program.
-    pub(crate) network: u32,
+    pub network: u32,
 }
 
 /// Where a block's code is.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct BlockPlace {
+pub struct BlockPlace {
     /// Its first instruction.
-    pub(crate) start: u32,
+    pub start: u32,
     /// The one after it.
-    pub(crate) end: u32,
+    pub end: u32,
     /// What the watchdog counts for it and the blocks before it.
-    pub(crate) work_through: u32,
+    pub work_through: u32,
     /// The power that leaves it: low if it faults.
-    pub(crate) out: Bit,
+    pub out: Bit,
     /// Where it is drawn.
-    pub(crate) location: Location,
+    pub location: Location,
     /// Where its errors are reported.
-    pub(crate) controller: Controller,
+    pub controller: Controller,
 }
 
 /// An array that is indexed while scanning.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(crate) struct ArrayPlace {
+pub struct ArrayPlace {
     /// Slot of its first element.
-    pub(crate) base: u32,
+    pub base: u32,
     /// Index of the first element.
-    pub(crate) first: i64,
+    pub first: i64,
     /// Index of the last element.
-    pub(crate) last: i64,
+    pub last: i64,
 }
 
 /// A part of the drawing and the slot that holds its power.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ElementPlace {
-    pub(crate) kind: ElementKind,
-    pub(crate) location: Location,
-    pub(crate) power: Bit,
+    pub kind: ElementKind,
+    pub location: Location,
+    pub power: Bit,
     /// Its network, by its number in the program.
-    pub(crate) network: u32,
+    pub network: u32,
     /// The step whose power it shows, to see whether it was reached.
-    pub(crate) step: u32,
+    pub step: u32,
     /// The instruction before which that power is there.
-    pub(crate) at: u32,
+    pub at: u32,
 }

@@ -51,20 +51,21 @@ use flow::Region;
 use ladder_analysis::program::{Location, Program, TagId};
 use ladder_instructions::Semantics;
 use owner::{Owner, Thing};
-pub(crate) use ports::{CHANNELS, Ports};
+pub use ports::{CHANNELS, Ports};
 use std::collections::HashMap;
 use std::ops::Range;
 
 /// A program ready to run.
 #[derive(Debug)]
-pub(crate) struct Compiled {
-    pub(crate) code: Code,
+pub struct Compiled {
+    /// What a scan walks through, as it also runs in steps and with forces.
+    pub code: Code,
     /// The same, as it runs without forces.
     pub(crate) fused: Fused,
     /// Where each tag lives, in the order of the program's tags.
-    pub(crate) homes: Vec<Home>,
+    pub homes: Vec<Home>,
     /// Memory at a cold start.
-    pub(crate) initial: Memory,
+    pub initial: Memory,
     /// What can be shown as live or dead, in the order of the drawing.
     pub(crate) elements: Vec<ElementPlace>,
     /// For each network of the drawing, whether some scans may not reach it.
@@ -72,9 +73,9 @@ pub(crate) struct Compiled {
     /// For each network of the drawing where its code is; that of the first place where it is in a block's body.
     pub(crate) stretches: Vec<Range<u32>>,
     /// Where the ports are.
-    pub(crate) ports: Ports,
+    pub ports: Ports,
     /// What a warm restart keeps.
-    pub(crate) retained: Vec<Retained>,
+    pub retained: Vec<Retained>,
     /// What no tag of the program holds, for a change of the running program.
     pub(crate) places: Places,
 }
@@ -95,7 +96,10 @@ type Result<T> = std::result::Result<T, CompileError>;
 
 /// Compiles a program that is to run a scan in each interval, in nanoseconds. Each file's blocks are compiled for its
 /// profile: what differs there is other code, so that nothing is asked about profiles while scanning.
-pub(crate) fn compile(program: &Program, interval: i64) -> Result<Compiled> {
+///
+/// # Errors
+/// The program takes more memory than there is, or its files do not agree on an address.
+pub fn compile(program: &Program, interval: i64) -> Result<Compiled> {
     if let Some(disagreement) = &program.disagreement {
         return Err(CompileError {
             message: disagreement.message.clone(),

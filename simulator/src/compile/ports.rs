@@ -12,17 +12,17 @@ use ladder_analysis::values::types::Scalar;
 use ladder_instructions::Serial;
 
 /// How many analog inputs and pulse outputs there are, counted from 0.
-pub(crate) const CHANNELS: u32 = 64;
+pub const CHANNELS: u32 = 64;
 
 /// Where the ports of a program begin; none where it does not use them.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Ports {
+pub struct Ports {
     /// Analog inputs.
-    pub(crate) analog: Option<Word>,
+    pub analog: Option<Word>,
     /// Duty of each pulse output, in percent, then the frequency of each, in hertz.
-    pub(crate) pulse: Option<Word>,
+    pub pulse: Option<Word>,
     /// Whether it uses the serial port.
-    pub(crate) serial: bool,
+    pub serial: bool,
 }
 
 impl Compiler<'_> {

@@ -15,12 +15,13 @@ use std::collections::HashMap;
 
 /// One retentive tag.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Retained {
+pub struct Retained {
     /// Its name; for a tag in the body of a user-defined block with the place where the block is, counted in
     /// the order in which they run first: `$Debounce[2].t`.
-    name: String,
-    tag: TagId,
-    home: Home,
+    pub name: String,
+    pub(crate) tag: TagId,
+    /// Where it lives.
+    pub home: Home,
 }
 
 impl Retained {

@@ -3,6 +3,7 @@
 mod book_links;
 mod book_programs;
 mod book_refactorings;
+mod c_library;
 mod click_programs;
 mod click_traces;
 mod crates;

@@ -53,7 +53,7 @@ pub(crate) struct Arguments {
     from: Option<String>,
 
     /// The notation to write; without it the name of the output decides, else ladder text is written
-    #[arg(long, value_name = "NOTATION", value_parser = form::names())]
+    #[arg(long, value_name = "NOTATION", value_parser = form::targets())]
     to: Option<String>,
 
     /// Say what became of each element: `json` on stderr, or in this file, as JSON if it is called .json

@@ -33,7 +33,7 @@ pub(super) fn jobs(
         None if ladder_wanted => is_program(path),
         None => NOTATIONS
             .iter()
-            .any(|notation| ends_like(path, Form::Foreign(*notation))),
+            .any(|notation| notation.is_read() && ends_like(path, Form::Foreign(*notation))),
     });
     let mut outcome = Outcome::Fine;
     for error in errors {

@@ -1,0 +1,136 @@
+//! Jumps, calls, loops, zones.
+
+use super::{Emitter, MOST_TURNS, b, w, width};
+use ladder_simulator::compiled::{Bit, CALL_DEPTH, Instr, NOTHING_SAVED};
+use std::collections::BTreeSet;
+use std::fmt::Write;
+
+impl Emitter<'_> {
+    pub(super) fn flow(&mut self, at: u32, instr: Instr) {
+        match instr {
+            Instr::Mcr { en } => self.line(format!("frame.rail = {};", b(en))),
+            Instr::Jump { en, to, .. } => {
+                let mut actions = String::new();
+                if self.loops {
+                    actions.push_str("frame.noted = 0; ");
+                    let _ = write!(
+                        actions,
+                        "if ({to} < frame.body || {to} >= frame.after) frame.left = 0, frame.body = frame.after = 0; "
+                    );
+                }
+                if to <= at {
+                    let _ = write!(actions, "if (++turns > {MOST_TURNS}) goto stopped; ");
+                }
+                self.line(format!("if ({}) {{ {actions}goto L{to}; }}", b(en)));
+            }
+            Instr::Call { en, to, saved } => {
+                let mut actions =
+                    format!("if (depth == {CALL_DEPTH} || ++turns > {MOST_TURNS}) goto stopped; depth++; ");
+                if saved != NOTHING_SAVED {
+                    for power in &self.code.saved[saved as usize] {
+                        let _ = write!(actions, "saved[kept++] = b[{}]; ", power.0);
+                    }
+                }
+                let _ = write!(
+                    actions,
+                    "frames[open++] = frame; frame = fresh; frame.back = {}; ",
+                    at + 1
+                );
+                self.line(format!("if ({}) {{ {actions}goto L{to}; }}", b(en)));
+            }
+            Instr::Return { en, .. } => {
+                let target = self.back();
+                self.line(format!("if ({}) goto {target};", b(en)));
+            }
+            Instr::Finish => {
+                let target = self.back();
+                self.line(format!("goto {target};"));
+            }
+            Instr::End { en, .. } => {
+                self.line(format!("if ({}) {{ self->ended = true; goto done; }}", b(en)));
+            }
+            Instr::For { en, turns } => self.line(format!("frame.noted = {} ? {} : 0;", b(en), w(turns))),
+            Instr::Enter { body, after } => {
+                self.line(format!(
+                    "if (frame.noted <= 0) {{ frame.noted = 0; goto L{after}; }}"
+                ));
+                self.line(format!(
+                    "frame.body = {body}; frame.after = {after}; frame.left = frame.noted - 1; frame.turn = 1; frame.noted = 0;"
+                ));
+            }
+            Instr::Turn { to, width: wide } => {
+                self.uses("wrap");
+                self.line(format!("{} = wrap({}, frame.turn);", w(to), width(wide)));
+            }
+            Instr::Again => {
+                self.goes_back = true;
+                self.line(format!(
+                    "if (frame.left > 0) {{ if (++turns > {MOST_TURNS}) goto stopped; frame.left--; frame.turn++; frame.noted = 0; to = frame.body; goto go_to; }}"
+                ));
+                self.line("frame.body = frame.after = 0; frame.left = frame.turn = 0;");
+            }
+            Instr::EnterBody if self.loops || self.zones => {
+                self.line("frames[open++] = frame; frame = fresh;");
+            }
+            Instr::LeaveBody if self.loops || self.zones => self.line("frame = frames[--open];"),
+            Instr::EnterBody | Instr::LeaveBody => {}
+            // What is shown of a scan: C shows nothing.
+            Instr::Network { .. } | Instr::Left { .. } => {}
+            _ => self.body.missing.push((at, format!("{instr:?}"))),
+        }
+    }
+
+    pub(super) fn back(&mut self) -> &'static str {
+        self.goes_back |= self.calls;
+        if self.calls { "go_back" } else { "done" }
+    }
+
+    /// Where calls come back, and loops go on: places that are known only while a scan runs.
+    pub(super) fn going_back(&self) -> String {
+        let mut text = String::new();
+        if self.calls {
+            text.push_str("\ngo_back:\n    if (depth == 0) goto done;\n    depth--;\n    to = frame.back;\n    frame = frames[--open];\n");
+            let callers: Vec<(u32, &Vec<Bit>)> = (0..)
+                .zip(&self.code.instrs)
+                .filter_map(|(at, instr)| match *instr {
+                    Instr::Call { saved, .. } if saved != NOTHING_SAVED => {
+                        Some((at + 1, &self.code.saved[saved as usize]))
+                    }
+                    _ => None,
+                })
+                .collect();
+            if !callers.is_empty() {
+                text.push_str("    switch (to) {\n");
+                for (back, powers) in callers {
+                    let _ = write!(text, "    case {back}:");
+                    for power in powers.iter().rev() {
+                        let _ = write!(text, " b[{}] = saved[--kept];", power.0);
+                    }
+                    text.push_str(" break;\n");
+                }
+                text.push_str("    default: break;\n    }\n");
+            }
+        }
+        if self.loops {
+            text.push_str("go_to:\n");
+        }
+        text.push_str("    switch (to) {\n");
+        let mut targets = BTreeSet::new();
+        for (at, instr) in (0..).zip(&self.code.instrs) {
+            match *instr {
+                Instr::Call { .. } => {
+                    targets.insert(at + 1);
+                }
+                Instr::Enter { body, .. } => {
+                    targets.insert(body);
+                }
+                _ => {}
+            }
+        }
+        for target in targets {
+            let _ = writeln!(text, "    case {target}: goto L{target};");
+        }
+        text.push_str("    default: goto done;\n    }\n");
+        text
+    }
+}
