@@ -206,7 +206,7 @@ fn of_files() {
         &shown,
         expect![[r#"
             hint: running := start; ENO := start
-            hint: cell[...].valve.open := step = IDLE
+            hint: cell[k + 1].valve.open := step = IDLE
             hint: y := $Motor.ENO
             hint: x := $Motor.ENO
             hint: z := cell[1].valve.wait.Q

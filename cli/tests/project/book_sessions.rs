@@ -57,6 +57,9 @@ fn copy_examples(folder: &Path) {
     std::fs::create_dir(folder).expect("a folder for the examples");
     for entry in std::fs::read_dir(project::root().join("examples")).expect("the examples") {
         let entry = entry.expect("an example");
+        if entry.path().is_dir() {
+            continue;
+        }
         std::fs::copy(entry.path(), folder.join(entry.file_name())).expect("a copy of an example");
     }
 }

@@ -67,7 +67,12 @@ fn every_construct_becomes_ladder_text() {
         45:9 Info click-c000a: the inputs of this instruction come from different branches: its pins begin at the left rail, and its rung has other instructions; give it a rung of its own
         81:9 Info click-shift-clock: Click itself wants a clock here, and shifts on its rise: clock=lambda: ..
     "#]].assert_eq(&remarks(&converted));
-    expect![""].assert_eq(&complaints(&converted.written.text));
+    expect![[r#"
+        Info set-without-reset: `C[20..23]` is set, and nothing resets it: once on, it stays on
+            |               /--\-----------------------------------(S)( C[20..23] )--\--/  |
+        Info reset-without-set: `C[30..33]` is reset, and nothing sets it: it is never on
+            |                  /-----------------------------------(R)( C[30..33] )--/     |
+    "#]].assert_eq(&complaints(&converted.written.text));
 }
 
 #[test]
@@ -76,6 +81,8 @@ fn only_what_is_found_is_switched_off() {
     let converted = converted(tank);
     expect![[r#"
         Info read-before-write: `A` is written further down: this rung sees its value of the scan before
+            +--[ ]( A )--[GT]( DS[3], 1 )--\---------------------[MOV]( DS[4], DS[3] )--\--+
+        Info never-written: `DS[3]` is read, and nothing writes this element: it stays 0
             +--[ ]( A )--[GT]( DS[3], 1 )--\---------------------[MOV]( DS[4], DS[3] )--\--+
     "#]]
     .assert_eq(&complaints(&converted.written.text));

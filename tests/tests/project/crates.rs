@@ -85,6 +85,10 @@ fn may_use(name: &str, used: &str) -> bool {
         "notations" => LANGUAGE.contains(&used) || used == "notation" || used.starts_with("notation-"),
         // What it writes is a picture.
         "notation-ascii" if used == "picture" => true,
+        // It translates what the simulator runs.
+        "notation-c" if used == "simulator" => true,
+        // The same networks in another file.
+        "notation-openplc" if used == "notation-plcopen" => true,
         _ if name.starts_with("notation-") => LANGUAGE.contains(&used) || used == "notation",
         _ => {
             let (_, own) = RULES.iter().find(|(other, _)| *other == name).expect(name);

@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 const INTRODUCTION: &str = "\
 These blocks are there in every program. They are written in the language itself, as [blocks of your own](blocks.md) are, and are read
-only where they are used: a program without them pays nothing. A block of the same name in your workspace takes precedence.
+only where they are used: a program without them pays nothing. A block of the same name in your workspace takes precedence. Blocks of your own for many programs are in [a folder that `ladder.toml` names](../guide/settings.md#a-library-of-your-own).
 
 Analog values are LREAL: an INT, a DINT or a REAL can be given, and `[TYP]` makes one of a result. Times are those from one run of the
 block to the next, whatever the scan interval is, and in every [profile](profiles.md) of the program a block does the same. No wrong value is a fault: each block says what it does instead. Only a result that is too large for LREAL is one, as in
