@@ -46,7 +46,7 @@ pub use power::{Coil, Edge, Power};
 pub use profile::{Profile, Profiles};
 pub use purpose::{Purpose, purpose};
 pub use semantics::{
-    Arithmetic, Controller, Conversion, Counting, Division, Edges, Relay, Remainder, Semantics, Serial,
-    SetPower, States, Tables, Timing, Truth, Width,
+    Arithmetic, Controller, Conversion, Counting, Division, Edges, FirstEdges, Relay, Remainder, Semantics,
+    Serial, SetPower, StatePower, States, Tables, Timing, Truth, Width,
 };
 pub use table::TABLE;

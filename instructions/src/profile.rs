@@ -12,11 +12,19 @@ pub enum Profile {
     Click,
     /// iot-ladder-editor.
     Iot,
+    /// Logix 5000 controllers.
+    Logix,
 }
 
 impl Profile {
     /// All of them.
-    pub const ALL: [Profile; 4] = [Profile::Iec, Profile::Ldmicro, Profile::Click, Profile::Iot];
+    pub const ALL: [Profile; 5] = [
+        Profile::Iec,
+        Profile::Ldmicro,
+        Profile::Click,
+        Profile::Iot,
+        Profile::Logix,
+    ];
 
     /// As `# ladder: profile .. #` names it.
     pub const fn name(self) -> &'static str {
@@ -25,6 +33,7 @@ impl Profile {
             Profile::Ldmicro => "ldmicro",
             Profile::Click => "click",
             Profile::Iot => "iot",
+            Profile::Logix => "logix",
         }
     }
 
@@ -49,7 +58,9 @@ impl Profiles {
     pub const ALL: Profiles = Profiles(u8::MAX);
 
     /// Those of this project's own: LDmicro and iot-ladder-editor have no such thing.
-    pub const OWN: Profiles = Profiles::only(Profile::Iec).and(Profile::Click);
+    pub const OWN: Profiles = Profiles::only(Profile::Iec)
+        .and(Profile::Click)
+        .and(Profile::Logix);
 
     /// All but `iot`.
     pub(crate) const WITHOUT_IOT: Profiles = Profiles::OWN.and(Profile::Ldmicro);

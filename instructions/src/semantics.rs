@@ -32,8 +32,12 @@ pub struct Semantics {
     pub truth: Truth,
     /// Where the memory of an edge is kept.
     pub edges: Edges,
+    /// What an edge is at the first evaluation.
+    pub first_edges: FirstEdges,
     /// The power after `(S)`.
     pub set_power: SetPower,
+    /// The power after a timer or counter.
+    pub state_power: StatePower,
     /// What `<MCR>` does.
     pub relay: Relay,
     /// What `[LUT]` and `[PWL]` give outside their table.
@@ -104,6 +108,8 @@ pub enum Arithmetic {
     OfOperands,
     /// A formula in the widest type of its parts and its result; the value is then cut to the result's type.
     OfFormula,
+    /// The same, in 32 bits at least.
+    OfWideFormula,
 }
 
 /// What an integer divided by zero gives.
@@ -115,6 +121,8 @@ pub enum Division {
     ZeroAndEnd,
     /// The whole result is 0, of reals too.
     Zero,
+    /// The dividend. That of a remainder is 0, and of reals it is a fault.
+    Dividend,
 }
 
 /// The sign of a remainder.
@@ -133,6 +141,8 @@ pub enum Conversion {
     Fault,
     /// It is held at the limit, in bit strings it loses its upper bits; reals lose their fraction.
     Clamped,
+    /// It loses its upper bits; reals are rounded.
+    Wrapped,
 }
 
 /// Where the controller reports its own state, and errors.
@@ -161,6 +171,24 @@ pub enum Edges {
     OfPlace,
     /// With the tag: all edges of one tag share it.
     OfTag,
+}
+
+/// What an edge is at the first evaluation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum FirstEdges {
+    /// What is high counts as having risen.
+    Rise,
+    /// What is high was high before: there is none.
+    None,
+}
+
+/// The power after a timer or counter.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum StatePower {
+    /// Its output.
+    Output,
+    /// EN.
+    En,
 }
 
 /// The power after `(S)`.
@@ -215,7 +243,9 @@ impl Semantics {
         controller: Controller::System,
         truth: Truth::Bool,
         edges: Edges::OfPlace,
+        first_edges: FirstEdges::Rise,
         set_power: SetPower::Tag,
+        state_power: StatePower::Output,
         relay: Relay::Power,
         tables: Tables::Bounded,
         serial: Serial::AtOnce,
@@ -261,6 +291,19 @@ impl Semantics {
         set_power: SetPower::En,
         ..Semantics::IEC
     };
+
+    /// Logix 5000 controllers, as their maker describes them. Their timers and counters are structures, and blocks of an
+    /// imported program; those of the table differ in their power alone.
+    pub const LOGIX: Semantics = Semantics {
+        reals: Width::Bits32,
+        arithmetic: Arithmetic::OfWideFormula,
+        division: Division::Dividend,
+        conversion: Conversion::Wrapped,
+        first_edges: FirstEdges::None,
+        set_power: SetPower::En,
+        state_power: StatePower::En,
+        ..Semantics::IEC
+    };
 }
 
 impl Profile {
@@ -271,6 +314,7 @@ impl Profile {
             Profile::Ldmicro => &Semantics::LDMICRO,
             Profile::Click => &Semantics::CLICK,
             Profile::Iot => &Semantics::IOT,
+            Profile::Logix => &Semantics::LOGIX,
         }
     }
 }

@@ -159,6 +159,8 @@ pub enum Routine {
     Cut,
     /// A number held in another type: as `Cut`.
     Clamp,
+    /// A number rounded to another type: as `Cut`.
+    Round,
     /// What the controller reports of itself: slot of the array SC, its first index, how many, the same of SD, interval.
     Controller,
 
@@ -353,6 +355,7 @@ pub(crate) fn run<const FORCED: bool>(
         Routine::Step => formula::step(memory, with)?,
         Routine::Cut => formula::cut(memory, with),
         Routine::Clamp => formula::clamp(memory, with),
+        Routine::Round => formula::round(memory, with),
         Routine::Controller => controller::tell::<FORCED>(memory, with, clock),
         Routine::OpenTable => tables::entry(memory, with),
         Routine::OpenCurve => tables::point(memory, with),

@@ -11,7 +11,9 @@ use crate::networks::network::Meaning;
 use crate::networks::{BlockAt, NetworkAt};
 use crate::program::Step;
 use crate::values::types::Type;
-use ladder_instructions::{Coil, Edge, Op, Power, SetPower, StateType, Timing};
+use ladder_instructions::{
+    Coil, Edge, Instruction, Op, Power, Semantics, SetPower, StatePower, StateType, Timing,
+};
 use std::fmt;
 
 /// A formula with more parts than this helps nobody.
@@ -196,6 +198,7 @@ fn after(
         Power::Inverts => return Some(not(en?.clone())),
         Power::EnEdge(edge) => return Some(Formula::Name(format!("{}({})", change(edge), en?))),
         Power::SetTag if semantics.set_power == SetPower::Tag => return text(0).map(Formula::Name),
+        Power::Output if passes_on(row, semantics) => return en.cloned(),
         Power::Output => {
             let state = row.state()?;
             let output = Formula::Name(format!("{}.{}", text(0)?, state.output()));
@@ -212,6 +215,14 @@ fn after(
         Power::Passes | Power::PassesIfDone | Power::SetTag => return en.cloned(),
     };
     Some(and(en?.clone(), condition))
+}
+
+/// Whether the power after a timer or counter is its EN.
+pub(super) fn passes_on(row: &Instruction, semantics: &Semantics) -> bool {
+    let counts = row
+        .state()
+        .is_some_and(|state| state.is_timer() || state.is_counter());
+    counts && semantics.state_power == StatePower::En
 }
 
 const fn change(edge: Edge) -> &'static str {

@@ -1,6 +1,7 @@
 //! Which variable each condition of a network asks about, and what the blocks write.
 
 use super::comparison::Comparison;
+use super::formula::passes_on;
 use super::gate::{Ask, CoilKind, Gate, Gates, Variable};
 use super::value_space::{Bound, Regions};
 use super::written::written;
@@ -104,6 +105,10 @@ impl Reader<'_> {
             Power::EnEdge(Edge::Rising) => Gate::If(vec![self.unknown()]),
             Power::EnEdge(Edge::Falling) => Gate::IfNot(self.unknown()),
             Power::Compares => return self.comparison(bound, row.op),
+            Power::Output if passes_on(row, semantics) => {
+                self.writes(bound);
+                Gate::Pass
+            }
             Power::Output => {
                 self.writes(bound);
                 let gate = self.output(consumed);

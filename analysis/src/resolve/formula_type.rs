@@ -1,5 +1,5 @@
 //! The type that a formula is computed in where that is the widest of its parts
-//! ([`Arithmetic::OfFormula`](ladder_instructions::Arithmetic)).
+//! ([`Arithmetic::OfFormula`](ladder_instructions::Arithmetic) and its like).
 
 use super::Resolver;
 use crate::networks::facts::{Node, NodeKind};
@@ -40,9 +40,11 @@ impl Parts {
 impl Resolver<'_, '_> {
     /// The type in which the formula of `[CALC]` is computed whose result has a type.
     pub(super) fn formula_type(&self, node: &Node, result: Scalar) -> Scalar {
-        if self.semantics().arithmetic != Arithmetic::OfFormula {
-            return result;
-        }
+        let is_wide = match self.semantics().arithmetic {
+            Arithmetic::OfFormula => false,
+            Arithmetic::OfWideFormula => true,
+            Arithmetic::OfResult | Arithmetic::OfOperands => return result,
+        };
         let mut parts = Parts::default();
         parts.add(result);
         self.collect(node, &mut parts);
@@ -65,6 +67,7 @@ impl Resolver<'_, '_> {
                 if wide || long { Scalar::Lreal } else { Scalar::Real }
             }
             Parts { wide: true, .. } => Scalar::Dint,
+            _ if is_wide => Scalar::Dint,
             Parts { bits: true, .. } => Scalar::Uint,
             _ => Scalar::Int,
         }

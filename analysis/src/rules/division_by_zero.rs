@@ -46,6 +46,7 @@ fn found(place: &SurveyedBlock<'_>, divisor: &Node) -> Diagnostic {
     let what = match place.tags.profile().semantics().division {
         Division::Fault => "it is a fault, and no result is written",
         Division::ZeroAndEnd => "the result is 0, and the scan is the last one",
+        Division::Dividend => "the result is the dividend, or 0 for a remainder",
         Division::Zero => "the result is 0, and the controller tells of an error",
     };
     Diagnostic::new(

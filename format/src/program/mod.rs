@@ -26,6 +26,8 @@ pub enum Item {
     Directive(String),
     /// A blank line.
     Blank,
+    /// Ladder text as it is: types, or the definition of a block.
+    Text(String),
     /// `VAR` .. `END_VAR`, or `TYPE` .. `END_TYPE`
     Section(Section),
     /// A network.

@@ -99,6 +99,7 @@ impl Writer {
                 Item::Comment(text) => self.comment(text),
                 Item::Directive(text) => self.line(&format!("# ladder: {} #", text.replace('#', ""))),
                 Item::Blank => self.line(""),
+                Item::Text(text) => self.line(text.trim_end()),
                 Item::Section(section) => self.section(section),
                 Item::Network(network) => self.network(network),
                 Item::Block { header, items } => {

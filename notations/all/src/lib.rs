@@ -23,6 +23,10 @@ pub const NOTATIONS: &[&dyn Notation] = &[
     &ladder_notation_ldmicro::Ldmicro,
     #[cfg(feature = "ldmicro")]
     &ladder_notation_ldmicro::LdmicroText,
+    #[cfg(feature = "logix")]
+    &ladder_notation_logix::L5x,
+    #[cfg(feature = "logix")]
+    &ladder_notation_logix::Rslogix500,
     #[cfg(feature = "iot")]
     &ladder_notation_iot::Iot,
     #[cfg(feature = "click")]

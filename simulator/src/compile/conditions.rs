@@ -9,7 +9,7 @@ use crate::operation::{Test, Width};
 use crate::places::EdgeOf;
 use ladder_analysis::program::{Argument, Expr, ExprKind, Place};
 use ladder_analysis::values::types::{Scalar, common};
-use ladder_instructions::{Edge, Edges, Instruction, Op, Power};
+use ladder_instructions::{Edge, Edges, FirstEdges, Instruction, Op, Power};
 
 impl Compiler<'_> {
     /// What lets power through or not, as the table of instructions has it.
@@ -69,7 +69,15 @@ impl Compiler<'_> {
         let out = self.layout.bit();
         let spot = match memory {
             Some(memory) => Spot::Bit(memory),
-            None => self.remembered_bit(),
+            None => {
+                let spot = self.remembered_bit();
+                // What was high before does not rise.
+                if let Spot::Bit(memory) = spot {
+                    let is_primed = rising && self.semantics.first_edges == FirstEdges::None;
+                    self.layout.memory.set_bit(memory, is_primed);
+                }
+                spot
+            }
         };
         let Slot::Bit(before) = self.load(spot) else {
             return Bit::LOW;

@@ -1,4 +1,5 @@
-//! Arithmetic that notes what goes wrong and goes on ([`Division::Zero`](ladder_instructions::Division)).
+//! Arithmetic that notes what goes wrong and goes on ([`Division::Zero`](ladder_instructions::Division) and
+//! [`Division::Dividend`](ladder_instructions::Division)).
 
 use super::Compiler;
 use super::place::Slot;
@@ -22,7 +23,7 @@ impl Compiler<'_> {
             op,
             Op::Calc | Op::Typ | Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Mod | Op::Exp
         );
-        if self.semantics.division != Division::Zero || !computes {
+        if !matches!(self.semantics.division, Division::Zero | Division::Dividend) || !computes {
             return;
         }
         let (zero, range) = (self.layout.bit(), self.layout.bit());
@@ -36,7 +37,11 @@ impl Compiler<'_> {
     pub(super) fn without_slips(&mut self, value: Slot, from: Scalar, to: Scalar) -> Slot {
         match (self.slips, value) {
             (Some(slips), Slot::Word(word)) if is_number(from) && is_number(to) => {
-                Slot::Word(self.brought(Routine::Cut, to, from, word, slips))
+                let routine = match self.semantics.conversion {
+                    Conversion::Wrapped => Routine::Round,
+                    Conversion::Fault | Conversion::Clamped => Routine::Cut,
+                };
+                Slot::Word(self.brought(routine, to, from, word, slips))
             }
             _ => value,
         }
@@ -60,6 +65,11 @@ impl Compiler<'_> {
             Op::Add => Operation::Add,
             Op::Sub => Operation::Subtract,
             Op::Mul => Operation::Multiply,
+            Op::Div | Op::Mod if self.semantics.division == Division::Dividend && ty.is_real() => {
+                return None;
+            }
+            Op::Div if self.semantics.division == Division::Dividend => Operation::DivideUnlessZero,
+            Op::Mod if self.semantics.division == Division::Dividend => Operation::RemainderUnlessZero,
             Op::Div => Operation::Divide,
             Op::Mod if self.semantics.remainder == Remainder::OfDivisor => Operation::Modulo,
             Op::Mod => Operation::Remainder,
@@ -81,11 +91,18 @@ impl Compiler<'_> {
         Some(to)
     }
 
-    /// A number that `[TYP]` brings to another type, where it is held at the limits.
+    /// A number that `[TYP]` brings to another type, where what does not fit is no fault.
     pub(super) fn clamped(&mut self, to: Scalar, from: Scalar, word: Word) -> Option<Word> {
         let slips = self.slips?;
-        let holds = self.semantics.conversion == Conversion::Clamped && is_number(from) && is_number(to);
-        holds.then(|| self.brought(Routine::Clamp, to, from, word, slips))
+        if !is_number(from) || !is_number(to) {
+            return None;
+        }
+        let routine = match self.semantics.conversion {
+            Conversion::Fault => return None,
+            Conversion::Clamped => Routine::Clamp,
+            Conversion::Wrapped => Routine::Round,
+        };
+        Some(self.brought(routine, to, from, word, slips))
     }
 
     /// The sum of a range, which is added up as a whole.

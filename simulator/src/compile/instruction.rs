@@ -4,9 +4,17 @@ use super::arguments::Arguments;
 use super::{Compiler, Result};
 use crate::memory::Bit;
 use ladder_analysis::program::Block;
-use ladder_instructions::{Counting, Instruction, Op, Serial, Tables, Timing};
+use ladder_instructions::{Counting, Instruction, Op, Serial, StatePower, Tables, Timing};
 
 impl Compiler<'_> {
+    /// The power after a timer or counter.
+    fn after_state(&self, output: Bit, en: Bit) -> Bit {
+        match self.semantics.state_power {
+            StatePower::Output => output,
+            StatePower::En => en,
+        }
+    }
+
     /// One instruction of the table. A new row does not compile until it has its line here.
     pub(super) fn instruction(&mut self, row: &Instruction, block: &Block, en: Bit) -> Result<Bit> {
         let arguments = Arguments::of(block);
@@ -88,13 +96,19 @@ impl Compiler<'_> {
             Op::Search => self.search(arguments, en),
 
             Op::Ton | Op::Tof | Op::Tp | Op::Rto | Op::Rtof => match self.semantics.timing {
-                Timing::Clock => self.timer(row.op, arguments, en),
+                Timing::Clock => {
+                    let output = self.timer(row.op, arguments, en)?;
+                    Ok(self.after_state(output, en))
+                }
                 Timing::Scans => self.scan_timer(row.op, arguments, en),
                 Timing::Ticks => self.tick_timer(row.op, arguments, en),
                 Timing::Units => self.unit_timer(row.op, arguments, en),
             },
             Op::Ctu | Op::Ctd | Op::Ctud | Op::Ctc => match self.semantics.counting {
-                Counting::Saturating => self.counter(row.op, arguments, en),
+                Counting::Saturating => {
+                    let output = self.counter(row.op, arguments, en)?;
+                    Ok(self.after_state(output, en))
+                }
                 Counting::Wrapping => self.wrapping_counter(row.op, arguments, en),
                 Counting::Latching => self.latching_counter(row.op, arguments, en),
                 Counting::Comparing => self.comparing_counter(row.op, arguments, en),

@@ -11,7 +11,7 @@ use crate::operation::{Conversion, Width};
 use ladder_analysis::program::{Expr, ExprKind};
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
-use ladder_instructions::Op;
+use ladder_instructions::{FirstEdges, Op};
 
 impl Compiler<'_> {
     pub(super) fn home_of(&self, arguments: Arguments) -> Result<(Bit, Word)> {
@@ -155,6 +155,10 @@ impl Compiler<'_> {
         let state = self.state(arguments)?;
         let out = self.layout.bit();
         let pv = self.word(arguments.value(1)?)?;
+        let is_primed = self.semantics.first_edges == FirstEdges::None;
+        self.layout
+            .memory
+            .set_bit(bits.offset(counter::UP_BEFORE), is_primed);
         let inputs = [("CD", counter::CD), ("R", counter::R), ("LD", counter::LD)];
         self.inputs_of(arguments, state, &inputs)?;
         let (bits, words) = match state {

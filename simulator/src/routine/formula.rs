@@ -14,8 +14,12 @@ pub(crate) enum Operation {
     Subtract,
     Multiply,
     Divide,
+    /// By 0 it gives the dividend; of integers alone.
+    DivideUnlessZero,
     /// The remainder, with the sign of the dividend.
     Remainder,
+    /// By 0 it gives 0; of integers alone.
+    RemainderUnlessZero,
     /// The same, with the sign of the divisor.
     Modulo,
     Power,
@@ -24,12 +28,14 @@ pub(crate) enum Operation {
 }
 
 /// Operations as operands: their place in this list.
-const STEPS: [Operation; 9] = [
+const STEPS: [Operation; 11] = [
     Operation::Add,
     Operation::Subtract,
     Operation::Multiply,
     Operation::Divide,
+    Operation::DivideUnlessZero,
     Operation::Remainder,
+    Operation::RemainderUnlessZero,
     Operation::Modulo,
     Operation::Power,
     Operation::Least,
@@ -84,8 +90,10 @@ fn integer(step: Operation, width: Width, a: i64, b: i64) -> Result<i64, Slip> {
         Operation::Subtract => a - b,
         Operation::Multiply => a * b,
         Operation::Divide | Operation::Remainder | Operation::Modulo if b == 0 => return Err(Slip::Zero),
-        Operation::Divide => a / b,
-        Operation::Remainder => a % b,
+        Operation::DivideUnlessZero if b == 0 => a,
+        Operation::RemainderUnlessZero if b == 0 => 0,
+        Operation::Divide | Operation::DivideUnlessZero => a / b,
+        Operation::Remainder | Operation::RemainderUnlessZero => a % b,
         Operation::Modulo => (a % b + b) % b,
         Operation::Power => return power(width, a, b),
         Operation::Least => a.min(b),
@@ -139,8 +147,8 @@ fn real(step: Operation, single: bool, a: f64, b: f64) -> Result<Result<f64, Sli
         Operation::Divide | Operation::Remainder | Operation::Modulo if b == 0.0 => {
             return Ok(Err(Slip::Zero));
         }
-        Operation::Divide => a / b,
-        Operation::Remainder => libm::fmod(a, b),
+        Operation::Divide | Operation::DivideUnlessZero => a / b,
+        Operation::Remainder | Operation::RemainderUnlessZero => libm::fmod(a, b),
         Operation::Modulo => {
             let rest = libm::fmod(a, b);
             if rest != 0.0 && (rest < 0.0) != (b < 0.0) {
@@ -171,12 +179,31 @@ pub(super) fn cut(memory: &mut Memory, with: &mut Operands) {
     let value = if memory.bit(zero) {
         0
     } else {
-        let (value, fits) = brought(memory, to_type, from, from_type, Width::wrap_number);
+        let (value, fits) = brought(memory, to_type, from, from_type, libm::trunc, Width::wrap_number);
         if !fits {
             memory.set_bit(range, true);
         }
         value
     };
+    memory.words[to.0 as usize] = value;
+}
+
+/// A copy to another type: a real is rounded, half to even, and what does not fit loses its upper bits. Operands as of
+/// [`cut`].
+pub(super) fn round(memory: &mut Memory, with: &mut Operands) {
+    let (to, to_type, from, from_type) = (with.word(), with.ty(), with.word(), with.ty());
+    let (_, range) = (with.bit(), with.bit());
+    let (value, fits) = brought(
+        memory,
+        to_type,
+        from,
+        from_type,
+        f64::round_ties_even,
+        Width::wrap_number,
+    );
+    if !fits {
+        memory.set_bit(range, true);
+    }
     memory.words[to.0 as usize] = value;
 }
 
@@ -190,19 +217,20 @@ pub(super) fn clamp(memory: &mut Memory, with: &mut Operands) {
     } else {
         Width::clamp_number
     };
-    let (value, fits) = brought(memory, to_type, from, from_type, hold);
+    let (value, fits) = brought(memory, to_type, from, from_type, libm::trunc, hold);
     if !fits {
         memory.set_bit(range, true);
     }
     memory.words[to.0 as usize] = value;
 }
 
-/// A number brought to a type, and whether it fits. A real loses its fraction.
+/// A number brought to a type, and whether it fits. A real that becomes an integer is made whole before.
 fn brought(
     memory: &Memory,
     to: Scalar,
     from: Word,
     from_type: Scalar,
+    whole: fn(f64) -> f64,
     hold: fn(Width, i128) -> i64,
 ) -> (i64, bool) {
     let single = to == Scalar::Real;
@@ -214,7 +242,7 @@ fn brought(
             return (if fits { real.to_bits() as i64 } else { 0 }, fits);
         }
         // The cast saturates far outside every width.
-        libm::trunc(real) as i128
+        whole(real) as i128
     } else {
         let number = Width::of(from_type).number(memory.word(from));
         if to.is_real() {

@@ -1,0 +1,85 @@
+//! The blocks that a translated program brings along: the instructions that keep their state in a tag.
+
+use crate::types::Elem;
+use ladder_format::program::Item;
+use std::collections::BTreeMap;
+
+macro_rules! texts {
+    ($($name:literal),* $(,)?) => {
+        &[$(($name, include_str!(concat!("blocks/", $name, ".clad")))),*]
+    };
+}
+
+const TEXTS: &[(&str, &str)] = texts![
+    "BSL",
+    "BSR",
+    "CTD",
+    "CTU",
+    "ControlRES",
+    "CounterRES",
+    "FFL",
+    "FFU",
+    "LFL",
+    "LFU",
+    "ONS",
+    "OSF",
+    "OSR",
+    "RTO",
+    "SQI",
+    "SQL",
+    "SQO",
+    "TOF",
+    "TON",
+    "TimerRES",
+];
+
+/// The blocks that a program uses.
+#[derive(Debug, Default)]
+pub(crate) struct Blocks {
+    used: BTreeMap<String, String>,
+}
+
+impl Blocks {
+    /// Notes that a block is used. Its name, with the `$`.
+    pub(crate) fn plain(&mut self, name: &str) -> String {
+        self.take(name, String::new(), |text| text.to_owned())
+    }
+
+    /// One for arrays of this many elements of a type.
+    pub(crate) fn on_array(&mut self, name: &str, size: u32, elem: Elem) -> String {
+        let ty = elem.text();
+        let suffix = match elem {
+            Elem::Dint => size.to_string(),
+            _ => format!("{}{size}", ty.trim_end_matches(']').replace('[', "")),
+        };
+        let (bits, lowest) = (elem.bits(), elem.wrap(1i64 << (elem.bits() - 1).min(63)));
+        self.take(name, suffix.clone(), |text| {
+            text.replace("{NAME}", &suffix)
+                .replace("{LAST}", &(size - 1).to_string())
+                .replace("{TYPE}", &ty)
+                .replace("{BITS}", &bits.to_string())
+                .replace("{LOWEST}", &lowest.to_string())
+        })
+    }
+
+    fn take(&mut self, name: &str, suffix: String, text: impl FnOnce(&str) -> String) -> String {
+        let own = TEXTS.iter().find(|(own, _)| *own == name);
+        let body = own.map(|(_, body)| *body).unwrap_or_default();
+        let name = format!("{name}{suffix}");
+        let block = format!("${name}");
+        self.used.entry(name).or_insert_with(|| text(body));
+        block
+    }
+
+    /// Whether the name of a block is one of these.
+    pub(crate) fn has(name: &str) -> bool {
+        let own = name.trim_end_matches(|c: char| c.is_ascii_digit());
+        TEXTS.iter().any(|(known, _)| own.eq_ignore_ascii_case(known))
+    }
+
+    /// Their definitions.
+    pub(crate) fn items(&self) -> impl Iterator<Item = Item> {
+        let texts = self.used.values();
+        texts.flat_map(|text| [Item::Blank, Item::Text(text.clone())])
+    }
+}

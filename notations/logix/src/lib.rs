@@ -1,0 +1,114 @@
+//! Programs of Rockwell's controllers as ladder text: L5X and L5K exports of Logix Designer, and rungs of RSLogix 500.
+//!
+//! ```text
+//! L5X --l5x--> Project --survey--> tags with their values --sketch--> sketch of a ladder program, report, findings
+//! L5K --l5k-->    |                                            |
+//! rungs --slc-->  '--neutral--> rungs as parts --translate-----'
+//! ```
+//!
+//! TIMER, COUNTER and CONTROL are structures here as they are there, and the instructions that keep their state in a tag
+//! are blocks of the same name, which the program brings along: `TON(t,?,?)` is `[$TON]( t )`.
+#![forbid(unsafe_code)]
+
+mod blocks;
+mod formula;
+mod l5k;
+mod l5x;
+mod mnemonic;
+mod model;
+mod neutral;
+mod operand;
+mod scope;
+mod sketch;
+mod slc;
+mod survey;
+mod translate;
+mod types;
+mod unit;
+mod values;
+
+use ladder_analysis::Analysis;
+use ladder_notation::{Notation, ReadError, Reading, Source, WriteError, Writing, text_of};
+
+/// A larger file is not read: whole projects are large.
+const MOST_BYTES: usize = 64 << 20;
+
+/// L5X exports of Logix Designer.
+#[derive(Debug)]
+pub struct L5x;
+
+/// Rungs of RSLogix 500.
+#[derive(Debug)]
+pub struct Rslogix500;
+
+fn text<'s>(source: &Source<'s>) -> Result<&'s str, ReadError> {
+    if source.bytes.len() > MOST_BYTES {
+        let message = format!("the file is larger than {} MiB", MOST_BYTES >> 20);
+        return Err(ReadError::whole(message));
+    }
+    text_of(source.bytes)
+}
+
+fn not_written(title: &str) -> WriteError {
+    WriteError::new(format!("{title} is read, and not written"))
+}
+
+impl Notation for L5x {
+    fn name(&self) -> &'static str {
+        "l5x"
+    }
+
+    fn title(&self) -> &'static str {
+        "Logix L5X export"
+    }
+
+    fn extensions(&self) -> &'static [&'static str] {
+        &["L5X"]
+    }
+
+    fn owns_extension(&self) -> bool {
+        true
+    }
+
+    fn recognises(&self, bytes: &[u8]) -> bool {
+        let head = String::from_utf8_lossy(&bytes[..bytes.len().min(4096)]).into_owned();
+        head.contains(&format!("<{}", l5x::ROOT))
+    }
+
+    fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
+        let text = text(source)?;
+        Ok(sketch::sketch(&l5x::read(text)?, text))
+    }
+
+    fn write(&self, _: &Analysis) -> Result<Writing, WriteError> {
+        Err(not_written(self.title()))
+    }
+}
+
+impl Notation for Rslogix500 {
+    fn name(&self) -> &'static str {
+        "rslogix500"
+    }
+
+    fn title(&self) -> &'static str {
+        "RSLogix 500 text"
+    }
+
+    fn extensions(&self) -> &'static [&'static str] {
+        &["slc"]
+    }
+
+    fn recognises(&self, bytes: &[u8]) -> bool {
+        let head = String::from_utf8_lossy(&bytes[..bytes.len().min(64 << 10)]).into_owned();
+        slc::recognises(&head)
+    }
+
+    fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
+        let text = text(source)?;
+        Ok(sketch::sketch(&slc::read(text), text))
+    }
+
+    fn write(&self, _: &Analysis) -> Result<Writing, WriteError> {
+        Err(not_written(self.title()))
+    }
+}

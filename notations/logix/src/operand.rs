@@ -1,0 +1,451 @@
+//! Operands and formulas of instructions: `cells[i + 1].level.3`, `(a + b) * 2.5`, `'text'`.
+
+/// An operand.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Expr {
+    Int(i64),
+    Real(f64),
+    /// Without its quotes, with its escapes.
+    Text(String),
+    Path(Path),
+    Unary(&'static str, Box<Expr>),
+    Binary(&'static str, Box<Expr>, Box<Expr>),
+    Call(String, Box<Expr>),
+    /// The value is in the tag.
+    Unset,
+}
+
+/// A tag, a part of it, or a bit.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Path {
+    /// With the colons of modules, and the `\` before the name of another program.
+    pub(crate) root: String,
+    pub(crate) steps: Vec<Step>,
+}
+
+/// What follows the name of a tag.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Step {
+    Member(String),
+    Bit(u32),
+    /// `.[index]`
+    ComputedBit(Box<Expr>),
+    Index(Vec<Expr>),
+}
+
+/// Nothing nests deeper.
+const DEEPEST: usize = 40;
+
+/// Operators from the loosest to the tightest: Logix' own order.
+const LEVELS: &[&[(&str, &str)]] = &[
+    &[("||", "OR"), ("OR", "OR")],
+    &[("^^", "XOR"), ("XOR", "XOR")],
+    &[("&&", "AND"), ("AND", "AND")],
+    &[
+        ("<>", "<>"),
+        ("<=", "<="),
+        (">=", ">="),
+        ("=", "="),
+        ("<", "<"),
+        (">", ">"),
+    ],
+    &[("+", "+"), ("-", "-")],
+    &[("**", ""), ("*", "*"), ("/", "/"), ("MOD", "MOD")],
+];
+
+/// Reads an operand or a formula.
+///
+/// # Errors
+///
+/// If it is neither: a sentence.
+pub(crate) fn parse(text: &str) -> Result<Expr, String> {
+    let mut reader = Reader {
+        text,
+        at: 0,
+        depth: 0,
+    };
+    if text == "?" {
+        return Ok(Expr::Unset);
+    }
+    let expr = reader.level(0)?;
+    reader.blanks();
+    match reader.rest() {
+        "" => Ok(expr),
+        rest => Err(format!("`{}` is not expected in an operand", shown(rest))),
+    }
+}
+
+fn shown(text: &str) -> String {
+    text.chars().take(20).collect()
+}
+
+/// A number as Logix writes it: `16#FF`, `2#0000_0001`, `1.0e+002`.
+pub(crate) fn number(text: &str) -> Option<Expr> {
+    let (negative, digits) = match text.strip_prefix('-') {
+        Some(digits) => (true, digits),
+        None => (false, text),
+    };
+    let digits: String = digits.chars().filter(|c| *c != '_').collect();
+    let int = |digits: &str, radix| i64::from_str_radix(digits, radix).ok();
+    let unsigned = match digits.split_once('#') {
+        Some(("2", bits)) => Expr::Int(int(bits, 2)?),
+        Some(("8", octal)) => Expr::Int(int(octal, 8)?),
+        Some(("16", hex)) => Expr::Int(u64::from_str_radix(hex, 16).ok()? as i64),
+        Some(_) => return None,
+        None if digits.bytes().all(|b| b.is_ascii_digit()) && !digits.is_empty() => {
+            Expr::Int(int(&digits, 10)?)
+        }
+        None if digits.starts_with(|c: char| c.is_ascii_digit()) => {
+            Expr::Real(digits.parse().ok().filter(|real: &f64| real.is_finite())?)
+        }
+        None => return None,
+    };
+    Some(match unsigned {
+        Expr::Int(int) if negative => Expr::Int(int.wrapping_neg()),
+        Expr::Real(real) if negative => Expr::Real(-real),
+        other => other,
+    })
+}
+
+struct Reader<'t> {
+    text: &'t str,
+    at: usize,
+    depth: usize,
+}
+
+impl<'t> Reader<'t> {
+    fn rest(&self) -> &'t str {
+        &self.text[self.at..]
+    }
+
+    fn blanks(&mut self) {
+        self.at = self.text.len() - self.rest().trim_start().len();
+    }
+
+    fn eat(&mut self, what: &str) -> bool {
+        self.blanks();
+        let eaten = self.rest().starts_with(what);
+        if eaten {
+            self.at += what.len();
+        }
+        eaten
+    }
+
+    fn name(&mut self) -> &'t str {
+        let rest = self.rest();
+        let end = rest.find(|c: char| !c.is_alphanumeric() && c != '_');
+        let name = &rest[..end.unwrap_or(rest.len())];
+        self.at += name.len();
+        name
+    }
+
+    /// The operator of a level that stands here.
+    fn operator(&mut self, level: usize) -> Option<&'static str> {
+        self.blanks();
+        let rest = self.rest();
+        let &(spelled, operator) = LEVELS[level].iter().find(|(spelled, _)| {
+            let Some(start) = rest.get(..spelled.len()) else {
+                return false;
+            };
+            let is_word = spelled.starts_with(|c: char| c.is_ascii_alphabetic());
+            let goes_on = rest[spelled.len()..].starts_with(|c: char| c.is_alphanumeric() || c == '_');
+            start.eq_ignore_ascii_case(spelled) && !(is_word && goes_on)
+        })?;
+        if operator.is_empty() {
+            return None;
+        }
+        self.at += spelled.len();
+        Some(operator)
+    }
+
+    fn level(&mut self, level: usize) -> Result<Expr, String> {
+        if level == LEVELS.len() {
+            return self.unary();
+        }
+        let mut left = self.level(level + 1)?;
+        let mut count = 0;
+        while let Some(operator) = self.operator(level) {
+            count += 1;
+            if count > 200 {
+                return Err("the formula is too long".to_owned());
+            }
+            let right = self.level(level + 1)?;
+            left = Expr::Binary(operator, Box::new(left), Box::new(right));
+        }
+        Ok(left)
+    }
+
+    fn unary(&mut self) -> Result<Expr, String> {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return Err(format!("the operand is nested deeper than {DEEPEST}"));
+        }
+        self.blanks();
+        let before = self.at;
+        let result = if self.eat("-") {
+            if self.rest().starts_with(|c: char| c.is_ascii_digit()) {
+                // `-2 ** 2` is the negative of a power.
+                self.at = before;
+                match self.literal(true) {
+                    Some(number) if !self.is_power() => Ok(number),
+                    _ => {
+                        self.at = before + 1;
+                        Ok(Expr::Unary("-", Box::new(self.unary()?)))
+                    }
+                }
+            } else {
+                Ok(Expr::Unary("-", Box::new(self.unary()?)))
+            }
+        } else if self.eat("!") || self.eat_not() {
+            Ok(Expr::Unary("NOT", Box::new(self.unary()?)))
+        } else {
+            self.power()
+        };
+        self.depth -= 1;
+        result
+    }
+
+    fn eat_not(&mut self) -> bool {
+        let before = self.at;
+        let is_not = self.name().eq_ignore_ascii_case("NOT");
+        if !is_not {
+            self.at = before;
+        }
+        is_not
+    }
+
+    fn is_power(&mut self) -> bool {
+        self.blanks();
+        self.rest().starts_with("**")
+    }
+
+    fn power(&mut self) -> Result<Expr, String> {
+        let mut left = self.primary()?;
+        let mut count = 0;
+        while self.is_power() && count < 20 {
+            count += 1;
+            self.at += 2;
+            let right = if self.eat("-") {
+                Expr::Unary("-", Box::new(self.primary()?))
+            } else {
+                self.primary()?
+            };
+            left = Expr::Binary("**", Box::new(left), Box::new(right));
+        }
+        Ok(left)
+    }
+
+    /// A number, if one is here.
+    fn literal(&mut self, signed: bool) -> Option<Expr> {
+        let rest = self.rest();
+        let mut end = usize::from(signed);
+        for (at, c) in rest.char_indices().skip(end) {
+            let before = rest[..at].chars().next_back();
+            let in_exponent =
+                matches!(c, '+' | '-') && matches!(before, Some('e' | 'E')) && !rest[..at].contains('#');
+            if !(c.is_ascii_alphanumeric() || matches!(c, '.' | '_' | '#' | '$') || in_exponent) {
+                break;
+            }
+            end = at + c.len_utf8();
+        }
+        let number = number(&rest[..end])?;
+        self.at += end;
+        Some(number)
+    }
+
+    fn primary(&mut self) -> Result<Expr, String> {
+        self.blanks();
+        let Some(first) = self.rest().chars().next() else {
+            return Err("an operand is missing".to_owned());
+        };
+        match first {
+            '(' => {
+                self.depth += 1;
+                if self.depth > DEEPEST {
+                    return Err(format!("the operand is nested deeper than {DEEPEST}"));
+                }
+                self.at += 1;
+                let inner = self.level(0)?;
+                self.depth -= 1;
+                if !self.eat(")") {
+                    return Err("a parenthesis is not closed".to_owned());
+                }
+                Ok(inner)
+            }
+            '\'' => self.string(),
+            c if c.is_ascii_digit() => {
+                let rest = self.rest();
+                self.literal(false)
+                    .ok_or_else(|| format!("`{}` is no number", shown(rest)))
+            }
+            c if c.is_alphabetic() || matches!(c, '_' | '\\' | '#' | '$') => self.path(),
+            _ => Err(format!("`{}` is not expected in an operand", shown(self.rest()))),
+        }
+    }
+
+    fn string(&mut self) -> Result<Expr, String> {
+        let rest = &self.rest()[1..];
+        let mut escaped = false;
+        for (at, c) in rest.char_indices() {
+            match c {
+                _ if escaped => escaped = false,
+                '$' => escaped = true,
+                '\'' => {
+                    self.at += at + 2;
+                    return Ok(Expr::Text(rest[..at].to_owned()));
+                }
+                _ => {}
+            }
+        }
+        Err("a text is not closed".to_owned())
+    }
+
+    fn path(&mut self) -> Result<Expr, String> {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return Err(format!("the operand is nested deeper than {DEEPEST}"));
+        }
+        let begin = self.at;
+        if self.rest().starts_with(['\\', '#', '$']) {
+            self.at += 1;
+        }
+        let name = self.name();
+        if name.is_empty() {
+            return Err(format!("`{}` is no name", shown(&self.text[begin..])));
+        }
+        if self.rest().starts_with('(') {
+            self.at += 1;
+            let inner = self.level(0)?;
+            self.depth -= 1;
+            return if self.eat(")") {
+                Ok(Expr::Call(name.to_ascii_uppercase(), Box::new(inner)))
+            } else {
+                Err("a parenthesis is not closed".to_owned())
+            };
+        }
+        // The module of an input or output: its slot and letter belong to the name.
+        while self.rest().starts_with(':') {
+            let before = self.at;
+            self.at += 1;
+            if self.name().is_empty() {
+                self.at = before;
+                break;
+            }
+        }
+        let root = self.text[begin..self.at].trim_start_matches('#').to_owned();
+        let mut steps = Vec::new();
+        loop {
+            let rest = self.rest();
+            if rest.starts_with('[') {
+                self.at += 1;
+                steps.push(Step::Index(self.indices()?));
+            } else if rest.starts_with(".[") {
+                self.at += 2;
+                let mut index = self.indices()?;
+                let one = if index.len() == 1 { index.pop() } else { None };
+                let Some(index) = one else {
+                    return Err("a bit has one number".to_owned());
+                };
+                steps.push(Step::ComputedBit(Box::new(index)));
+            } else if rest.starts_with('.') {
+                self.at += 1;
+                let name = self.name();
+                match name.parse::<u32>() {
+                    _ if name.is_empty() => return Err("a member has no name".to_owned()),
+                    Ok(bit) => steps.push(Step::Bit(bit)),
+                    Err(_) => steps.push(Step::Member(name.to_owned())),
+                }
+            } else {
+                break;
+            }
+        }
+        self.depth -= 1;
+        Ok(Expr::Path(Path { root, steps }))
+    }
+
+    /// Up to the closing bracket.
+    fn indices(&mut self) -> Result<Vec<Expr>, String> {
+        let mut indices = vec![self.level(0)?];
+        while self.eat(",") && indices.len() < 4 {
+            indices.push(self.level(0)?);
+        }
+        if self.eat("]") {
+            Ok(indices)
+        } else {
+            Err("a bracket is not closed".to_owned())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use expect_test::{Expect, expect};
+
+    fn shown(expr: &Expr) -> String {
+        match expr {
+            Expr::Int(int) => int.to_string(),
+            Expr::Real(real) => format!("{real:?}"),
+            Expr::Text(text) => format!("'{text}'"),
+            Expr::Unset => "?".to_owned(),
+            Expr::Unary(op, a) => format!("({op} {})", shown(a)),
+            Expr::Binary(op, a, b) => format!("({} {op} {})", shown(a), shown(b)),
+            Expr::Call(name, a) => format!("{name}({})", shown(a)),
+            Expr::Path(path) => {
+                let mut out = path.root.clone();
+                for step in &path.steps {
+                    out.push_str(&match step {
+                        Step::Member(name) => format!(".{name}"),
+                        Step::Bit(bit) => format!(".{bit}"),
+                        Step::ComputedBit(index) => format!(".[{}]", shown(index)),
+                        Step::Index(all) => {
+                            format!("[{}]", all.iter().map(shown).collect::<Vec<_>>().join(";"))
+                        }
+                    });
+                }
+                out
+            }
+        }
+    }
+
+    #[track_caller]
+    fn check(text: &str, expected: Expect) {
+        expected.assert_eq(&match parse(text) {
+            Ok(expr) => shown(&expr),
+            Err(message) => message,
+        });
+    }
+
+    #[test]
+    fn operands() {
+        check("Local:1:I.Data.3", expect!["Local:1:I.Data.3"]);
+        check(
+            "SimpleDint.[Tag.IntMember]",
+            expect!["SimpleDint.[Tag.IntMember]"],
+        );
+        check("a[1, i+2].b[0].31", expect!["a[1;(i + 2)].b[0].31"]);
+        check("16#ffff_ffff", expect!["4294967295"]);
+        check("2#0000_0101", expect!["5"]);
+        check("-1.5e+002", expect!["-150.0"]);
+        check("'it$'s'", expect!["'it$'s'"]);
+        check("\\Pump.Speed", expect!["\\Pump.Speed"]);
+    }
+
+    #[test]
+    fn formulas() {
+        check("a + b * -2 ** 2", expect!["(a + (b * (- (2 ** 2))))"]);
+        check("ATAN(_Test) > 1.0", expect!["(ATAN(_Test) > 1.0)"]);
+        check("x MOD 100 > 1", expect!["((x MOD 100) > 1)"]);
+        check("NOT a AND b OR c", expect!["(((NOT a) AND b) OR c)"]);
+        check("(a && b) || !c", expect!["((a AND b) OR (NOT c))"]);
+    }
+
+    #[test]
+    fn broken_ones() {
+        check("", expect!["an operand is missing"]);
+        check("a[1", expect!["a bracket is not closed"]);
+        check("1.#QNAN", expect!["`1.#QNAN` is no number"]);
+        check(&"(".repeat(1000), expect!["the operand is nested deeper than 40"]);
+        check("High/Low x", expect!["`x` is not expected in an operand"]);
+    }
+}

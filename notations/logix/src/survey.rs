@@ -1,0 +1,197 @@
+//! What must be known of all rungs before the first is translated: tags that no declaration has, inputs of instances that
+//! the program sets from outside, and what the controller does to its tags before the first scan.
+//!
+//! Before the first scan a controller runs every rung once with dead rails (the prescan): coils go off, the memories of
+//! edges are set such that what is on already is no edge, timers and counters are made ready. What it leaves behind is the
+//! initial value of tags, so it is written there.
+
+use crate::mnemonic::{Op, Role, instruction, role};
+use crate::model::Family;
+use crate::neutral::{Instruction, instructions};
+use crate::operand::{Expr, Path, Step};
+use crate::scope::{Place, Tags};
+use crate::types::Ty;
+use crate::unit::{Unit, operand};
+use crate::values::Value;
+
+/// Goes through all units.
+pub(crate) fn survey(units: &[Unit<'_>], family: Family, tags: &mut Tags) {
+    let each = |tags: &mut Tags, visit: &mut dyn FnMut(&mut Tags, usize, &Instruction<'_>)| {
+        for unit in units {
+            for parts in unit.rungs.iter().filter_map(|rung| rung.as_ref().ok()) {
+                instructions(parts, &mut |it| visit(tags, unit.scope, it));
+            }
+        }
+    };
+    each(tags, &mut |tags, scope, it| {
+        for (index, text) in it.operands.iter().enumerate() {
+            let role = role(it.name, it.operands.len(), index).unwrap_or(Role::Word);
+            if let (Role::Timer | Role::Counter | Role::Control, Ok(Expr::Path(path))) =
+                (role, operand(family, text))
+            {
+                tags.declare_by_use(scope, &path, role);
+            }
+        }
+    });
+    each(tags, &mut |tags, scope, it| {
+        let mut surveyor = Surveyor { tags, family, scope };
+        surveyor.inputs_of_instances(it);
+        surveyor.prescan(it);
+    });
+}
+
+struct Surveyor<'a> {
+    tags: &'a mut Tags,
+    family: Family,
+    scope: usize,
+}
+
+impl Surveyor<'_> {
+    /// Inputs of instances that an instruction names.
+    fn inputs_of_instances(&mut self, it: &Instruction<'_>) {
+        for (index, text) in it.operands.iter().enumerate() {
+            if !text.contains('.') {
+                continue;
+            }
+            let Ok(expr) = operand(self.family, text) else {
+                continue;
+            };
+            let role = role(it.name, it.operands.len(), index).unwrap_or(Role::Word);
+            if role != Role::Word {
+                self.paths(&expr, role);
+            }
+        }
+    }
+
+    fn paths(&mut self, expr: &Expr, role: Role) {
+        match expr {
+            Expr::Path(path) => {
+                if matches!(path.steps.first(), Some(Step::Member(_) | Step::Index(_)))
+                    && let Ok(Place {
+                        parameter: Some((instance, _, symbol)),
+                        ..
+                    }) = self.tags.place(self.scope, path, role)
+                {
+                    self.tags.pass(self.scope, &instance, symbol);
+                }
+            }
+            Expr::Unary(_, inner) | Expr::Call(_, inner) => self.paths(inner, Role::Value),
+            Expr::Binary(_, left, right) => {
+                self.paths(left, Role::Value);
+                self.paths(right, Role::Value);
+            }
+            _ => {}
+        }
+    }
+
+    /// What the prescan does for an instruction.
+    fn prescan(&mut self, it: &Instruction<'_>) {
+        let Some(op) = instruction(it.name, it.operands.len()) else {
+            return;
+        };
+        let first = it.operands.first().copied().unwrap_or_default();
+        let control = |at: usize| it.operands.get(at).copied().unwrap_or_default();
+        match op {
+            Op::Ote => self.put(first, &[], 0),
+            Op::Ons => self.put(first, &[], 1),
+            Op::Osr if it.operands.len() == 1 => self.put(first, &[], 1),
+            Op::Osr => {
+                self.put(first, &[], 1);
+                self.put(control(1), &[], 0);
+            }
+            Op::Osf => {
+                self.put(first, &[], 0);
+                self.put(control(1), &[], 0);
+            }
+            Op::Timer(kind) => {
+                self.presets(first, "PRE", "ACC", &it.operands[it.operands.len() - 2..]);
+                for member in ["EN", "TT", "DN"] {
+                    // Whether an RTO that is done stays so, its manuals do not agree upon: it does here.
+                    if !(kind == "RTO" && member == "DN") {
+                        self.put(first, &[member], 0);
+                    }
+                }
+                match kind {
+                    "TON" => self.put(first, &["ACC"], 0),
+                    "TOF" => {
+                        let preset = self.get(first, "PRE");
+                        self.put(first, &["ACC"], preset);
+                    }
+                    _ => {}
+                }
+            }
+            Op::Counter(kind) => {
+                self.presets(first, "PRE", "ACC", &it.operands[1..]);
+                self.put(first, &[if kind == "CTU" { "CU" } else { "CD" }], 1);
+            }
+            Op::Load(_) => {
+                self.presets(control(2), "LEN", "POS", &it.operands[3..]);
+                self.put(control(2), &["EN"], 1);
+            }
+            Op::Unload(_) => {
+                self.presets(control(2), "LEN", "POS", &it.operands[3..]);
+                self.put(control(2), &["EU"], 1);
+            }
+            Op::Shift(_) => {
+                self.presets(control(1), "LEN", "POS", &it.operands[3..]);
+                self.put(control(1), &["EN"], 0);
+            }
+            Op::Sqo => {
+                self.presets(control(3), "LEN", "POS", &it.operands[4..]);
+                self.put(control(3), &["EN"], 1);
+            }
+            Op::Sqi => self.presets(control(3), "LEN", "POS", &it.operands[4..]),
+            Op::Sql => {
+                self.presets(control(2), "LEN", "POS", &it.operands[3..]);
+                self.put(control(2), &["EN"], 1);
+            }
+            _ => {}
+        }
+    }
+
+    /// Numbers that are written where `?` may be: they are put into the tag when the program is loaded.
+    fn presets(&mut self, tag: &str, first: &str, second: &str, operands: &[&str]) {
+        for (member, text) in [first, second].iter().zip(operands) {
+            if let Ok(Expr::Int(number)) = operand(self.family, text) {
+                self.put(tag, &[member], number);
+            }
+        }
+    }
+
+    fn path(&self, text: &str, members: &[&str]) -> Option<Path> {
+        let Ok(Expr::Path(mut path)) = operand(self.family, text) else {
+            return None;
+        };
+        let members = members.iter().map(|member| Step::Member((*member).to_owned()));
+        path.steps.extend(members);
+        Some(path)
+    }
+
+    fn put(&mut self, text: &str, members: &[&str], number: i64) {
+        let Some(path) = self.path(text, members) else {
+            return;
+        };
+        let Ok(place) = self.tags.place(self.scope, &path, Role::Bit) else {
+            return;
+        };
+        let Some((symbol, part, bit)) = place.part.filter(|_| matches!(place.ty, Ty::Elem(_))) else {
+            return;
+        };
+        let value = &mut self.tags.symbols[symbol].value;
+        if number == 0 && value.is_none() {
+            return;
+        }
+        value.get_or_insert(Value::Int(0)).set(&part, bit, number);
+    }
+
+    fn get(&mut self, text: &str, member: &str) -> i64 {
+        let place = self
+            .path(text, &[member])
+            .and_then(|path| self.tags.place(self.scope, &path, Role::Value).ok());
+        let Some((symbol, part, _)) = place.and_then(|place| place.part) else {
+            return 0;
+        };
+        let value = &self.tags.symbols[symbol].value;
+        value.as_ref().map_or(0, |value| value.get(&part))
+    }
+}

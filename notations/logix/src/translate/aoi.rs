@@ -1,0 +1,136 @@
+//! Add-On Instructions: each is a block, its instances are tags.
+
+use super::{Result, Translator};
+use crate::blocks::Blocks;
+use crate::mnemonic::Role;
+use crate::model::{Project, Tag, Usage};
+use crate::operand::{Expr, Step};
+use crate::scope::Kind;
+use crate::types::{Elem, Ty};
+use ladder_format::Circuit;
+use ladder_format::program::Element;
+use std::collections::HashSet;
+
+/// The name of the block that each Add-On Instruction becomes, with its `$`: letters and digits alone.
+pub(super) fn names(project: &Project) -> Vec<String> {
+    let mut taken: HashSet<String> = HashSet::new();
+    let mut name = |original: &str| {
+        let mut name: String = original.chars().filter(char::is_ascii_alphanumeric).collect();
+        if !name.starts_with(|c: char| c.is_ascii_alphabetic()) {
+            name.insert(0, 'A');
+        }
+        if Blocks::has(&name) {
+            name.push_str("AOI");
+        }
+        let mut number = 2;
+        let mut free = name.clone();
+        while !taken.insert(free.to_ascii_uppercase()) {
+            free = format!("{name}x{number}");
+            number += 1;
+        }
+        format!("${free}")
+    };
+    project.aois.iter().map(|aoi| name(&aoi.name)).collect()
+}
+
+/// The parameters that a call gives in its operands.
+fn given(tag: &Tag) -> bool {
+    let is_system = tag.name.eq_ignore_ascii_case("EnableIn") || tag.name.eq_ignore_ascii_case("EnableOut");
+    !is_system && (tag.required || tag.usage == Usage::InOut)
+}
+
+impl Translator<'_> {
+    /// The Add-On Instruction with this name.
+    pub(super) fn aoi(&self, name: &str) -> Option<usize> {
+        let mut all = self.project.aois.iter();
+        all.position(|aoi| aoi.name.eq_ignore_ascii_case(name))
+    }
+
+    /// `Motor( m1, start, stop )`
+    pub(super) fn aoi_call(&mut self, aoi: usize, operands: &[&str]) -> Result<Circuit<Element>> {
+        let project = self.project;
+        let definition = &project.aois[aoi];
+        let (instance, rest) = operands.split_first().ok_or("the instance is missing")?;
+        let Expr::Path(path) = self.expr(instance)? else {
+            return Err(format!("`{instance}` is no tag"));
+        };
+        let own = self.tags.place(self.scope, &path, Role::Word)?;
+        if own.ty != Ty::Aoi(aoi) {
+            return Err(format!("`{instance}` is no {}", definition.name));
+        }
+        let scope = 1 + project.programs.len() + aoi;
+        let mut rest = rest.iter();
+        let mut texts = vec![own.text.clone()];
+        let mut before = Vec::new();
+        for parameter in &definition.parameters {
+            let Some(symbol) = self.tags.parameter_symbol(scope, &parameter.name) else {
+                if given(parameter) {
+                    rest.next();
+                }
+                continue;
+            };
+            let (name, ty, kind) = {
+                let symbol = &self.tags.symbols[symbol];
+                (symbol.name.clone(), symbol.ty.clone(), symbol.kind)
+            };
+            if !given(parameter) {
+                let passed = self.tags.passed.get(&(own.text.clone(), symbol)).copied();
+                if let (Some(passed), Kind::Input) = (passed, kind) {
+                    texts.push(format!("{name} := {}", self.tags.symbols[passed].name));
+                }
+                continue;
+            }
+            let Some(text) = rest.next() else {
+                return Err(format!("the operand for {} is missing", parameter.name));
+            };
+            match (kind, &ty) {
+                (Kind::Input, Ty::Elem(elem)) => {
+                    let value = self.input(text, *elem, &mut before)?;
+                    texts.push(format!("{name} := {value}"));
+                }
+                (Kind::Output, Ty::Elem(elem)) => {
+                    let place = self.target(
+                        text,
+                        if *elem == Elem::Bool {
+                            Role::Bit
+                        } else {
+                            Role::Value
+                        },
+                    )?;
+                    if place.ty != ty {
+                        return Err(format!("`{text}` has another type than {}", parameter.name));
+                    }
+                    texts.push(format!("{name} => {}", place.text));
+                }
+                _ => {
+                    let place = self.target(text, Role::Array)?;
+                    texts.push(format!("{name} := {}", place.text));
+                }
+            }
+        }
+        if rest.next().is_some() {
+            return Err(format!("{} does not have so many operands", definition.name));
+        }
+        let call = format!("[{}]( {} )", self.aoi_names[aoi], texts.join(", "));
+        before.push(self.block(call));
+        Ok(Circuit::Series(before))
+    }
+
+    /// The value of an input; one of another type is brought to it before.
+    fn input(&mut self, text: &str, elem: Elem, before: &mut Vec<Circuit<Element>>) -> Result<String> {
+        let expr = self.expr(text)?;
+        if let (Elem::Bool, Expr::Path(path)) = (elem, &expr) {
+            if matches!(path.steps.last(), Some(Step::ComputedBit(_))) {
+                return Err(format!("the bit of `{text}` is computed"));
+            }
+            return Ok(self.tags.place(self.scope, path, Role::Bit)?.text);
+        }
+        let (value, own) = self.value(&expr, elem)?;
+        if own.is_none_or(|own| own == elem) {
+            return Ok(value);
+        }
+        let helper = self.helper("input", elem, text);
+        before.push(self.block(format!("[TYP]( {helper}, {value} )")));
+        Ok(helper)
+    }
+}

@@ -1,0 +1,357 @@
+//! Comparisons, arithmetic, moves.
+
+use super::{Result, Translator};
+use crate::mnemonic::Role;
+use crate::operand::Expr;
+use crate::scope::Place;
+use crate::types::{Elem, Ty};
+use ladder_format::Circuit;
+use ladder_format::program::Element;
+
+fn binary(operator: &'static str, left: Expr, right: Expr) -> Expr {
+    Expr::Binary(operator, Box::new(left), Box::new(right))
+}
+
+fn unary(operator: &'static str, inner: Expr) -> Expr {
+    Expr::Unary(operator, Box::new(inner))
+}
+
+/// What `[CALC]` and blocks call an operator.
+fn block_of(operator: &str) -> &'static str {
+    match operator {
+        "+" => "ADD",
+        "-" => "SUB",
+        "*" => "MUL",
+        "/" => "DIV",
+        "MOD" => "MOD",
+        "AND" => "AND",
+        "OR" => "OR",
+        "XOR" => "XOR",
+        _ => "EXP",
+    }
+}
+
+impl Translator<'_> {
+    /// `EQU` to `GEQ`
+    pub(super) fn compare(&mut self, name: &str, operands: &[&str]) -> Result<Circuit<Element>> {
+        let (left, right) = (self.expr(operands[0])?, self.expr(operands[1])?);
+        self.comparison(name, &[left, right])
+    }
+
+    /// Values that are compared, each with its neighbour.
+    fn comparison(&mut self, name: &str, values: &[Expr]) -> Result<Circuit<Element>> {
+        let mut elem = None;
+        for value in values {
+            let own = match value {
+                Expr::Path(path) => {
+                    let place = self.tags.place(self.scope, path, Role::Value)?;
+                    let Some(own) = place.elem() else {
+                        return Err(format!("`{}` has no value to compare", place.text));
+                    };
+                    Some(own)
+                }
+                Expr::Real(_) if elem.is_none() => Some(Elem::Real),
+                _ => None,
+            };
+            // Of several types the one that holds the others' numbers.
+            if let Some(own) = own
+                && elem
+                    .is_none_or(|elem: Elem| own.is_real() || (!elem.is_real() && own.bits() > elem.bits()))
+            {
+                elem = Some(own);
+            }
+        }
+        let elem = elem.unwrap_or(Elem::Dint);
+        let mut texts = Vec::new();
+        for value in values {
+            let is_formula = matches!(value, Expr::Binary(..) | Expr::Call(..) | Expr::Unary("NOT", _));
+            if is_formula {
+                return Err("a formula".to_owned());
+            }
+            texts.push(self.value(value, elem)?.0);
+        }
+        Ok(self.block(format!("[{name}]( {} )", texts.join(", "))))
+    }
+
+    /// `LIM`: between two limits, or outside of them if the lower one is the higher.
+    pub(super) fn limits(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
+        let (low, test, high) = (
+            self.expr(operands[0])?,
+            self.expr(operands[1])?,
+            self.expr(operands[2])?,
+        );
+        let number = |expr: &Expr| match expr {
+            Expr::Int(int) => Some(*int as f64),
+            Expr::Real(real) => Some(*real),
+            _ => None,
+        };
+        let is_turned = match (number(&low), number(&high)) {
+            (Some(low), Some(high)) => Some(low > high),
+            _ => None,
+        };
+        let mut inside = || self.comparison("LE", &[low.clone(), test.clone(), high.clone()]);
+        if is_turned == Some(false) {
+            return inside();
+        }
+        let inside = inside()?;
+        let outside = Circuit::Parallel(vec![
+            self.comparison("LE", &[test.clone(), high.clone()])?,
+            self.comparison("GE", &[test, low.clone()])?,
+        ]);
+        if is_turned == Some(true) {
+            return Ok(outside);
+        }
+        let turned = self.comparison("GT", &[low, high])?;
+        // Inside of limits is never so with turned ones.
+        Ok(Circuit::Parallel(vec![
+            inside,
+            Circuit::Series(vec![turned, outside]),
+        ]))
+    }
+
+    pub(super) fn masked_equal(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
+        let (source, mask, other) = (
+            self.expr(operands[0])?,
+            self.expr(operands[1])?,
+            self.expr(operands[2])?,
+        );
+        let masked = binary(
+            "=",
+            binary("AND", source, mask.clone()),
+            binary("AND", other, mask),
+        );
+        self.condition(&masked, "MEQ")
+    }
+
+    pub(super) fn compare_formula(&mut self, text: &str) -> Result<Circuit<Element>> {
+        let expr = self.expr(text)?;
+        if let Expr::Binary(operator, left, right) = &expr {
+            let name = match *operator {
+                "=" => "EQ",
+                "<>" => "NE",
+                "<" => "LT",
+                "<=" => "LE",
+                ">" => "GT",
+                ">=" => "GE",
+                _ => "",
+            };
+            let is_plain =
+                |expr: &Expr| matches!(expr, Expr::Path(_) | Expr::Int(_) | Expr::Real(_) | Expr::Text(_));
+            if !name.is_empty() && is_plain(left) && is_plain(right) {
+                return self.comparison(name, &[(**left).clone(), (**right).clone()]);
+            }
+        }
+        self.condition(&expr, "CMP")
+    }
+
+    /// Power that a formula decides about.
+    fn condition(&mut self, formula: &Expr, like: &str) -> Result<Circuit<Element>> {
+        let text = self.tags.formula(self.scope, formula)?;
+        let helper = self.helper(like, Elem::Bool, like);
+        Ok(self.blocks([format!("[CALC]( {helper}, {text} )"), format!("[ ]( {helper} )")]))
+    }
+
+    pub(super) fn binary(&mut self, operator: &'static str, operands: &[&str]) -> Result<Circuit<Element>> {
+        let (left, right) = (self.expr(operands[0])?, self.expr(operands[1])?);
+        let (to, elem) = self.number(operands[2])?;
+        // A division by zero is not a fault: only a formula knows that.
+        let block = block_of(operator);
+        let is_plain = !matches!(block, "DIV" | "MOD" | "EXP");
+        let ((a, own_a), (b, own_b)) = (self.value(&left, elem)?, self.value(&right, elem)?);
+        let fits = |own: Option<Elem>, expr: &Expr| match own {
+            Some(own) => own == elem,
+            None => matches!(expr, Expr::Int(_)) || (elem.is_real() && matches!(expr, Expr::Real(_))),
+        };
+        if is_plain && fits(own_a, &left) && fits(own_b, &right) {
+            return Ok(self.block(format!("[{block}]( {}, {a}, {b} )", to.text)));
+        }
+        self.compute_at(&to, &binary(operator, left, right))
+    }
+
+    pub(super) fn unary(&mut self, operator: &'static str, operands: &[&str]) -> Result<Circuit<Element>> {
+        let inner = self.expr(operands[0])?;
+        let (to, _) = self.number(operands[1])?;
+        let formula = match operator {
+            "NOT" | "-" => unary(operator, inner),
+            name => Expr::Call(name.to_owned(), Box::new(inner)),
+        };
+        self.compute_at(&to, &formula)
+    }
+
+    pub(super) fn truncate(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
+        let (to, elem) = self.number(operands[1])?;
+        let from = self.expr(operands[0])?;
+        let (from, _) = self.value(&from, elem)?;
+        Ok(self.block(format!("[TRUNC]( {}, {from} )", to.text)))
+    }
+
+    /// A tag that is a number.
+    fn number(&mut self, text: &str) -> Result<(Place, Elem)> {
+        let place = self.target(text, Role::Value)?;
+        match place.elem() {
+            Some(elem) if elem.is_integer() || elem.is_real() => Ok((place, elem)),
+            _ => Err(format!("`{text}` is no number")),
+        }
+    }
+
+    pub(super) fn compute(&mut self, to: &str, formula: &Expr) -> Result<Circuit<Element>> {
+        let (place, _) = self.number(to)?;
+        self.compute_at(&place, formula)
+    }
+
+    fn compute_at(&mut self, to: &Place, formula: &Expr) -> Result<Circuit<Element>> {
+        let text = self.tags.formula(self.scope, formula)?;
+        Ok(self.block(format!("[CALC]( {}, {text} )", to.text)))
+    }
+
+    pub(super) fn move_value(&mut self, from: &str, to: &str) -> Result<Circuit<Element>> {
+        let from = self.expr(from)?;
+        let to = self.target(
+            to,
+            if matches!(from, Expr::Text(_)) {
+                Role::Text
+            } else {
+                Role::Value
+            },
+        )?;
+        self.moved(&from, &to)
+    }
+
+    /// A copy of a value, in the type of where it goes.
+    pub(super) fn moved(&mut self, from: &Expr, to: &Place) -> Result<Circuit<Element>> {
+        let Some(elem) = to.elem() else {
+            let Expr::Path(path) = from else {
+                return Err(format!("`{}` takes no single value", to.text));
+            };
+            let from = self.tags.place(self.scope, path, Role::Value)?;
+            if from.ty != to.ty || matches!(to.ty, Ty::Aoi(_)) {
+                return Err(format!(
+                    "`{}` and `{}` are of different types",
+                    from.text, to.text
+                ));
+            }
+            return Ok(self.block(format!("[MOV]( {}, {} )", to.text, from.text)));
+        };
+        let (value, own) = self.value(from, elem)?;
+        let name = match own {
+            Some(own) if own == elem => "MOV",
+            Some(Elem::String(_)) if matches!(elem, Elem::String(_)) => "MOV",
+            Some(Elem::Bool | Elem::String(_)) => return Err(format!("`{value}` is no number")),
+            Some(_) if matches!(elem, Elem::Bool | Elem::String(_)) => {
+                return Err(format!("`{}` takes no number", to.text));
+            }
+            Some(_) => "TYP",
+            None if matches!(from, Expr::Binary(..) | Expr::Call(..)) => "CALC",
+            None => "MOV",
+        };
+        Ok(self.block(format!("[{name}]( {}, {value} )", to.text)))
+    }
+
+    pub(super) fn masked_move(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
+        let (source, mask, to) = (
+            self.expr(operands[0])?,
+            self.expr(operands[1])?,
+            self.expr(operands[2])?,
+        );
+        let kept = binary("AND", to, unary("NOT", mask.clone()));
+        let formula = binary("OR", kept, binary("AND", source, mask));
+        self.compute(operands[2], &formula)
+    }
+
+    /// `BTD`: some bits of a word into another.
+    pub(super) fn distribute(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
+        let (to, elem) = self.number(operands[2])?;
+        let mut numbers = [0i64; 3];
+        for (number, text) in numbers.iter_mut().zip([operands[1], operands[3], operands[4]]) {
+            let Expr::Int(int) = self.expr(text)? else {
+                return Err(format!("`{text}` is no constant"));
+            };
+            *number = int;
+        }
+        let [from_bit, to_bit, length] = numbers;
+        let bits = i64::from(elem.bits());
+        if !(0..64).contains(&from_bit)
+            || !(0..bits).contains(&to_bit)
+            || !(1..=64).contains(&length)
+            || !elem.is_integer()
+        {
+            return Err("the bits are outside of the words".to_owned());
+        }
+        let length = length.min(bits - to_bit);
+        let ones = if length >= 64 { -1 } else { (1i64 << length) - 1 };
+        let mask = Expr::Int(elem.wrap(ones << to_bit));
+        let source = self.expr(operands[0])?;
+        let moved = match to_bit - from_bit {
+            0 => source,
+            up if up > 0 => binary("SHL", source, Expr::Int(up)),
+            down => binary("SHR", source, Expr::Int(-down)),
+        };
+        let kept = binary("AND", self.expr(operands[2])?, unary("NOT", mask.clone()));
+        self.compute_at(&to, &binary("OR", kept, binary("AND", moved, mask)))
+    }
+
+    pub(super) fn clear(&mut self, text: &str) -> Result<Circuit<Element>> {
+        let to = self.target(text, Role::Value)?;
+        if !matches!(to.ty, Ty::Elem(elem) if elem.is_integer() || elem.is_real()) {
+            return Err(format!("`{text}` is no number"));
+        }
+        self.moved(&Expr::Int(0), &to)
+    }
+
+    /// `SCL`: `source * rate / 10000 + offset`
+    pub(super) fn scale(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
+        if !self.is_slc() {
+            return Err("SCL is an instruction of function block diagrams in Logix".to_owned());
+        }
+        let (source, rate, offset) = (
+            self.expr(operands[0])?,
+            self.expr(operands[1])?,
+            self.expr(operands[2])?,
+        );
+        let slope = binary("/", binary("*", source, rate), Expr::Int(10_000));
+        self.compute(operands[3], &binary("+", slope, offset))
+    }
+
+    /// `SCP`: along the line through two points.
+    pub(super) fn scale_with_parameters(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
+        let mut all = operands
+            .iter()
+            .map(|text| self.expr(text))
+            .collect::<Result<Vec<_>>>()?;
+        all.truncate(5);
+        let Ok([x, x0, x1, y0, y1]) = <[Expr; 5]>::try_from(all) else {
+            return Err("SCP has six operands".to_owned());
+        };
+        let rise = binary("*", binary("-", x, x0.clone()), binary("-", y1, y0.clone()));
+        let formula = binary("+", binary("/", rise, binary("-", x1, x0)), y0);
+        self.compute(operands[5], &formula)
+    }
+
+    /// Functions of strings: the result is last there, first here.
+    pub(super) fn strings(&mut self, name: &str, operands: &[&str]) -> Result<Circuit<Element>> {
+        let (to, from) = operands.split_last().ok_or("operands are missing")?;
+        let to = self.target(to, Role::Text)?;
+        let mut texts = vec![to.text];
+        for text in from {
+            let expr = self.expr(text)?;
+            texts.push(self.value(&expr, Elem::Dint)?.0);
+        }
+        if name == "FIND" {
+            // It begins at a position there.
+            if texts.get(3).is_none_or(|start| start != "1") {
+                return Err(
+                    "a search that does not begin at the first character has no counterpart here".to_owned(),
+                );
+            }
+            texts.truncate(3);
+        }
+        if name == "INSERT" {
+            // Before a position there, after it here.
+            match self.expr(from[2])? {
+                Expr::Int(position) => texts[3] = (position - 1).to_string(),
+                _ => return Err("a position that is computed has no counterpart here".to_owned()),
+            }
+        }
+        Ok(self.block(format!("[{name}]( {} )", texts.join(", "))))
+    }
+}

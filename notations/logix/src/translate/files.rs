@@ -1,0 +1,215 @@
+//! Work on arrays: copies, shift registers, stacks, sequencers; and the controller `PID`.
+
+use super::{Result, Translator};
+use crate::mnemonic::Role;
+use crate::operand::{Expr, Step};
+use crate::scope::Place;
+use crate::types::{Elem, Ty};
+use ladder_format::Circuit;
+use ladder_format::program::Element;
+
+/// A part of an array: its text up to the bracket, the index of its first element, how many elements the array has from
+/// there on, and what they are.
+struct Stretch {
+    array: String,
+    first: i64,
+    left: u32,
+    ty: Ty,
+}
+
+impl Translator<'_> {
+    /// An array, or an element of one with a constant index, in one dimension. None: it is no array.
+    fn stretch(&mut self, text: &str) -> Result<Option<Stretch>> {
+        let Expr::Path(mut path) = self.expr(text)? else {
+            return Err(format!("`{text}` is no array"));
+        };
+        let first = match path.steps.last() {
+            Some(Step::Index(index)) => match index[..] {
+                [Expr::Int(first)] => {
+                    path.steps.pop();
+                    first
+                }
+                _ => return Ok(None),
+            },
+            _ => 0,
+        };
+        let place = self.tags.place(self.scope, &path, Role::Array)?;
+        Ok(match place.ty {
+            Ty::Array(ty, sizes) if sizes.len() == 1 => {
+                let left = u32::try_from(first)
+                    .ok()
+                    .and_then(|first| sizes[0].checked_sub(first));
+                let Some(left) = left.filter(|left| *left > 0) else {
+                    return Err(format!("the index is outside `{}`", place.text));
+                };
+                Some(Stretch {
+                    array: place.text,
+                    first,
+                    left,
+                    ty: *ty,
+                })
+            }
+            _ => None,
+        })
+    }
+
+    /// A number of elements.
+    fn length(&self, text: &str) -> Result<u32> {
+        match self.expr(text)? {
+            Expr::Int(length) if length > 0 => Ok(u32::try_from(length).unwrap_or(u32::MAX)),
+            _ => Err(format!("the length `{text}` is no constant")),
+        }
+    }
+
+    /// `COP`: elements of one type are copied, as many as fit. Bytes of one type into another are not.
+    pub(super) fn copy(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
+        let length = self.length(operands[2])?;
+        let (from, to) = (self.stretch(operands[0])?, self.stretch(operands[1])?);
+        if let (Some(from), Some(to)) = (&from, &to) {
+            if from.ty != to.ty {
+                return Err(different(&from.array, &to.array));
+            }
+            let length = length.min(to.left).min(from.left);
+            let range = |it: &Stretch| match length {
+                1 => format!("{}[{}]", it.array, it.first),
+                _ => format!("{}[{}..{}]", it.array, it.first, it.first + i64::from(length) - 1),
+            };
+            let name = if length == 1 { "MOV" } else { "BMOV" };
+            return Ok(self.block(format!("[{name}]( {}, {} )", range(to), range(from))));
+        }
+        let (from, to) = (
+            self.place(operands[0], Role::Array)?,
+            self.target(operands[1], Role::Array)?,
+        );
+        if from.ty != to.ty || length != 1 {
+            return Err(different(&from.text, &to.text));
+        }
+        Ok(self.block(format!("[MOV]( {}, {} )", to.text, from.text)))
+    }
+
+    /// `FLL`
+    pub(super) fn fill(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
+        let length = self.length(operands[2])?;
+        let Some(to) = self.stretch(operands[1])? else {
+            return Err(format!(
+                "`{}` is no array of one dimension with a constant index",
+                operands[1]
+            ));
+        };
+        let Ty::Elem(elem) = to.ty else {
+            return Err(format!("`{}` has no elementary elements", to.array));
+        };
+        let from = self.expr(operands[0])?;
+        let (value, own) = self.value(&from, elem)?;
+        if own.is_some_and(|own| own != elem) {
+            return Err(different(&value, &to.array));
+        }
+        let last = to.first + i64::from(length.min(to.left)) - 1;
+        Ok(self.block(format!("[FILL]( {}[{}..{last}], {value} )", to.array, to.first)))
+    }
+
+    /// A block on a whole array. `kinds` says of each further operand what it is: a place (`P`), a value of the elements' type
+    /// (`V`), a CONTROL (`I`), a bit (`B`).
+    pub(super) fn on_file(
+        &mut self,
+        name: &str,
+        array: &str,
+        others: &[&str],
+        kinds: &str,
+    ) -> Result<Circuit<Element>> {
+        let (array, size, elem) = self.whole_array(name, array)?;
+        let mut texts = vec![array];
+        for (text, kind) in others.iter().zip(kinds.bytes()) {
+            texts.push(self.file_operand(text, kind, elem)?);
+        }
+        let block = self.blocks.on_array(name, size, elem);
+        Ok(self.block(format!("[{block}]( {} )", texts.join(", "))))
+    }
+
+    pub(super) fn load(&mut self, name: &str, operands: &[&str]) -> Result<Circuit<Element>> {
+        let (array, size, elem) = self.whole_array(name, operands[1])?;
+        let value = self.file_operand(operands[0], b'V', elem)?;
+        let control = self.file_operand(operands[2], b'I', elem)?;
+        let block = self.blocks.on_array(name, size, elem);
+        Ok(self.block(format!("[{block}]( {value}, {array}, {control} )")))
+    }
+
+    fn whole_array(&mut self, name: &str, text: &str) -> Result<(String, u32, Elem)> {
+        let stretch = self.stretch(text)?.filter(|it| it.first == 0);
+        let Some(Stretch { array, left, ty, .. }) = stretch else {
+            return Err(format!(
+                "`{text}` is not the beginning of an array of one dimension"
+            ));
+        };
+        let is_bits = !matches!(name, "FFL" | "FFU" | "LFL" | "LFU");
+        match ty {
+            Ty::Elem(elem) if elem.is_integer() || (!is_bits && elem != Elem::Bool) => {
+                Ok((array, left, elem))
+            }
+            _ => Err(format!("`{array}` has other elements than {name} works on")),
+        }
+    }
+
+    fn file_operand(&mut self, text: &str, kind: u8, elem: Elem) -> Result<String> {
+        Ok(match kind {
+            b'V' => {
+                let expr = self.expr(text)?;
+                let (value, own) = self.value(&expr, elem)?;
+                if own.is_some_and(|own| own != elem) {
+                    return Err(format!("`{text}` has another type than the array"));
+                }
+                value
+            }
+            b'B' => match self.expr(text)? {
+                Expr::Int(bit) => if bit == 0 { "FALSE" } else { "TRUE" }.to_owned(),
+                _ => self.bit(text)?.text,
+            },
+            b'I' => {
+                let place = self.target(text, Role::Control)?;
+                if !matches!(place.ty, Ty::Structure(index) if self.tags.types.all[index].original == "CONTROL")
+                {
+                    return Err(format!("`{text}` is no CONTROL"));
+                }
+                place.text
+            }
+            _ => {
+                let place: Place = self.target(text, Role::Value)?;
+                if place.ty != Ty::Elem(elem) {
+                    return Err(format!("`{text}` has another type than the array"));
+                }
+                place.text
+            }
+        })
+    }
+
+    /// `PID`: the library's controller takes its place.
+    pub(super) fn pid(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
+        let [own, measured, _, output, ..] = operands else {
+            return Err("PID has six operands or more".to_owned());
+        };
+        let own = self.place(own, Role::Word)?;
+        let Ty::Structure(index) = own.ty else {
+            return Err("the members of its tag are not in the file".to_owned());
+        };
+        let mut inputs = Vec::new();
+        for (input, member) in [("sp", "SP"), ("kp", "KP"), ("ki", "KI"), ("kd", "KD")] {
+            let Some((_, field)) = self.tags.types.member(index, member) else {
+                return Err(format!("its tag has no member {member}"));
+            };
+            inputs.push(format!("{input} := {}.{}", own.text, field.name));
+        }
+        let measured = self.expr(measured)?;
+        let (measured, _) = self.value(&measured, Elem::Lreal)?;
+        let output = self.target(output, Role::Value)?;
+        let helper = self.helper("pid", Elem::Lreal, "what the controller gives, in percent");
+        self.note("it is the controller of the library: in parallel form, with an output from 0 to 100, without tieback, hold and cascade");
+        let call = format!("[$PID]( {}, pv := {measured}, y => {helper} )", inputs.join(", "));
+        Ok(self.blocks([call, format!("[TYP]( {}, {helper} )", output.text)]))
+    }
+}
+
+fn different(from: &str, to: &str) -> String {
+    format!(
+        "`{from}` and `{to}` are of different types: the bytes of one in the other have no counterpart here"
+    )
+}

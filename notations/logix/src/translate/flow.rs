@@ -1,0 +1,175 @@
+//! Jumps, subroutines and their parameters.
+
+use super::{Result, Translator};
+use crate::mnemonic::{Op, Role, instruction};
+use crate::neutral::instructions;
+use crate::operand::Expr;
+use crate::scope::Tags;
+use crate::types::{Elem, Ty};
+use crate::unit::{Unit, operand};
+use ladder_format::Circuit;
+use ladder_format::program::Element;
+use std::collections::HashMap;
+
+/// What is known of the routines that others call.
+#[derive(Debug, Default)]
+pub(crate) struct Routines {
+    known: HashMap<(usize, String), Subroutine>,
+}
+
+/// A routine of ladder logic.
+#[derive(Debug, Default)]
+struct Subroutine {
+    function: String,
+    /// What takes its inputs.
+    inputs: Vec<String>,
+    /// The tags that hold what it returns.
+    returned: Vec<(String, Elem)>,
+}
+
+impl Routines {
+    /// Gives each routine of a program that is a function here its parameters. `functions` are their names.
+    pub(crate) fn of(
+        units: &[Unit<'_>],
+        functions: &[String],
+        tags: &mut Tags,
+        family: crate::model::Family,
+    ) -> Routines {
+        let mut routines = Routines::default();
+        for (unit, function) in units.iter().zip(functions) {
+            let mut subroutine = Subroutine {
+                function: function.clone(),
+                ..Subroutine::default()
+            };
+            let mut returned: Vec<&str> = Vec::new();
+            for parts in unit.rungs.iter().filter_map(|rung| rung.as_ref().ok()) {
+                instructions(parts, &mut |it| match instruction(it.name, it.operands.len()) {
+                    Some(Op::Sbr) => {
+                        subroutine.inputs = it.operands.iter().map(|text| (*text).to_owned()).collect()
+                    }
+                    Some(Op::Ret) if it.operands.len() > returned.len() => returned = it.operands.clone(),
+                    _ => {}
+                });
+            }
+            for (number, text) in returned.iter().enumerate() {
+                let elem = match operand(family, text) {
+                    Ok(Expr::Path(path)) => {
+                        let place = tags.place(unit.scope, &path, Role::Value);
+                        place.ok().and_then(|place| place.elem()).unwrap_or(Elem::Dint)
+                    }
+                    Ok(Expr::Real(_)) => Elem::Real,
+                    _ => Elem::Dint,
+                };
+                let like = format!("{function}_RET{}", number + 1);
+                let helper = tags.helper(
+                    unit.scope,
+                    &like,
+                    elem,
+                    &format!("helper: what {function} returns"),
+                );
+                subroutine.returned.push((helper, elem));
+            }
+            let key = (unit.scope, unit.routine.name.to_ascii_uppercase());
+            routines.known.entry(key).or_insert(subroutine);
+        }
+        routines
+    }
+}
+
+impl Translator<'_> {
+    /// `JMP` and `LBL`
+    pub(super) fn label(&mut self, sign: &str, name: &str) -> Result<Circuit<Element>> {
+        // Of a label that is not there the rules tell.
+        let label = self.labels.get(&name.to_ascii_uppercase()).map_or(name, String::as_str);
+        if !ladder_syntax::is_identifier(label) {
+            return Err(format!("there is no label `{name}` in the routine"));
+        }
+        Ok(self.block(format!("{sign}( {label} )")))
+    }
+
+    /// `JSR( routine, count, inputs .., results .. )`: values are copied into what its `SBR` names, and back.
+    pub(super) fn call(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
+        let (routine, rest) = operands
+            .split_first()
+            .ok_or("the name of the routine is missing")?;
+        let routine = routine.trim_start_matches("U:");
+        let key = (self.scope, routine.to_ascii_uppercase());
+        let Some(subroutine) = self.routines.known.get(&key) else {
+            return Err(format!(
+                "there is no routine `{routine}` of ladder logic in the program"
+            ));
+        };
+        let (function, targets) = (subroutine.function.clone(), subroutine.inputs.clone());
+        let returned = subroutine.returned.clone();
+        let (inputs, results) = match rest.split_first() {
+            Some((count, rest)) => match count.parse::<usize>() {
+                Ok(count) => rest.split_at_checked(count).ok_or("operands are missing")?,
+                Err(_) => (&operands[1..], &[][..]),
+            },
+            None => (rest, rest),
+        };
+        let mut circuit = Vec::new();
+        for (input, target) in inputs.iter().zip(&targets) {
+            let from = self.expr(input)?;
+            let to = self.target(target, Role::Value)?;
+            circuit.push(self.handed(&from, &to)?);
+        }
+        if inputs.len() > targets.len() {
+            self.note("the routine takes fewer values than it is given");
+        } else if inputs.len() < targets.len() {
+            self.note("the routine takes more values than it is given: a controller would stop");
+        }
+        circuit.push(self.block(format!("<CALL>( {function} )")));
+        for (result, (helper, elem)) in results.iter().zip(&returned) {
+            let to = self.target(result, Role::Value)?;
+            let same = to.ty == Ty::Elem(*elem);
+            let text = match (same, elem) {
+                (true, Elem::Bool) => {
+                    circuit.push(self.bit_moved(helper, &to.text));
+                    continue;
+                }
+                (true, _) => format!("[MOV]( {}, {helper} )", to.text),
+                (false, _) => format!("[TYP]( {}, {helper} )", to.text),
+            };
+            circuit.push(self.block(text));
+        }
+        Ok(Circuit::Series(circuit))
+    }
+
+    /// A value that becomes a parameter.
+    fn handed(&mut self, from: &Expr, to: &crate::scope::Place) -> Result<Circuit<Element>> {
+        if to.elem() == Some(Elem::Bool) {
+            let (from, _) = self.value(from, Elem::Bool)?;
+            return Ok(self.bit_moved(&from, &to.text));
+        }
+        self.moved(from, to)
+    }
+
+    fn bit_moved(&self, from: &str, to: &str) -> Circuit<Element> {
+        self.block(format!("[MOV]( {to}, {from} )"))
+    }
+
+    /// `RET( values .. )`
+    pub(super) fn ret(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
+        let mut circuit = Vec::new();
+        let of_this: Vec<(String, Elem)> = self.returned_here();
+        for (text, (helper, elem)) in operands.iter().zip(of_this) {
+            let from = self.expr(text)?;
+            let to = crate::scope::Place {
+                text: helper,
+                ty: Ty::Elem(elem),
+                part: None,
+                parameter: None,
+            };
+            circuit.push(self.handed(&from, &to)?);
+        }
+        circuit.push(self.block("<RET>"));
+        Ok(Circuit::Series(circuit))
+    }
+
+    fn returned_here(&self) -> Vec<(String, Elem)> {
+        let key = (self.scope, self.routine.to_ascii_uppercase());
+        let found = self.routines.known.get(&key);
+        found.map(|found| found.returned.clone()).unwrap_or_default()
+    }
+}

@@ -1,0 +1,259 @@
+//! Instructions as elements of a rung.
+
+mod aoi;
+mod data;
+mod files;
+mod flow;
+mod states;
+
+use crate::blocks::Blocks;
+use crate::mnemonic::{Op, Role, instruction, is_known};
+use crate::model::{Family, Project};
+use crate::neutral::Instruction;
+use crate::operand::{Expr, Step};
+use crate::scope::{Place, Tags};
+use crate::types::Elem;
+use crate::unit::operand;
+pub(crate) use flow::Routines;
+use ladder_format::Circuit;
+use ladder_format::program::Element;
+use std::collections::HashMap;
+
+/// What an instruction became: the elements, and what there is to say about them.
+pub(crate) struct Translated {
+    pub(crate) circuit: Circuit<Element>,
+    /// Why it is not quite the same.
+    pub(crate) note: Option<String>,
+}
+
+/// Translates instructions, one after the other.
+pub(crate) struct Translator<'p> {
+    pub(crate) project: &'p Project,
+    pub(crate) tags: Tags,
+    pub(crate) blocks: Blocks,
+    pub(crate) routines: Routines,
+    /// The names of the blocks that Add-On Instructions become.
+    pub(crate) aoi_names: Vec<String>,
+    /// The labels of the unit that is being translated.
+    pub(crate) labels: HashMap<String, String>,
+    /// The name of that routine.
+    pub(crate) routine: String,
+    scope: usize,
+    origin: Option<u32>,
+    note: Option<String>,
+}
+
+type Result<T> = std::result::Result<T, String>;
+
+impl<'p> Translator<'p> {
+    pub(crate) fn new(project: &'p Project, tags: Tags, routines: Routines) -> Translator<'p> {
+        Translator {
+            project,
+            tags,
+            blocks: Blocks::default(),
+            routines,
+            aoi_names: aoi::names(project),
+            labels: HashMap::new(),
+            routine: String::new(),
+            scope: 0,
+            origin: None,
+            note: None,
+        }
+    }
+
+    /// What an instruction becomes.
+    ///
+    /// # Errors
+    ///
+    /// If it has no counterpart here: why.
+    pub(crate) fn translate(
+        &mut self,
+        scope: usize,
+        it: &Instruction<'_>,
+        origin: Option<u32>,
+    ) -> Result<Translated> {
+        self.scope = scope;
+        self.origin = origin;
+        self.note = None;
+        let circuit = self.instruction(it)?;
+        Ok(Translated {
+            circuit,
+            note: self.note.take(),
+        })
+    }
+
+    /// Whether it is an instruction that has a counterpart, with another number of operands.
+    pub(crate) fn is_broken(it: &Instruction<'_>) -> bool {
+        is_known(it.name) && instruction(it.name, it.operands.len()).is_none()
+    }
+
+    fn instruction(&mut self, it: &Instruction<'_>) -> Result<Circuit<Element>> {
+        let operands = &it.operands[..];
+        if let Some(aoi) = self.aoi(it.name) {
+            return self.aoi_call(aoi, operands);
+        }
+        let Some(op) = instruction(it.name, operands.len()) else {
+            return Err(if is_known(it.name) {
+                format!("{} does not have {} operands", it.name, operands.len())
+            } else {
+                "the instruction has no counterpart here".to_owned()
+            });
+        };
+        match op {
+            Op::Xic => self.contact(operands[0], true),
+            Op::Xio => self.contact(operands[0], false),
+            Op::Ote => self.coil("( )", operands[0]),
+            Op::Otl => self.coil("(S)", operands[0]),
+            Op::Otu => self.coil("(R)", operands[0]),
+            Op::Ons => self.state_block("ONS", operands),
+            Op::Osr if operands.len() == 1 => self.state_block("ONS", operands),
+            Op::Osr => self.state_block("OSR", operands),
+            Op::Osf => self.state_block("OSF", operands),
+            Op::Timer(name) => self.timer(name, operands),
+            Op::Counter(name) => self.state_block(name, &operands[..1]),
+            Op::Res => self.reset(operands[0]),
+            Op::Compare(name) => self.compare(name, operands),
+            Op::Lim => self.limits(operands),
+            Op::Meq => self.masked_equal(operands),
+            Op::Cmp => self.compare_formula(operands[0]),
+            Op::Binary(operator) => self.binary(operator, operands),
+            Op::Unary(operator) => self.unary(operator, operands),
+            Op::Trunc => self.truncate(operands),
+            Op::Cpt => {
+                let formula = self.expr(operands[1])?;
+                self.compute(operands[0], &formula)
+            }
+            Op::Mov => self.move_value(operands[0], operands[1]),
+            Op::Mvm => self.masked_move(operands),
+            Op::Btd => self.distribute(operands),
+            Op::Clr => self.clear(operands[0]),
+            Op::Cop => self.copy(operands),
+            Op::Fll => self.fill(operands),
+            Op::Shift(name) => self.on_file(name, operands[0], &operands[1..3], "IB"),
+            Op::Load(name) => self.load(name, operands),
+            Op::Unload(name) => self.on_file(name, operands[0], &operands[1..3], "PI"),
+            Op::Sqi => self.on_file("SQI", operands[0], &operands[1..4], "VVI"),
+            Op::Sqo => self.on_file("SQO", operands[0], &operands[1..4], "VPI"),
+            Op::Sql => self.on_file("SQL", operands[0], &operands[1..3], "VI"),
+            Op::Fal | Op::Fsc => Err("work on a file element by element has no counterpart here".to_owned()),
+            Op::Jmp => self.label("<JMP>", operands[0]),
+            Op::Lbl => self.label("<LBL>", operands[0]),
+            Op::Jsr => self.call(operands),
+            Op::Sbr => Ok(Circuit::Series(Vec::new())),
+            Op::Ret => self.ret(operands),
+            Op::Mcr => Ok(self.block("<MCR>")),
+            Op::Afi => Ok(self.block("[ ]( SYS.OFF )")),
+            Op::Nop => Ok(Circuit::Element(Element::comment("NOP", self.origin))),
+            Op::Tnd => Ok(self.block("<RET>")),
+            Op::Scl => self.scale(operands),
+            Op::Scp => self.scale_with_parameters(operands),
+            Op::Pid => self.pid(operands),
+            Op::Strings(name) => self.strings(name, operands),
+        }
+    }
+
+    fn block(&self, text: impl Into<String>) -> Circuit<Element> {
+        Circuit::Element(Element::block(text, self.origin))
+    }
+
+    fn blocks<const N: usize>(&self, texts: [String; N]) -> Circuit<Element> {
+        Circuit::Series(texts.into_iter().map(|text| self.block(text)).collect())
+    }
+
+    /// Notes why what comes of an instruction is not quite the same.
+    fn note(&mut self, why: &str) {
+        self.note.get_or_insert_with(|| why.to_owned());
+    }
+
+    fn expr(&self, text: &str) -> Result<Expr> {
+        operand(self.project.family, text)
+    }
+
+    fn place(&mut self, text: &str, role: Role) -> Result<Place> {
+        match self.expr(text)? {
+            Expr::Path(path) => self.tags.place(self.scope, &path, role),
+            _ => Err(format!("`{text}` is no tag")),
+        }
+    }
+
+    /// A place that is written: the inputs of an instance are not, from outside.
+    fn target(&mut self, text: &str, role: Role) -> Result<Place> {
+        let place = self.place(text, role)?;
+        match (&place.parameter, place.text.contains("SYS.")) {
+            (Some(_), _) => Err(format!(
+                "`{}` cannot be written from outside of its instruction",
+                place.text
+            )),
+            (None, true) => Err(format!("`{text}` belongs to the controller")),
+            (None, false) => Ok(place),
+        }
+    }
+
+    fn bit(&mut self, text: &str) -> Result<Place> {
+        let place = self.place(text, Role::Bit)?;
+        match place.elem() {
+            Some(Elem::Bool) => Ok(place),
+            _ => Err(format!("`{text}` is no bit")),
+        }
+    }
+
+    fn contact(&mut self, text: &str, open: bool) -> Result<Circuit<Element>> {
+        let sign = if open { "[ ]" } else { "[/]" };
+        if let Expr::Path(path) = self.expr(text)?
+            && let Some((Step::ComputedBit(index), word)) = path.steps.split_last()
+        {
+            let word = crate::operand::Path {
+                root: path.root.clone(),
+                steps: word.to_vec(),
+            };
+            let word = self.tags.place(self.scope, &word, Role::Value)?;
+            let index = self.tags.formula(self.scope, index)?;
+            let helper = self.helper("bit", Elem::Bool, text);
+            let formula = format!("[CALC]( {helper}, ({} SHR ({index}) AND 1) <> 0 )", word.text);
+            return Ok(self.blocks([formula, format!("{sign}( {helper} )")]));
+        }
+        let place = self.bit(text)?;
+        Ok(self.block(format!("{sign}( {} )", place.text)))
+    }
+
+    fn coil(&mut self, sign: &str, text: &str) -> Result<Circuit<Element>> {
+        let place = self.target(text, Role::Bit)?;
+        match place.elem() {
+            Some(Elem::Bool) => Ok(self.block(format!("{sign}( {} )", place.text))),
+            _ => Err(format!("`{text}` is no bit")),
+        }
+    }
+
+    /// A tag that an instruction needs for a value on its way.
+    fn helper(&mut self, like: &str, elem: Elem, what: &str) -> String {
+        self.tags
+            .helper(self.scope, like, elem, &format!("helper: {what}"))
+    }
+
+    /// A value as an operand where a type is asked for, and its own type if it is a tag.
+    fn value(&mut self, expr: &Expr, wanted: Elem) -> Result<(String, Option<Elem>)> {
+        use crate::values::{Value, literal};
+        Ok(match expr {
+            Expr::Int(int) => (literal(&Value::Int(*int), wanted), None),
+            Expr::Real(real) => (literal(&Value::Real(*real), wanted), None),
+            Expr::Unary("-", inner) if matches!(**inner, Expr::Int(_) | Expr::Real(_)) => match **inner {
+                Expr::Int(int) => (literal(&Value::Int(-int), wanted), None),
+                Expr::Real(real) => (literal(&Value::Real(-real), wanted), None),
+                _ => return Err("a value is missing".to_owned()),
+            },
+            Expr::Text(text) => (format!("'{text}'"), None),
+            Expr::Path(path) => {
+                let place = self.tags.place(self.scope, path, Role::Value)?;
+                let elem = place.elem();
+                (place.text, elem)
+            }
+            Expr::Unset => return Err("a value is missing".to_owned()),
+            formula => (self.tags.formula(self.scope, formula)?, None),
+        })
+    }
+
+    /// Whether programs of the family count in other units, and so on.
+    fn is_slc(&self) -> bool {
+        self.project.family == Family::Slc
+    }
+}
