@@ -1,7 +1,7 @@
 //! The tags of a project in their scopes: how ladder text spells them, what they are, and what a path leads to.
 
 use crate::mnemonic::Role;
-use crate::model::{Project, Tag, Usage};
+use crate::model::{Project, Raw, Tag, Usage};
 use crate::operand::{Expr, Path, Step, parse};
 use crate::types::{Elem, Ty, Types};
 use crate::values::Value;
@@ -17,9 +17,28 @@ pub(crate) struct Symbol {
     pub(crate) ty: Ty,
     pub(crate) value: Option<Value>,
     pub(crate) kind: Kind,
+    /// A call must give it.
+    pub(crate) required: bool,
     pub(crate) comment: Option<String>,
     /// Where the file declares it, if it does.
     pub(crate) at: Option<usize>,
+}
+
+impl Symbol {
+    /// One without a value and a name.
+    fn new(scope: usize, original: &str, ty: Ty) -> Symbol {
+        Symbol {
+            name: String::new(),
+            original: original.to_owned(),
+            scope,
+            ty,
+            value: None,
+            kind: Kind::Plain,
+            required: false,
+            comment: None,
+            at: None,
+        }
+    }
 }
 
 /// The section that a tag is declared in.
@@ -84,7 +103,9 @@ pub(crate) struct Tags {
     /// Inputs of instances that the program uses from outside: the tag that a call passes.
     pub(crate) passed: HashMap<(String, usize), usize>,
     /// Tags that are not declared: place, element, reason.
-    pub(crate) refused: Vec<(usize, String, String)>,
+    pub(crate) unknown: Vec<(usize, String, String)>,
+    /// Instances of Add-On Instructions with what the file says of their inputs.
+    instances: Vec<(usize, Raw)>,
 }
 
 impl Tags {
@@ -95,7 +116,8 @@ impl Tags {
             scopes: Vec::new(),
             names: Names::default(),
             passed: HashMap::new(),
-            refused: Vec::new(),
+            unknown: Vec::new(),
+            instances: Vec::new(),
         };
         tags.scopes.push(Scope {
             title: "the controller".to_owned(),
@@ -124,6 +146,9 @@ impl Tags {
             tags.declare_all(scope, &aoi.parameters);
             tags.declare_all(scope, &aoi.locals);
         }
+        for (symbol, raw) in std::mem::take(&mut tags.instances) {
+            tags.inputs_of(symbol, &raw);
+        }
         tags
     }
 
@@ -149,8 +174,7 @@ impl Tags {
         }
         let Some(ty) = self.types.of_tag(tag) else {
             let why = format!("its type {} is not declared in the file", tag.ty);
-            self.refused
-                .push((tag.at, format!("tag {}", tag.name), why.clone()));
+            self.unknown.push((tag.at, format!("tag {}", tag.name), why.clone()));
             self.scopes[scope].entries.insert(key, Entry::Opaque(why));
             return;
         };
@@ -167,54 +191,56 @@ impl Tags {
             _ if tag.name.ends_with(":O") => Kind::Output,
             _ => Kind::Plain,
         };
-        self.add(
-            scope,
-            &tag.name,
-            ty,
+        let is_instance = matches!(ty, Ty::Aoi(_));
+        let symbol = self.add(Symbol {
             value,
             kind,
-            tag.comment.clone(),
-            Some(tag.at),
-        );
+            required: tag.required,
+            comment: tag.comment.clone(),
+            at: Some(tag.at),
+            ..Symbol::new(scope, &tag.name, ty)
+        });
+        if is_instance {
+            let raw = tag.value.clone();
+            self.instances.extend(raw.map(|raw| (symbol, raw)));
+        }
     }
 
-    #[allow(
-        clippy::too_many_arguments,
-        reason = "one for each thing that a declaration says"
-    )]
-    fn add(
-        &mut self,
-        scope: usize,
-        original: &str,
-        ty: Ty,
-        value: Option<Value>,
-        kind: Kind,
-        comment: Option<String>,
-        at: Option<usize>,
-    ) -> usize {
-        let name = self.fresh(scope, original);
-        let comment = match comment {
-            comment if name == original => comment,
-            Some(comment) => Some(format!("{original}: {comment}")),
-            None => Some(original.to_owned()),
+    /// Inputs of an instance that no call gives and that have another value than in other instances.
+    fn inputs_of(&mut self, instance: usize, raw: &Raw) {
+        let own = self.symbols[instance].clone();
+        let (Ty::Aoi(aoi), Raw::Structure(_, members)) = (&own.ty, raw) else {
+            return;
         };
-        self.types.keep(&ty);
-        self.symbols.push(Symbol {
-            name,
-            original: original.to_owned(),
-            scope,
-            ty,
-            value,
-            kind,
-            comment,
-            at,
-        });
-        let symbol = self.symbols.len() - 1;
-        let entry = Entry::Symbol(symbol);
-        self.scopes[scope]
-            .entries
-            .insert(original.to_ascii_uppercase(), entry);
-        symbol
+        let scope = self.scopes.len() - self.aois() + aoi;
+        for (name, raw) in members {
+            let Some(symbol) = self.parameter_symbol(scope, name) else {
+                continue;
+            };
+            let parameter = &self.symbols[symbol];
+            let value = Value::of(raw, &parameter.ty, &self.types);
+            if parameter.kind == Kind::Input && !parameter.required && value != parameter.value {
+                self.pass(own.scope, &own.name, symbol);
+                if let Some(passed) = self.passed.get(&(own.name.clone(), symbol)) {
+                    self.symbols[*passed].value = value;
+                }
+            }
+        }
+    }
+
+    /// Declares a tag, under a name of its own.
+    fn add(&mut self, mut symbol: Symbol) -> usize {
+        symbol.name = self.fresh(symbol.scope, &symbol.original);
+        if symbol.name != symbol.original {
+            let comment = symbol.comment.take().map_or_else(String::new, |said| format!(": {said}"));
+            symbol.comment = Some(format!("{}{comment}", symbol.original));
+        }
+        self.types.keep(&symbol.ty);
+        let key = symbol.original.to_ascii_uppercase();
+        let number = self.symbols.len();
+        self.scopes[symbol.scope].entries.insert(key, Entry::Symbol(number));
+        self.symbols.push(symbol);
+        number
     }
 
     /// A name that nothing in the scope has.
@@ -228,16 +254,14 @@ impl Tags {
     /// Declares a tag that the translation needs.
     pub(crate) fn helper(&mut self, scope: usize, like: &str, elem: Elem, comment: &str) -> String {
         let name = self.fresh(scope, like);
+        let number = self.symbols.len();
         self.symbols.push(Symbol {
             name: name.clone(),
-            original: String::new(),
-            scope,
-            ty: Ty::Elem(elem),
-            value: None,
-            kind: Kind::Plain,
             comment: Some(comment.to_owned()),
-            at: None,
+            ..Symbol::new(scope, "", Ty::Elem(elem))
         });
+        let entries = &mut self.scopes[scope].entries;
+        entries.entry(name.to_ascii_uppercase()).or_insert(Entry::Symbol(number));
         name
     }
 
@@ -272,11 +296,14 @@ impl Tags {
 
     fn undeclared(&mut self, original: &str, ty: Ty) -> usize {
         let kind = match original {
-            name if name.contains(":I") => Kind::Input,
-            name if name.contains(":O") => Kind::Output,
+            name if name.contains(":I") || name.starts_with("I:") => Kind::Input,
+            name if name.contains(":O") || name.starts_with("O:") => Kind::Output,
             _ => Kind::Plain,
         };
-        self.add(CONTROLLER, original, ty, None, kind, None, None)
+        self.add(Symbol {
+            kind,
+            ..Symbol::new(CONTROLLER, original, ty)
+        })
     }
 
     /// Where a path leads.

@@ -440,27 +440,33 @@ impl<'p> Sketcher<'p> {
                 Circuit::Element(Element::comment(it.text, Some(origin)))
             }
             Err(why) => {
-                let message = format!("{why}; it does nothing here, and power passes");
-                report.approximated(place, it.text, &message);
-                self.reading.findings.push(Finding {
-                    place,
-                    severity: Severity::Info,
-                    check: INERT,
-                    message: format!("`{}`: {message}", shortened(it.text)),
-                });
+                self.inert(place, it.text, &format!("{why}; it does nothing here, and power passes"));
                 Circuit::Element(Element::comment(it.text, Some(origin)))
             }
         }
     }
 
+    /// Something that is not in the program here.
+    fn inert(&mut self, place: LineColumn, what: &str, message: &str) {
+        self.reading.report.approximated(place, what, message);
+        self.reading.findings.push(Finding {
+            place,
+            severity: Severity::Info,
+            check: INERT,
+            message: format!("`{}`: {message}", shortened(what)),
+        });
+    }
+
     /// What there is to say of declarations and of parts that were not read.
     fn accounts(&mut self) {
         let project = self.translator.project;
-        let refused = project.refused.iter().chain(&self.translator.tags.refused);
-        let refused: Vec<(usize, String, String)> = refused.cloned().collect();
-        for (at, what, why) in refused {
-            let place = self.place(at);
+        for (at, what, why) in &project.refused {
+            let place = self.place(*at);
             self.reading.report.refused(place, what, why);
+        }
+        for (at, what, why) in self.translator.tags.unknown.clone() {
+            let place = self.place(at);
+            self.inert(place, &what, &format!("{why}: it is not declared here"));
         }
         let tags = std::iter::once(&project.tags).chain(project.programs.iter().map(|program| &program.tags));
         let tags: Vec<(usize, String)> = tags

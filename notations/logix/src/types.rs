@@ -2,7 +2,7 @@
 
 use crate::model::{DataType, Project, Raw, Tag};
 use ladder_notation::names::Names;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// An elementary type.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -202,8 +202,12 @@ impl Types {
                 .by_name
                 .insert(aoi.name.to_ascii_uppercase(), Ty::Aoi(index));
         }
+        let empty = empty(project);
         let mut structures = Vec::new();
         for declared in &project.types {
+            if empty.contains(&declared.name.to_ascii_uppercase()) {
+                continue;
+            }
             let key = declared.name.to_ascii_uppercase();
             if types.by_name.contains_key(&key) || Elem::named(&key).is_some() {
                 continue;
@@ -378,6 +382,29 @@ impl Types {
                     .collect();
                 members.iter().for_each(|ty| self.keep(ty));
             }
+        }
+    }
+}
+
+/// The types without a member that can be here, in capitals: a structure has at least one.
+fn empty(project: &Project) -> HashSet<String> {
+    let mut known: HashSet<String> = STANDARD.iter().map(|(name, _)| (*name).to_owned()).collect();
+    known.extend(project.aois.iter().map(|aoi| aoi.name.to_ascii_uppercase()));
+    known.extend(project.types.iter().map(|ty| ty.name.to_ascii_uppercase()));
+    let mut empty = HashSet::new();
+    loop {
+        let before = empty.len();
+        for ty in project.types.iter().filter(|ty| !ty.is_string) {
+            let can_be = |name: &str| {
+                let key = name.split('[').next().unwrap_or_default().to_ascii_uppercase();
+                Elem::named(&key).is_some() || (known.contains(&key) && !empty.contains(&key))
+            };
+            if !ty.members.iter().any(|member| !member.hidden && can_be(&member.ty)) {
+                empty.insert(ty.name.to_ascii_uppercase());
+            }
+        }
+        if empty.len() == before {
+            return empty;
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Result, Translator};
 use crate::mnemonic::Role;
-use crate::operand::Expr;
+use crate::operand::{Expr, Path};
 use crate::scope::Place;
 use crate::types::{Elem, Ty};
 use ladder_format::Circuit;
@@ -135,13 +135,45 @@ impl Translator<'_> {
                 ">=" => "GE",
                 _ => "",
             };
-            let is_plain =
-                |expr: &Expr| matches!(expr, Expr::Path(_) | Expr::Int(_) | Expr::Real(_) | Expr::Text(_));
-            if !name.is_empty() && is_plain(left) && is_plain(right) {
-                return self.comparison(name, &[(**left).clone(), (**right).clone()]);
+            if !name.is_empty() {
+                let mut circuit = Vec::new();
+                let left = self.side(left, &mut circuit)?;
+                let right = self.side(right, &mut circuit)?;
+                circuit.push(self.comparison(name, &[left, right])?);
+                return Ok(Circuit::Series(circuit));
             }
         }
         self.condition(&expr, "CMP")
+    }
+
+    /// A side of a comparison: a formula is computed before.
+    fn side(&mut self, expr: &Expr, before: &mut Vec<Circuit<Element>>) -> Result<Expr> {
+        if matches!(expr, Expr::Path(_) | Expr::Int(_) | Expr::Real(_) | Expr::Text(_)) {
+            return Ok(expr.clone());
+        }
+        let text = self.tags.formula(self.scope, expr)?;
+        let elem = if self.is_real(expr) { Elem::Lreal } else { Elem::Dint };
+        let helper = self.helper("side", elem, "a side of a comparison");
+        before.push(self.block(format!("[CALC]( {helper}, {text} )")));
+        Ok(Expr::Path(Path {
+            root: helper,
+            steps: Vec::new(),
+        }))
+    }
+
+    /// Whether a formula has a real in it.
+    fn is_real(&mut self, expr: &Expr) -> bool {
+        match expr {
+            Expr::Real(_) => true,
+            Expr::Path(path) => {
+                let place = self.tags.place(self.scope, path, Role::Value);
+                place.is_ok_and(|place| place.elem().is_some_and(Elem::is_real))
+            }
+            Expr::Call(name, inner) => name != "ABS" || self.is_real(inner),
+            Expr::Unary(_, inner) => self.is_real(inner),
+            Expr::Binary(_, left, right) => self.is_real(left) || self.is_real(right),
+            Expr::Int(_) | Expr::Text(_) | Expr::Unset => false,
+        }
     }
 
     /// Power that a formula decides about.

@@ -1,5 +1,7 @@
 //! Programs of Logix and RSLogix 500: what they become, and how that runs.
 
 mod cases;
+mod exports;
 mod files;
+mod instructions;
 mod run;

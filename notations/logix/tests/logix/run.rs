@@ -40,7 +40,10 @@ pub(crate) fn trace(text: &str, inputs: &str, scans: u64, watched: &str) -> Stri
         .program()
         .unwrap_or_else(|| panic!("{:?}\n{text}", errors(text)));
     let mut simulation = Simulation::new(Arc::clone(program), Run::default()).expect("it can be run");
-    let inputs = Inputs::parse("in.csv", inputs, &simulation).unwrap_or_else(|error| panic!("{error}"));
+    let inputs = match inputs {
+        "" => Inputs::default(),
+        inputs => Inputs::parse("in.csv", inputs, &simulation).unwrap_or_else(|error| panic!("{error}")),
+    };
     let points = watched.split(',').map(|name| simulation.resolve(name));
     let points: Vec<_> = points
         .map(|point| point.unwrap_or_else(|error| panic!("{error}")))
