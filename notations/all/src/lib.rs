@@ -26,6 +26,8 @@ pub const NOTATIONS: &[&dyn Notation] = &[
     #[cfg(feature = "logix")]
     &ladder_notation_logix::L5x,
     #[cfg(feature = "logix")]
+    &ladder_notation_logix::L5k,
+    #[cfg(feature = "logix")]
     &ladder_notation_logix::Rslogix500,
     #[cfg(feature = "iot")]
     &ladder_notation_iot::Iot,

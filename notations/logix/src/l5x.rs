@@ -3,6 +3,7 @@
 use crate::model::{Aoi, DataType, Member, Program, Project, Raw, Routine, Rung, Tag, Usage};
 use ladder_notation::{Lines, ReadError};
 use roxmltree::{Document, Node, ParsingOptions};
+use std::collections::HashSet;
 
 /// A file with more elements, attributes and texts is not read.
 const MOST_NODES: u32 = 4_000_000;
@@ -36,6 +37,7 @@ pub(crate) fn read(text: &str) -> Result<Project, ReadError> {
         text: body,
         before,
         project: Project::default(),
+        read: HashSet::new(),
     };
     let Some(controller) = child(root, "Controller") else {
         return Err(ReadError::whole(
@@ -43,6 +45,7 @@ pub(crate) fn read(text: &str) -> Result<Project, ReadError> {
         ));
     };
     reader.controller(controller);
+    reader.rungs_elsewhere(root);
     Ok(reader.project)
 }
 
@@ -72,6 +75,8 @@ struct Reader<'t> {
     /// How many bytes of the file are before the text: a byte order mark.
     before: usize,
     project: Project,
+    /// Where the rungs are that were read.
+    read: HashSet<usize>,
 }
 
 fn child<'a, 'd>(node: Node<'a, 'd>, name: &str) -> Option<Node<'a, 'd>> {
@@ -143,11 +148,10 @@ impl Reader<'_> {
         for node in all(controller, "Modules", "Module") {
             self.module(node);
         }
-        for node in all(
-            controller,
-            "AddOnInstructionDefinitions",
-            "AddOnInstructionDefinition",
-        ) {
+        // Hand-made files have the shorter name.
+        let definitions = ["AddOnInstructionDefinition", "AddOnInstruction"];
+        let definitions = definitions.map(|name| all(controller, "AddOnInstructionDefinitions", name));
+        for node in definitions.into_iter().flatten() {
             let read = self.aoi(node);
             self.project.aois.push(read);
         }
@@ -165,6 +169,17 @@ impl Reader<'_> {
         for node in all(controller, "Programs", "EncodedData") {
             self.encoded(node);
         }
+        let unread = controller
+            .children()
+            .filter(|child| child.has_tag_name("ParameterConnections"));
+        for node in unread.flat_map(|node| node.children().filter(Node::is_element)) {
+            let what = format!("connection of {}", attribute(node, "EndPoint1"));
+            self.refuse(
+                node,
+                what,
+                "parameters of programs that are connected are not read",
+            );
+        }
         for task in all(controller, "Tasks", "Task") {
             if task.attribute("Type") == Some("PERIODIC") && self.project.rate.is_none() {
                 self.project.rate = task.attribute("Rate").map(str::to_owned);
@@ -173,6 +188,19 @@ impl Reader<'_> {
             self.project
                 .scheduled
                 .extend(scheduled.map(|program| attribute(program, "Name")));
+        }
+    }
+
+    /// Rungs at places where none are expected: they must not get lost.
+    fn rungs_elsewhere(&mut self, root: Node<'_, '_>) {
+        for node in root.descendants().filter(|node| node.has_tag_name("Rung")) {
+            if !self.read.contains(&node.range().start) {
+                self.refuse(
+                    node,
+                    "Rung".to_owned(),
+                    "it is at a place where no rungs are read",
+                );
+            }
         }
     }
 
@@ -337,7 +365,8 @@ impl Reader<'_> {
         routines
     }
 
-    fn rung(&self, node: Node<'_, '_>) -> Rung {
+    fn rung(&mut self, node: Node<'_, '_>) -> Rung {
+        self.read.insert(node.range().start);
         let edit = node.attribute("Type").filter(|kind| !matches!(*kind, "N" | "IR"));
         let mut rung = Rung {
             at: self.at(node),

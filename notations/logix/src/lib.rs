@@ -37,6 +37,10 @@ const MOST_BYTES: usize = 64 << 20;
 #[derive(Debug)]
 pub struct L5x;
 
+/// L5K exports of Logix Designer.
+#[derive(Debug)]
+pub struct L5k;
+
 /// Rungs of RSLogix 500.
 #[derive(Debug)]
 pub struct Rslogix500;
@@ -47,6 +51,11 @@ fn text<'s>(source: &Source<'s>) -> Result<&'s str, ReadError> {
         return Err(ReadError::whole(message));
     }
     text_of(source.bytes)
+}
+
+/// The first lines of a file.
+fn head(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(&bytes[..bytes.len().min(16 << 10)]).into_owned()
 }
 
 fn not_written(title: &str) -> WriteError {
@@ -71,13 +80,43 @@ impl Notation for L5x {
     }
 
     fn recognises(&self, bytes: &[u8]) -> bool {
-        let head = String::from_utf8_lossy(&bytes[..bytes.len().min(4096)]).into_owned();
-        head.contains(&format!("<{}", l5x::ROOT))
+        head(bytes).contains(&format!("<{}", l5x::ROOT))
     }
 
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
         let text = text(source)?;
         Ok(sketch::sketch(&l5x::read(text)?, text))
+    }
+
+    fn write(&self, _: &Analysis) -> Result<Writing, WriteError> {
+        Err(not_written(self.title()))
+    }
+}
+
+impl Notation for L5k {
+    fn name(&self) -> &'static str {
+        "l5k"
+    }
+
+    fn title(&self) -> &'static str {
+        "Logix L5K export"
+    }
+
+    fn extensions(&self) -> &'static [&'static str] {
+        &["L5K"]
+    }
+
+    fn owns_extension(&self) -> bool {
+        true
+    }
+
+    fn recognises(&self, bytes: &[u8]) -> bool {
+        l5k::recognises(&head(bytes))
+    }
+
+    fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
+        let text = text(source)?;
+        Ok(sketch::sketch(&l5k::read(text)?, text))
     }
 
     fn write(&self, _: &Analysis) -> Result<Writing, WriteError> {
@@ -99,8 +138,7 @@ impl Notation for Rslogix500 {
     }
 
     fn recognises(&self, bytes: &[u8]) -> bool {
-        let head = String::from_utf8_lossy(&bytes[..bytes.len().min(64 << 10)]).into_owned();
-        slc::recognises(&head)
+        slc::recognises(&head(bytes))
     }
 
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {

@@ -174,7 +174,8 @@ impl Tags {
         }
         let Some(ty) = self.types.of_tag(tag) else {
             let why = format!("its type {} is not declared in the file", tag.ty);
-            self.unknown.push((tag.at, format!("tag {}", tag.name), why.clone()));
+            self.unknown
+                .push((tag.at, format!("tag {}", tag.name), why.clone()));
             self.scopes[scope].entries.insert(key, Entry::Opaque(why));
             return;
         };
@@ -232,13 +233,18 @@ impl Tags {
     fn add(&mut self, mut symbol: Symbol) -> usize {
         symbol.name = self.fresh(symbol.scope, &symbol.original);
         if symbol.name != symbol.original {
-            let comment = symbol.comment.take().map_or_else(String::new, |said| format!(": {said}"));
+            let comment = symbol
+                .comment
+                .take()
+                .map_or_else(String::new, |said| format!(": {said}"));
             symbol.comment = Some(format!("{}{comment}", symbol.original));
         }
         self.types.keep(&symbol.ty);
         let key = symbol.original.to_ascii_uppercase();
         let number = self.symbols.len();
-        self.scopes[symbol.scope].entries.insert(key, Entry::Symbol(number));
+        self.scopes[symbol.scope]
+            .entries
+            .insert(key, Entry::Symbol(number));
         self.symbols.push(symbol);
         number
     }
@@ -261,7 +267,9 @@ impl Tags {
             ..Symbol::new(scope, "", Ty::Elem(elem))
         });
         let entries = &mut self.scopes[scope].entries;
-        entries.entry(name.to_ascii_uppercase()).or_insert(Entry::Symbol(number));
+        entries
+            .entry(name.to_ascii_uppercase())
+            .or_insert(Entry::Symbol(number));
         name
     }
 

@@ -347,6 +347,7 @@ impl<'p> Sketcher<'p> {
             }
             inner.push(Item::Section(section));
         }
+        inner.push(Item::Blank);
         inner.append(&mut body);
         self.reading
             .report
@@ -440,7 +441,11 @@ impl<'p> Sketcher<'p> {
                 Circuit::Element(Element::comment(it.text, Some(origin)))
             }
             Err(why) => {
-                self.inert(place, it.text, &format!("{why}; it does nothing here, and power passes"));
+                self.inert(
+                    place,
+                    it.text,
+                    &format!("{why}; it does nothing here, and power passes"),
+                );
                 Circuit::Element(Element::comment(it.text, Some(origin)))
             }
         }

@@ -399,7 +399,11 @@ fn empty(project: &Project) -> HashSet<String> {
                 let key = name.split('[').next().unwrap_or_default().to_ascii_uppercase();
                 Elem::named(&key).is_some() || (known.contains(&key) && !empty.contains(&key))
             };
-            if !ty.members.iter().any(|member| !member.hidden && can_be(&member.ty)) {
+            if !ty
+                .members
+                .iter()
+                .any(|member| !member.hidden && can_be(&member.ty))
+            {
                 empty.insert(ty.name.to_ascii_uppercase());
             }
         }

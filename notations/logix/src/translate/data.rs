@@ -152,7 +152,11 @@ impl Translator<'_> {
             return Ok(expr.clone());
         }
         let text = self.tags.formula(self.scope, expr)?;
-        let elem = if self.is_real(expr) { Elem::Lreal } else { Elem::Dint };
+        let elem = if self.is_real(expr) {
+            Elem::Lreal
+        } else {
+            Elem::Dint
+        };
         let helper = self.helper("side", elem, "a side of a comparison");
         before.push(self.block(format!("[CALC]( {helper}, {text} )")));
         Ok(Expr::Path(Path {

@@ -80,7 +80,10 @@ impl Translator<'_> {
     /// `JMP` and `LBL`
     pub(super) fn label(&mut self, sign: &str, name: &str) -> Result<Circuit<Element>> {
         // Of a label that is not there the rules tell.
-        let label = self.labels.get(&name.to_ascii_uppercase()).map_or(name, String::as_str);
+        let label = self
+            .labels
+            .get(&name.to_ascii_uppercase())
+            .map_or(name, String::as_str);
         if !ladder_syntax::is_identifier(label) {
             return Err(format!("there is no label `{name}` in the routine"));
         }

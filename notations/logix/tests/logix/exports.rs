@@ -18,7 +18,9 @@ pub(crate) fn whole(before: &str, tags: &[(&str, &str, &str)], routines: &[(&str
     for tag in tags {
         out.push_str(&self::tag(*tag));
     }
-    out.push_str("</Tags>\n<Programs>\n<Program Name=\"MainProgram\" MainRoutineName=\"Main\">\n<Tags/>\n<Routines>\n");
+    out.push_str(
+        "</Tags>\n<Programs>\n<Program Name=\"MainProgram\" MainRoutineName=\"Main\">\n<Tags/>\n<Routines>\n",
+    );
     for (name, rungs) in routines {
         out.push_str(&routine(name, rungs));
     }

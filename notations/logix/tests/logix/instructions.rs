@@ -7,7 +7,14 @@ use ladder_notation_logix::L5x;
 
 /// Runs rungs and compares the values after each scan.
 #[track_caller]
-fn check(tags: &[(&str, &str, &str)], rungs: &[&str], inputs: &str, scans: u64, watched: &str, expected: Expect) {
+fn check(
+    tags: &[(&str, &str, &str)],
+    rungs: &[&str],
+    inputs: &str,
+    scans: u64,
+    watched: &str,
+    expected: Expect,
+) {
     let text = converted(&L5x, controller(tags, rungs).as_bytes()).written.text;
     expected.assert_eq(&trace(&text, inputs, scans, watched));
 }
@@ -15,7 +22,13 @@ fn check(tags: &[(&str, &str, &str)], rungs: &[&str], inputs: &str, scans: u64, 
 #[test]
 fn one_shots_are_silent_at_the_start() {
     check(
-        &[("a", "BOOL", "1"), ("s", "DINT", ""), ("p", "BOOL", ""), ("r", "BOOL", ""), ("f", "BOOL", "")],
+        &[
+            ("a", "BOOL", "1"),
+            ("s", "DINT", ""),
+            ("p", "BOOL", ""),
+            ("r", "BOOL", ""),
+            ("f", "BOOL", ""),
+        ],
         &["XIC(a)ONS(s.0)OTE(p);", "XIC(a)OSR(s.1,r);", "XIC(a)OSF(s.2,f);"],
         "a\n1\n1\n0\n1\n1\n",
         5,
@@ -33,7 +46,12 @@ fn one_shots_are_silent_at_the_start() {
 #[test]
 fn the_prescan_clears_coils_and_keeps_latches() {
     check(
-        &[("a", "BOOL", ""), ("y", "BOOL", "1"), ("l", "BOOL", "1"), ("w", "DINT", "5")],
+        &[
+            ("a", "BOOL", ""),
+            ("y", "BOOL", "1"),
+            ("l", "BOOL", "1"),
+            ("w", "DINT", "5"),
+        ],
         &["JMP(over);", "XIC(a)OTE(y)OTL(l)OTE(w.2);", "LBL(over)NOP();"],
         "",
         1,
@@ -48,7 +66,12 @@ fn the_prescan_clears_coils_and_keeps_latches() {
 fn timers() {
     let timer = "<Structure DataType=\"TIMER\"><DataValueMember Name=\"PRE\" DataType=\"DINT\" Value=\"20\"/></Structure>";
     check(
-        &[("a", "BOOL", ""), ("f", "TIMER", timer), ("r", "TIMER", timer), ("x", "BOOL", "")],
+        &[
+            ("a", "BOOL", ""),
+            ("f", "TIMER", timer),
+            ("r", "TIMER", timer),
+            ("x", "BOOL", ""),
+        ],
         &["XIC(a)TOF(f,?,?);", "XIC(a)RTO(r,?,?);", "XIC(x)RES(r);"],
         "a,x\n1,\n,\n0,\n,\n1,\n,\n,\n0,1\n",
         8,
@@ -69,7 +92,12 @@ fn timers() {
 #[test]
 fn up_and_down_share_a_counter() {
     check(
-        &[("u", "BOOL", ""), ("d", "BOOL", ""), ("c", "COUNTER", ""), ("m", "COUNTER", "")],
+        &[
+            ("u", "BOOL", ""),
+            ("d", "BOOL", ""),
+            ("c", "COUNTER", ""),
+            ("m", "COUNTER", ""),
+        ],
         &[
             "XIC(u)CTU(c,2,0);",
             "XIC(d)CTD(c,?,?);",
@@ -219,8 +247,23 @@ fn files() {
 #[test]
 fn zones_and_ends() {
     check(
-        &[("a", "BOOL", ""), ("x", "BOOL", ""), ("y", "BOOL", ""), ("z", "BOOL", ""), ("l", "BOOL", "1")],
-        &["XIC(a)MCR();", "OTE(x);", "OTL(l);", "MCR();", "OTE(y);", "XIC(a)TND();", "AFI()OTE(x);", "OTE(z);"],
+        &[
+            ("a", "BOOL", ""),
+            ("x", "BOOL", ""),
+            ("y", "BOOL", ""),
+            ("z", "BOOL", ""),
+            ("l", "BOOL", "1"),
+        ],
+        &[
+            "XIC(a)MCR();",
+            "OTE(x);",
+            "OTL(l);",
+            "MCR();",
+            "OTE(y);",
+            "XIC(a)TND();",
+            "AFI()OTE(x);",
+            "OTE(z);",
+        ],
         "a\n0\n1\n",
         2,
         "x,y,z,l",
@@ -235,7 +278,12 @@ fn zones_and_ends() {
 fn subroutines_take_and_give_values() {
     let source = whole(
         "",
-        &[("n", "DINT", "4"), ("p", "DINT", ""), ("r", "REAL", ""), ("double", "REAL", "")],
+        &[
+            ("n", "DINT", "4"),
+            ("p", "DINT", ""),
+            ("r", "REAL", ""),
+            ("double", "REAL", ""),
+        ],
         &[
             ("Main", &["JSR(Twice,1,n,double);"]),
             ("Twice", &["SBR(p);", "MUL(p,2,r);", "RET(r);"]),
@@ -264,8 +312,12 @@ const RAMP: &str = r#"<AddOnInstructionDefinitions>
 
 #[test]
 fn add_on_instructions_are_blocks() {
-    let logic = routine("Logic", &["XIC(Up)ONS(once)ADD(Level,Step,Level);", "ADD(Total,Step,Total);"]);
-    let before = format!("{RAMP}{logic}</Routines>\n</AddOnInstructionDefinition>\n</AddOnInstructionDefinitions>\n");
+    let logic = routine(
+        "Logic",
+        &["XIC(Up)ONS(once)ADD(Level,Step,Level);", "ADD(Total,Step,Total);"],
+    );
+    let before =
+        format!("{RAMP}{logic}</Routines>\n</AddOnInstructionDefinition>\n</AddOnInstructionDefinitions>\n");
     let second = "<Structure DataType=\"My_Ramp\"><DataValueMember Name=\"Step\" DataType=\"DINT\" Value=\"5\"/></Structure>";
     let source = whole(
         &before,
@@ -280,7 +332,11 @@ fn add_on_instructions_are_blocks() {
         ],
         &[(
             "Main",
-            &["XIC(on)My_Ramp(r1,a,all,x);", "My_Ramp(r2,a,all,y);", "XIC(a)MOV(10,r1.Step);"],
+            &[
+                "XIC(on)My_Ramp(r1,a,all,x);",
+                "My_Ramp(r2,a,all,y);",
+                "XIC(a)MOV(10,r1.Step);",
+            ],
         )],
     );
     let text = converted(&L5x, source.as_bytes()).written.text;
@@ -327,5 +383,78 @@ fn structures_aliases_and_arrays() {
         m[0].Run,m[2].Run,m[2].Delay.ACC,m[3].Speeds[2],shown
         1,1,0,2.5,2
         1,1,10,2.5,2"#]]
-    .assert_eq(&trace(&text, "go\n1\n", 2, "m[0].Run,m[2].Run,m[2].Delay.ACC,m[3].Speeds[2],shown"));
+    .assert_eq(&trace(
+        &text,
+        "go\n1\n",
+        2,
+        "m[0].Run,m[2].Run,m[2].Delay.ACC,m[3].Speeds[2],shown",
+    ));
+}
+
+#[test]
+fn the_same_from_l5k() {
+    let source = r#"(* an export *)
+IE_VER := 2.19;
+
+CONTROLLER Cell (ProcessorType := "1756-L63",
+                 Major := 20)
+    DATATYPE Motor (FamilyType := NoFamily, Description := "a motor; with (brackets)")
+        SINT ZZZZMotor0 (Hidden := 1);
+        BIT Run ZZZZMotor0 : 0 (Description := "it runs");
+        DINT Speeds[3] (Radix := Decimal);
+        TIMER Delay;
+    END_DATATYPE
+    MODULE Local (Parent := "Local", CatalogNumber := "1756-L63")
+    END_MODULE
+    ADD_ON_INSTRUCTION_DEFINITION Twice (Revision := "1.0")
+        PARAMETERS
+            EnableIn : BOOL (Usage := Input, RADIX := Decimal, Required := No);
+            EnableOut : BOOL (Usage := Output, RADIX := Decimal, Required := No);
+            Value : DINT (Usage := Input, RADIX := Decimal, Required := Yes, Visible := Yes, DefaultData := 0);
+            Double : DINT (Usage := Output, RADIX := Decimal, Required := Yes, Visible := Yes, DefaultData := 0);
+        END_PARAMETERS
+        LOCAL_TAGS
+        END_LOCAL_TAGS
+        ROUTINE Logic
+            N: ADD(Value,Value,Double);
+        END_ROUTINE
+    END_ADD_ON_INSTRUCTION_DEFINITION
+    TAG
+        go OF Local:1:I.Data.3 (Description := "the button");
+        m : Motor (Description := "first := one") := [1,[5,6,7],[0,20,0]];
+        twice : Twice (RADIX := Decimal) := [1,0,0];
+        n : DINT (RADIX := Decimal) := 4;
+        d : DINT[2] := [1,2];
+    END_TAG
+    PROGRAM Main (MAIN := "Begin", MODE := 0)
+        TAG
+        END_TAG
+        ROUTINE Begin
+            RC: "The first rung; it says $Qgo$Q";
+            N: XIC(go)TON(m.Delay,?,?);
+            N: Twice(twice,n,d[1])MOV(m.Speeds[2],n);
+        END_ROUTINE
+        ST_ROUTINE Other
+            'x := 1;
+        END_ST_ROUTINE
+    END_PROGRAM
+    TASK Main (Type := PERIODIC, Rate := 20, Priority := 10)
+        Main;
+    END_TASK
+END_CONTROLLER
+"#;
+    let converted = converted(&ladder_notation_logix::L5k, source.as_bytes());
+    let text = converted.written.text;
+    assert!(text.contains("# ladder: cycle 20ms #"), "{text}");
+    assert!(text.contains("# The first rung; it says \"go\" #"), "{text}");
+    expect![[r#"
+        m.Delay.ACC,m.Run,d[1],n
+        0,0,8,7
+        10,0,14,7"#]]
+    .assert_eq(&trace(&text, "go\n1\n", 2, "m.Delay.ACC,m.Run,d[1],n"));
+    let remarks = converted
+        .report
+        .remarks()
+        .map(|entry| format!("{} {}", entry.place, entry.element));
+    expect!["42:20 routine Other of program Main"].assert_eq(&remarks.collect::<Vec<_>>().join("\n"));
 }
