@@ -10,7 +10,10 @@
 //! are blocks of the same name, which the program brings along: `TON(t,?,?)` is `[$TON]( t )`.
 #![forbid(unsafe_code)]
 
+mod aoi;
 mod blocks;
+mod declarations;
+mod folder;
 mod formula;
 mod l5k;
 mod l5x;
@@ -18,6 +21,7 @@ mod mnemonic;
 mod model;
 mod neutral;
 mod operand;
+mod plan;
 mod scope;
 mod sketch;
 mod slc;

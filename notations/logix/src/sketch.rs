@@ -3,19 +3,19 @@
 //! The main routine is the main program and every other routine a function; of several programs each is a function, and
 //! the main program calls them in the order of their tasks.
 
+use crate::declarations::types;
+use crate::folder::Parts;
 use crate::mnemonic::{Op, instruction};
 use crate::model::{Family, Project, Rung};
 use crate::neutral::{Instruction, Part, instructions};
-use crate::scope::{CONTROLLER, Kind, Tags};
+use crate::plan::Plan;
+use crate::scope::Tags;
 use crate::survey::survey;
 use crate::translate::{Routines, Translator};
-use crate::types::{Ty, Types};
 use crate::unit::{Owner, Unit, units};
 use ladder_analysis::Severity;
 use ladder_format::Circuit;
-use ladder_format::program::{
-    Declaration, Drawing, Element, Item, Network, Qualifier, Section, SectionKind, comment_text,
-};
+use ladder_format::program::{Drawing, Element, Item, Network};
 use ladder_notation::names::Names;
 use ladder_notation::{Finding, LineColumn, Lines, Reading};
 use std::collections::{HashMap, HashSet};
@@ -44,142 +44,102 @@ pub(crate) fn sketch(project: &Project, text: &str) -> Reading {
     reading
 }
 
-/// Which routine is what.
-struct Plan {
-    /// The name of each unit as a function.
-    functions: Vec<String>,
-    /// The routine that is the main program, if one alone is.
-    main: Option<usize>,
-    /// Else the routines that the main program calls, in their order.
-    called: Vec<usize>,
-}
-
-impl Plan {
-    fn of(project: &Project, units: &[Unit<'_>]) -> Plan {
-        let mut names = Names::default();
-        let mut taken: HashSet<String> = HashSet::new();
-        let functions = units.iter().map(|unit| match unit.owner {
-            Owner::Program(program) => {
-                let routine = &unit.routine.name;
-                let name = if taken.insert(routine.to_ascii_uppercase()) {
-                    routine.clone()
-                } else {
-                    format!("{}_{routine}", project.programs[program].name)
-                };
-                names.fresh(&name)
-            }
-            Owner::Aoi(_) => String::new(),
-        });
-        let functions = functions.collect();
-        let mut order: Vec<usize> = Vec::new();
-        let scheduled = project.scheduled.iter().filter_map(|name| {
-            let mut all = project.programs.iter();
-            all.position(|program| program.name.eq_ignore_ascii_case(name))
-        });
-        order.extend(scheduled);
-        // Without tasks, as in the export of a part, all run.
-        if project.scheduled.is_empty() {
-            order.extend(0..project.programs.len());
-        }
-        let called: Vec<usize> = order
-            .into_iter()
-            .flat_map(|program| begun(project, units, program))
-            .collect();
-        match called[..] {
-            [main] => Plan {
-                functions,
-                main: Some(main),
-                called: Vec::new(),
-            },
-            _ => Plan {
-                functions,
-                main: None,
-                called,
-            },
-        }
-    }
-}
-
-/// The routines with which a program begins: its main routine, or in the export of a part all that no other calls.
-fn begun(project: &Project, units: &[Unit<'_>], program: usize) -> Vec<usize> {
-    let own = || {
-        let all = units.iter().enumerate();
-        all.filter(move |(_, unit)| unit.owner == Owner::Program(program))
-    };
-    let main = project.programs[program].main.as_deref();
-    let main = main.and_then(|main| own().find(|(_, unit)| unit.routine.name.eq_ignore_ascii_case(main)));
-    if let Some((main, _)) = main {
-        return vec![main];
-    }
-    let mut called: HashSet<String> = HashSet::new();
-    for (_, unit) in own() {
-        for parts in unit.rungs.iter().filter_map(|rung| rung.as_ref().ok()) {
-            instructions(parts, &mut |it| {
-                if instruction(it.name, it.operands.len()) == Some(Op::Jsr) {
-                    called.extend(it.operands.first().map(|name| name.to_ascii_uppercase()));
-                }
-            });
-        }
-    }
-    let is_begun =
-        |unit: &Unit<'_>| !called.contains(&unit.routine.name.to_ascii_uppercase()) && !unit.rungs.is_empty();
-    own()
-        .filter(|(_, unit)| is_begun(unit))
-        .map(|(number, _)| number)
-        .collect()
-}
-
-struct Sketcher<'p> {
-    translator: Translator<'p>,
+/// Makes the sketch.
+pub(crate) struct Sketcher<'p> {
+    pub(crate) translator: Translator<'p>,
     lines: Lines,
     text: &'p str,
-    units: &'p [Unit<'p>],
-    reading: Reading,
+    pub(crate) units: &'p [Unit<'p>],
+    pub(crate) reading: Reading,
 }
 
 impl<'p> Sketcher<'p> {
-    fn place(&self, at: usize) -> LineColumn {
+    pub(crate) fn place(&self, at: usize) -> LineColumn {
         self.lines.place(self.text, at)
     }
 
-    fn origin(&mut self, at: usize) -> u32 {
+    pub(crate) fn origin(&mut self, at: usize) -> u32 {
         let place = self.place(at);
         self.reading.origin(place)
     }
 
     fn program(&mut self, plan: &Plan) {
         let project = self.translator.project;
-        let mut body = Vec::new();
-        if let Some(main) = plan.main {
-            body.extend(self.unit(main));
-        }
-        for &called in &plan.called {
-            let block = Circuit::Element(Element::block(
-                format!("<CALL>( {} )", plan.functions[called]),
-                None,
-            ));
-            body.extend([Item::Blank, network(Vec::new(), block)]);
-        }
+        let main = plan.main.map(|main| self.unit(main)).unwrap_or_default();
+        let calls = plan.called.iter().flat_map(|called| {
+            let block = Element::block(format!("<CALL>( {} )", plan.functions[*called]), None);
+            [Item::Blank, network(Vec::new(), Circuit::Element(block))]
+        });
+        let calls: Vec<Item> = calls.collect();
+        let mut functions: Vec<(usize, Vec<Item>)> = Vec::new();
         for (number, function) in plan.functions.iter().enumerate() {
             let unit = &self.units[number];
-            if plan.main == Some(number) || matches!(unit.owner, Owner::Aoi(_)) {
-                continue;
+            if plan.main != Some(number)
+                && let Owner::Program(program) = unit.owner
+            {
+                functions.push((program, self.function(number, function)));
             }
-            let comments = unit.routine.comment.iter().cloned();
-            let origin = self.origin(unit.routine.at);
-            let begin = Circuit::Element(Element::block(format!("<FUN>( {function} )"), Some(origin)));
-            body.extend([Item::Blank, network(comments.collect(), begin)]);
-            body.extend(self.unit(number));
         }
-        let aois: Vec<Item> = (0..project.aois.len()).flat_map(|aoi| self.aoi(aoi)).collect();
+        let aois = (0..project.aois.len()).flat_map(|aoi| self.aoi(aoi));
+        let mut blocks: Vec<Item> = aois.collect();
+        blocks.extend(self.translator.blocks.items());
+        let types = types(&self.translator.tags.types, &self.translator.aoi_names);
+        let parts = Parts {
+            types: types.into_iter().collect(),
+            begin: main.into_iter().chain(calls).collect(),
+            functions,
+            blocks,
+        };
         let mut items = self.head();
-        items.extend(types(&self.translator.tags.types, &self.translator.aoi_names));
-        items.extend(self.declarations());
-        items.append(&mut body);
-        items.extend(aois);
-        items.extend(self.translator.blocks.items());
+        items.extend(parts.types.iter().cloned());
+        items.extend(self.declarations(|_| true));
+        items.extend(parts.begin.iter().cloned());
+        items.extend(parts.functions.iter().flat_map(|(_, items)| items.clone()));
+        items.extend(parts.blocks.iter().cloned());
         self.reading.program.items = items;
+        if project.programs.len() > 1 {
+            self.reading.files = self.files(parts);
+        }
+        self.idle_programs(plan);
         self.accounts();
+    }
+
+    /// A routine as a function.
+    fn function(&mut self, number: usize, function: &str) -> Vec<Item> {
+        let routine = self.units[number].routine;
+        let origin = self.origin(routine.at);
+        let begin = Element::block(format!("<FUN>( {function} )"), Some(origin));
+        let comments = routine.comment.iter().cloned().collect();
+        let mut items = vec![Item::Blank, network(comments, Circuit::Element(begin))];
+        items.extend(self.unit(number));
+        items
+    }
+
+    /// Programs that no task runs.
+    fn idle_programs(&mut self, plan: &Plan) {
+        let project = self.translator.project;
+        for (number, program) in project.programs.iter().enumerate() {
+            let own = |unit: &usize| self.units[*unit].owner == Owner::Program(number);
+            let has_rungs = self
+                .units
+                .iter()
+                .any(|unit| unit.owner == Owner::Program(number) && !unit.rungs.is_empty());
+            if has_rungs && !plan.called.iter().chain(&plan.main).any(own) {
+                let place = self.place(program.at);
+                let what = format!("program {}", program.name);
+                let why = "no task runs its main routine: its routines are functions that nothing calls";
+                self.reading.report.approximated(place, what, why);
+            }
+        }
+    }
+
+    /// How long a scan is.
+    pub(crate) fn cycle(&self) -> Vec<Item> {
+        let rate = self.translator.project.rate.as_deref();
+        let rate = rate.filter(|rate| rate.parse::<u32>().is_ok_and(|rate| rate > 0));
+        rate.map(|rate| Item::Directive(format!("cycle {rate}ms")))
+            .into_iter()
+            .collect()
     }
 
     /// What the tools are told, and what the program is.
@@ -188,13 +148,8 @@ impl<'p> Sketcher<'p> {
         let mut items = Vec::new();
         let mut tell = |said: &str| items.push(Item::Directive(said.to_owned()));
         tell("profile logix");
-        if let Some(rate) = project
-            .rate
-            .as_deref()
-            .filter(|rate| rate.parse::<u32>().is_ok_and(|rate| rate > 0))
-        {
-            tell(&format!("cycle {rate}ms"));
-        }
+        items.extend(self.cycle());
+        let mut tell = |said: &str| items.push(Item::Directive(said.to_owned()));
         for (rule, why) in [
             (
                 "never-written",
@@ -221,146 +176,8 @@ impl<'p> Sketcher<'p> {
         items
     }
 
-    /// The sections of the file.
-    fn declarations(&mut self) -> Vec<Item> {
-        let bodies = CONTROLLER + self.translator.project.programs.len();
-        let mut items = Vec::new();
-        let sections = [
-            (Kind::Input, SectionKind::VarInput, None),
-            (Kind::Output, SectionKind::VarOutput, None),
-            (Kind::Plain, SectionKind::Var, None),
-            (Kind::Constant, SectionKind::Var, Some(Qualifier::Constant)),
-        ];
-        for (kind, section, qualifier) in sections {
-            let declarations = self.declared(kind, |scope| scope <= bodies);
-            if !declarations.is_empty() {
-                let mut section = Section::new(section);
-                section.qualifier = qualifier;
-                section.declarations = declarations;
-                items.extend([Item::Blank, Item::Section(section)]);
-            }
-        }
-        items
-    }
-
-    fn declared(&mut self, kind: Kind, of: impl Fn(usize) -> bool) -> Vec<Declaration> {
-        let tags = &self.translator.tags;
-        let own = tags
-            .symbols
-            .iter()
-            .filter(|symbol| symbol.kind == kind && of(symbol.scope));
-        let mut places: Vec<(usize, Option<usize>)> = Vec::new();
-        let mut declarations = Vec::new();
-        for symbol in own {
-            let mut declaration = Declaration::new(&symbol.name, self.type_text(&symbol.ty));
-            let value = symbol.value.as_ref();
-            declaration.initial = value.and_then(|value| value.text(&symbol.ty, &tags.types));
-            declaration.comment = symbol
-                .comment
-                .as_ref()
-                .map(|text| text.replace(['\n', '\r'], " "));
-            places.push((declarations.len(), symbol.at));
-            declarations.push(declaration);
-        }
-        for (number, at) in places {
-            if let Some(at) = at {
-                declarations[number].origin = Some(self.origin(at));
-            }
-        }
-        declarations
-    }
-
-    fn type_text(&self, ty: &Ty) -> String {
-        type_text(&self.translator.tags.types, &self.translator.aoi_names, ty)
-    }
-
-    /// An Add-On Instruction as a block.
-    fn aoi(&mut self, aoi: usize) -> Vec<Item> {
-        let project = self.translator.project;
-        let definition = &project.aois[aoi];
-        let scope = 1 + project.programs.len() + aoi;
-        let name = self.translator.aoi_names[aoi].clone();
-        let mut body = Vec::new();
-        let routine = |name: &str| {
-            let mut all = self.units.iter();
-            all.position(|unit| unit.owner == Owner::Aoi(aoi) && unit.routine.name.eq_ignore_ascii_case(name))
-        };
-        let (logic, when_off) = (routine("Logic"), routine("EnableInFalse"));
-        // With dead power nothing of it runs, but what it has for that.
-        let alone = |text: &str| Circuit::Element(Element::block(text, None));
-        match when_off.filter(|unit| !self.units[*unit].rungs.is_empty()) {
-            Some(unit) => {
-                let label = self.translator.tags.fresh(scope, "logic");
-                let jump = vec![alone("[ ]( EN )"), alone(&format!("<JMP>( {label} )"))];
-                body.push(network(Vec::new(), Circuit::Series(jump)));
-                body.extend(self.unit(unit));
-                let end = network(Vec::new(), alone("<RET>"));
-                body.extend([Item::Blank, end, Item::Blank]);
-                body.push(network(Vec::new(), alone(&format!("<LBL>( {label} )"))));
-            }
-            None => {
-                let leave = vec![alone("[/]( EN )"), alone("<RET>")];
-                body.push(network(Vec::new(), Circuit::Series(leave)));
-            }
-        }
-        if let Some(logic) = logic {
-            body.extend(self.unit(logic));
-        }
-        let place = self.place(definition.at);
-        for unit in self.units.iter().filter(|unit| unit.owner == Owner::Aoi(aoi)) {
-            let own = unit.routine;
-            let runs = matches!(own.name.to_ascii_uppercase().as_str(), "LOGIC" | "ENABLEINFALSE");
-            if !runs && !own.rungs.is_empty() {
-                let place = self.place(own.at);
-                let what = format!("routine {} of {}", own.name, definition.name);
-                self.reading
-                    .report
-                    .approximated(place, what, "it is not run here: there is no such phase");
-            }
-        }
-        let mut items = vec![Item::Blank];
-        let said = definition.comment.as_deref().unwrap_or_default();
-        let title = format!("Add-On Instruction {}\n{said}", definition.name);
-        items.push(Item::Comment(title.trim().to_owned()));
-        let mut inner = Vec::new();
-        let sections = [
-            (Kind::Input, SectionKind::VarInput, None),
-            (Kind::InOut, SectionKind::VarInOut, None),
-            (Kind::Output, SectionKind::VarOutput, None),
-            (Kind::Plain, SectionKind::Var, None),
-            (Kind::Constant, SectionKind::Var, Some(Qualifier::Constant)),
-        ];
-        for (kind, section, qualifier) in sections {
-            let mut section = Section::new(section);
-            section.qualifier = qualifier;
-            section.declarations = self.declared(kind, |of| of == scope);
-            if kind == Kind::Input {
-                // What a call need not give has a value of its own.
-                for declaration in &mut section.declarations {
-                    let default = if declaration.ty == "BOOL" { "FALSE" } else { "0" };
-                    let elementary = !declaration.ty.starts_with(['A', 'S', '$']) || declaration.ty == "SINT";
-                    if declaration.initial.is_none() && elementary {
-                        let real = matches!(declaration.ty.as_str(), "REAL" | "LREAL");
-                        declaration.initial = Some(if real { "0.0" } else { default }.to_owned());
-                    }
-                }
-            }
-            inner.push(Item::Section(section));
-        }
-        inner.push(Item::Blank);
-        inner.append(&mut body);
-        self.reading
-            .report
-            .translated(place, format!("Add-On Instruction {}", definition.name));
-        items.push(Item::Block {
-            header: format!("[{name}]"),
-            items: inner,
-        });
-        items
-    }
-
     /// The rungs of a routine.
-    fn unit(&mut self, number: usize) -> Vec<Item> {
+    pub(crate) fn unit(&mut self, number: usize) -> Vec<Item> {
         let unit = &self.units[number];
         self.translator.labels = labels(unit);
         self.translator.routine.clone_from(&unit.routine.name);
@@ -441,12 +258,9 @@ impl<'p> Sketcher<'p> {
                 Circuit::Element(Element::comment(it.text, Some(origin)))
             }
             Err(why) => {
-                self.inert(
-                    place,
-                    it.text,
-                    &format!("{why}; it does nothing here, and power passes"),
-                );
-                Circuit::Element(Element::comment(it.text, Some(origin)))
+                let message = format!("{why}: it does nothing, and power passes");
+                self.inert(place, it.text, &message);
+                Circuit::Element(Element::block(self.translator.idle(it), Some(origin)))
             }
         }
     }
@@ -458,7 +272,7 @@ impl<'p> Sketcher<'p> {
             place,
             severity: Severity::Info,
             check: INERT,
-            message: format!("`{}`: {message}", shortened(what)),
+            message: message.to_owned(),
         });
     }
 
@@ -471,7 +285,7 @@ impl<'p> Sketcher<'p> {
         }
         for (at, what, why) in self.translator.tags.unknown.clone() {
             let place = self.place(at);
-            self.inert(place, &what, &format!("{why}: it is not declared here"));
+            self.inert(place, &what, &format!("{why}; the tag is not there"));
         }
         let tags = std::iter::once(&project.tags).chain(project.programs.iter().map(|program| &program.tags));
         let tags: Vec<(usize, String)> = tags
@@ -507,7 +321,8 @@ fn shortened(text: &str) -> String {
     }
 }
 
-fn network(comments: Vec<String>, circuit: Circuit<Element>) -> Item {
+/// A network from the left rail to the right one.
+pub(crate) fn network(comments: Vec<String>, circuit: Circuit<Element>) -> Item {
     let drawing = Drawing::Circuit(Circuit::Series(vec![circuit]));
     Item::Network(Network { comments, drawing })
 }
@@ -527,48 +342,4 @@ fn labels(unit: &Unit<'_>) -> HashMap<String, String> {
         });
     }
     labels
-}
-
-fn type_text(types: &Types, aois: &[String], ty: &Ty) -> String {
-    match ty {
-        Ty::Elem(elem) => elem.text(),
-        Ty::Structure(index) => types.all[*index].name.clone(),
-        Ty::Aoi(index) => aois[*index].clone(),
-        Ty::Array(ty, sizes) => {
-            let bounds: Vec<String> = sizes.iter().map(|size| format!("0..{}", size - 1)).collect();
-            format!("ARRAY[{}] OF {}", bounds.join(", "), type_text(types, aois, ty))
-        }
-    }
-}
-
-/// The types that declared tags have.
-fn types(types: &Types, aois: &[String]) -> Option<Item> {
-    let mut text = String::new();
-    for structure in types.all.iter().filter(|structure| structure.used) {
-        if let Some(comment) = &structure.comment {
-            for line in comment_text(comment)
-                .lines()
-                .filter(|line| !line.trim().is_empty())
-            {
-                text.push_str(&format!("    # {} #\n", line.trim()));
-            }
-        }
-        text.push_str(&format!("    {} : STRUCT\n", structure.name));
-        for field in &structure.members {
-            text.push_str(&format!(
-                "        {} : {};",
-                field.name,
-                type_text(types, aois, &field.ty)
-            ));
-            if let Some(comment) = &field.comment {
-                text.push_str(&format!("  # {} #", comment_text(comment).replace('\n', " ")));
-            }
-            text.push('\n');
-        }
-        if structure.original == "TIMER" {
-            text.push_str("        LAST : TIME;  # when the time was last counted #\n");
-        }
-        text.push_str("    END_STRUCT;\n");
-    }
-    (!text.is_empty()).then(|| Item::Text(format!("\nTYPE\n{text}END_TYPE")))
 }

@@ -82,6 +82,13 @@ impl<'p> Translator<'p> {
         })
     }
 
+    /// The block that stands for an instruction without a counterpart.
+    pub(crate) fn idle(&mut self, it: &Instruction<'_>) -> String {
+        let names = &self.aoi_names;
+        let taken = |word: &str| names.iter().any(|name| name[1..].eq_ignore_ascii_case(word));
+        self.blocks.idle(it.name, &it.operands, taken)
+    }
+
     /// Whether it is an instruction that has a counterpart, with another number of operands.
     pub(crate) fn is_broken(it: &Instruction<'_>) -> bool {
         is_known(it.name) && instruction(it.name, it.operands.len()).is_none()
@@ -96,7 +103,7 @@ impl<'p> Translator<'p> {
             return Err(if is_known(it.name) {
                 format!("{} does not have {} operands", it.name, operands.len())
             } else {
-                "the instruction has no counterpart here".to_owned()
+                format!("{} has no counterpart here", it.name)
             });
         };
         match op {

@@ -1,7 +1,9 @@
 //! Programs of Logix and RSLogix 500: what they become, and how that runs.
 
+mod broken;
 mod cases;
 mod exports;
 mod files;
 mod instructions;
+mod projects;
 mod run;

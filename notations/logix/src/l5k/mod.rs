@@ -8,8 +8,14 @@
 //! END_CONTROLLER
 //! ```
 
-use crate::model::{Aoi, DataType, Member, Program, Project, Raw, Routine, Rung, Tag, Usage};
+mod statement;
+mod value;
+
+pub(crate) use value::value;
+
+use crate::model::{Aoi, DataType, Member, Program, Project, Routine, Rung, Tag};
 use ladder_notation::{Lines, ReadError};
+use statement::{Attributes, sizes, tag, unquoted, with_attributes};
 
 /// Whether a text is such an export.
 pub(crate) fn recognises(text: &str) -> bool {
@@ -396,193 +402,5 @@ impl<'t> Reader<'t> {
             Ok(true)
         })?;
         Ok(routine)
-    }
-}
-
-/// `name := value`, one after the other.
-struct Attributes<'t>(Vec<(&'t str, &'t str)>);
-
-impl<'t> Attributes<'t> {
-    fn of(text: &'t str) -> Attributes<'t> {
-        let parts = parts(text, ',');
-        let pairs = parts.into_iter().filter_map(|part| part.split_once(":="));
-        Attributes(pairs.map(|(name, value)| (name.trim(), value.trim())).collect())
-    }
-
-    fn text(&self, name: &str) -> String {
-        let found = self.0.iter().find(|(own, _)| own.eq_ignore_ascii_case(name));
-        found.map(|(_, value)| unquoted(value)).unwrap_or_default()
-    }
-
-    fn said(&self) -> Option<String> {
-        Some(self.text("Description")).filter(|said| !said.is_empty())
-    }
-}
-
-/// A text without its quotes and their escapes.
-fn unquoted(text: &str) -> String {
-    let inside = text.trim().trim_matches('"');
-    inside
-        .replace("$N", "\n")
-        .replace("$Q", "\"")
-        .replace("$\"", "\"")
-        .replace("$'", "'")
-}
-
-/// What a character parts at the outermost level.
-fn parts(text: &str, at: char) -> Vec<&str> {
-    let mut out = Vec::new();
-    let (mut start, mut open, mut quote, mut escaped) = (0, 0usize, None, false);
-    for (offset, c) in text.char_indices() {
-        match (quote, c) {
-            (Some(_), _) if escaped => escaped = false,
-            (Some(_), '$') => escaped = true,
-            (Some(mark), c) if c == mark => quote = None,
-            (Some(_), _) => {}
-            (None, '"' | '\'') => quote = Some(c),
-            (None, '(' | '[') => open += 1,
-            (None, ')' | ']') => open = open.saturating_sub(1),
-            (None, c) if c == at && open == 0 => {
-                out.push(&text[start..offset]);
-                start = offset + c.len_utf8();
-            }
-            _ => {}
-        }
-    }
-    out.push(&text[start..]);
-    out
-}
-
-/// A statement and the attributes in it.
-fn with_attributes(text: &str) -> (&str, Attributes<'_>) {
-    match text.split_once('(') {
-        Some((before, after)) => {
-            let inside = parts(after, ')');
-            (
-                before.trim(),
-                Attributes::of(inside.first().copied().unwrap_or_default()),
-            )
-        }
-        None => (text, Attributes(Vec::new())),
-    }
-}
-
-/// `name[3,5]`
-fn sizes(text: &str) -> (&str, Vec<u32>) {
-    match text.split_once('[') {
-        Some((name, sizes)) => {
-            let sizes = sizes.trim_end_matches(']').split(',');
-            (
-                name.trim(),
-                sizes
-                    .filter_map(|size| size.trim().parse().ok())
-                    .filter(|size| *size > 0)
-                    .collect(),
-            )
-        }
-        None => (text.trim(), Vec::new()),
-    }
-}
-
-/// `t : TIMER (RADIX := Decimal) := [0,1000,0]`, `go OF Local:1:I.Data.3`
-fn tag(at: usize, text: &str) -> Tag {
-    let (head, attributes) = with_attributes(text);
-    let usage = match attributes.text("Usage").as_str() {
-        "Input" => Usage::Input,
-        "Output" => Usage::Output,
-        "InOut" => Usage::InOut,
-        _ => Usage::Local,
-    };
-    let mut tag = Tag {
-        at,
-        usage,
-        required: attributes.text("Required").eq_ignore_ascii_case("Yes"),
-        constant: matches!(attributes.text("Constant").as_str(), "1" | "Yes"),
-        comment: attributes.said(),
-        ..Tag::default()
-    };
-    let mut words = head.split_whitespace();
-    let (name, second) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
-    if second == "OF" {
-        tag.name = name.to_owned();
-        tag.alias = words.next().map(str::to_owned);
-        return tag;
-    }
-    // The value is after the attributes, or right after the type.
-    let value = match text.rsplit_once(") :=") {
-        Some((_, value)) => Some(value),
-        None => parts(head, '=').get(1).copied(),
-    };
-    let given = attributes.text("DefaultData");
-    let value = value
-        .map(str::trim)
-        .or((!given.is_empty()).then_some(given.as_str()));
-    tag.value = value.and_then(self::value);
-    let head = head.split(":=").next().unwrap_or_default();
-    let (name, ty) = head
-        .split_once(" : ")
-        .or_else(|| head.rsplit_once(':'))
-        .unwrap_or((head, ""));
-    let (ty, dimensions) = sizes(ty.trim());
-    tag.name = name.trim().to_owned();
-    tag.ty = ty.to_owned();
-    tag.dimensions = dimensions;
-    tag
-}
-
-/// A value as L5K writes it: `[0,1000,[1,2],'text']`.
-pub(crate) fn value(text: &str) -> Option<Raw> {
-    let mut reader = Values {
-        rest: text.trim(),
-        depth: 0,
-    };
-    let value = reader.value()?;
-    reader.rest.trim().is_empty().then_some(value)
-}
-
-struct Values<'t> {
-    rest: &'t str,
-    depth: usize,
-}
-
-/// Values nest no deeper.
-const DEEPEST: usize = 40;
-
-impl Values<'_> {
-    fn value(&mut self) -> Option<Raw> {
-        self.rest = self.rest.trim_start();
-        if let Some(rest) = self.rest.strip_prefix('[') {
-            self.depth += 1;
-            if self.depth > DEEPEST {
-                return None;
-            }
-            self.rest = rest;
-            let mut values = Vec::new();
-            loop {
-                values.push(self.value()?);
-                self.rest = self.rest.trim_start();
-                if let Some(rest) = self.rest.strip_prefix(',') {
-                    self.rest = rest;
-                    continue;
-                }
-                self.rest = self.rest.strip_prefix(']')?;
-                self.depth -= 1;
-                return Some(Raw::List(values));
-            }
-        }
-        let end = if self.rest.starts_with('\'') {
-            let mut escaped = false;
-            let inner = self.rest.char_indices().skip(1).find(|(_, c)| {
-                let ends = *c == '\'' && !escaped;
-                escaped = *c == '$' && !escaped;
-                ends
-            });
-            inner?.0 + 1
-        } else {
-            self.rest.find([',', ']']).unwrap_or(self.rest.len())
-        };
-        let (text, rest) = self.rest.split_at(end);
-        self.rest = rest;
-        Some(Raw::Scalar(String::new(), text.trim().to_owned()))
     }
 }

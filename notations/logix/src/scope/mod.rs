@@ -1,0 +1,368 @@
+//! The tags of a project in their scopes: how ladder text spells them, and what they are.
+
+mod place;
+
+pub(crate) use place::Place;
+
+use crate::mnemonic::Role;
+use crate::model::{Project, Raw, Tag, Usage};
+use crate::operand::{Expr, Path, parse};
+use crate::types::{Elem, Ty, Types};
+use crate::values::Value;
+use ladder_notation::names::Names;
+use std::collections::{HashMap, HashSet};
+
+/// A declared tag.
+#[derive(Debug, Clone)]
+pub(crate) struct Symbol {
+    pub(crate) name: String,
+    pub(crate) original: String,
+    pub(crate) scope: usize,
+    pub(crate) ty: Ty,
+    pub(crate) value: Option<Value>,
+    pub(crate) kind: Kind,
+    /// A call must give it.
+    pub(crate) required: bool,
+    /// Another program uses it.
+    pub(crate) shared: bool,
+    pub(crate) comment: Option<String>,
+    /// Where the file declares it, if it does.
+    pub(crate) at: Option<usize>,
+}
+
+impl Symbol {
+    /// One without a value and a name.
+    fn new(scope: usize, original: &str, ty: Ty) -> Symbol {
+        Symbol {
+            name: String::new(),
+            original: original.to_owned(),
+            scope,
+            ty,
+            value: None,
+            kind: Kind::Plain,
+            required: false,
+            shared: false,
+            comment: None,
+            at: None,
+        }
+    }
+
+    /// The scope whose declarations it is among: what several programs use is the controller's.
+    pub(crate) fn declared_in(&self) -> usize {
+        if self.shared { CONTROLLER } else { self.scope }
+    }
+}
+
+/// The section that a tag is declared in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Plain,
+    Constant,
+    Input,
+    Output,
+    InOut,
+}
+
+#[derive(Debug, Clone)]
+enum Entry {
+    Symbol(usize),
+    Alias(Path),
+    /// A tag that cannot be here, and why.
+    Opaque(String),
+}
+
+/// What sees the same tags.
+#[derive(Debug, Default)]
+struct Scope {
+    /// `program Main`
+    title: String,
+    entries: HashMap<String, Entry>,
+    parent: Option<usize>,
+    /// The names of an Add-On Instruction; others share those of the file.
+    own_names: Option<Names>,
+}
+
+/// The scope of the controller; the programs' follow, after them those of the Add-On Instructions.
+pub(crate) const CONTROLLER: usize = 0;
+
+/// All tags.
+#[derive(Debug)]
+pub(crate) struct Tags {
+    pub(crate) types: Types,
+    pub(crate) symbols: Vec<Symbol>,
+    scopes: Vec<Scope>,
+    names: Names,
+    /// Inputs of instances that the program uses from outside: the tag that a call passes.
+    pub(crate) passed: HashMap<(String, usize), usize>,
+    /// Tags that are not declared: place, element, reason.
+    pub(crate) unknown: Vec<(usize, String, String)>,
+    /// Instances of Add-On Instructions with what the file says of their inputs.
+    instances: Vec<(usize, Raw)>,
+    /// Names that tags of several scopes have, in capitals.
+    ambiguous: HashSet<String>,
+}
+
+impl Tags {
+    pub(crate) fn of(project: &Project) -> Tags {
+        let mut tags = Tags {
+            types: Types::of(project),
+            symbols: Vec::new(),
+            scopes: Vec::new(),
+            names: Names::default(),
+            passed: HashMap::new(),
+            unknown: Vec::new(),
+            instances: Vec::new(),
+            ambiguous: ambiguous(project),
+        };
+        tags.scopes.push(Scope {
+            title: "the controller".to_owned(),
+            ..Scope::default()
+        });
+        for program in &project.programs {
+            tags.scopes.push(Scope {
+                title: format!("program {}", program.name),
+                parent: Some(CONTROLLER),
+                ..Scope::default()
+            });
+        }
+        for aoi in &project.aois {
+            tags.scopes.push(Scope {
+                title: format!("Add-On Instruction {}", aoi.name),
+                own_names: Some(Names::default()),
+                ..Scope::default()
+            });
+        }
+        tags.declare_all(CONTROLLER, &project.tags);
+        for (number, program) in project.programs.iter().enumerate() {
+            tags.declare_all(1 + number, &program.tags);
+        }
+        for (number, aoi) in project.aois.iter().enumerate() {
+            let scope = 1 + project.programs.len() + number;
+            tags.declare_all(scope, &aoi.parameters);
+            tags.declare_all(scope, &aoi.locals);
+        }
+        for (symbol, raw) in std::mem::take(&mut tags.instances) {
+            tags.inputs_of(symbol, &raw);
+        }
+        tags
+    }
+
+    fn declare_all(&mut self, scope: usize, tags: &[Tag]) {
+        for tag in tags {
+            self.declare(scope, tag);
+        }
+    }
+
+    fn declare(&mut self, scope: usize, tag: &Tag) {
+        let key = tag.name.to_ascii_uppercase();
+        let in_body = self.scopes[scope].own_names.is_some();
+        if in_body && matches!(key.as_str(), "ENABLEIN" | "ENABLEOUT") {
+            return;
+        }
+        if let Some(target) = &tag.alias {
+            let entry = match parse(target) {
+                Ok(Expr::Path(path)) => Entry::Alias(path),
+                _ => Entry::Opaque(format!("it is an alias for `{target}`, which is no tag")),
+            };
+            self.scopes[scope].entries.insert(key, entry);
+            return;
+        }
+        let Some(ty) = self.types.of_tag(tag) else {
+            let why = format!("its type {} is not declared in the file", tag.ty);
+            self.unknown
+                .push((tag.at, format!("tag {}", tag.name), why.clone()));
+            self.scopes[scope].entries.insert(key, Entry::Opaque(why));
+            return;
+        };
+        let value = tag
+            .value
+            .as_ref()
+            .and_then(|raw| Value::of(raw, &ty, &self.types));
+        let kind = match tag.usage {
+            Usage::Input if in_body => Kind::Input,
+            Usage::Output if in_body => Kind::Output,
+            Usage::InOut if in_body => Kind::InOut,
+            _ if tag.constant => Kind::Constant,
+            _ if tag.name.ends_with(":I") => Kind::Input,
+            _ if tag.name.ends_with(":O") => Kind::Output,
+            _ => Kind::Plain,
+        };
+        let is_instance = matches!(ty, Ty::Aoi(_));
+        let symbol = self.add(Symbol {
+            value,
+            kind,
+            required: tag.required,
+            comment: tag.comment.clone(),
+            at: Some(tag.at),
+            ..Symbol::new(scope, &tag.name, ty)
+        });
+        if is_instance {
+            let raw = tag.value.clone();
+            self.instances.extend(raw.map(|raw| (symbol, raw)));
+        }
+    }
+
+    /// Inputs of an instance that no call gives and that have another value than in other instances.
+    fn inputs_of(&mut self, instance: usize, raw: &Raw) {
+        let own = self.symbols[instance].clone();
+        let (Ty::Aoi(aoi), Raw::Structure(_, members)) = (&own.ty, raw) else {
+            return;
+        };
+        let scope = self.scopes.len() - self.aois() + aoi;
+        for (name, raw) in members {
+            let Some(symbol) = self.parameter_symbol(scope, name) else {
+                continue;
+            };
+            let parameter = &self.symbols[symbol];
+            let value = Value::of(raw, &parameter.ty, &self.types);
+            if parameter.kind == Kind::Input && !parameter.required && value != parameter.value {
+                self.pass(own.scope, &own.name, symbol);
+                if let Some(passed) = self.passed.get(&(own.name.clone(), symbol)) {
+                    self.symbols[*passed].value = value;
+                }
+            }
+        }
+    }
+
+    /// Declares a tag, under a name of its own.
+    fn add(&mut self, mut symbol: Symbol) -> usize {
+        let title = &self.scopes[symbol.scope].title;
+        let like = match title.strip_prefix("program ") {
+            Some(program) if self.ambiguous.contains(&symbol.original.to_ascii_uppercase()) => {
+                format!("{program}_{}", symbol.original)
+            }
+            _ => symbol.original.clone(),
+        };
+        symbol.name = self.fresh(symbol.scope, &like);
+        if symbol.name != symbol.original {
+            let comment = symbol
+                .comment
+                .take()
+                .map_or_else(String::new, |said| format!(": {said}"));
+            symbol.comment = Some(format!("{}{comment}", symbol.original));
+        }
+        self.types.keep(&symbol.ty);
+        let key = symbol.original.to_ascii_uppercase();
+        let number = self.symbols.len();
+        self.scopes[symbol.scope]
+            .entries
+            .insert(key, Entry::Symbol(number));
+        self.symbols.push(symbol);
+        number
+    }
+
+    /// A name that nothing in the scope has.
+    pub(crate) fn fresh(&mut self, scope: usize, like: &str) -> String {
+        match &mut self.scopes[scope].own_names {
+            Some(names) => names.fresh(like),
+            None => self.names.fresh(like),
+        }
+    }
+
+    /// Declares a tag that the translation needs.
+    pub(crate) fn helper(&mut self, scope: usize, like: &str, elem: Elem, comment: &str) -> String {
+        let name = self.fresh(scope, like);
+        let number = self.symbols.len();
+        self.symbols.push(Symbol {
+            name: name.clone(),
+            comment: Some(comment.to_owned()),
+            ..Symbol::new(scope, "", Ty::Elem(elem))
+        });
+        let entries = &mut self.scopes[scope].entries;
+        entries
+            .entry(name.to_ascii_uppercase())
+            .or_insert(Entry::Symbol(number));
+        name
+    }
+
+    /// What an operand is known as, in a scope or one around it.
+    fn entry(&self, scope: usize, key: &str) -> Option<(usize, &Entry)> {
+        let mut next = Some(scope);
+        while let Some(scope) = next {
+            if let Some(entry) = self.scopes[scope].entries.get(key) {
+                return Some((scope, entry));
+            }
+            next = self.scopes[scope].parent;
+        }
+        None
+    }
+
+    /// Declares what is nowhere declared, where its first use shows what it is.
+    pub(crate) fn declare_by_use(&mut self, scope: usize, path: &Path, role: Role) {
+        let standard = match role {
+            Role::Timer => "TIMER",
+            Role::Counter => "COUNTER",
+            Role::Control => "CONTROL",
+            _ => return,
+        };
+        let key = path.root.to_ascii_uppercase();
+        let in_body = self.scopes[scope].own_names.is_some();
+        if path.steps.is_empty() && !in_body && self.entry(scope, &key).is_none() {
+            if let Some(ty) = self.types.named(standard, &[]) {
+                self.undeclared(&path.root, ty);
+            }
+        }
+    }
+
+    fn undeclared(&mut self, original: &str, ty: Ty) -> usize {
+        let kind = match original {
+            name if name.contains(":I") || name.starts_with("I:") => Kind::Input,
+            name if name.contains(":O") || name.starts_with("O:") => Kind::Output,
+            _ => Kind::Plain,
+        };
+        self.add(Symbol {
+            kind,
+            ..Symbol::new(CONTROLLER, original, ty)
+        })
+    }
+
+    fn aois(&self) -> usize {
+        self.scopes
+            .iter()
+            .filter(|scope| scope.own_names.is_some())
+            .count()
+    }
+
+    /// Makes a tag for an input of an instance.
+    pub(crate) fn pass(&mut self, scope: usize, instance: &str, parameter: usize) {
+        let key = (instance.to_owned(), parameter);
+        if self.passed.contains_key(&key) || instance.contains('[') {
+            return;
+        }
+        let own = self.symbols[parameter].clone();
+        let scope = if self.scopes[scope].own_names.is_some() {
+            scope
+        } else {
+            CONTROLLER
+        };
+        let like = format!("{}_{}", instance.replace('.', "_"), own.name);
+        let name = self.fresh(scope, &like);
+        self.symbols.push(Symbol {
+            name,
+            original: String::new(),
+            scope,
+            kind: Kind::Plain,
+            comment: Some(format!("input {} of {instance}", own.original)),
+            at: None,
+            ..own
+        });
+        self.passed.insert(key, self.symbols.len() - 1);
+    }
+
+    /// The tag of an input or output parameter, by the number of its Add-On Instruction.
+    pub(crate) fn parameter_symbol(&self, scope: usize, name: &str) -> Option<usize> {
+        match self.scopes[scope].entries.get(&name.to_ascii_uppercase()) {
+            Some(Entry::Symbol(symbol)) => Some(*symbol),
+            _ => None,
+        }
+    }
+}
+
+/// The names that tags of several scopes have, in capitals.
+fn ambiguous(project: &Project) -> HashSet<String> {
+    let programs = project.programs.iter().map(|program| &program.tags);
+    let mut once = HashSet::new();
+    let all = std::iter::once(&project.tags).chain(programs).flatten();
+    let keys = all.map(|tag| tag.name.to_ascii_uppercase());
+    keys.filter(|key| !once.insert(key.clone())).collect()
+}
