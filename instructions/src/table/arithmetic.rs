@@ -153,6 +153,10 @@ END_VAR
                 Profile::Click,
                 "A division by 0 gives 0 and sets SC40, of reals too.",
             ),
+            (
+                Profile::Logix,
+                "An integer divided by 0 gives the dividend, and is no fault.",
+            ),
         ],
         title: "Divide",
         operands: &[
@@ -186,10 +190,16 @@ END_VAR
         op: Op::Mod,
         mnemonic: "MOD",
         profiles: Profiles::WITHOUT_IOT,
-        differs: &[(
-            Profile::Click,
-            "The remainder has the sign of b: -7 MOD 2 is 1. By 0 it is 0, and SC40 is set.",
-        )],
+        differs: &[
+            (
+                Profile::Click,
+                "The remainder has the sign of b: -7 MOD 2 is 1. By 0 it is 0, and SC40 is set.",
+            ),
+            (
+                Profile::Logix,
+                "The remainder of an integer divided by 0 is 0, and no fault.",
+            ),
+        ],
         title: "Remainder",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Number), "The result."),

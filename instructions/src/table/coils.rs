@@ -96,7 +96,8 @@ END_VAR
         differs: &[
             (Profile::Ldmicro, "The power after it is EN."),
             (Profile::Iot, "The power after it is EN. A number becomes 1."),
-        ],
+(Profile::Logix, "The power after it is EN."),
+],
         title: "Set coil",
         operands: &[Operand::output(
             "tag",
@@ -164,7 +165,8 @@ END_VAR
         profiles: Profiles::WITHOUT_LDMICRO,
         differs: &[
             (Profile::Iot, "Its memory is that of all edges of the tag."),
-        ],
+(Profile::Logix, "An EN that is high at the first evaluation has not risen."),
+],
         title: "Rising-edge coil",
         operands: &[Operand::output(
             "tag",

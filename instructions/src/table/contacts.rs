@@ -99,10 +99,16 @@ END_VAR
         mnemonic: "P",
         acts: Acts::Always,
         profiles: Profiles::WITHOUT_LDMICRO,
-        differs: &[(
-            Profile::Iot,
-            "All edges of one tag share one memory: of two blocks in one scan only the first sees the edge. The tag may be a number.",
-        )],
+        differs: &[
+            (
+                Profile::Iot,
+                "All edges of one tag share one memory: of two blocks in one scan only the first sees the edge. The tag may be a number.",
+            ),
+            (
+                Profile::Logix,
+                "A tag that is high at the first evaluation has not risen.",
+            ),
+        ],
         title: "Rising-edge contact",
         operands: &[Operand::input(
             "tag",
@@ -195,6 +201,10 @@ END_VAR
     },
     Instruction {
         op: Op::OneShotRising,
+        differs: &[(
+            Profile::Logix,
+            "An EN that is high at the first evaluation has not risen.",
+        )],
         power: Power::EnEdge(Edge::Rising),
         mnemonic: "OSR",
         aliases: &["R_TRIG"],

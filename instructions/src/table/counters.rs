@@ -18,7 +18,10 @@ const BASE: Instruction = Instruction {
     group: Group::State,
     operands: &[],
     profiles: Profiles::ALL,
-    differs: &[],
+    differs: &[(
+        Profile::Logix,
+        "The power after it is EN, and an EN that is high at the first evaluation is no rise. Programs of Logix have the block `$CTU` in its place, whose state is a structure that `$CTD` shares.",
+    )],
     power: Power::Output,
     coil: None,
     eno: "Q",
@@ -110,6 +113,10 @@ END_VAR
             (
                 Profile::Click,
                 "Q is high while CV is PV or less and R is low: a reset gives 0, and then Q is high. Other instructions write the CV that is counted from.",
+            ),
+            (
+                Profile::Logix,
+                "The power after it is EN, and an EN that is high at the first evaluation is no rise. Programs of Logix have the block `$CTD` in its place, whose state is a structure that `$CTU` shares.",
             ),
         ],
         title: "Down counter",

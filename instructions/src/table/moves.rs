@@ -70,10 +70,16 @@ END_VAR
         op: Op::Typ,
         mnemonic: "TYP",
         profiles: Profiles::OWN,
-        differs: &[(
-            Profile::Click,
-            "A number that does not fit is held at the limit, in a WORD it loses its upper bits, and SC43 is set; a real loses its fraction. None of it is a fault.",
-        )],
+        differs: &[
+            (
+                Profile::Click,
+                "A number that does not fit is held at the limit, in a WORD it loses its upper bits, and SC43 is set; a real loses its fraction. None of it is a fault.",
+            ),
+            (
+                Profile::Logix,
+                "What does not fit loses its upper bits, and is no fault.",
+            ),
+        ],
         title: "Convert type",
         operands: &[
             Operand::output(

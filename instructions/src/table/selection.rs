@@ -154,10 +154,16 @@ END_VAR
         op: Op::Calc,
         mnemonic: "CALC",
         profiles: Profiles::OWN,
-        differs: &[(
-            Profile::Click,
-            "The formula is computed in the widest type of its parts and of y: 16 bits where all have 16, REAL where one is real, LREAL with a DINT next to it; words as unsigned integers. The result is cut to y's type. What does not fit wraps round and sets SC43, a division by 0 makes all of it 0 and sets SC40, MOD takes the sign of the divisor. A function outside its domain sets SC46, and the scan is the last one.",
-        )],
+        differs: &[
+            (
+                Profile::Click,
+                "The formula is computed in the widest type of its parts and of y: 16 bits where all have 16, REAL where one is real, LREAL with a DINT next to it; words as unsigned integers. The result is cut to y's type. What does not fit wraps round and sets SC43, a division by 0 makes all of it 0 and sets SC40, MOD takes the sign of the divisor. A function outside its domain sets SC46, and the scan is the last one.",
+            ),
+            (
+                Profile::Logix,
+                "It computes in the widest type of its parts and its result, in 32 bits at least. The result is rounded, half to even, to y's type, and loses its upper bits where it does not fit. An integer divided by 0 gives the dividend.",
+            ),
+        ],
         title: "Calculate",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Any), "The result."),

@@ -18,7 +18,10 @@ const BASE: Instruction = Instruction {
     group: Group::State,
     operands: &[],
     profiles: Profiles::ALL,
-    differs: &[],
+    differs: &[(
+        Profile::Logix,
+        "The power after it is EN. Programs of Logix have the block `$TON` in its place, whose state is a structure.",
+    )],
     power: Power::Output,
     coil: None,
     eno: "Q",
@@ -119,6 +122,10 @@ END_VAR
                 Profile::Click,
                 "ET counts the unit `B` (1 ms unless given) from the scan on in which EN falls, and runs on to 32767. Q is high with EN, and then while ET is below PT: a longer PT brings it back. It starts low.",
             ),
+            (
+                Profile::Logix,
+                "The power after it is EN. Programs of Logix have the block `$TOF` in its place, whose state is a structure.",
+            ),
         ],
         title: "Off-delay timer",
         operands: &[
@@ -217,6 +224,10 @@ END_VAR
             (
                 Profile::Click,
                 "ET counts the unit `B` (1 ms unless given), each scan with power as a whole, and runs on to 32767; what is less than a unit is kept over a pause. Q is high while ET is PT or more and R is low.",
+            ),
+            (
+                Profile::Logix,
+                "The power after it is EN. Programs of Logix have the block `$RTO` in its place, whose state is a structure.",
             ),
         ],
         title: "Retentive on-delay timer",

@@ -155,14 +155,16 @@ impl Compiler<'_> {
         let state = self.state(arguments)?;
         let out = self.layout.bit();
         let pv = self.word(arguments.value(1)?)?;
-        let is_primed = self.semantics.first_edges == FirstEdges::None;
-        self.layout
-            .memory
-            .set_bit(bits.offset(counter::UP_BEFORE), is_primed);
         let inputs = [("CD", counter::CD), ("R", counter::R), ("LD", counter::LD)];
         self.inputs_of(arguments, state, &inputs)?;
         let (bits, words) = match state {
-            StateSpot::Fixed { bits, words } => (bits, words),
+            StateSpot::Fixed { bits, words } => {
+                // What was high before does not count.
+                let is_primed = self.semantics.first_edges == FirstEdges::None;
+                let before = bits.offset(counter::UP_BEFORE);
+                self.layout.memory.set_bit(before, is_primed);
+                (bits, words)
+            }
             StateSpot::At { bits, words } => {
                 let operand = pv.0;
                 self.emit(Instr::StateAt {
