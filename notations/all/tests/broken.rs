@@ -148,6 +148,11 @@ fn sound() -> &'static [Sound] {
                 .filter(|part| !part.trim().is_empty())
                 .map(|part| format!("= {part}").into_bytes()),
         );
+        for case in ["count_not_at_start", "latches_and_bits", "rung_out_of_a_timer"] {
+            programs.push(whole(&format!("rockwell/cases/{case}/prog.L5X")).into_bytes());
+        }
+        programs.push(SLC.as_bytes().to_vec());
+        programs.push(L5K.as_bytes().to_vec());
         let textbook = whole("textbook/constructed-examples.txt");
         programs.extend(textbook.lines().map(|line| line.as_bytes().to_vec()));
         programs.push(textbook.into_bytes());
@@ -168,6 +173,12 @@ fn sound() -> &'static [Sound] {
 const DRAFT: &str = "// A mixer.\nIN  = { DI start, AI[4] level }\nOUT = { DO run }\nVAR = { INT n, FLOAT w, BOOL[4] step }\n\n\
 +---\\---[ ]<start>---\\---[/](stop)---[TON]<late><reset><time><500>---( )<run>---+\n    |                |\n    \
 /---[ ]<run>-----/\n+---[GEQ]<full><n><5>---[ADD]<sum><n><1><n>---(S)<late>---+\n";
+
+const SLC: &str = "; two rungs\nSOR BST XIC I:0/0 NXB XIC N7:[N7:1]/3 BND TON T4:0 1.0 5 0 EOR\nXIC B3/18 COP #N7:0 #N9:2 4\n";
+
+const L5K: &str = "CONTROLLER C\nDATATYPE M\nSINT Z (Hidden := 1);\nBIT On Z : 0;\nEND_DATATYPE\nTAG\nt : TIMER := \
+    [0,5,0];\na OF b.3;\nm : M[2] := [[1],[0]];\nEND_TAG\nPROGRAM P (MAIN := \"M\")\nROUTINE M\nRC: \"x\";\nN: \
+    XIC(a)[TON(t,?,?) ,OTE(m[1].On) ];\nEND_ROUTINE\nEND_PROGRAM\nEND_CONTROLLER\n";
 
 /// What must hold for any bytes, as far as one notation goes.
 fn holds(notation: &dyn Notation, bytes: &[u8]) {

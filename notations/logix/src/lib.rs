@@ -76,7 +76,7 @@ impl Notation for L5x {
     }
 
     fn extensions(&self) -> &'static [&'static str] {
-        &["L5X"]
+        &["l5x"]
     }
 
     fn owns_extension(&self) -> bool {
@@ -107,7 +107,7 @@ impl Notation for L5k {
     }
 
     fn extensions(&self) -> &'static [&'static str] {
-        &["L5K"]
+        &["l5k"]
     }
 
     fn owns_extension(&self) -> bool {
@@ -146,8 +146,8 @@ impl Notation for Rslogix500 {
     }
 
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
-        let text = text(source)?;
-        Ok(sketch::sketch(&slc::read(text), text))
+        let text = source.text()?;
+        Ok(sketch::sketch(&slc::read(text)?, text))
     }
 
     fn write(&self, _: &Analysis) -> Result<Writing, WriteError> {

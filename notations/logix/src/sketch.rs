@@ -20,8 +20,13 @@ use ladder_notation::names::Names;
 use ladder_notation::{Finding, LineColumn, Lines, Reading};
 use std::collections::{HashMap, HashSet};
 
-/// The check that tells of an instruction without a counterpart.
-const INERT: &str = "logix-inert";
+/// The check that tells of what does nothing here.
+const fn inert(family: Family) -> &'static str {
+    match family {
+        Family::Logix => "l5x-inert",
+        Family::Slc => "rslogix500-inert",
+    }
+}
 
 /// The whole program. `text` is the file that the project was read from.
 pub(crate) fn sketch(project: &Project, text: &str) -> Reading {
@@ -271,7 +276,7 @@ impl<'p> Sketcher<'p> {
         self.reading.findings.push(Finding {
             place,
             severity: Severity::Info,
-            check: INERT,
+            check: inert(self.translator.project.family),
             message: message.to_owned(),
         });
     }

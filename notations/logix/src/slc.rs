@@ -3,6 +3,7 @@
 use crate::model::{Family, Program, Project, Routine, Rung, Tag};
 use crate::neutral::{self, Instruction, instructions};
 use crate::operand::{Expr, Path, Step, parse};
+use ladder_notation::ReadError;
 use std::collections::BTreeMap;
 
 /// How many elements a file of the controller has at most.
@@ -27,7 +28,11 @@ pub(crate) fn recognises(text: &str) -> bool {
 }
 
 /// Reads the rungs of a text. A rung is a line, or reaches from `SOR` to `EOR`; lines that begin with `;` are comments.
-pub(crate) fn read(text: &str) -> Project {
+///
+/// # Errors
+///
+/// If none of them begins with an instruction of RSLogix 500.
+pub(crate) fn read(text: &str) -> Result<Project, ReadError> {
     let mut rungs: Vec<Rung> = Vec::new();
     let mut comment: Vec<&str> = Vec::new();
     // A rung whose `EOR` did not come yet.
@@ -60,6 +65,11 @@ pub(crate) fn read(text: &str) -> Project {
     if let Some((first, end)) = open {
         rungs.push(rung(text, first, end, &mut comment));
     }
+    if !rungs.iter().any(is_rung) {
+        let why =
+            "there is no rung of RSLogix 500 in the text; one begins with `SOR`, `BST` or an instruction";
+        return Err(ReadError::whole(why));
+    }
     let routine = Routine {
         name: "Main".to_owned(),
         rungs,
@@ -76,7 +86,15 @@ pub(crate) fn read(text: &str) -> Project {
         ..Project::default()
     };
     project.tags = files(&project);
-    project
+    Ok(project)
+}
+
+/// Whether a text begins as a rung does.
+fn is_rung(rung: &Rung) -> bool {
+    let mut words = rung.text.split(|c: char| !c.is_ascii_alphanumeric());
+    words
+        .next()
+        .is_some_and(|word| matches!(word, "SOR" | "BST") || crate::mnemonic::is_known(word))
 }
 
 fn rung(text: &str, first: usize, end: usize, comment: &mut Vec<&str>) -> Rung {

@@ -116,7 +116,12 @@ proptest! {
             }
             text.replace_range(start..end, piece);
         }
-        let _ = read(notation, &text);
+        if let Ok(converted) = read(notation, &text) {
+            let written = &converted.written.text;
+            let errors = ladder_syntax::parse(written).errors();
+            prop_assert!(errors.is_empty(), "{:?}\n{}", errors, written);
+            prop_assert_eq!(&ladder_format::format_text(written, &Options::default()), written);
+        }
     }
 }
 
