@@ -16,6 +16,7 @@ mod foreign;
 mod foreign_at_hand;
 mod harness;
 mod help;
+mod logix;
 mod lsp;
 mod lsp_ending;
 mod lsp_recording;

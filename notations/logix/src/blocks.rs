@@ -16,6 +16,7 @@ const TEXTS: &[(&str, &str)] = texts![
     "CTD",
     "CTU",
     "ControlRES",
+    "FAL",
     "CounterRES",
     "FFL",
     "FFU",

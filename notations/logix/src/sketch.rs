@@ -190,6 +190,9 @@ impl<'p> Sketcher<'p> {
         for (rung, parts) in unit.routine.rungs.iter().zip(&unit.rungs) {
             items.push(Item::Blank);
             items.push(self.rung(unit.scope, rung, parts.as_ref()));
+            for circuit in std::mem::take(&mut self.translator.after) {
+                items.extend([Item::Blank, network(Vec::new(), circuit)]);
+            }
         }
         items
     }

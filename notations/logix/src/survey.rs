@@ -140,6 +140,10 @@ impl Surveyor<'_> {
                 self.presets(control(3), "LEN", "POS", &it.operands[4..]);
                 self.put(control(3), &["EN"], 1);
             }
+            Op::Fal => {
+                self.presets(first, "LEN", "POS", &it.operands[1..3]);
+                self.put(first, &["EN"], 0);
+            }
             Op::Sqi => self.presets(control(3), "LEN", "POS", &it.operands[4..]),
             Op::Sql => {
                 self.presets(control(2), "LEN", "POS", &it.operands[3..]);

@@ -182,6 +182,39 @@ impl Translator<'_> {
         })
     }
 
+    /// `FAL`: the rung says how many elements, and a loop after it goes through them.
+    pub(super) fn file_arithmetic(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
+        let one = match operands[3].to_ascii_uppercase().as_str() {
+            "ALL" => "FALSE",
+            "INC" => "TRUE",
+            mode => {
+                return Err(format!(
+                    "the mode {mode}, so many elements in a scan, has no counterpart here"
+                ));
+            }
+        };
+        let control = self.file_operand(operands[0], b'I', Elem::Dint)?;
+        let formula = self.expr(operands[5])?;
+        let each = self.compute(operands[4], &formula)?;
+        let turns = self.helper("turns", Elem::Dint, "how many elements FAL goes through");
+        let block = self.blocks.plain("FAL");
+        let next = self.block(format!("[ADD]( {control}.POS, {control}.POS, 1 )"));
+        let done = [
+            format!("[ ]( {control}.EN )"),
+            format!("[GE]( {control}.POS, {control}.LEN )"),
+            format!("(S)( {control}.DN )"),
+        ];
+        let after = [
+            self.block(format!("<FOR>( {turns} )")),
+            Circuit::Series(vec![each, next]),
+            self.block("<NEXT>"),
+            self.blocks(done),
+        ];
+        self.after.extend(after);
+        self.note("its elements are computed right after the rung");
+        Ok(self.block(format!("[{block}]( {control}, {one}, {turns} )")))
+    }
+
     /// `PID`: the library's controller takes its place.
     pub(super) fn pid(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
         let [own, measured, _, output, ..] = operands else {

@@ -38,6 +38,8 @@ pub(crate) struct Translator<'p> {
     pub(crate) labels: HashMap<String, String>,
     /// The name of that routine.
     pub(crate) routine: String,
+    /// Networks that go on with the rung that is being translated, after it.
+    pub(crate) after: Vec<Circuit<Element>>,
     scope: usize,
     origin: Option<u32>,
     note: Option<String>,
@@ -55,6 +57,7 @@ impl<'p> Translator<'p> {
             aoi_names: aoi::names(project),
             labels: HashMap::new(),
             routine: String::new(),
+            after: Vec::new(),
             scope: 0,
             origin: None,
             note: None,
@@ -142,7 +145,8 @@ impl<'p> Translator<'p> {
             Op::Sqi => self.on_file("SQI", operands[0], &operands[1..4], "VVI"),
             Op::Sqo => self.on_file("SQO", operands[0], &operands[1..4], "VPI"),
             Op::Sql => self.on_file("SQL", operands[0], &operands[1..3], "VI"),
-            Op::Fal | Op::Fsc => Err("work on a file element by element has no counterpart here".to_owned()),
+            Op::Fal => self.file_arithmetic(operands),
+            Op::Fsc => Err("a search through a file has no counterpart here".to_owned()),
             Op::Jmp => self.label("<JMP>", operands[0]),
             Op::Lbl => self.label("<LBL>", operands[0]),
             Op::Jsr => self.call(operands),

@@ -245,6 +245,35 @@ fn files() {
 }
 
 #[test]
+fn arithmetic_on_files() {
+    check(
+        &[
+            ("a", "BOOL", ""),
+            ("all", "CONTROL", ""),
+            ("inc", "CONTROL", ""),
+            ("from", "DINT[3]", ""),
+            ("to", "DINT[3]", ""),
+            ("each", "DINT[3]", ""),
+        ],
+        &[
+            "FLL(4,from,3)MOV(7,from[1]);",
+            "XIC(a)FAL(all,3,0,ALL,to[all.POS],from[all.POS] * 10 + all.POS);",
+            "XIC(a)FAL(inc,3,0,INC,each[inc.POS],from[inc.POS]);",
+        ],
+        "a\n0\n1\n1\n0\n1\n",
+        5,
+        "to[0],to[1],to[2],all.POS,all.DN,each[0],each[1],inc.POS,inc.DN",
+        expect![[r#"
+            to[0],to[1],to[2],all.POS,all.DN,each[0],each[1],inc.POS,inc.DN
+            0,0,0,0,0,0,0,0,0
+            40,71,42,3,1,4,0,1,0
+            40,71,42,3,1,4,0,1,0
+            40,71,42,0,0,4,0,1,0
+            40,71,42,3,1,4,7,2,0"#]],
+    );
+}
+
+#[test]
 fn zones_and_ends() {
     check(
         &[

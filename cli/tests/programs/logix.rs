@@ -1,0 +1,76 @@
+//! Logix exports: as they are, and as the files of a folder.
+
+use crate::harness::Folder;
+use expect_test::expect;
+
+/// Two programs; the second uses a tag of the first.
+fn project() -> String {
+    let program = |name: &str, rung: &str| {
+        format!(
+            "<Program Name=\"{name}\" MainRoutineName=\"Main\"><Tags><Tag Name=\"step\" TagType=\"Base\" DataType=\"DINT\"/></Tags>\
+             <Routines><Routine Name=\"Main\" Type=\"RLL\"><RLLContent>\n<Rung Number=\"0\" Type=\"N\"><Text><![CDATA[{rung}]]></Text></Rung>\n\
+             </RLLContent></Routine></Routines></Program>\n"
+        )
+    };
+    format!(
+        "<RSLogix5000Content>\n<Controller Name=\"Cell\"><Tags><Tag Name=\"all\" TagType=\"Base\" DataType=\"DINT\"/>\
+         <Tag Name=\"timer\" TagType=\"Base\" DataType=\"TIMER\"/></Tags><Programs>\n{}{}</Programs></Controller></RSLogix5000Content>\n",
+        program("First", "ADD(step,1,step)TON(timer,100,0)MSG(m);"),
+        program("Second", "ADD(step,\\First.step,all)ADD(step,1,step);"),
+    )
+}
+
+#[test]
+fn a_project_goes_into_a_folder_and_runs_there() {
+    let folder = Folder::with(&[("cell.L5X", &project())]);
+    expect![[r#"
+        exit status 0
+        -- stderr
+        cell.L5X:4:33: approximated: MSG(m): MSG has no counterpart here: it does nothing, and power passes
+        cell.L5X: 8 translated, 1 approximated, 0 refused
+    "#]]
+    .assert_eq(&folder.ladder(&["convert", "cell.L5X", "-o", "cell/"]).to_string());
+    expect![[r#"
+        exit status 0
+        -- stdout
+        scan,time_ms,all,timer.ACC
+        0,0,1,0
+        1,10,3,10
+        2,20,5,20
+    "#]]
+    .assert_eq(
+        &folder
+            .ladder(&["sim", "cell/Cell.clad", "--scans", "3", "--watch", "all,timer.ACC"])
+            .to_string(),
+    );
+    expect![[r#"
+        exit status 0
+        -- stdout
+        Checked 5 files: no errors found.
+    "#]]
+    .assert_eq(&folder.ladder(&["check", "cell"]).to_string());
+}
+
+#[test]
+fn a_file_is_checked_run_and_tested_as_it_is() {
+    let scenario = "program cell.L5X\nstep 10ms\n\nscenario \"it counts\"\nall => 1 3 5\n";
+    let folder = Folder::with(&[("cell.L5X", &project()), ("cell.ladder-test", scenario)]);
+    expect![[r#"
+        exit status 0
+        -- stdout
+        cell.L5X:4:33: info[l5x-inert]: MSG has no counterpart here: it does nothing, and power passes
+    "#]]
+    .assert_eq(&folder.ladder(&["check", "--format", "concise", "cell.L5X"]).to_string());
+    let run = folder.ladder(&["sim", "cell.L5X", "--scans", "2", "--watch", "all,timer.TT"]);
+    expect![[r#"
+        exit status 0
+        -- stdout
+        scan,time_ms,all,timer.TT
+        0,0,1,1
+        1,10,3,1
+    "#]]
+    .assert_eq(&run.to_string());
+    expect![[r#""#]].assert_eq(&folder.ladder(&["test", "cell.ladder-test"]).to_string());
+    let run = folder.ladder(&["convert", "cell.L5X", "--to", "l5k"]);
+    expect![[r#""#]].assert_eq(&run.to_string());
+}
