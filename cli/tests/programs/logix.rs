@@ -40,7 +40,14 @@ fn a_project_goes_into_a_folder_and_runs_there() {
     "#]]
     .assert_eq(
         &folder
-            .ladder(&["sim", "cell/Cell.clad", "--scans", "3", "--watch", "all,timer.ACC"])
+            .ladder(&[
+                "sim",
+                "cell/Cell.clad",
+                "--scans",
+                "3",
+                "--watch",
+                "all,timer.ACC",
+            ])
             .to_string(),
     );
     expect![[r#"
@@ -60,7 +67,11 @@ fn a_file_is_checked_run_and_tested_as_it_is() {
         -- stdout
         cell.L5X:4:33: info[l5x-inert]: MSG has no counterpart here: it does nothing, and power passes
     "#]]
-    .assert_eq(&folder.ladder(&["check", "--format", "concise", "cell.L5X"]).to_string());
+    .assert_eq(
+        &folder
+            .ladder(&["check", "--format", "concise", "cell.L5X"])
+            .to_string(),
+    );
     let run = folder.ladder(&["sim", "cell.L5X", "--scans", "2", "--watch", "all,timer.TT"]);
     expect![[r#"
         exit status 0

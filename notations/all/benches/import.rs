@@ -16,10 +16,11 @@ const RUNGS: usize = 10_000;
 type Program = (&'static str, fn() -> String);
 
 /// A program of 10,000 rungs in each notation.
-const PROGRAMS: [Program; 5] = [
+const PROGRAMS: [Program; 6] = [
     ("ldmicro", ldmicro),
     ("ldmicro-text", ldmicro_text),
     ("iot", iot),
+    ("l5x", l5x),
     ("textbook", textbook),
     ("cplc-draft", cplc_draft),
 ];
@@ -33,7 +34,7 @@ fn named(name: &str) -> String {
 }
 
 /// From the file to ladder text.
-#[divan::bench(args = ["ldmicro", "ldmicro-text", "iot", "textbook", "cplc-draft"], sample_count = 10)]
+#[divan::bench(args = ["ldmicro", "ldmicro-text", "iot", "l5x", "textbook", "cplc-draft"], sample_count = 10)]
 fn import(bencher: Bencher<'_, '_>, name: &str) {
     let text = named(name);
     let notation = by_name(name).expect("the notation is registered");
@@ -48,7 +49,7 @@ fn import(bencher: Bencher<'_, '_>, name: &str) {
 }
 
 /// Its lines, split into words.
-#[divan::bench(args = ["ldmicro", "ldmicro-text", "iot", "textbook", "cplc-draft"])]
+#[divan::bench(args = ["ldmicro", "ldmicro-text", "iot", "l5x", "textbook", "cplc-draft"])]
 fn words_of_lines(bencher: Bencher<'_, '_>, name: &str) {
     let text = named(name);
     bencher.counter(BytesCount::of_str(&text)).bench(|| {
@@ -57,6 +58,27 @@ fn words_of_lines(bencher: Bencher<'_, '_>, name: &str) {
             .map(str::len)
             .sum::<usize>()
     });
+}
+
+fn l5x() -> String {
+    let mut text = "<RSLogix5000Content><Controller Name=\"C\"><Tags>\n".to_owned();
+    for n in 0..RUNGS {
+        text.push_str(&format!(
+            "<Tag Name=\"a{n}\" TagType=\"Base\" DataType=\"BOOL\"/><Tag Name=\"t{n}\" TagType=\"Base\" \
+             DataType=\"TIMER\"/>\n"
+        ));
+    }
+    text.push_str("</Tags><Programs><Program Name=\"P\" MainRoutineName=\"M\"><Routines><Routine Name=\"M\" Type=\"RLL\">");
+    text.push_str("<RLLContent>\n");
+    for n in 0..RUNGS {
+        let other = (n + 1) % RUNGS;
+        text.push_str(&format!(
+            "<Rung Number=\"{n}\" Type=\"N\"><Text><![CDATA[[XIC(a{n}) ,XIC(a{other}) \
+             ]XIO(t{other}.DN)TON(t{n},500,0)[GRT(t{n}.ACC,100) OTE(a{n}) ,ADD(t{other}.ACC,1,t{other}.PRE) \
+             ];]]></Text></Rung>\n"
+        ));
+    }
+    text + "</RLLContent></Routine></Routines></Program></Programs></Controller></RSLogix5000Content>\n"
 }
 
 fn ldmicro() -> String {

@@ -1,6 +1,9 @@
 //! The instructions that have a counterpart here, by all their names, and what their operands are. What the translation,
 //! the types of undeclared tags and the reader of RSLogix 500's text know of an instruction is in this table.
 
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
 /// An instruction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Op {
@@ -170,9 +173,15 @@ const ROWS: &[Row] = &[
     (&["DDV"], Op::Scl, "", Some("vv")),
 ];
 
+/// The rows by the names in capitals.
+static BY_NAME: LazyLock<HashMap<&str, &Row>> = LazyLock::new(|| {
+    let named = |row: &'static Row| row.0.iter().map(move |name| (*name, row));
+    ROWS.iter().flat_map(named).collect()
+});
+
 fn row_of(name: &str) -> Option<&'static Row> {
-    ROWS.iter()
-        .find(|(names, ..)| names.iter().any(|own| own.eq_ignore_ascii_case(name)))
+    let found = BY_NAME.get(name).copied();
+    found.or_else(|| BY_NAME.get(name.to_ascii_uppercase().as_str()).copied())
 }
 
 /// The instruction of a name, with this many operands. None: it has no counterpart, or not with so many.

@@ -67,6 +67,13 @@ pub(crate) fn parse(text: &str) -> Result<Expr, String> {
     if text == "?" {
         return Ok(Expr::Unset);
     }
+    // Most are a tag or a number alone.
+    if let Ok(expr) = reader.primary()
+        && reader.rest().is_empty()
+    {
+        return Ok(expr);
+    }
+    (reader.at, reader.depth) = (0, 0);
     let expr = reader.level(0)?;
     reader.blanks();
     match reader.rest() {
