@@ -48,7 +48,7 @@ const MOST_CHARACTERS: usize = 254;
 impl Blocks {
     /// Notes that a block is used. Its name, with the `$`.
     pub(crate) fn plain(&mut self, name: &str) -> String {
-        self.take(name, String::new(), |text| text.to_owned())
+        self.take(name, String::new(), std::borrow::ToOwned::to_owned)
     }
 
     /// One for arrays of this many elements of a type.

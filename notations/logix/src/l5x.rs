@@ -245,7 +245,7 @@ impl Reader<'_> {
         };
         for (element, letter) in [("ConfigTag", "C"), ("InputTag", "I"), ("OutputTag", "O")] {
             for node in module.descendants().filter(|node| node.has_tag_name(element)) {
-                let value = self.value(node);
+                let value = Self::value(node);
                 if let Some(Raw::Structure(ty, _)) = &value {
                     let tag = Tag {
                         at: self.at(node),
@@ -291,13 +291,13 @@ impl Reader<'_> {
             },
             required: node.attribute("Required") == Some("true"),
             constant: node.attribute("Constant") == Some("true"),
-            value: self.value(node),
+            value: Self::value(node),
             comment: described(node),
         }
     }
 
     /// The value of a tag as `Decorated` data has it, else as text.
-    fn value(&self, tag: Node<'_, '_>) -> Option<Raw> {
+    fn value(tag: Node<'_, '_>) -> Option<Raw> {
         let data = tag
             .children()
             .filter(|node| matches!(node.tag_name().name(), "Data" | "DefaultData"));
@@ -380,7 +380,7 @@ impl Reader<'_> {
             let range = text.range();
             let start = self.text[range.clone()].find(content).unwrap_or(0);
             rung.at = range.start + start + self.before;
-            rung.text = content.to_owned();
+            content.clone_into(&mut rung.text);
         }
         rung
     }

@@ -170,7 +170,6 @@ const ROWS: &[Row] = &[
     row(&["DELETE"], Op::Strings("DELETE"), "$vv$"),
     row(&["INSERT"], Op::Strings("INSERT"), "$$v$"),
     row(&["FIND"], Op::Strings("FIND"), "$$vv"),
-    (&["DDV"], Op::Scl, "", Some("vv")),
 ];
 
 /// The rows by the names in capitals.
@@ -189,7 +188,7 @@ pub(crate) fn instruction(name: &str, operands: usize) -> Option<Op> {
     let (_, op, own, in_ascii) = row_of(name)?;
     let any = matches!(op, Op::Jsr | Op::Sbr | Op::Ret | Op::Pid);
     let fits = any || own.len() == operands || in_ascii.is_some_and(|own| own.len() == operands);
-    (fits && !name.eq_ignore_ascii_case("DDV")).then_some(*op)
+    fits.then_some(*op)
 }
 
 /// Whether there is such an instruction at all.
@@ -197,10 +196,27 @@ pub(crate) fn is_known(name: &str) -> bool {
     row_of(name).is_some()
 }
 
+/// Instructions of RSLogix 500 without a counterpart, and how many operands they have.
+const WITHOUT: &[(&str, usize)] = &[
+    ("DDV", 2),
+    ("TOD", 2),
+    ("FRD", 2),
+    ("DCD", 2),
+    ("ENC", 2),
+    ("SUS", 1),
+    ("REF", 0),
+    ("SVC", 0),
+];
+
 /// How many operands an instruction has in the text of RSLogix 500.
 pub(crate) fn operands_in_ascii(name: &str) -> Option<usize> {
-    let (_, _, own, in_ascii) = row_of(name)?;
-    Some(in_ascii.unwrap_or(own).len())
+    match row_of(name) {
+        Some((_, _, own, in_ascii)) => Some(in_ascii.unwrap_or(own).len()),
+        None => WITHOUT
+            .iter()
+            .find(|(own, _)| *own == name)
+            .map(|(_, count)| *count),
+    }
 }
 
 /// What an operand is, of an instruction with this many.

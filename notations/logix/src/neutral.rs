@@ -188,7 +188,7 @@ impl<'t> Reader<'t> {
             self.in_parentheses(at)?
         } else {
             self.at = after_name;
-            self.after_blanks(name)?
+            self.after_blanks(name)
         };
         Ok(Instruction {
             at,
@@ -234,9 +234,9 @@ impl<'t> Reader<'t> {
     }
 
     /// Operands parted by blanks, as RSLogix 500 writes them: as many as the instruction has.
-    fn after_blanks(&mut self, name: &str) -> Result<Vec<&'t str>, Wrong> {
+    fn after_blanks(&mut self, name: &str) -> Vec<&'t str> {
         let Some(count) = operands_in_ascii(name) else {
-            return Ok(Vec::new());
+            return Vec::new();
         };
         let mut operands = Vec::new();
         for _ in 0..count {
@@ -251,7 +251,7 @@ impl<'t> Reader<'t> {
             self.at += operand.len();
             operands.push(operand);
         }
-        Ok(operands)
+        operands
     }
 }
 

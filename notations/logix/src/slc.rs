@@ -154,7 +154,9 @@ fn reached(expr: &Expr, length: u32, sizes: &mut BTreeMap<String, u32>) {
                 };
                 let size = sizes.entry(path.root.clone()).or_default();
                 *size = last.max(*size);
-                index.iter().for_each(|index| reached(index, 0, sizes));
+                for index in index {
+                    reached(index, 0, sizes);
+                }
             }
             if let Some(Step::ComputedBit(index)) = path.steps.last() {
                 reached(index, 0, sizes);
@@ -210,7 +212,7 @@ fn address(text: &str) -> Option<Path> {
         return None;
     }
     let file = format!("{upper}{number}");
-    if is_io && number.parse() == Ok(if upper == "I" { 1 } else { 0 }) {
+    if is_io && number.parse() == Ok(i32::from(upper == "I")) {
         // `I1:0` is `I:0`.
         return address(&format!("{upper}{rest}"));
     }

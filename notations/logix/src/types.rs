@@ -149,9 +149,12 @@ pub(crate) struct Types {
     by_name: HashMap<String, Ty>,
 }
 
+/// Members by name, each with the number of its bit.
+type Members = &'static [(&'static str, Option<u32>)];
+
 /// The structures that every controller has: a member is a BOOL if it has a bit number in the first value of an L5K list, else
 /// a DINT. `LAST` is this project's own: when the time was last counted.
-const STANDARD: &[(&str, &[(&str, Option<u32>)])] = &[
+const STANDARD: &[(&str, Members)] = &[
     (
         "TIMER",
         &[
@@ -242,7 +245,7 @@ impl Types {
         index
     }
 
-    fn standard(&mut self, name: &str, members: &[(&str, Option<u32>)]) {
+    fn standard(&mut self, name: &str, members: Members) {
         let index = self.add(name);
         let structure = &mut self.all[index];
         let mut bits = Vec::new();
@@ -296,7 +299,7 @@ impl Types {
         let structure = &mut self.all[index];
         structure.members = members;
         structure.slots = slots;
-        structure.comment = declared.comment.clone();
+        structure.comment.clone_from(&declared.comment);
     }
 
     /// A type by its name.
@@ -380,7 +383,9 @@ impl Types {
                     .iter()
                     .map(|field| field.ty.clone())
                     .collect();
-                members.iter().for_each(|ty| self.keep(ty));
+                for ty in &members {
+                    self.keep(ty);
+                }
             }
         }
     }

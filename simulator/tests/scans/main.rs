@@ -18,6 +18,7 @@ mod forces;
 mod golden_trace;
 mod groups;
 mod literals_and_types;
+mod logix;
 mod order;
 mod parts;
 mod profiles;

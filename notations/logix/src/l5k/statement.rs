@@ -107,7 +107,7 @@ pub(super) fn tag(at: usize, text: &str) -> Tag {
     let mut words = head.split_whitespace();
     let (name, second) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
     if second == "OF" {
-        tag.name = name.to_owned();
+        name.clone_into(&mut tag.name);
         tag.alias = words.next().map(str::to_owned);
         return tag;
     }
@@ -127,8 +127,8 @@ pub(super) fn tag(at: usize, text: &str) -> Tag {
         .or_else(|| head.rsplit_once(':'))
         .unwrap_or((head, ""));
     let (ty, dimensions) = sizes(ty.trim());
-    tag.name = name.trim().to_owned();
-    tag.ty = ty.to_owned();
+    name.trim().clone_into(&mut tag.name);
+    ty.clone_into(&mut tag.ty);
     tag.dimensions = dimensions;
     tag
 }

@@ -297,10 +297,12 @@ impl Tags {
         };
         let key = path.root.to_ascii_uppercase();
         let in_body = self.scopes[scope].own_names.is_some();
-        if path.steps.is_empty() && !in_body && self.entry(scope, &key).is_none() {
-            if let Some(ty) = self.types.named(standard, &[]) {
-                self.undeclared(&path.root, ty);
-            }
+        if path.steps.is_empty()
+            && !in_body
+            && self.entry(scope, &key).is_none()
+            && let Some(ty) = self.types.named(standard, &[])
+        {
+            self.undeclared(&path.root, ty);
         }
     }
 

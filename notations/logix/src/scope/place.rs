@@ -211,7 +211,7 @@ impl Tags {
                     place.ty = ty;
                 }
                 (Step::Member(name), Ty::Aoi(aoi)) => {
-                    place = self.parameter(place.text.clone(), *aoi, name)?
+                    place = self.parameter(place.text.clone(), *aoi, name)?;
                 }
                 (Step::Index(indices), Ty::Array(ty, sizes)) => {
                     if indices.len() != sizes.len() {

@@ -45,9 +45,11 @@ impl Routines {
             for parts in unit.rungs.iter().filter_map(|rung| rung.as_ref().ok()) {
                 instructions(parts, &mut |it| match instruction(it.name, it.operands.len()) {
                     Some(Op::Sbr) => {
-                        subroutine.inputs = it.operands.iter().map(|text| (*text).to_owned()).collect()
+                        subroutine.inputs = it.operands.iter().map(|text| (*text).to_owned()).collect();
                     }
-                    Some(Op::Ret) if it.operands.len() > returned.len() => returned = it.operands.clone(),
+                    Some(Op::Ret) if it.operands.len() > returned.len() => {
+                        returned.clone_from(&it.operands);
+                    }
                     _ => {}
                 });
             }
