@@ -32,10 +32,12 @@ mod unit;
 mod values;
 
 use ladder_analysis::Analysis;
-use ladder_notation::{Notation, ReadError, Reading, Source, WriteError, Writing, text_of};
+use ladder_notation::{LineColumn, Notation, ReadError, Reading, Source, WriteError, Writing, text_of};
 
 /// A larger file is not read: whole projects are large.
 const MOST_BYTES: usize = 64 << 20;
+/// How many characters are counted through in all.
+const MOST_WORK: u64 = 20_000_000_000;
 
 /// L5X exports of Logix Designer.
 #[derive(Debug)]
@@ -54,7 +56,20 @@ fn text<'s>(source: &Source<'s>) -> Result<&'s str, ReadError> {
         let message = format!("the file is larger than {} MiB", MOST_BYTES >> 20);
         return Err(ReadError::whole(message));
     }
-    text_of(source.bytes)
+    let text = text_of(source.bytes)?;
+    // To say the column of a place its line is counted through.
+    let mut work = 0u64;
+    for (number, line) in text.lines().enumerate() {
+        let places = line.bytes().filter(|c| matches!(c, b'(' | b'<' | b';')).count();
+        work += (line.len() as u64).saturating_mul(places as u64);
+        if work > MOST_WORK {
+            let place = LineColumn::line(number as u32 + 1);
+            let message =
+                "there is too much on one line; put each element on a line of its own, as exports have them";
+            return Err(ReadError::at(place, message));
+        }
+    }
+    Ok(text)
 }
 
 /// The first lines of a file.
@@ -62,8 +77,8 @@ fn head(bytes: &[u8]) -> String {
     String::from_utf8_lossy(&bytes[..bytes.len().min(16 << 10)]).into_owned()
 }
 
-fn not_written(title: &str) -> WriteError {
-    WriteError::new(format!("{title} is read, and not written"))
+fn not_written() -> WriteError {
+    WriteError::new("such files are read, and not written")
 }
 
 impl Notation for L5x {
@@ -93,7 +108,7 @@ impl Notation for L5x {
     }
 
     fn write(&self, _: &Analysis) -> Result<Writing, WriteError> {
-        Err(not_written(self.title()))
+        Err(not_written())
     }
 }
 
@@ -124,7 +139,7 @@ impl Notation for L5k {
     }
 
     fn write(&self, _: &Analysis) -> Result<Writing, WriteError> {
-        Err(not_written(self.title()))
+        Err(not_written())
     }
 }
 
@@ -151,6 +166,6 @@ impl Notation for Rslogix500 {
     }
 
     fn write(&self, _: &Analysis) -> Result<Writing, WriteError> {
-        Err(not_written(self.title()))
+        Err(not_written())
     }
 }

@@ -419,7 +419,7 @@ fn empty(project: &Project) -> HashSet<String> {
 }
 
 fn array(ty: Ty, sizes: Vec<u32>) -> Ty {
-    if sizes.is_empty() {
+    if sizes.is_empty() || sizes.contains(&0) {
         ty
     } else {
         Ty::Array(Box::new(ty), sizes)

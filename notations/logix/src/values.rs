@@ -146,7 +146,9 @@ impl Value {
 
 /// The elements of an array, equal neighbours together.
 fn elements(parts: &BTreeMap<usize, Value>, ty: &Ty, sizes: &[u32], types: &Types) -> Option<String> {
-    let all: u64 = sizes.iter().map(|size| u64::from(*size)).product();
+    let all = sizes
+        .iter()
+        .fold(1u64, |all, size| all.saturating_mul(u64::from(*size)));
     let mut runs: Vec<(Option<String>, u64)> = Vec::new();
     let mut push = |text: Option<String>, count: u64| match runs.last_mut() {
         _ if count == 0 => {}

@@ -75,7 +75,10 @@ impl<'t> Reader<'t> {
             let Some(inside) = self.rest().strip_prefix("(*") else {
                 return;
             };
-            self.at += 4 + inside.find("*)").unwrap_or(inside.len().saturating_sub(2));
+            self.at = match inside.find("*)") {
+                Some(end) => self.at + end + 4,
+                None => self.text.len(),
+            };
         }
     }
 

@@ -202,7 +202,7 @@ impl Tags {
         }
     }
 
-    /// Inputs of an instance that no call gives and that have another value than in other instances.
+    /// Inputs of an instance that are no operands and have another value than in other instances.
     fn inputs_of(&mut self, instance: usize, raw: &Raw) {
         let own = self.symbols[instance].clone();
         let (Ty::Aoi(aoi), Raw::Structure(_, members)) = (&own.ty, raw) else {

@@ -227,7 +227,9 @@ impl Tags {
                                 if !(0..i64::from(*size)).contains(index) {
                                     return Err(format!("the index {index} is outside `{}`", place.text));
                                 }
-                                Some(number * *size as usize + *index as usize)
+                                number
+                                    .checked_mul(*size as usize)
+                                    .and_then(|row| row.checked_add(*index as usize))
                             }
                             _ => None,
                         };

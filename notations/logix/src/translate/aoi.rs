@@ -33,7 +33,7 @@ pub(super) fn names(project: &Project) -> Vec<String> {
     project.aois.iter().map(|aoi| name(&aoi.name)).collect()
 }
 
-/// The parameters that a call gives in its operands.
+/// The parameters that are operands of a call.
 fn given(tag: &Tag) -> bool {
     let is_system = tag.name.eq_ignore_ascii_case("EnableIn") || tag.name.eq_ignore_ascii_case("EnableOut");
     !is_system && (tag.required || tag.usage == Usage::InOut)

@@ -384,7 +384,7 @@ impl Translator<'_> {
         if name == "INSERT" {
             // Before a position there, after it here.
             match self.expr(from[2])? {
-                Expr::Int(position) => texts[3] = (position - 1).to_string(),
+                Expr::Int(position) => texts[3] = position.saturating_sub(1).to_string(),
                 _ => return Err("a position that is computed has no counterpart here".to_owned()),
             }
         }

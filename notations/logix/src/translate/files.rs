@@ -234,7 +234,7 @@ impl Translator<'_> {
         let measured = self.expr(measured)?;
         let (measured, _) = self.value(&measured, Elem::Lreal)?;
         let output = self.target(output, Role::Value)?;
-        let helper = self.helper("pid", Elem::Lreal, "what the controller gives, in percent");
+        let helper = self.helper("pid", Elem::Lreal, "the output of the controller, in percent");
         self.note("it is the controller of the library: in parallel form, with an output from 0 to 100, without tieback, hold and cascade");
         let call = format!("[$PID]( {}, pv := {measured}, y => {helper} )", inputs.join(", "));
         Ok(self.blocks([call, format!("[TYP]( {}, {helper} )", output.text)]))

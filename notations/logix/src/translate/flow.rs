@@ -28,7 +28,7 @@ struct Subroutine {
 }
 
 impl Routines {
-    /// Gives each routine of a program that is a function here its parameters. `functions` are their names.
+    /// The parameters of each routine of a program. `functions` are their names.
     pub(crate) fn of(
         units: &[Unit<'_>],
         functions: &[String],

@@ -248,7 +248,7 @@ impl<'p> Translator<'p> {
             Expr::Int(int) => (literal(&Value::Int(*int), wanted), None),
             Expr::Real(real) => (literal(&Value::Real(*real), wanted), None),
             Expr::Unary("-", inner) if matches!(**inner, Expr::Int(_) | Expr::Real(_)) => match **inner {
-                Expr::Int(int) => (literal(&Value::Int(-int), wanted), None),
+                Expr::Int(int) => (literal(&Value::Int(int.wrapping_neg()), wanted), None),
                 Expr::Real(real) => (literal(&Value::Real(-real), wanted), None),
                 _ => return Err("a value is missing".to_owned()),
             },

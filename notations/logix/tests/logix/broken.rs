@@ -128,7 +128,12 @@ proptest! {
 #[test]
 fn hostile_xml_is_refused_with_a_message() {
     let bomb = "<?xml version=\"1.0\"?>\n<!DOCTYPE x [<!ENTITY a \"aaaa\"><!ENTITY b \"&a;&a;\">]>\n<RSLogix5000Content>&b;</RSLogix5000Content>";
-    let deep = format!("<RSLogix5000Content>{}", "<a>".repeat(100_000));
+    let deep = format!("<RSLogix5000Content>{}", "<a>\n".repeat(100_000));
+    let closed = format!(
+        "<RSLogix5000Content>{}{}<Controller/></RSLogix5000Content>",
+        "<a>\n".repeat(100_000),
+        "</a>\n".repeat(100_000)
+    );
     let message = |text: &str| read(&L5x, text).expect_err("it is refused").to_string();
     assert_eq!(
         message(bomb),
@@ -138,6 +143,11 @@ fn hostile_xml_is_refused_with_a_message() {
         message(&deep).contains("no well-formed XML"),
         "{}",
         message(&deep)
+    );
+    assert!(
+        message(&closed).contains("nested too deep"),
+        "{}",
+        message(&closed)
     );
     assert!(message("<RSLogix5000Content><Controller>").contains("no well-formed XML"));
     assert_eq!(
@@ -173,4 +183,26 @@ fn deep_branches_and_long_rungs_are_refused_where_they_are() {
         32:10: the operand is nested deeper than 40: it does nothing, and power passes"#]]
     .assert_eq(&shown.join("\n"));
     assert!(converted.written.text.contains("( )( b )"));
+}
+
+#[test]
+fn a_long_line_is_refused_with_a_message() {
+    let long = format!(
+        "CONTROLLER C\nPROGRAM P\nROUTINE M\n{}",
+        "N: XIC(a)OTE(b);".repeat(100_000)
+    );
+    let error = read(&L5k, &long).expect_err("it is refused").to_string();
+    assert!(error.starts_with("4:1: there is too much on one line"), "{error}");
+    for text in [
+        "(*",
+        "CONTROLLER C (*",
+        "CONTROLLER C TAG a : DINT[0] := 5; END_TAG END_CONTROLLER",
+    ] {
+        let _ = read(&L5k, text);
+    }
+    let wide = controller(
+        &[("a", "DINT[4000000000 4000000000 4000000000]", "")],
+        &["MOV(1,a[5,6,3999999999]);"],
+    );
+    let _ = read(&L5x, &wide);
 }
