@@ -56,7 +56,7 @@ fn broken(text: &str, error: &roxmltree::Error) -> ReadError {
                 .to_owned()
         }
         roxmltree::Error::NodesLimitReached => {
-            format!("the file has more than {MOST_NODES} elements and texts, or they are nested too deep")
+            format!("the file has more than {MOST_NODES} elements and texts")
         }
         other => format!("the file is no well-formed XML: {other}"),
     };

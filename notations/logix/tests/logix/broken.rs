@@ -134,6 +134,8 @@ fn hostile_xml_is_refused_with_a_message() {
         "<a>\n".repeat(100_000),
         "</a>\n".repeat(100_000)
     );
+    // Depth alone is no harm where nothing is read.
+    assert!(read(&L5x, &closed).is_ok_and(|converted| converted.report.entries.is_empty()));
     let message = |text: &str| read(&L5x, text).expect_err("it is refused").to_string();
     assert_eq!(
         message(bomb),
@@ -143,11 +145,6 @@ fn hostile_xml_is_refused_with_a_message() {
         message(&deep).contains("no well-formed XML"),
         "{}",
         message(&deep)
-    );
-    assert!(
-        message(&closed).contains("nested too deep"),
-        "{}",
-        message(&closed)
     );
     assert!(message("<RSLogix5000Content><Controller>").contains("no well-formed XML"));
     assert_eq!(
