@@ -54,7 +54,7 @@ impl Scope {
 
     /// A name for something that the source has no variable for.
     pub(crate) fn fresh(&mut self, like: &str) -> String {
-        let name = self.names.fresh(like);
+        let name = self.names.fresh(short(like));
         self.taken.insert(name.to_lowercase());
         name
     }
@@ -95,7 +95,7 @@ impl<'p> Shared<'p> {
         let mut names = Names::default();
         let mut types = HashMap::new();
         for declared in &project.types {
-            let spelled = names.fresh(&declared.name);
+            let spelled = names.fresh(short(&declared.name));
             types
                 .entry(declared.name.to_lowercase())
                 .or_insert((spelled, &declared.ty));
@@ -176,17 +176,29 @@ pub(crate) fn local(unit: &Unit) -> impl Iterator<Item = &Variable> {
 
 /// The name of a member: structures have a room of their own for names.
 pub(crate) fn member(name: &str) -> String {
-    Names::default().spell(name).to_owned()
+    Names::default().spell(short(name)).to_owned()
+}
+
+/// Names are no longer: each is drawn wherever it is used.
+const LONGEST: usize = 100;
+
+/// The first characters of a name.
+pub(crate) fn short(name: &str) -> &str {
+    let end = name
+        .char_indices()
+        .nth(LONGEST)
+        .map_or(name.len(), |(end, _)| end);
+    &name[..end]
 }
 
 /// `$`, a letter, letters and digits.
 fn block_name(name: &str, taken: &mut HashSet<String>) -> String {
-    let mut short = String::new();
-    for word in name.split(|c: char| !c.is_ascii_alphanumeric()) {
+    let mut plain = String::new();
+    for word in short(name).split(|c: char| !c.is_ascii_alphanumeric()) {
         // What was parted by signs is told apart by capitals.
-        let is_first = short.is_empty();
+        let is_first = plain.is_empty();
         let letters = word.chars().enumerate();
-        short.extend(letters.map(|(at, c)| {
+        plain.extend(letters.map(|(at, c)| {
             if at == 0 && !is_first {
                 c.to_ascii_uppercase()
             } else {
@@ -194,13 +206,13 @@ fn block_name(name: &str, taken: &mut HashSet<String>) -> String {
             }
         }));
     }
-    if !short.starts_with(|c: char| c.is_ascii_alphabetic()) {
-        short.insert(0, 'B');
+    if !plain.starts_with(|c: char| c.is_ascii_alphabetic()) {
+        plain.insert(0, 'B');
     }
     let mut number = 2;
-    let mut free = short.clone();
+    let mut free = plain.clone();
     while !taken.insert(free.to_lowercase()) {
-        free = format!("{short}x{number}");
+        free = format!("{plain}x{number}");
         number += 1;
     }
     format!("${free}")

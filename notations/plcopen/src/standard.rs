@@ -72,6 +72,9 @@ pub(crate) fn power_output(block: StandardBlock) -> &'static str {
     }
 }
 
+/// What leaves timers, counters and bistables.
+pub(crate) const OUTPUTS: &[&str] = &["Q", "Q1", "QU", "QD", "ET", "CV"];
+
 /// The type of an output of a standard block.
 pub(crate) fn output_type(pin: &str) -> &'static str {
     match pin.to_ascii_uppercase().as_str() {

@@ -79,6 +79,12 @@ pub(crate) fn operand(text: &str, meaning: Meaning<'_>) -> Result<Operand, Strin
         }
         _ => Form::Expression,
     };
+    if out.len() > LONGEST {
+        return Err(format!("it is longer than {LONGEST} characters"));
+    }
+    if !is_well_formed(&out) {
+        return Err("it is no expression".to_owned());
+    }
     let ty = if parser.compares { Some(named("BOOL")) } else { ty };
     Ok(Operand {
         text: out,
@@ -87,6 +93,18 @@ pub(crate) fn operand(text: &str, meaning: Meaning<'_>) -> Result<Operand, Strin
         reads: parser.reads,
     })
 }
+
+/// Whether ladder text can have it as an operand.
+fn is_well_formed(text: &str) -> bool {
+    let is_name = |c: char| c.is_alphanumeric() || c == '_';
+    (text.chars().all(is_name) && !ladder_syntax::is_reserved(text))
+        || ladder_syntax::parse(&format!("+--[CALC]( y, {text} )--+\n"))
+            .errors()
+            .is_empty()
+}
+
+/// An operand is no longer: it is drawn wherever it is used.
+const LONGEST: usize = 500;
 
 fn named(name: &str) -> Type {
     Type::Named(name.to_owned())

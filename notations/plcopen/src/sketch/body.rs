@@ -53,6 +53,10 @@ pub(super) struct Body<'b> {
     group: Vec<usize>,
     shown: HashSet<usize>,
     work: usize,
+    /// The characters of all networks so far.
+    pub(super) characters: usize,
+    /// The elements that stand somewhere, or are operands.
+    pub(super) seen: Vec<bool>,
     comments: Vec<String>,
     next: Vec<String>,
     pub(super) types: HashMap<End, Option<Type>>,
@@ -93,6 +97,8 @@ impl<'b> Body<'b> {
             group: Vec::new(),
             shown: HashSet::new(),
             work: 0,
+            characters: 0,
+            seen: vec![false; count],
             comments: Vec::new(),
             next: Vec::new(),
             types: HashMap::new(),
@@ -102,6 +108,7 @@ impl<'b> Body<'b> {
             body.element(node);
         }
         body.flush();
+        body.lost();
         let left = std::mem::take(&mut body.comments);
         if !left.is_empty() {
             body.made.items.push(Item::Blank);
@@ -243,8 +250,7 @@ impl<'b> Body<'b> {
         self.feeds(node, &mut own);
         self.work += own.len();
         if self.work > MOST_WORK {
-            self.refuse(node, "the drawing is larger than what can be read");
-            self.comments.push(blocks::shown(&self.graph.nodes[node]));
+            self.lose(node, "the drawing is larger than what can be read");
             return;
         }
         self.prepare(node);
@@ -351,6 +357,7 @@ impl<'b> Body<'b> {
                     for node in drawn.executed {
                         self.executed[node] = true;
                     }
+                    drawn.shown.into_iter().for_each(|node| self.seen[node] = true);
                     self.results.extend(drawn.results);
                     if let Some(circuit) = drawn.circuit {
                         self.push(circuit);
@@ -381,7 +388,7 @@ impl<'b> Body<'b> {
             }
         }
         if !self.network(std::slice::from_ref(&target)) {
-            self.refuse(node, "the drawing is larger than what can be drawn");
+            self.lose(node, "the drawing is larger than what can be drawn");
         }
         for end in cuts {
             self.results.remove(&end);
@@ -445,6 +452,15 @@ impl<'b> Body<'b> {
         matches!(self.outcomes[node], Some(Outcome::Refused(_)))
     }
 
+    /// An element that stands in no network.
+    pub(super) fn lose(&mut self, node: usize, why: &str) {
+        self.refuse(node, why);
+        self.comments.push(format!(
+            "{}: not translated",
+            blocks::shown(&self.graph.nodes[node])
+        ));
+    }
+
     /// An element says nearly the same.
     pub(super) fn note(&mut self, node: usize, why: &str) {
         let outcome = &mut self.outcomes[node];
@@ -455,6 +471,29 @@ impl<'b> Body<'b> {
 
     pub(super) fn class(&self, node: usize) -> Option<Class> {
         blocks::class(self, node)
+    }
+
+    /// What stands nowhere is not left out in silence.
+    fn lost(&mut self) {
+        for node in 0..self.graph.nodes.len() {
+            let is_told = self.seen[node] || self.merged[node] || self.outcomes[node].is_some();
+            let draws = !matches!(
+                self.graph.nodes[node].kind,
+                Kind::LeftRail
+                    | Kind::RightRail
+                    | Kind::Joint
+                    | Kind::Label(_)
+                    | Kind::Comment(_)
+                    | Kind::Other(_)
+            );
+            if draws && !is_told {
+                self.refuse(node, "it is part of what is not translated");
+                self.comments.push(format!(
+                    "{}: not translated",
+                    blocks::shown(&self.graph.nodes[node])
+                ));
+            }
+        }
     }
 
     fn report(&mut self) {

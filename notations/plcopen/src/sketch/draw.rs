@@ -24,7 +24,13 @@ pub(super) enum Target {
 }
 
 /// A network has no more elements.
-const MOST_ELEMENTS: usize = 1_000;
+const MOST_ELEMENTS: usize = 256;
+
+/// A network has no more characters, were each of its branches a line as long as all of its elements.
+const MOST_CHARACTERS: usize = 2_000_000;
+
+/// The same of all networks of a drawing.
+const MOST_IN_ALL: usize = 50_000_000;
 
 /// No more wires end at one pin.
 const MOST_BRANCHES: usize = 200;
@@ -41,6 +47,8 @@ pub(super) struct Drawn {
     pub(super) circuit: Option<Circuit<Element>>,
     /// The blocks in it.
     pub(super) executed: Vec<usize>,
+    /// All elements in it.
+    pub(super) shown: HashSet<usize>,
     /// The tags that hold what leaves them.
     pub(super) results: Vec<(End, String)>,
 }
@@ -89,15 +97,20 @@ impl Drawn {
             wires,
             points,
             executed,
+            shown,
             held,
             ..
         } = pencil;
-        if elements.len() > MOST_ELEMENTS {
+        let length: usize = elements.iter().map(|element| element.text.len() + 4).sum();
+        let characters = length * wires.len();
+        body.characters += characters;
+        if elements.len() > MOST_ELEMENTS || characters > MOST_CHARACTERS || body.characters > MOST_IN_ALL {
             return Ok(None);
         }
         let done = |circuit| Drawn {
             circuit,
             executed,
+            shown,
             results: held,
         };
         if elements.is_empty() {
@@ -149,6 +162,7 @@ impl Pencil<'_, '_> {
                 Ok(())
             }
             Target::Value(end, tag) => {
+                self.shown.insert(end.node);
                 if let Kind::Value(text, _) = &self.body.graph.nodes[end.node].kind {
                     let operand = self.body.operand(text).map_err(|why| (end.node, why))?;
                     self.last(RAIL, format!("[CALC]( {tag}, {} )", operand.text), end.node);
@@ -197,6 +211,7 @@ impl Pencil<'_, '_> {
     /// A comment in the place of an element.
     pub(super) fn stand_in(&mut self, from: usize, node: usize) -> usize {
         let shown = super::blocks::shown(&self.body.graph.nodes[node]);
+        let shown = crate::scope::short(&shown);
         let comment = Element::comment(&format!("{shown}: not translated"), None);
         self.series(from, [comment.text], node)
     }

@@ -27,6 +27,15 @@ pub(super) fn zero(shared: &Shared<'_>, ty: &Type) -> Option<String> {
 ///
 /// Why it has no counterpart.
 pub(super) fn initial_text(shared: &Shared<'_>, ty: &Type, initial: &Initial) -> Result<String, String> {
+    let text = text(shared, ty, initial)?;
+    let declaration = format!("VAR\nx : INT := {text};\nEND_VAR\n");
+    let is_well_formed = ladder_syntax::parse(&declaration).errors().is_empty();
+    is_well_formed
+        .then_some(text)
+        .ok_or_else(|| "it is no value".to_owned())
+}
+
+fn text(shared: &Shared<'_>, ty: &Type, initial: &Initial) -> Result<String, String> {
     match initial {
         Initial::Simple(text) => simple(shared, ty, text),
         Initial::Array(values) => {
@@ -36,7 +45,7 @@ pub(super) fn initial_text(shared: &Shared<'_>, ty: &Type, initial: &Initial) ->
             let values: Result<Vec<String>, String> = values
                 .iter()
                 .map(|(times, value)| {
-                    let value = initial_text(shared, of, value)?;
+                    let value = text(shared, of, value)?;
                     Ok(if *times == 1 {
                         value
                     } else {
@@ -56,7 +65,7 @@ pub(super) fn initial_text(shared: &Shared<'_>, ty: &Type, initial: &Initial) ->
                     Ok(format!(
                         "{} := {}",
                         member(&found.name),
-                        initial_text(shared, &found.ty, value)?
+                        text(shared, &found.ty, value)?
                     ))
                 })
                 .collect();

@@ -162,8 +162,7 @@ impl Body<'_> {
         self.flush();
         // It may have stood in the network that is written now.
         if !self.executed[node] && !self.network(&[Target::Root(node)]) {
-            let why = "what feeds it is larger than what can be drawn";
-            self.refuse(node, why);
+            self.lose(node, "what feeds it is larger than what can be drawn");
             self.executed[node] = true;
         }
     }
@@ -278,6 +277,9 @@ impl Body<'_> {
     fn direct(&mut self, node: usize, pin: usize, seen: &mut Seen) -> Result<Operand, String> {
         let operand = self.find_direct(node, pin, seen)?;
         self.operands.insert((node, pin), operand.clone());
+        for end in &self.graph.nodes[node].inputs[pin].from {
+            self.seen[end.node] = true;
+        }
         Ok(operand)
     }
 
@@ -402,6 +404,9 @@ impl Body<'_> {
                 } else {
                     output.to_ascii_uppercase()
                 };
+                if !standard::OUTPUTS.contains(&output.as_str()) {
+                    return Err(format!("`{name}` has no output `{output}`"));
+                }
                 Ok(path(format!("{instance}.{output}")))
             }
             (Some(Class::Unit(UnitKind::FunctionBlock)), Some(instance)) => {

@@ -69,7 +69,7 @@ pub(crate) fn short(body: &str) -> String {
                     "<variable formalParameter=\"{name}\"{modifier}>{point}</variable>"
                 ));
             }
-            let outputs: String = outputs
+            let outputs: Vec<String> = outputs
                 .iter()
                 .map(|name| {
                     let (name, modifier) = match name.split_once('!') {
@@ -79,6 +79,7 @@ pub(crate) fn short(body: &str) -> String {
                     format!("<variable formalParameter=\"{name}\"{modifier}><connectionPointOut/></variable>")
                 })
                 .collect();
+            let outputs = outputs.concat();
             out.push_str(&format!(
                 "\n<block localId=\"{id}\" typeName=\"{}\"{instance}><inputVariables>{pins}</inputVariables><inOutVariables/>\
                  <outputVariables>{outputs}</outputVariables></block>",

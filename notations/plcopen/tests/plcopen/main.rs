@@ -1,5 +1,6 @@
 //! PLCopen XML, read and run.
 
+mod broken;
 mod corpus;
 mod elements;
 mod harness;
