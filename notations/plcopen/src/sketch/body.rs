@@ -3,6 +3,7 @@
 
 use super::blocks::{self, Class};
 use super::draw::{Drawn, Target};
+use super::units::not_run;
 use crate::expression::{self, Form, Meaning, Operand};
 use crate::graph::{End, Graph, Kind};
 use crate::model::{Evaluation, Type};
@@ -504,6 +505,10 @@ impl<'b> Body<'b> {
             match outcome {
                 None => report.translated(drawn.place, shown),
                 Some(Outcome::Approximated(why)) => report.approximated(drawn.place, shown, why),
+                // The program around a text runs.
+                Some(Outcome::Refused(why)) if matches!(&drawn.kind, Kind::Block { code: Some(_), .. }) => {
+                    not_run(self.reading, drawn.place, shown, &why);
+                }
                 Some(Outcome::Refused(why)) => report.refused(drawn.place, shown, why),
                 Some(Outcome::Translated) => {}
             }

@@ -72,6 +72,7 @@ pub fn reading(project: Project) -> Reading {
         );
     }
     reading.report.entries.sort_by_key(|entry| entry.place);
+    reading.findings.sort_by_key(|finding| finding.place);
     reading
 }
 

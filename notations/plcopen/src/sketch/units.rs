@@ -4,9 +4,10 @@ use super::body::{Body as Networks, Made};
 use super::declare;
 use crate::model::{Body, Part, Project, Type, Unit, UnitKind};
 use crate::scope::{Scope, Shared};
+use ladder_analysis::Severity;
 use ladder_format::Circuit;
 use ladder_format::program::{Drawing, Element, Item, Network};
-use ladder_notation::{LineColumn, Reading};
+use ladder_notation::{Finding, LineColumn, Reading};
 use std::collections::HashSet;
 
 /// Where a unit's networks stand.
@@ -93,7 +94,7 @@ fn body(
         Body::Empty => {}
         Body::Text(language, text) => {
             let why = format!("a body in {language} is not run here: its text is a comment");
-            reading.report.refused(place, format!("body of {name}"), why);
+            not_run(reading, place, format!("body of {name}"), &why);
             made.items.push(Item::Blank);
             made.items.push(Item::Comment(format!(
                 "In {language}, which is not run here:\n{text}"
@@ -106,10 +107,10 @@ fn body(
                 "A chart of steps, which is not run here:\n{}",
                 said.join("\n")
             )));
+            let why = "a chart of steps is not run here: it is a comment";
+            not_run(reading, place, format!("body of {name}"), why);
             for (place, said) in shown {
-                reading
-                    .report
-                    .refused(*place, said, "charts of steps are not run here: it is a comment");
+                reading.report.approximated(*place, said, why);
             }
         }
     }
@@ -163,4 +164,15 @@ fn part_items(
         made.items.extend([Item::Blank, Item::Comment(shown.clone())]);
     }
     body(shared, project, &part.body, part.place, &shown, made, reading);
+}
+
+/// What stays as a text, and the program around it runs.
+pub(super) fn not_run(reading: &mut Reading, place: LineColumn, shown: String, why: &str) {
+    reading.findings.push(Finding {
+        place,
+        severity: Severity::Warning,
+        check: "plcopen-not-run",
+        message: why.to_owned(),
+    });
+    reading.report.approximated(place, shown, why);
 }

@@ -516,7 +516,7 @@ fn blocks_of_the_project() {
             +--[P]( a )---------------------------------------------------( )( M2_start )--+
 
             +--# Motor_2 M2: not translated #----------------------------------------------+
-            refused body of Motor_2: a body in ST is not run here: its text is a comment
+            approximated body of Motor_2: a body in ST is not run here: its text is a comment
             refused Motor_2 M2: nothing is wired to `count`, which is read and written
         "#]],
     );

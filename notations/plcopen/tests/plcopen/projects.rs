@@ -149,7 +149,7 @@ fn several_programs_in_one() {
             refused variable gone: the project has no global of this name
             approximated input motor.speed: nothing is wired to it: it is a comment
             approximated program Idle: no task runs it: it is a function that nothing calls
-            refused body of Idle: a body in ST is not run here: its text is a comment
+            approximated body of Idle: a body in ST is not run here: its text is a comment
             approximated task slow: it runs every T#1s there, and in every scan here
             refused instance of Second: the program runs once here, with one set of variables
             refused instance of Nothing: there is no such program
@@ -270,12 +270,13 @@ fn charts() {
             +--<FUN>( Go_2 )---------------------------------------------------------------+
 
             +--[ ]( a )---------------------------------------------------------( )( Go )--+
+            approximated body of Main: a chart of steps is not run here: it is a comment
             approximated action Blink: the chart that runs it is not run here: it is a function that nothing calls
-            refused body of action Think: a body in ST is not run here: its text is a comment
+            approximated body of action Think: a body in ST is not run here: its text is a comment
             approximated transition Go: the chart that runs it is not run here: it is a function that nothing calls
-            refused step Start, the first: charts of steps are not run here: it is a comment
-            refused transition Go: charts of steps are not run here: it is a comment
-            refused jumpStep Start: charts of steps are not run here: it is a comment
+            approximated step Start, the first: a chart of steps is not run here: it is a comment
+            approximated transition Go: a chart of steps is not run here: it is a comment
+            approximated jumpStep Start: a chart of steps is not run here: it is a comment
         "#]],
     );
 }
