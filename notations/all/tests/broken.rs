@@ -157,8 +157,9 @@ fn sound() -> &'static [Sound] {
         programs.extend(textbook.lines().map(|line| line.as_bytes().to_vec()));
         programs.push(textbook.into_bytes());
         programs.push(DRAFT.as_bytes().to_vec());
-        let drawing = own.join("../../fuzz/seeds/notations/ascii");
-        programs.push(std::fs::read(drawing).expect("the seeds are whole"));
+        let seeds =
+            ["ascii", "openplc", "plcopen"].map(|name| own.join("../../fuzz/seeds/notations").join(name));
+        programs.extend(seeds.map(|seed| std::fs::read(seed).expect("the seeds are whole")));
         let recognised = |bytes: Vec<u8>| {
             let notation = NOTATIONS
                 .iter()
@@ -250,5 +251,5 @@ fn the_programs_themselves_hold() {
         }
     }
     println!("{counted:?}");
-    assert!(counted.len() >= 5, "{counted:?}");
+    assert!(counted.len() >= 7, "{counted:?}");
 }

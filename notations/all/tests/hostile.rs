@@ -68,6 +68,87 @@ fn branches_nested_a_hundred_thousand_deep() {
     assert_eq!(drawing(&lines), Err(error.to_owned()));
 }
 
+/// A project in PLCopen XML with a program of these elements.
+fn plcopen(elements: &str) -> Result<usize, String> {
+    let project = format!(
+        "<project xmlns=\"http://www.plcopen.org/xml/tc6_0201\"><types><pous><pou name=\"Main\" pouType=\"program\"><body><LD>\n\
+         <leftPowerRail localId=\"0\"/>{elements}</LD></body></pou></pous></types></project>"
+    );
+    read("plcopen", project.as_bytes())
+}
+
+fn wired(kind: &str, id: usize, from: &str, tag: &str) -> String {
+    let from = from
+        .split_whitespace()
+        .map(|id| format!("<connection refLocalId=\"{id}\"/>"));
+    let from: Vec<String> = from.collect();
+    format!(
+        "<{kind} localId=\"{id}\"><connectionPointIn>{}</connectionPointIn><variable>{tag}</variable></{kind}>\n",
+        from.concat()
+    )
+}
+
+#[test]
+fn drawings_that_are_too_deep_too_wide_or_too_many() {
+    let bounded = |elements: &[String]| {
+        let text = elements.concat();
+        let length = plcopen(&text).expect("it is read");
+        assert!(
+            length < 20 * text.len() + 10_000_000,
+            "{length} of {}",
+            text.len()
+        );
+    };
+    let count = 5_000;
+    let chain: Vec<String> = (1..count)
+        .map(|id| wired("contact", id, &(id - 1).to_string(), "a"))
+        .collect();
+    bounded(&chain);
+    let coils: Vec<String> = (1..count)
+        .map(|id| wired("coil", id, &(id - 1).to_string(), "a"))
+        .collect();
+    bounded(&coils);
+    let ids: Vec<String> = (1..count).map(|id| id.to_string()).collect();
+    let mut wide: Vec<String> = (1..count).map(|id| wired("contact", id, "0", "a")).collect();
+    wide.push(wired("coil", count, &ids.join(" "), "y"));
+    bounded(&wide);
+    // Each column is wired to all of the one before.
+    let column = |at: usize| {
+        (0..20)
+            .map(|row| (1 + at * 20 + row).to_string())
+            .collect::<Vec<_>>()
+            .join(" ")
+    };
+    let mut mesh: Vec<String> = (0..40 * 20)
+        .map(|id| {
+            wired(
+                "contact",
+                id + 1,
+                &if id < 20 {
+                    "0".to_owned()
+                } else {
+                    column(id / 20 - 1)
+                },
+                "a",
+            )
+        })
+        .collect();
+    mesh.extend((0..200).map(|id| wired("coil", 1_000 + id, &column(39), "y")));
+    bounded(&mesh);
+    // A loop at every element.
+    let loops: Vec<String> = (1..2_000)
+        .map(|id| wired("contact", id, &format!("{} {}", id - 1, id + 1), "a"))
+        .collect();
+    bounded(&loops);
+    let long = "a".repeat(100_000);
+    let named: Vec<String> = (1..30)
+        .map(|id| wired("contact", id, &(id - 1).to_string(), &long))
+        .collect();
+    bounded(&named);
+    let deep = format!("PROGRAM main\n{{\"rungs\": {}", "[".repeat(100_000));
+    assert!(read("openplc", deep.as_bytes()).is_err());
+}
+
 #[test]
 fn a_line_of_fifty_megabytes() {
     let line = vec![b'A'; 50 << 20];

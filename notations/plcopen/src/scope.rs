@@ -18,6 +18,8 @@ pub(crate) struct Scope {
     known: HashMap<String, Known>,
     names: Names,
     taken: HashSet<String>,
+    /// How many tags were made for each name.
+    numbers: HashMap<String, u32>,
 }
 
 /// What the whole project knows.
@@ -44,6 +46,7 @@ impl Scope {
             known: HashMap::new(),
             names: globals.names.clone(),
             taken: globals.taken.clone(),
+            numbers: globals.numbers.clone(),
         }
     }
 
@@ -54,7 +57,14 @@ impl Scope {
 
     /// A name for something that the source has no variable for.
     pub(crate) fn fresh(&mut self, like: &str) -> String {
-        let name = self.names.fresh(short(like));
+        let like = short(like);
+        // Of many that are alike the next number is known.
+        let count = self.numbers.entry(like.to_lowercase()).or_default();
+        *count += 1;
+        let name = match *count {
+            1 => self.names.fresh(like),
+            count => self.names.fresh(&format!("{like}_{count}")),
+        };
         self.taken.insert(name.to_lowercase());
         name
     }

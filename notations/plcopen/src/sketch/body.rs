@@ -26,6 +26,9 @@ pub(super) struct Made {
 /// What feeds all that is done in a drawing has no more elements, each counted for all that it feeds.
 const MOST_WORK: usize = 1_000_000;
 
+/// No more points of a drawing are taken apart, each counted for all that it feeds.
+const MOST_PIECES: usize = 2_000;
+
 /// A drawing on its way.
 pub(super) struct Body<'b> {
     pub(super) shared: &'b Shared<'b>,
@@ -54,6 +57,7 @@ pub(super) struct Body<'b> {
     group: Vec<usize>,
     shown: HashSet<usize>,
     work: usize,
+    pieces: usize,
     /// The characters of all networks so far.
     pub(super) characters: usize,
     /// The elements that stand somewhere, or are operands.
@@ -98,6 +102,7 @@ impl<'b> Body<'b> {
             group: Vec::new(),
             shown: HashSet::new(),
             work: 0,
+            pieces: 0,
             characters: 0,
             seen: vec![false; count],
             comments: Vec::new(),
@@ -366,6 +371,8 @@ impl<'b> Body<'b> {
                     return true;
                 }
                 Ok(None) => return false,
+                // What is refused and still cannot be passed over ends the network.
+                Err((node, _)) if self.is_refused(node) => return false,
                 Err((node, why)) => self.refuse(node, why),
             }
         }
@@ -378,7 +385,14 @@ impl<'b> Body<'b> {
             Target::End(end, _) | Target::Value(end, _) => end.node,
         };
         let mut cuts = Vec::new();
-        for end in self.ends_before(node) {
+        let ends = self.ends_before(node);
+        self.pieces += ends.len();
+        let ends = if self.pieces > MOST_PIECES {
+            Vec::new()
+        } else {
+            ends
+        };
+        for end in ends {
             let several = self.uses.get(&end).is_some_and(|uses| uses.len() > 1);
             if several && !self.results.contains_key(&end) && self.has_power(end) {
                 let tag = self.helper("point", "BOOL", "power at a point of the drawing");

@@ -27,10 +27,10 @@ pub(super) enum Target {
 const MOST_ELEMENTS: usize = 256;
 
 /// A network has no more characters, were each of its branches a line as long as all of its elements.
-const MOST_CHARACTERS: usize = 2_000_000;
+const MOST_CHARACTERS: usize = 400_000;
 
 /// The same of all networks of a drawing.
-const MOST_IN_ALL: usize = 50_000_000;
+const MOST_IN_ALL: usize = 8_000_000;
 
 /// No more wires end at one pin.
 const MOST_BRANCHES: usize = 200;
