@@ -24,6 +24,7 @@ mod new;
 mod outside;
 mod own_library;
 mod pages;
+mod projects;
 mod render;
 #[cfg(feature = "pdf")]
 mod render_pdf;
