@@ -116,7 +116,7 @@ impl<'x> Reader<'x, '_> {
                 };
                 Type::Range(base, bound("lower"), bound("upper"))
             }
-            "pointer" | "reference" => Type::Other(format!("a {name}")),
+            "pointer" | "reference" => Type::Other("a pointer".to_owned()),
             name => Type::Named(name.to_owned()),
         }
     }
