@@ -72,7 +72,8 @@ fn every_construct_becomes_ladder_text() {
             |               /--\-----------------------------------(S)( C[20..23] )--\--/  |
         Info reset-without-set: `C[30..33]` is reset, and nothing sets it: it is never on
             |                  /-----------------------------------(R)( C[30..33] )--/     |
-    "#]].assert_eq(&complaints(&converted.written.text));
+    "#]]
+    .assert_eq(&complaints(&converted.written.text));
 }
 
 #[test]

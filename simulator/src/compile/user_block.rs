@@ -52,10 +52,16 @@ impl Compiler<'_> {
             let bound = given(number).ok_or_else(|| arguments.mismatch())?;
             let in_body = &user.parts[number];
             let pairs: Vec<(TagId, &Argument)> = match &bound.argument {
-                Argument::Parts(parts) => {
+                // An array of elementary values is one tag in the body, and one column of what it is a member of.
+                Argument::Parts(parts) if in_body.is_empty() => match parts.as_slice() {
+                    [part] => vec![(tag, part)],
+                    _ => return Err(arguments.mismatch()),
+                },
+                Argument::Parts(parts) if in_body.len() == parts.len() => {
                     let tags = in_body.iter().filter_map(Place::root);
                     tags.zip(parts).collect()
                 }
+                Argument::Parts(_) => return Err(arguments.mismatch()),
                 one => vec![(tag, one)],
             };
             for (tag, argument) in pairs {

@@ -136,3 +136,24 @@ fn the_state_of_a_block_is_kept() {
         "#]],
     );
 }
+
+#[test]
+fn an_array_that_is_a_member_goes_by_reference() {
+    let text = "TYPE\nGroup : STRUCT\nn : INT;\nlamps : ARRAY[1..4] OF BOOL;\nEND_STRUCT;\nEND_TYPE\n\
+        FUNCTION_BLOCK [$Light]\nVAR_IN_OUT\nlist : ARRAY[1..4] OF BOOL;\nEND_VAR\n+--( )( list[2] )--+\nEND_FUNCTION_BLOCK\n\
+        VAR\ng : ARRAY[1..2] OF Group;\none : Group;\nk : INT := 1;\nEND_VAR\n\
+        +--[$Light]( one.lamps )--+\n+--[$Light]( g[2].lamps )--+\n+--[$Light]( g[k].lamps )--+\n";
+    let mut simulation = simulation(text);
+    simulation.scan();
+    let lamps = [
+        "one.lamps[1]",
+        "one.lamps[2]",
+        "g[1].lamps[2]",
+        "g[2].lamps[1]",
+        "g[2].lamps[2]",
+    ];
+    assert_eq!(
+        lamps.map(|lamp| get(&simulation, lamp)),
+        ["0", "1", "1", "0", "1"]
+    );
+}

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// A target's seeds are at most so many: what else there is to find, the fuzzer finds.
-const MOST_FILES: usize = 8;
+const MOST_FILES: usize = 12;
 
 /// And together at most so long.
 const MOST_BYTES: u64 = 8 << 10;

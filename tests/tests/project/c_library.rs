@@ -60,7 +60,7 @@ fn places(program: &Program, compiled: &Compiled) -> Vec<Place> {
                 at,
                 ty,
                 may_be_set,
-            })
+            });
         };
         match *home {
             Home::Bits { at, first, len } => {
@@ -104,7 +104,10 @@ fn word(value: &Value) -> String {
         Value::Bool(high) => u8::from(*high).to_string(),
         Value::Int(number) => number.to_string(),
         Value::Real(real) => (real.to_bits() as i64).to_string(),
-        Value::Text(bytes) => bytes.iter().map(|byte| format!("{byte:02x}")).collect(),
+        Value::Text(bytes) => bytes.iter().fold(String::new(), |mut text, byte| {
+            let _ = write!(text, "{byte:02x}");
+            text
+        }),
     }
 }
 

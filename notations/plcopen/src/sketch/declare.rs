@@ -68,9 +68,14 @@ fn bound(shared: &Shared<'_>, text: &str) -> Result<String, String> {
         shared,
         scope: &scope,
     };
-    operand(text, meaning)
-        .map(|bound| bound.text)
-        .map_err(|why| format!("of the bound `{text}`: {why}"))
+    let bound = operand(text, meaning).map_err(|why| format!("of the bound `{text}`: {why}"))?;
+    // A number or the name of a constant; no address, no text.
+    let is_known = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '+' | '#');
+    if bound.text.chars().all(is_known) {
+        Ok(bound.text)
+    } else {
+        Err(format!("the bound `{text}` is no number"))
+    }
 }
 
 /// What a type is in its declaration, with what is inside of it.
