@@ -137,6 +137,7 @@ impl<'c> Resolver<'c, '_> {
         }
         if let Some(ty) = compared_without_order(compared)
             && !matches!(row.op, Op::Eq | Op::Ne)
+            && !(row.op == Op::Search && asks_for_equality(bound))
         {
             self.report(type_mismatch::no_order(ty, bound.range()));
         }
@@ -436,5 +437,19 @@ fn search_operator(name: &str) -> Option<Op> {
         "LT" | "LES" => Op::Lt,
         "LE" | "LEQ" => Op::Le,
         _ => return None,
+    })
+}
+
+/// Whether a `[SEARCH]` compares with EQ or NE.
+fn asks_for_equality(bound: BlockAt<'_>) -> bool {
+    let mut operands = bound.facts.operands.iter().zip(bound.formals.iter());
+    operands.any(|(written, formal)| {
+        let is_operator =
+            matches!(formal, Formal::Operand(operand) if operand.accepts == Accepts::SearchOperator);
+        let name = match &written.value.kind {
+            NodeKind::Name(name) => name.as_str(),
+            _ => "",
+        };
+        is_operator && ["EQ", "NE"].iter().any(|equal| name.eq_ignore_ascii_case(equal))
     })
 }

@@ -2,12 +2,12 @@
 
 use super::Resolver;
 use crate::networks::BlockAt;
-use crate::networks::facts::Node;
+use crate::networks::facts::{Node, NodeKind};
 use crate::networks::network::Formal;
 use crate::program::{Expr, ExprKind};
 use crate::rules::type_mismatch;
 use crate::values::constant::{natural_type, signed_literal};
-use crate::values::types::{Scalar, common};
+use crate::values::types::{Scalar, Type, common};
 use crate::values::value::Value;
 use ladder_instructions::{Accepts, Arithmetic, Op, Truth};
 
@@ -56,6 +56,22 @@ impl Resolver<'_, '_> {
         None
     }
 
+    /// The type of the elements of a range among the operands.
+    fn searched(&self, bound: BlockAt<'_>) -> Option<Scalar> {
+        let array = bound
+            .facts
+            .operands
+            .iter()
+            .find_map(|written| match &written.value.kind {
+                NodeKind::Range(base, ..) => Some(base),
+                _ => None,
+            });
+        match self.tag_type(self.named_tag(array?)?) {
+            Type::Array { element, .. } => Some(element),
+            _ => None,
+        }
+    }
+
     /// The type that the operands of a comparison agree in.
     pub(super) fn compared_type(&mut self, bound: BlockAt<'_>) -> Compared {
         let nodes: Vec<&Node> = bound
@@ -75,6 +91,10 @@ impl Resolver<'_, '_> {
             for ty in typed.iter_mut().filter(|ty| **ty == Scalar::Bool) {
                 *ty = Scalar::integer_of(self.semantics());
             }
+        }
+        if typed.is_empty() {
+            // A value of the elements that are searched.
+            typed.extend(self.searched(bound).filter(|ty| ty.is_enumeration()));
         }
         let Some((&first, rest)) = typed.split_first() else {
             // Literals only.

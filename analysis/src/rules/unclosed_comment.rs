@@ -29,8 +29,25 @@ pub(crate) fn unclosed(parse: &Parse, range: TextRange) -> Diagnostic {
             range,
             "this comment is never closed: all that follows is read as comment",
         )
-        .help("close it with a second `#`"),
+        .help(match typed_value(&parse.to_string(), range) {
+            Some((ty, value)) => {
+                format!("close it with a second `#`; the value of an enumeration is written {ty}.{value}")
+            }
+            None => "close it with a second `#`".to_owned(),
+        }),
     }
+}
+
+/// What other systems write as `Phase#IDLE`: the type and the value, if that is what stands around a `#`.
+fn typed_value(text: &str, mark: TextRange) -> Option<(&str, &str)> {
+    let is_name = |c: char| c.is_alphanumeric() || c == '_';
+    let (before, after) = (&text[..mark.start().into()], &text[mark.start().into()..]);
+    let after = after.strip_prefix('#')?;
+    let ty = &before[before.trim_end_matches(is_name).len()..];
+    let rest = after.trim_start_matches(is_name);
+    let value = &after[..after.len() - rest.len()];
+    let begins = |name: &str| name.starts_with(|c: char| c.is_alphabetic() || c == '_');
+    (begins(ty) && begins(value) && rest.trim_start().starts_with([')', ','])).then_some((ty, value))
 }
 
 /// The `#` that opens a comment up to the end of the text.

@@ -455,3 +455,18 @@ fn values_within_limits() {
         "#]],
     );
 }
+
+/// The search of a value; and what other systems write.
+#[test]
+fn values_that_are_searched_and_written_with_a_sharp() {
+    check(
+        "TYPE\n    Phase : (IDLE, FULL);\nEND_TYPE\nVAR\n    steps : ARRAY[1..3] OF Phase;\n    found : INT;\nEND_VAR\n\
+         +--[SEARCH]( found, EQ, FULL, steps[1..3] )--[GT]( found, 0 )--( )( Q1 )--+\n\
+         +--[SEARCH]( found, GT, FULL, steps[1..3] )--[MOV]( steps[1], Phase#IDLE )--+\n",
+        expect![[r#"
+            > +--[SEARCH]( found, GT, FULL, steps[1..3] )--[MOV]( steps[1], Phase#IDLE )--+
+                                                                                 ^ error[unclosed-comment]: this comment is never closed: all that follows is read as comment
+                help: close it with a second `#`; the value of an enumeration is written Phase.IDLE
+        "#]],
+    );
+}
