@@ -99,7 +99,6 @@ pub(crate) fn fuse(plain: &Code, mut temporary: Vec<bool>, memory: &mut Memory) 
         operands: plain.operands.clone(),
         saved: plain.saved.clone(),
         relays: plain.relays,
-        depth: plain.depth,
     };
     code.blocks.extend(plain.blocks.iter().map(|block| BlockPlace {
         start: moved[block.start as usize],

@@ -33,7 +33,7 @@ pub struct Code {
     /// Where each network begins, in the order of the code: its first instruction and its number.
     pub networks: Vec<NetworkPlace>,
     /// For each instruction the kinds of [`stop`] in front of it. Plain code only.
-    pub stops: Vec<u8>,
+    pub(crate) stops: Vec<u8>,
     /// Arrays that are indexed while scanning.
     pub arrays: Vec<ArrayPlace>,
     /// Operands of routines.
@@ -42,8 +42,6 @@ pub struct Code {
     pub saved: Vec<Vec<Bit>>,
     /// Where errors are reported that are not faults.
     pub relays: Relays,
-    /// Most frames that can be open at once.
-    pub depth: usize,
 }
 
 /// Where a scan can halt: in front of what has code. A set of kinds for each instruction.

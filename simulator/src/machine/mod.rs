@@ -97,7 +97,7 @@ impl Machine {
             reached: vec![0; networks],
             left_at: vec![u32::MAX; networks],
             rows: vec![0; code.records.len()],
-            frames: Vec::with_capacity((CALL_DEPTH + 1) * (code.depth + 1)),
+            frames: Vec::with_capacity(CALL_DEPTH + 1),
             saved: Vec::with_capacity(CALL_DEPTH * widest),
         }
     }
