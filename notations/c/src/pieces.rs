@@ -1,6 +1,7 @@
 //! The parts of the C runtime that a program needs.
 
 use std::collections::BTreeSet;
+use std::sync::LazyLock;
 
 /// In the order in which they are written: each may use only what is above it, but for the texts, which ranges move.
 const RUNTIME: [&str; 6] = [
@@ -21,7 +22,7 @@ struct Piece {
     text: &'static str,
 }
 
-fn all() -> Vec<Piece> {
+static ALL: LazyLock<Vec<Piece>> = LazyLock::new(|| {
     let texts = RUNTIME.iter().flat_map(|file| file.split(MARK).skip(1));
     texts
         .map(|piece| {
@@ -34,23 +35,19 @@ fn all() -> Vec<Piece> {
             }
         })
         .collect()
-}
+});
 
 /// The piece with this name.
 pub(crate) fn named(name: &str) -> Option<&'static str> {
-    all()
-        .into_iter()
-        .map(|piece| piece.name)
-        .find(|piece| *piece == name)
+    ALL.iter().map(|piece| piece.name).find(|piece| *piece == name)
 }
 
 /// The C text of these pieces and of all that they need.
 pub(crate) fn text(used: &BTreeSet<&'static str>) -> String {
-    let all = all();
     let mut wanted = used.clone();
     loop {
         let before = wanted.len();
-        for piece in &all {
+        for piece in ALL.iter() {
             if wanted.contains(piece.name) {
                 wanted.extend(piece.needs.iter().copied());
             }
@@ -59,7 +56,7 @@ pub(crate) fn text(used: &BTreeSet<&'static str>) -> String {
             break;
         }
     }
-    let chosen = all.iter().filter(|piece| wanted.contains(piece.name));
+    let chosen = ALL.iter().filter(|piece| wanted.contains(piece.name));
     chosen.flat_map(|piece| [piece.text, "\n\n"]).collect()
 }
 
@@ -70,7 +67,7 @@ mod tests {
     #[test]
     fn what_a_piece_needs_is_there_and_above_it() {
         let mut above = BTreeSet::new();
-        for piece in all() {
+        for piece in ALL.iter() {
             above.insert(piece.name);
             for need in &piece.needs {
                 assert!(above.contains(need), "{} needs {need}", piece.name);
