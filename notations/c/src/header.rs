@@ -33,6 +33,14 @@ const FAULTS: [(&str, &str); 13] = [
     ),
 ];
 
+/// What the source calls the faults that the header names after the program.
+pub(crate) fn faults(upper: &str) -> String {
+    let names = FAULTS
+        .iter()
+        .flat_map(|(name, _)| ["    FAULT_", name, " = ", upper, "_FAULT_", name, ",\n"]);
+    format!("enum {{\n{}}};\n\n", names.collect::<String>())
+}
+
 fn structure(name: &str, what: &str, fields: &[Field]) -> String {
     let mut out = format!("/* {what} */\ntypedef struct {name} {{\n");
     if fields.is_empty() {

@@ -72,6 +72,29 @@ impl Names {
     }
 }
 
+/// What a library is called, from the name of its program: nothing that C, its callers or the runtime call something else.
+pub(crate) fn library(program: &str) -> String {
+    let name = identifier(program);
+    let is_taken = TAKEN.contains(&name.as_str())
+        || OWN.contains(&name.as_str())
+        || crate::pieces::named(&name).is_some();
+    if is_taken { name + "_program" } else { name }
+}
+
+/// What every source has, or every program.
+const OWN: [&str; 10] = [
+    "main",
+    "state",
+    "frame_of",
+    "note",
+    "operands",
+    "text_at",
+    "text_room",
+    "take_inputs",
+    "show_inputs",
+    "put_outputs",
+];
+
 /// Letters, digits and `_`; anything else becomes `_`, and letters of other alphabets their number.
 pub(crate) fn identifier(of: &str) -> String {
     let mut name = String::new();
@@ -97,6 +120,20 @@ pub(crate) fn identifier(of: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn libraries_are_called_like_nothing_else() {
+        let made = ["motor", "main", "int", "ton", "Left", "state"].map(library);
+        let expected = [
+            "motor",
+            "main_program",
+            "int_program",
+            "ton_program",
+            "Left_program",
+            "state_program",
+        ];
+        assert_eq!(made, expected);
+    }
 
     #[test]
     fn names_are_c_and_differ() {

@@ -9,6 +9,8 @@ const MARK: usize = 4;
 /// A stretch of slots.
 enum Stretch {
     Bits(u32, u32),
+    /// What a timer is doing: more than a bit.
+    Phase(u32),
     Words(u32, u32),
     Text(u32, usize),
     /// An instant, kept as the time since.
@@ -26,11 +28,13 @@ fn stretches(compiled: &Compiled) -> Vec<Stretch> {
             }
             Home::State { state, bits, words } => {
                 let (bit_count, word_count) = state_size(state);
-                all.push(Stretch::Bits(bits.0, bit_count));
                 if state.is_timer() {
+                    all.push(Stretch::Bits(bits.0, timer::PHASE));
+                    all.push(Stretch::Phase(bits.0 + timer::PHASE));
                     all.push(Stretch::Words(words.0, timer::SINCE));
                     all.push(Stretch::Since(words.0 + timer::SINCE));
                 } else {
+                    all.push(Stretch::Bits(bits.0, bit_count));
                     all.push(Stretch::Words(words.0, word_count));
                 }
             }
@@ -44,6 +48,7 @@ fn stretches(compiled: &Compiled) -> Vec<Stretch> {
 pub(crate) fn size(compiled: &Compiled) -> usize {
     let sizes = stretches(compiled).into_iter().map(|stretch| match stretch {
         Stretch::Bits(_, len) => len as usize,
+        Stretch::Phase(_) => 1,
         Stretch::Words(_, len) => 8 * len as usize,
         Stretch::Text(_, room) => 2 + room,
         Stretch::Since(_) => 8,
@@ -83,6 +88,10 @@ pub(crate) fn functions(p: &str, compiled: &Compiled) -> String {
             Stretch::Bits(at, len) => (
                 format!("for (n = {at}; n < {}; n++) *at++ = self->b[n];", at + len),
                 format!("for (n = {at}; n < {}; n++) self->b[n] = *at++ != 0;", at + len),
+            ),
+            Stretch::Phase(at) => (
+                format!("*at++ = self->b[{at}];"),
+                format!("self->b[{at}] = *at++ & 7;"),
             ),
             Stretch::Words(at, len) => (
                 format!(

@@ -2,8 +2,7 @@
 
 use crate::code::{self, Body};
 use crate::interface::{self, Field, Interface};
-use crate::names::identifier;
-use crate::{data, header, pieces, retained};
+use crate::{data, header, names, pieces, retained};
 use ladder_analysis::Analysis;
 use ladder_analysis::program::{Clock, Location};
 use ladder_notation::{Companion, LineColumn, Lines, Report, WriteError, Writing};
@@ -70,7 +69,7 @@ pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
         )));
     }
     let file = Path::new(program.files.first().map_or("program", String::as_str));
-    let name = identifier(&file.file_stem().unwrap_or_default().to_string_lossy());
+    let name = names::library(&file.file_stem().unwrap_or_default().to_string_lossy());
     let interface = interface::interface(program, &compiled);
     Ok(Writing {
         bytes: source(&name, &interface, &compiled, &body).into_bytes(),
@@ -111,6 +110,7 @@ fn source(p: &str, interface: &Interface, compiled: &Compiled, body: &Body) -> S
     if runtime.contains("TYPE_") {
         out.push_str(TYPES);
     }
+    out.push_str(&header::faults(&upper));
     out.push_str(&data::tables(
         compiled,
         has_operands,
@@ -150,7 +150,7 @@ fn source(p: &str, interface: &Interface, compiled: &Compiled, body: &Body) -> S
         );
     }
     out.push_str("}\n");
-    out.replace("FAULT_", &format!("{upper}_FAULT_"))
+    out
 }
 
 /// Without the labels that nothing goes to.
@@ -190,7 +190,7 @@ fn transfers(interface: &Interface) -> String {
 }
 
 fn transfer(name: &str, statements: String) -> String {
-    let counter = if statements.contains("n = 0") {
+    let counter = if statements.contains("for (n") {
         "    uint32_t n;\n"
     } else {
         ""

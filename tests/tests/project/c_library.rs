@@ -355,6 +355,49 @@ fn what_is_kept_comes_back() {
     assert_eq!(String::from_utf8_lossy(&ran.stdout), "1\n40 9\n0\n");
 }
 
+/// Compiles a library and a program around it, and runs that.
+fn compiled_and_run(compiler: &str, folder: &Path, text: &str, name: &str, main: &str) -> String {
+    let analysis = analyze(&Arc::new(ladder_syntax::parse(text)), name);
+    let writing = ladder_notations::by_name("c").unwrap().write(&analysis).unwrap();
+    std::fs::write(folder.join("library.c"), &writing.bytes).unwrap();
+    let header = &writing.companions[0];
+    std::fs::write(folder.join(&header.name), &header.bytes).unwrap();
+    std::fs::write(folder.join("main.c"), main).unwrap();
+    let mut arguments = STRICT.to_vec();
+    arguments.extend(["main.c", "library.c", "-o", "main", "-lm"]);
+    let compiled = Command::new(compiler)
+        .current_dir(folder)
+        .args(arguments)
+        .output()
+        .unwrap();
+    assert!(
+        compiled.status.success(),
+        "{}",
+        String::from_utf8_lossy(&compiled.stderr)
+    );
+    let ran = Command::new(folder.join("main")).output().unwrap();
+    String::from_utf8(ran.stdout).unwrap()
+}
+
+/// An off-delay that was armed when the power went is over in time after it came back; and a program that is called `main` has a tag
+/// that is called as the library calls its faults.
+#[test]
+fn what_timers_do_is_kept_and_names_do_not_clash() {
+    let Some(compiler) = compiler() else {
+        eprintln!("skipped: there is no C compiler here");
+        return;
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let text = "VAR_INPUT\n    FAULT_RESET : BOOL;\nEND_VAR\nVAR RETAIN\n    t : TOF;\nEND_VAR\nVAR_OUTPUT\n    on : BOOL;\nEND_VAR\n\
+        +--[ ]( FAULT_RESET )--[TOF]( t, T#100ms )--( )( on )--+\n";
+    let main = "#include \"main_program.h\"\n#include <stdio.h>\nint main(void)\n{\n    static main_program one, two;\n    \
+        uint8_t bytes[MAIN_PROGRAM_RETAINED];\n    int n;\n    main_program_init(&one);\n    one.in.FAULT_RESET = true;\n    main_program_scan(&one, 0);\n    \
+        main_program_save(&one, bytes);\n    main_program_init(&two);\n    if (!main_program_restore(&two, bytes)) return 1;\n    \
+        for (n = 0; n < 12; n++) {\n        main_program_scan(&two, n * INT64_C(10000000));\n        printf(\"%d\", two.out.on);\n    }\n    return 0;\n}\n";
+    let said = compiled_and_run(compiler, folder.path(), text, "main", main);
+    assert_eq!(said, "111111111100");
+}
+
 #[test]
 fn examples_do_the_same_in_c() {
     let Some(compiler) = compiler() else {
