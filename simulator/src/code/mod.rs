@@ -81,6 +81,15 @@ impl Code {
         here.into_iter().find(|place| place.end > pc)
     }
 
+    /// The innermost block that an instruction belongs to, as an index into the blocks.
+    pub fn block_at(&self, pc: u32) -> u32 {
+        let mut block = self.blocks.partition_point(|block| block.start <= pc);
+        while block > 1 && self.blocks[block - 1].end <= pc {
+            block -= 1;
+        }
+        block.saturating_sub(1) as u32
+    }
+
     /// Notes where scans can halt.
     pub fn note_stops(&mut self) {
         self.stops = vec![0; self.instrs.len()];

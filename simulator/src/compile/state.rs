@@ -27,6 +27,30 @@ impl Compiler<'_> {
         found.map(|(_, spot)| spot).ok_or_else(|| arguments.mismatch())
     }
 
+    /// Where a state begins that is always the same one. One that an index chooses is evaluated here: none is left to do.
+    fn fixed_or_chosen(
+        &mut self,
+        state: StateSpot,
+        op: Op,
+        (out, en): (Bit, Bit),
+        operand: u32,
+    ) -> Option<(Bit, Word)> {
+        match state {
+            StateSpot::Fixed { bits, words } => Some((bits, words)),
+            StateSpot::At { bits, words } => {
+                self.emit(Instr::StateAt {
+                    op,
+                    out,
+                    en,
+                    operand,
+                    bits,
+                    words,
+                });
+                None
+            }
+        }
+    }
+
     /// The same as [`Compiler::inputs`], of a state that may be chosen by a computed index.
     fn inputs_of(&mut self, arguments: Arguments, state: StateSpot, inputs: &[(&str, u32)]) -> Result<()> {
         let (bits, at) = match state {
@@ -81,20 +105,8 @@ impl Compiler<'_> {
         let out = self.layout.bit();
         let pt = self.preset(arguments.value(1)?)?;
         self.inputs_of(arguments, state, &[("R", timer::R)])?;
-        let (bits, words) = match state {
-            StateSpot::Fixed { bits, words } => (bits, words),
-            StateSpot::At { bits, words } => {
-                let operand = pt.0;
-                self.emit(Instr::StateAt {
-                    op,
-                    out,
-                    en,
-                    operand,
-                    bits,
-                    words,
-                });
-                return Ok(out);
-            }
+        let Some((bits, words)) = self.fixed_or_chosen(state, op, (out, en), pt.0) else {
+            return Ok(out);
         };
         self.emit(match op {
             Op::Tof => Instr::Tof {
@@ -157,27 +169,13 @@ impl Compiler<'_> {
         let pv = self.word(arguments.value(1)?)?;
         let inputs = [("CD", counter::CD), ("R", counter::R), ("LD", counter::LD)];
         self.inputs_of(arguments, state, &inputs)?;
-        let (bits, words) = match state {
-            StateSpot::Fixed { bits, words } => {
-                // What was high before does not count.
-                let is_primed = self.semantics.first_edges == FirstEdges::None;
-                let before = bits.offset(counter::UP_BEFORE);
-                self.layout.memory.set_bit(before, is_primed);
-                (bits, words)
-            }
-            StateSpot::At { bits, words } => {
-                let operand = pv.0;
-                self.emit(Instr::StateAt {
-                    op,
-                    out,
-                    en,
-                    operand,
-                    bits,
-                    words,
-                });
-                return Ok(out);
-            }
+        let Some((bits, words)) = self.fixed_or_chosen(state, op, (out, en), pv.0) else {
+            return Ok(out);
         };
+        // What was high before does not count.
+        let is_primed = self.semantics.first_edges == FirstEdges::None;
+        let before = bits.offset(counter::UP_BEFORE);
+        self.layout.memory.set_bit(before, is_primed);
         self.emit(match op {
             Op::Ctd => Instr::Ctd {
                 out,
@@ -218,20 +216,8 @@ impl Compiler<'_> {
             Some(value) => self.bit(value)?,
             None => Bit::LOW,
         };
-        let bits = match state {
-            StateSpot::Fixed { bits, .. } => bits,
-            StateSpot::At { bits, words } => {
-                let operand = reset.0;
-                self.emit(Instr::StateAt {
-                    op,
-                    out,
-                    en,
-                    operand,
-                    bits,
-                    words,
-                });
-                return Ok(out);
-            }
+        let Some((bits, _)) = self.fixed_or_chosen(state, op, (out, en), reset.0) else {
+            return Ok(out);
         };
         self.emit(match op {
             Op::Rs => Instr::Rs { out, en, reset, bits },

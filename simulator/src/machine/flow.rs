@@ -1,6 +1,6 @@
 //! Program flow (LANGUAGE §5.5): jumps, calls, loops, rails.
 
-use super::{Halt, Machine, block_at};
+use super::{Halt, Machine};
 use crate::code::{Code, Instr, NOTHING_SAVED};
 use crate::fault::Trouble;
 use crate::timers::Clock;
@@ -77,7 +77,7 @@ impl Machine {
             }
             Instr::Call { to, saved, .. } => {
                 if self.position.calls == CALL_DEPTH {
-                    self.record(Trouble::CallDepth, block_at(code, pc), clock.scan);
+                    self.record(Trouble::CallDepth, code.block_at(pc as u32), clock.scan);
                     return Flow::Halt(Halt::Stopped);
                 }
                 self.position.calls += 1;

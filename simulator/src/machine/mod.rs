@@ -169,7 +169,7 @@ impl Machine {
                         // Straight-line code ends here: its blocks are paid for.
                         self.position.pay(work_before(code, pc + 1) - entered);
                         if self.is_braked() {
-                            self.record(Trouble::Braked, block_at(code, pc), clock.scan);
+                            self.record(Trouble::Braked, code.block_at(pc as u32), clock.scan);
                             return Halt::Stopped;
                         }
                         pc = to as usize;
@@ -185,7 +185,7 @@ impl Machine {
                     pc += 1;
                     self.position.pay(work_before(code, pc) - entered);
                     if let Err(trouble) = self.pay_for_elements(blocks) {
-                        self.record(trouble, block_at(code, pc - 1), clock.scan);
+                        self.record(trouble, code.block_at(pc as u32 - 1), clock.scan);
                         return Halt::Stopped;
                     }
                     (entered, instrs) = stretch(code, pc, self.position.budget);
@@ -217,7 +217,7 @@ impl Machine {
     /// A fault that the scan survives: the block has no power, and the code after it goes on.
     #[cold]
     fn fault(&mut self, code: &Code, pc: usize, trouble: Trouble, clock: Clock) -> usize {
-        let block = block_at(code, pc);
+        let block = code.block_at(pc as u32);
         let place = &code.blocks[block as usize];
         let is_signalled = place.controller == Controller::Banks && self.signal(code, trouble);
         if !is_signalled {
@@ -293,14 +293,4 @@ fn work_before(code: &Code, pc: usize) -> u64 {
 fn first_beyond(code: &Code, most: u64) -> u32 {
     code.blocks
         .partition_point(|block| u64::from(block.work_through) <= most) as u32
-}
-
-/// The innermost block that an instruction belongs to.
-fn block_at(code: &Code, pc: usize) -> u32 {
-    let pc = pc as u32;
-    let mut block = code.blocks.partition_point(|block| block.start <= pc);
-    while block > 1 && code.blocks[block - 1].end <= pc {
-        block -= 1;
-    }
-    block.saturating_sub(1) as u32
 }

@@ -1,7 +1,7 @@
 //! Where a scan is that is not finished, and where it is to halt.
 
+use super::Machine;
 use super::flow::Frame;
-use super::{Machine, block_at};
 use crate::code::{Code, NOTHING_SAVED, stop};
 
 /// Where a scan goes on. A scan that runs through keeps this in the machine's locals.
@@ -141,7 +141,7 @@ impl Machine {
         let Some(fused) = ran else { return };
         for frame in std::iter::once(&mut self.position.frame).chain(&mut self.frames) {
             if frame.back > 0 {
-                let call = block_at(fused, frame.back as usize - 1);
+                let call = fused.block_at(frame.back - 1);
                 frame.back = plain.blocks[call as usize].end;
             }
         }

@@ -48,7 +48,7 @@ pub(crate) fn body(
         loops,
         zones,
         goes_back: false,
-        labels: labels(code, calls, loops),
+        labels: labels(code, calls),
     };
     emitter.all(comment);
     emitter.body.locals = locals(&emitter.body.text, code, calls, loops, zones);
@@ -105,7 +105,7 @@ fn depth(code: &Code) -> usize {
 }
 
 /// The instructions that others go on at.
-fn labels(code: &Code, calls: bool, loops: bool) -> BTreeSet<u32> {
+fn labels(code: &Code, calls: bool) -> BTreeSet<u32> {
     let mut labels = BTreeSet::new();
     for (at, instr) in code.instrs.iter().enumerate() {
         instr.for_each_target(|to| {
@@ -114,23 +114,11 @@ fn labels(code: &Code, calls: bool, loops: bool) -> BTreeSet<u32> {
         if calls && matches!(instr, Instr::Call { .. }) {
             labels.insert(at as u32 + 1);
         }
-        if let (true, Instr::Enter { body, after }) = (loops, instr) {
-            labels.extend([*body, *after]);
-        }
         if instr.can_fault() {
-            labels.insert(block_at(code, at as u32).end);
+            labels.insert(code.blocks[code.block_at(at as u32) as usize].end);
         }
     }
     labels
-}
-
-/// The innermost block that an instruction belongs to.
-fn block_at(code: &Code, pc: u32) -> ladder_simulator::compiled::BlockPlace {
-    let mut block = code.blocks.partition_point(|block| block.start <= pc);
-    while block > 1 && code.blocks[block - 1].end <= pc {
-        block -= 1;
-    }
-    code.blocks[block.saturating_sub(1)]
 }
 
 struct Emitter<'c> {
@@ -219,7 +207,7 @@ impl Emitter<'_> {
 
     /// A call that may fault: then the block has no power, and what follows it goes on.
     fn faulting(&mut self, at: u32, call: &str) {
-        let block = block_at(self.code, at);
+        let block = &self.code.blocks[self.code.block_at(at) as usize];
         let line = (self.line_of)(block.location);
         let out = if block.out == Bit::LOW || block.out == Bit::HIGH {
             String::new()
