@@ -32,7 +32,7 @@ static int SendText(state *s, const uint32_t *o)
         if (at + 1 < end && at[0] == '%' && at[1] == 'd' && n + 1 < o[1]) {
             char text[64];
             const int64_t word = s->w[o[2 + n]];
-            const int count = number_text(text, sizeof text, word, o[3 + n] == TYPE_TIME ? TYPE_LINT : o[3 + n]);
+            const int count = number_text(text, sizeof text, word, o[3 + n]);
             send_bytes(s, (const uint8_t *)text, (size_t)count);
             n += 2;
             at += 2;

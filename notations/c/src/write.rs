@@ -88,11 +88,11 @@ fn source(p: &str, interface: &Interface, compiled: &Compiled, body: &Body) -> S
         used.extend(field.needs());
     }
     used.extend(retained::needs(compiled));
-    let before = before(compiled, &body.text);
+    let before = before(compiled, body);
     if before.contains("mod_floor") {
         used.insert("mod_floor");
     }
-    let has_operands = body.text.contains("operands + ");
+    let has_operands = body.says("operands + ");
     let runtime = pieces::text(&used);
     let mut out = format!("/* The ladder program {p}; see {p}.h. */\n#include \"{p}.h\"\n\n");
     for (header, sign) in [
@@ -117,12 +117,12 @@ fn source(p: &str, interface: &Interface, compiled: &Compiled, body: &Body) -> S
         runtime.contains("text_room"),
     ));
     out.push_str(&runtime);
-    if body.text.contains("frame") {
+    if body.says("frame") {
         out.push_str(
             "/* What a call, or the body of a block, has of its own. */\ntypedef struct { uint32_t back; bool rail; uint32_t body, after; int64_t left, turn, noted; } frame_of;\n\n",
         );
     }
-    if body.text.contains("note(") || body.text.contains("goto stopped") {
+    if body.says("note(") || body.says("goto stopped") {
         out.push_str(
             "static void note(state *self, int fault, uint32_t line)\n{\n    self->fault = fault;\n    self->fault_line = line;\n    self->faults++;\n    self->faulted = true;\n}\n\n",
         );
@@ -144,7 +144,7 @@ fn source(p: &str, interface: &Interface, compiled: &Compiled, body: &Body) -> S
     out.push_str("\ndone:;\n");
     out.push_str(&after(compiled));
     out.push_str("    put_outputs(self);\n    self->scans++;\n    return true;\n");
-    if body.text.contains("goto stopped") {
+    if body.says("goto stopped") {
         out.push_str(
             "stopped:\n    note(self, FAULT_ENDLESS, 0);\n    self->stopped = true;\n    return false;\n",
         );
@@ -204,12 +204,12 @@ fn transfer(name: &str, statements: String) -> String {
 }
 
 /// What comes before the first network: the clock, the inputs, the tags of `SYS`.
-fn before(compiled: &Compiled, body: &str) -> String {
+fn before(compiled: &Compiled, body: &Body) -> String {
     let mut out = String::from(
         "    if (self->ended || self->stopped) return false;\n    if (self->scans == 0) self->began = now;\n    w[2] = self->scans == 0 ? 0 : now - self->began - self->now;\n    self->now = now - self->began;\n    w[1] = self->now;\n    w[0] = (int32_t)self->scans;\n    b[1] = 1;\n    b[2] = self->scans == 0;\n    b[3] = self->faulted;\n    self->faulted = false;\n",
     );
     // No tag that is found by an index is one of them.
-    let asks = |at: usize| body.contains(&format!("b[{at}]"));
+    let asks = |at: usize| body.says(&format!("b[{at}]"));
     for (at, clock) in (4..).zip(Clock::ALL).filter(|(at, _)| asks(*at)) {
         let period = clock.period();
         let _ = writeln!(

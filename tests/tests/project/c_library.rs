@@ -329,30 +329,13 @@ fn what_is_kept_comes_back() {
     let folder = tempfile::tempdir().unwrap();
     let text = "VAR_INPUT\n    go : BOOL;\nEND_VAR\nVAR RETAIN\n    count : INT := 7;\n    t : RTO;\n    note : STRING[8] := 'cold';\nEND_VAR\n\
         +--[ ]( go )--[RTO]( t, T#1s )--( )( done )--+\n+--[P]( go )--[ADD]( count, count, 1 )--[MOV]( note, 'warm' )--+\n";
-    let analysis = analyze(&Arc::new(ladder_syntax::parse(text)), "kept");
-    let writing = ladder_notations::by_name("c").unwrap().write(&analysis).unwrap();
-    std::fs::write(folder.path().join("kept.c"), &writing.bytes).unwrap();
-    std::fs::write(folder.path().join("kept.h"), &writing.companions[0].bytes).unwrap();
     let main = "#include \"kept.h\"\n#include <stdio.h>\nint main(void)\n{\n    static kept one, two;\n    uint8_t bytes[KEPT_RETAINED];\n    int n;\n    \
         kept_init(&one);\n    one.in.go = true;\n    for (n = 0; n <= 60; n++) kept_scan(&one, n * INT64_C(10000000));\n    kept_save(&one, bytes);\n    \
         kept_init(&two);\n    printf(\"%d\\n\", kept_restore(&two, bytes));\n    two.in.go = true;\n    for (n = 0; !two.out.done && n < 200; n++) kept_scan(&two, n * INT64_C(10000000));\n    \
         printf(\"%d %d\\n\", n, (int)two.w[KEPT_count]);\n    bytes[0] ^= 1;\n    printf(\"%d\\n\", kept_restore(&two, bytes));\n    return 0;\n}\n";
-    std::fs::write(folder.path().join("main.c"), main).unwrap();
-    let mut arguments = STRICT.to_vec();
-    arguments.extend(["main.c", "kept.c", "-o", "main", "-lm"]);
-    let compiled = Command::new(compiler)
-        .current_dir(folder.path())
-        .args(arguments)
-        .output()
-        .unwrap();
-    assert!(
-        compiled.status.success(),
-        "{}",
-        String::from_utf8_lossy(&compiled.stderr)
-    );
-    let ran = Command::new(folder.path().join("main")).output().unwrap();
+    let said = compiled_and_run(compiler, folder.path(), text, "kept", main);
     // 610 ms had passed when the power came back, as the edge at once did; what another program kept is refused.
-    assert_eq!(String::from_utf8_lossy(&ran.stdout), "1\n40 9\n0\n");
+    assert_eq!(said, "1\n40 9\n0\n");
 }
 
 /// Compiles a library and a program around it, and runs that.
@@ -389,13 +372,32 @@ fn what_timers_do_is_kept_and_names_do_not_clash() {
     };
     let folder = tempfile::tempdir().unwrap();
     let text = "VAR_INPUT\n    FAULT_RESET : BOOL;\nEND_VAR\nVAR RETAIN\n    t : TOF;\nEND_VAR\nVAR_OUTPUT\n    on : BOOL;\nEND_VAR\n\
-        +--[ ]( FAULT_RESET )--[TOF]( t, T#100ms )--( )( on )--+\n";
+        +--[ ]( FAULT_RESET )--# goto stopped; note( frame &held ++turns (fault = #--[TOF]( t, T#100ms )--( )( on )--+\n";
     let main = "#include \"main_program.h\"\n#include <stdio.h>\nint main(void)\n{\n    static main_program one, two;\n    \
         uint8_t bytes[MAIN_PROGRAM_RETAINED];\n    int n;\n    main_program_init(&one);\n    one.in.FAULT_RESET = true;\n    main_program_scan(&one, 0);\n    \
         main_program_save(&one, bytes);\n    main_program_init(&two);\n    if (!main_program_restore(&two, bytes)) return 1;\n    \
         for (n = 0; n < 12; n++) {\n        main_program_scan(&two, n * INT64_C(10000000));\n        printf(\"%d\", two.out.on);\n    }\n    return 0;\n}\n";
     let said = compiled_and_run(compiler, folder.path(), text, "main", main);
     assert_eq!(said, "111111111100");
+}
+
+/// What is sent: numbers as the simulator writes them.
+#[test]
+fn texts_are_sent() {
+    let Some(compiler) = compiler() else {
+        eprintln!("skipped: there is no C compiler here");
+        return;
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let text = "VAR\n    n : INT := -7;\n    u : ULINT := 18446744073709551615;\nEND_VAR\n+--[FMT]( 'n %d u %d, %d', n, u )--[USND]( 33 )--+\n";
+    let main = "#include \"sends.h\"\n#include <stdio.h>\nstatic void send(void *user, uint8_t byte)\n{\n    (void)user;\n    putchar(byte);\n}\n\
+        int main(void)\n{\n    static sends plant;\n    sends_init(&plant);\n    plant.send = send;\n    sends_scan(&plant, 0);\n    return 0;\n}\n";
+    let said = compiled_and_run(compiler, folder.path(), text, "sends", main);
+    let analysis = analyze(&Arc::new(ladder_syntax::parse(text)), "sends");
+    let mut simulation = Simulation::new(analysis.program().unwrap().clone(), Options::default()).unwrap();
+    simulation.scan();
+    assert_eq!(said.as_bytes(), simulation.take_serial());
+    assert!(!said.is_empty());
 }
 
 #[test]

@@ -7,7 +7,6 @@ mod states;
 use crate::pieces;
 use ladder_analysis::program::Location;
 use ladder_analysis::values::compound::EnumId;
-use ladder_analysis::values::types::Scalar;
 use ladder_simulator::compiled::{Bit, CALL_DEPTH, Code, Compiled, Instr, Routine, TYPES, Test, Width, Word};
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -25,6 +24,14 @@ pub(crate) struct Body {
     pub(crate) used: BTreeSet<&'static str>,
     /// What C does not have: the instruction, and what it is.
     pub(crate) missing: Vec<(u32, String)>,
+}
+
+impl Body {
+    /// Whether a statement has this; what stands in the drawing above it does not count.
+    pub(crate) fn says(&self, what: &str) -> bool {
+        let mut statements = self.text.lines().filter(|line| !line.starts_with("    /*"));
+        statements.any(|line| line.contains(what))
+    }
 }
 
 /// Translates all instructions. `comment` is what stands above the network of a number.
@@ -51,19 +58,19 @@ pub(crate) fn body(
         labels: labels(code, calls),
     };
     emitter.all(comment);
-    emitter.body.locals = locals(&emitter.body.text, code, calls, loops, zones);
+    emitter.body.locals = locals(&emitter.body, code, calls, loops, zones);
     emitter.body
 }
 
 /// The variables of the function: those that its statements may name.
-fn locals(text: &str, code: &Code, calls: bool, loops: bool, zones: bool) -> String {
+fn locals(body: &Body, code: &Code, calls: bool, loops: bool, zones: bool) -> String {
     let mut locals = String::from("    uint8_t *const b = self->b;\n    int64_t *const w = self->w;\n");
     for (name, declaration) in [
         ("(fault =", "int fault"),
         ("&held", "int64_t held"),
         ("++turns", "uint32_t turns"),
     ] {
-        if text.contains(name) {
+        if body.says(name) {
             let _ = writeln!(locals, "    {declaration} = 0;");
         }
     }
@@ -579,12 +586,11 @@ impl Emitter<'_> {
 
     /// Whether a routine works on what only some types have, and C has no text for.
     fn needs_more(routine: Routine, pool: &[u32]) -> bool {
-        let ty = match routine {
-            Routine::Format => pool[2],
-            Routine::Parse => pool[1],
-            _ => return false,
-        };
-        let ty = TYPES.get(ty as usize).copied();
-        ty.is_none_or(Scalar::is_date)
+        let has_no_text = |ty: &u32| TYPES.get(*ty as usize).is_none_or(|ty| ty.is_date());
+        match routine {
+            Routine::Format => has_no_text(&pool[2]),
+            Routine::Parse => has_no_text(&pool[1]),
+            _ => false,
+        }
     }
 }
