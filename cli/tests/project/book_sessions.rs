@@ -2,6 +2,8 @@
 //!
 //! A block that is marked `console` holds commands after `$ ` and their output. They run in an empty folder, one for
 //! each page, in which every block that says `file=NAME` is a file. The folder `examples` of the project is there too.
+//! A page about another person's program names it, `<!-- corpus: plcopen-xml/NAME.xml -->`: that file of the folder
+//! `LADDER_CORPUS` is there as well, and without that folder the page is skipped.
 //!
 //! `UPDATE_EXPECT=1 cargo test -p ladder-cli` writes the output into the pages.
 #![cfg(unix)]
@@ -9,7 +11,7 @@
 use ladder_tests::{console, markdown, project};
 use std::ops::Range;
 use std::os::unix::fs::symlink;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 #[test]
 fn sessions_show_what_happens() {
@@ -21,9 +23,13 @@ fn sessions_show_what_happens() {
     let mut problems = Vec::new();
     for file in files.iter().filter(|file| file.exists()) {
         let text = project::read(file);
+        let Some(foreign) = foreign_programs(&text) else {
+            eprintln!("skipped: {} needs LADDER_CORPUS", file.display());
+            continue;
+        };
         let mut new_text = text.clone();
         // From the last to the first, so that the places before stay where they are.
-        for session in sessions(&text, programs.path()).into_iter().rev() {
+        for session in sessions(&text, &foreign, programs.path()).into_iter().rev() {
             if session.shown == session.replayed {
                 continue;
             }
@@ -64,10 +70,24 @@ fn copy_examples(folder: &Path) {
     }
 }
 
+/// The programs of others that a page is about. None: the folder that has them is not here.
+fn foreign_programs(text: &str) -> Option<Vec<PathBuf>> {
+    let named = text
+        .lines()
+        .filter_map(|line| line.strip_prefix("<!-- corpus: ")?.strip_suffix(" -->"));
+    let corpus = std::env::var_os("LADDER_CORPUS").map(PathBuf::from);
+    named.map(|name| Some(corpus.as_ref()?.join(name))).collect()
+}
+
 /// The sessions of a page, played in their order.
-fn sessions(text: &str, programs: &Path) -> Vec<Session> {
+fn sessions(text: &str, foreign: &[PathBuf], programs: &Path) -> Vec<Session> {
     let folder = tempfile::tempdir().expect("a temporary folder");
     copy_examples(&folder.path().join("examples"));
+    for file in foreign {
+        let name = file.file_name().expect("the name of a file");
+        std::fs::copy(file, folder.path().join(name))
+            .unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+    }
     let mut sessions = Vec::new();
     for fence in markdown::read(text).fences {
         if let Some(name) = fence.words.iter().find_map(|word| word.strip_prefix("file=")) {

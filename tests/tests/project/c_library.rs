@@ -1,6 +1,7 @@
 //! C libraries do what the simulator shows: generated programs, compiled and run.
 //!
-//! Where no C compiler is, the test says so and skips. `LADDER_C_PROGRAMS` is how many programs are tried.
+//! Where no C compiler is, the test says so and skips. `CC` names another one than the first that is found, and
+//! `LADDER_C_PROGRAMS` is how many programs are tried.
 
 use ladder_analysis::program::Program;
 use ladder_analysis::values::types::{Scalar, Type};
@@ -36,9 +37,13 @@ struct Place {
     may_be_set: bool,
 }
 
-fn compiler() -> Option<&'static str> {
-    let works = |name: &&str| Command::new(name).arg("--version").output().is_ok();
-    ["clang", "gcc", "cc"].into_iter().find(works)
+fn compiler() -> Option<String> {
+    let works = |name: &String| Command::new(name).arg("--version").output().is_ok();
+    let named = std::env::var("CC").ok();
+    named
+        .into_iter()
+        .chain(["clang", "gcc", "cc"].map(str::to_owned))
+        .find(works)
 }
 
 fn places(program: &Program, compiled: &Compiled) -> Vec<Place> {
@@ -290,7 +295,7 @@ fn the_examples_of_the_book_compile_and_run() {
         String::from_utf8(output.stdout).unwrap()
     };
     run(
-        compiler,
+        &compiler,
         &[
             "-std=c11", "-Wall", "-Wextra", "-Werror", "linux.c", "motor.c", "-o", "linux", "-lm",
         ],
@@ -298,9 +303,9 @@ fn the_examples_of_the_book_compile_and_run() {
     );
     let said = run("./linux", &[], "start\n\nstop\n");
     assert_eq!(said, "run 1, ready 0\nrun 1, ready 0\nrun 0, ready 0\n");
-    run(compiler, &["-c", "-std=c99", "motor.c", "-o", "motor.o"], "");
+    run(&compiler, &["-c", "-std=c99", "motor.c", "-o", "motor.o"], "");
     run(
-        compiler,
+        &compiler,
         &[
             "-Wall",
             "-Werror",
@@ -333,7 +338,7 @@ fn what_is_kept_comes_back() {
         kept_init(&one);\n    one.in.go = true;\n    for (n = 0; n <= 60; n++) kept_scan(&one, n * INT64_C(10000000));\n    kept_save(&one, bytes);\n    \
         kept_init(&two);\n    printf(\"%d\\n\", kept_restore(&two, bytes));\n    two.in.go = true;\n    for (n = 0; !two.out.done && n < 200; n++) kept_scan(&two, n * INT64_C(10000000));\n    \
         printf(\"%d %d\\n\", n, (int)two.w[KEPT_count]);\n    bytes[0] ^= 1;\n    printf(\"%d\\n\", kept_restore(&two, bytes));\n    return 0;\n}\n";
-    let said = compiled_and_run(compiler, folder.path(), text, "kept", main);
+    let said = compiled_and_run(&compiler, folder.path(), text, "kept", main);
     // 610 ms had passed when the power came back, as the edge at once did; what another program kept is refused.
     assert_eq!(said, "1\n40 9\n0\n");
 }
@@ -377,7 +382,7 @@ fn what_timers_do_is_kept_and_names_do_not_clash() {
         uint8_t bytes[MAIN_PROGRAM_RETAINED];\n    int n;\n    main_program_init(&one);\n    one.in.FAULT_RESET = true;\n    main_program_scan(&one, 0);\n    \
         main_program_save(&one, bytes);\n    main_program_init(&two);\n    if (!main_program_restore(&two, bytes)) return 1;\n    \
         for (n = 0; n < 12; n++) {\n        main_program_scan(&two, n * INT64_C(10000000));\n        printf(\"%d\", two.out.on);\n    }\n    return 0;\n}\n";
-    let said = compiled_and_run(compiler, folder.path(), text, "main", main);
+    let said = compiled_and_run(&compiler, folder.path(), text, "main", main);
     assert_eq!(said, "111111111100");
 }
 
@@ -392,7 +397,7 @@ fn texts_are_sent() {
     let text = "VAR\n    n : INT := -7;\n    u : ULINT := 18446744073709551615;\nEND_VAR\n+--[FMT]( 'n %d u %d, %d', n, u )--[USND]( 33 )--+\n";
     let main = "#include \"sends.h\"\n#include <stdio.h>\nstatic void send(void *user, uint8_t byte)\n{\n    (void)user;\n    putchar(byte);\n}\n\
         int main(void)\n{\n    static sends plant;\n    sends_init(&plant);\n    plant.send = send;\n    sends_scan(&plant, 0);\n    return 0;\n}\n";
-    let said = compiled_and_run(compiler, folder.path(), text, "sends", main);
+    let said = compiled_and_run(&compiler, folder.path(), text, "sends", main);
     let analysis = analyze(&Arc::new(ladder_syntax::parse(text)), "sends");
     let mut simulation = Simulation::new(analysis.program().unwrap().clone(), Options::default()).unwrap();
     simulation.scan();
@@ -411,7 +416,7 @@ fn examples_do_the_same_in_c() {
     let mut count = 0;
     for path in ladder_tests::project::files(&root.join("examples"), "clad") {
         let text = ladder_tests::project::read(&path);
-        match check(folder.path(), compiler, &text, 1) {
+        match check(folder.path(), &compiler, &text, 1) {
             Ok(is_made) => count += usize::from(is_made),
             Err(why) => panic!("{}: {why}", path.display()),
         }
@@ -431,10 +436,15 @@ fn generated_programs_do_the_same_in_c() {
         .unwrap_or(24);
     let folder = tempfile::tempdir().unwrap();
     let (mut checked, mut wrong) = (0, Vec::new());
+    let profiles = ["iec", "iec", "ldmicro", "iot", "logix"];
     for seed in 0..count {
         let mode = if seed % 2 == 0 { Mode::Wild } else { Mode::Typed };
-        let text = program(seed, mode);
-        match check(folder.path(), compiler, &text, seed) {
+        let text = format!(
+            "# ladder: profile {} #\n{}",
+            profiles[seed as usize / 2 % profiles.len()],
+            program(seed, mode)
+        );
+        match check(folder.path(), &compiler, &text, seed) {
             Ok(is_made) => checked += usize::from(is_made),
             Err(why) => wrong.push(format!("seed {seed}: {why}")),
         }
