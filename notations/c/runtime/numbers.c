@@ -227,13 +227,16 @@ static int r_power(bool single, int64_t *to, double a, double b)
 /* A real without a fraction as a whole number of a width. */
 static int whole(int64_t *to, double value, int width)
 {
+    int64_t held;
     if (width == -64) {
         if (!(value >= 0.0 && value < 18446744073709551616.0)) return FAULT_RANGE;
         *to = (int64_t)(uint64_t)value;
         return 0;
     }
     if (!(value >= -9223372036854775808.0 && value < 9223372036854775808.0)) return FAULT_RANGE;
-    return fits(64, width, (int64_t)value, to) ? 0 : FAULT_RANGE;
+    if (!fits(64, width, (int64_t)value, &held)) return FAULT_RANGE;
+    *to = held;
+    return 0;
 }
 
 //: saturate
@@ -245,7 +248,7 @@ static int64_t saturate(double value, int64_t least, int64_t most)
     return (int64_t)value;
 }
 
-//: milliseconds fits
+//: milliseconds
 static int milliseconds(int64_t *to, int64_t value, int width)
 {
     const int64_t most = INT64_MAX / 1000000;

@@ -405,6 +405,18 @@ fn texts_are_sent() {
     assert!(!said.is_empty());
 }
 
+/// What does not fit is a fault, and nothing is written.
+#[test]
+fn a_fault_writes_nothing() {
+    let Some(compiler) = compiler() else {
+        eprintln!("skipped: there is no C compiler here");
+        return;
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let text = "VAR\n    small : SINT := 10;\nEND_VAR\nVAR CONSTANT\n    x : LREAL := 1000.5;\nEND_VAR\n+--[TRUNC]( small, x )--+\n";
+    assert_eq!(check(folder.path(), &compiler, text, 0), Ok(true));
+}
+
 #[test]
 fn examples_do_the_same_in_c() {
     let Some(compiler) = compiler() else {
