@@ -92,6 +92,15 @@ impl Analysis {
         self.program.get_or_init(program).as_ref()
     }
 
+    /// The same file with the program that [`link`](crate::link) made of it and of what it uses.
+    #[must_use]
+    pub fn with_program(&self, program: Arc<Program>) -> Analysis {
+        Analysis {
+            program: OnceLock::from(Some(program)),
+            ..self.clone()
+        }
+    }
+
     /// What keeps the program from being simulated.
     pub fn errors(&self) -> impl Iterator<Item = &Diagnostic> {
         let shown = self.diagnostics().iter();

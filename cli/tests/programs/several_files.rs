@@ -170,3 +170,15 @@ fn sub_folders_belong_to_it_only_with_settings_and_what_is_excluded_does_not() {
     let run = excluded.ladder(&["check", "a.clad"]);
     assert!(run.stdout.contains("unknown-function"), "{run}");
 }
+
+#[test]
+fn c_has_what_the_program_uses_of_other_files_and_of_the_library() {
+    let main = format!("{MAIN}+--[$Blink]( 1s, 1s, lamp )--+\n");
+    let folder = Folder::with(&[("main.clad", &main), ("library.clad", LIBRARY)]);
+    let run = folder.ladder(&["convert", "main.clad", "--to", "c", "-o", "plant.c"]);
+    assert_eq!(run.status, Some(0), "{run}");
+    assert!(
+        folder.read("plant.c").contains("FAULT_DIVISION"),
+        "a function of the other file is in it"
+    );
+}

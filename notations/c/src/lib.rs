@@ -45,6 +45,10 @@ impl Notation for C {
         false
     }
 
+    fn writes_other_files(&self) -> bool {
+        true
+    }
+
     fn recognises(&self, _bytes: &[u8]) -> bool {
         false
     }

@@ -29,6 +29,12 @@ pub trait Notation: Sync {
         true
     }
 
+    /// Whether a program is written with the functions and blocks that it uses of other files and of the library. What
+    /// [writes](Notation::write) is then handed an analysis whose program has them: places in it may be those of other files.
+    fn writes_other_files(&self) -> bool {
+        false
+    }
+
     /// Whether a run of such a program is about its coils, and nothing else is shown of it unless asked for.
     fn shows_coils(&self) -> bool {
         false

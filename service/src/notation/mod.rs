@@ -3,10 +3,13 @@
 pub mod messages;
 mod opened;
 
+use ladder_analysis::Analysis;
+use ladder_analysis::program::Program;
 use ladder_notations::{
     Finding, Foreign, Form, NOTATIONS, Remark, Report, Source, Tally, remarks, write_checked,
 };
 use messages::{Converted, Element, Known, Notations};
+use std::sync::Arc;
 
 pub(crate) use opened::Opened;
 
@@ -32,18 +35,22 @@ pub(crate) fn known() -> Notations {
     }
 }
 
-/// Writes a program in another notation. `analysis` is that of ladder text that the editor shows, if it is one.
+/// Writes a program in another notation. `analysis` is that of ladder text that the editor shows, if it is one, and `program` what it
+/// makes with the files that it uses.
 ///
 /// # Errors
 ///
 /// It is broken, or cannot be expressed in the other notation: a sentence, with the place in front of it.
 pub(crate) fn translate(
     task: &Task<'_>,
-    analysis: Option<&ladder_analysis::Analysis>,
+    analysis: Option<Arc<Analysis>>,
+    program: Option<Arc<Program>>,
 ) -> Result<Converted, String> {
     let mut account = Account::default();
-    let analyze =
-        |ladder: &str| ladder_analysis::analyze(&ladder_syntax::parse(ladder).into(), &task.source.name);
+    let analyze = |ladder: &str| {
+        let parse = ladder_syntax::parse(ladder).into();
+        Arc::new(ladder_analysis::analyze(&parse, &task.source.name))
+    };
     let (ladder, own) = match task.from {
         Form::Ladder => {
             let bytes = task.source.bytes.to_vec();
@@ -62,11 +69,13 @@ pub(crate) fn translate(
     let text = match task.to {
         Form::Ladder => ladder,
         Form::Foreign(notation) => {
-            let own = match (analysis, own) {
-                (Some(analysis), _) => analysis,
-                (None, own) => &own.unwrap_or_else(|| analyze(&ladder)),
+            let own = analysis.or(own).unwrap_or_else(|| analyze(&ladder));
+            let program = program.or_else(|| ladder_analysis::link(&own, &|_| None).ok());
+            let own = match program {
+                Some(program) if notation.writes_other_files() => Arc::new(own.with_program(program)),
+                _ => own,
             };
-            let writing = write_checked(notation, own, &task.source.name);
+            let writing = write_checked(notation, &own, &task.source.name);
             let writing = writing.map_err(|error| error.to_string())?;
             account.add(&writing.report, &[], matches!(task.from, Form::Ladder));
             let next_to = writing.companions.iter().map(|companion| {

@@ -1,256 +1,38 @@
-//! C libraries do what the simulator shows: generated programs, compiled and run.
+//! C libraries do what the simulator shows: examples, their scenarios, generated programs, compiled and run.
 //!
 //! Where no C compiler is, the test says so and skips. `CC` names another one than the first that is found, and
 //! `LADDER_C_PROGRAMS` is how many programs are tried.
 
-use ladder_analysis::program::Program;
-use ladder_analysis::values::types::{Scalar, Type};
-use ladder_analysis::values::value::Value;
-use ladder_analysis::{Analysis, analyze};
-use ladder_invariants::generator::{Dice, Mode, program};
-use ladder_simulator::compiled::{Compiled, Home, compile};
-use ladder_simulator::{Options, Simulation};
-use std::fmt::Write;
+mod compared;
+mod run;
+
+use compared::{check, compiled_and_run, compiler};
+use ladder_analysis::{Analysis, analyze, link};
+use ladder_invariants::generator::{Mode, program};
+use ladder_simulator::{Options, Simulation, scenario};
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::sync::Arc;
 
-const SCANS: usize = 12;
-
-/// The flags under which a library compiles without a word.
-const STRICT: [&str; 7] = [
-    "-std=c99",
-    "-Wall",
-    "-Wextra",
-    "-Wpedantic",
-    "-Wconversion",
-    "-Werror",
-    "-fsanitize=undefined,address",
-];
-
-/// A value that can be seen, and set: its name, and where it is in the memory of the library.
-struct Place {
-    name: String,
-    bank: &'static str,
-    at: u32,
-    ty: Scalar,
-    may_be_set: bool,
+/// A program with what it uses of the library.
+fn analysis(text: &str) -> Analysis {
+    let alone = Arc::new(analyze(&Arc::new(ladder_syntax::parse(text)), "program"));
+    match link(&alone, &|_| None) {
+        Ok(program) => alone.with_program(program),
+        Err(_) => Analysis::clone(&alone),
+    }
 }
 
-fn compiler() -> Option<String> {
-    let works = |name: &String| Command::new(name).arg("--version").output().is_ok();
-    let named = std::env::var("CC").ok();
-    named
-        .into_iter()
-        .chain(["clang", "gcc", "cc"].map(str::to_owned))
-        .find(works)
-}
-
-fn places(program: &Program, compiled: &Compiled) -> Vec<Place> {
-    let mut places = Vec::new();
-    for (tag, home) in program
-        .tags
-        .iter()
-        .zip(&compiled.homes)
-        .filter(|(tag, _)| tag.block.is_none())
+/// Whether a library was made that does the same while values come and go at random.
+fn at_random(folder: &Path, compiler: &str, text: &str, seed: u64) -> Result<bool, String> {
+    let analysis = analysis(text);
+    match analysis
+        .program()
+        .and_then(|program| run::at_random(program, seed))
     {
-        let name = |n: u32, first: i64| match tag.ty {
-            Type::Array { .. } => tag.element_name(first + i64::from(n)),
-            _ => tag.name.clone(),
-        };
-        let mut add = |name: String, bank, at, ty, may_be_set| {
-            places.push(Place {
-                name,
-                bank,
-                at,
-                ty,
-                may_be_set,
-            });
-        };
-        match *home {
-            Home::Bits { at, first, len } => {
-                (0..len).for_each(|n| add(name(n, first), "b", at.0 + n, Scalar::Bool, !tag.constant));
-            }
-            Home::Words { at, first, len, ty } => {
-                (0..len).for_each(|n| add(name(n, first), "w", at.0 + n, ty, !tag.constant));
-            }
-            Home::Texts { at, first, len, max } => {
-                (0..len).for_each(|n| add(name(n, first), "t", at.0 + n, Scalar::String(max), false));
-            }
-            Home::State { state, bits, words } => {
-                let member = |member: &str| format!("{}.{member}", tag.name);
-                if state.is_timer() {
-                    add(member("Q"), "b", bits.0 + 1, Scalar::Bool, false);
-                    add(member("ET"), "w", words.0 + 1, Scalar::Lint, false);
-                } else if state.is_counter() {
-                    add(member("CV"), "w", words.0 + 1, Scalar::Dint, false);
-                } else {
-                    add(member("Q1"), "b", bits.0, Scalar::Bool, false);
-                }
-            }
-            Home::Borrowed(_) => {}
-        }
+        Some(told) => check(folder, compiler, &analysis, &told),
+        None => Ok(false),
     }
-    places
-}
-
-fn value(dice: &mut Dice, ty: Scalar) -> Option<Value> {
-    Some(match ty {
-        Scalar::Bool => Value::Bool(dice.one_in(2)),
-        Scalar::Real | Scalar::Lreal => Value::Real([0.0, 1.5, -2.25, 1000.0, 0.1_f32.into()][dice.below(5)]),
-        Scalar::Time => Value::Int(dice.between(0, 50) * 1_000_000),
-        _ if ty.is_integer() || ty.is_bits() => Value::Int(dice.between(0, 12)),
-        _ => return None,
-    })
-}
-
-fn word(value: &Value) -> String {
-    match value {
-        Value::Bool(high) => u8::from(*high).to_string(),
-        Value::Int(number) => number.to_string(),
-        Value::Real(real) => (real.to_bits() as i64).to_string(),
-        Value::Text(bytes) => bytes.iter().fold(String::new(), |mut text, byte| {
-            let _ = write!(text, "{byte:02x}");
-            text
-        }),
-    }
-}
-
-/// What the simulator shows, and the C program that shows the same of the library.
-fn both(analysis: &Analysis, seed: u64) -> Option<(String, String)> {
-    let program: &Arc<Program> = analysis.program()?;
-    let compiled = compile(program, 10_000_000).ok()?;
-    let mut simulation = Simulation::new(program.clone(), Options::default()).ok()?;
-    let places = places(program, &compiled);
-    let mut dice = Dice::new(seed);
-    let (mut shown, mut c) = (String::new(), String::new());
-    for scan in 0..SCANS {
-        for place in places.iter().filter(|place| place.may_be_set) {
-            if !dice.one_in(3) {
-                continue;
-            }
-            let Some(value) = value(&mut dice, place.ty) else {
-                continue;
-            };
-            let point = simulation.resolve(&place.name).expect("the name of a tag");
-            if simulation.set(&point, value.clone()).is_ok() {
-                let _ = writeln!(c, "    s.{}[{}] = {};", place.bank, place.at, word(&value));
-            }
-        }
-        let ran = simulation.scan();
-        if simulation.take_faults().iter().any(|fault| fault.stops) {
-            // Loops without an end are stopped sooner here, later there.
-            break;
-        }
-        let _ = write!(shown, "{scan} {}", u8::from(ran));
-        let _ = writeln!(
-            c,
-            "    show_inputs(&s);\n    printf(\"{scan} %d\", one_scan(&s, {scan}));"
-        );
-        for place in &places {
-            let point = simulation.resolve(&place.name).expect("the name of a tag");
-            let _ = write!(shown, " {}={}", place.name, word(&simulation.value(&point)));
-            let name = place.name.replace('%', "%%");
-            let _ = match place.bank {
-                "t" => writeln!(c, "    printf(\" {name}=\"); show_text(&s, {});", place.at),
-                bank => writeln!(
-                    c,
-                    "    printf(\" {name}=%lld\", (long long)s.{bank}[{}]);",
-                    place.at
-                ),
-            };
-        }
-        shown.push('\n');
-        c.push_str("    puts(\"\");\n");
-    }
-    Some((shown, c))
-}
-
-fn harness(statements: &str, has_texts: bool) -> String {
-    let text = if has_texts {
-        "static void show_text(const program *s, int slot)\n{\n    int n;\n    for (n = 0; n < s->length[slot]; n++) printf(\"%02x\", s->chars[text_at[slot] + (unsigned)n]);\n}\n"
-    } else {
-        ""
-    };
-    format!(
-        "#include \"program.c\"\n#include <stdio.h>\n{text}static int one_scan(program *s, int scan)\n{{\n    return program_scan(s, (int64_t)scan * 10000000);\n}}\n\n\
-         int main(void)\n{{\n    static program s;\n    program_init(&s);\n{statements}    return 0;\n}}\n"
-    )
-}
-
-/// Whether the library was made and did the same; what it says where it does not.
-fn check(folder: &Path, compiler: &str, text: &str, seed: u64) -> Result<bool, String> {
-    let analysis = analyze(&Arc::new(ladder_syntax::parse(text)), "program");
-    let Some((shown, statements)) = both(&analysis, seed) else {
-        return Ok(false);
-    };
-    let notation = ladder_notations::by_name("c").expect("C is known");
-    let Ok(writing) = notation.write(&analysis) else {
-        return Ok(false);
-    };
-    let has_texts = String::from_utf8_lossy(&writing.bytes).contains("text_at");
-    std::fs::write(folder.join("program.c"), &writing.bytes).map_err(|error| error.to_string())?;
-    for companion in &writing.companions {
-        std::fs::write(folder.join(&companion.name), &companion.bytes).map_err(|error| error.to_string())?;
-    }
-    std::fs::write(folder.join("main.c"), harness(&statements, has_texts))
-        .map_err(|error| error.to_string())?;
-    let run = |arguments: &[&str]| {
-        let output = Command::new(compiler)
-            .current_dir(folder)
-            .args(arguments)
-            .output();
-        output.map_err(|error| error.to_string())
-    };
-    let mut arguments = STRICT.to_vec();
-    arguments.extend(["-O1", "-Wno-unused-function", "main.c", "-o", "main", "-lm"]);
-    let compiled = run(&arguments)?;
-    if !compiled.status.success() {
-        return Err(String::from_utf8_lossy(&compiled.stderr).into_owned());
-    }
-    let ran = Command::new(folder.join("main"))
-        .output()
-        .map_err(|error| error.to_string())?;
-    let said = String::from_utf8_lossy(&ran.stdout);
-    if said == shown && ran.stderr.is_empty() {
-        return Ok(true);
-    }
-    let line = shown
-        .lines()
-        .zip(said.lines())
-        .find(|(own, other)| !is_same(own, other));
-    if line.is_none() && shown.lines().count() == said.lines().count() && ran.stderr.is_empty() {
-        return Ok(true);
-    }
-    let differs = line.map(|(own, other)| {
-        let pairs = own
-            .split(' ')
-            .zip(other.split(' '))
-            .filter(|(own, other)| own != other);
-        let pairs: Vec<String> = pairs.map(|(own, other)| format!("{own}, in C {other}")).collect();
-        format!(
-            "scan {}: {}",
-            own.split(' ').next().unwrap_or_default(),
-            pairs.join("; ")
-        )
-    });
-    Err(format!(
-        "{}\n{}",
-        differs.unwrap_or_else(|| format!("{} lines, in C {}", shown.lines().count(), said.lines().count())),
-        String::from_utf8_lossy(&ran.stderr)
-    ))
-}
-
-/// Whether two lines show the same, but for the last digits of what functions such as SIN give: each C library has its own.
-fn is_same(own: &str, other: &str) -> bool {
-    let is_near = |(own, other): (&str, &str)| {
-        let number = |pair: &str| pair.rsplit_once('=')?.1.parse::<i64>().ok();
-        own == other
-            || number(own).zip(number(other)).is_some_and(|(own, other)| {
-                own.abs_diff(other) < 64 && f64::from_bits(own as u64).abs() > 1e-300
-            })
-    };
-    own.split(' ').count() == other.split(' ').count() && own.split(' ').zip(other.split(' ')).all(is_near)
 }
 
 const MOTOR: &str = include_str!("../../../examples/motor.clad");
@@ -343,30 +125,6 @@ fn what_is_kept_comes_back() {
     assert_eq!(said, "1\n40 9\n0\n");
 }
 
-/// Compiles a library and a program around it, and runs that.
-fn compiled_and_run(compiler: &str, folder: &Path, text: &str, name: &str, main: &str) -> String {
-    let analysis = analyze(&Arc::new(ladder_syntax::parse(text)), name);
-    let writing = ladder_notations::by_name("c").unwrap().write(&analysis).unwrap();
-    std::fs::write(folder.join("library.c"), &writing.bytes).unwrap();
-    let header = &writing.companions[0];
-    std::fs::write(folder.join(&header.name), &header.bytes).unwrap();
-    std::fs::write(folder.join("main.c"), main).unwrap();
-    let mut arguments = STRICT.to_vec();
-    arguments.extend(["main.c", "library.c", "-o", "main", "-lm"]);
-    let compiled = Command::new(compiler)
-        .current_dir(folder)
-        .args(arguments)
-        .output()
-        .unwrap();
-    assert!(
-        compiled.status.success(),
-        "{}",
-        String::from_utf8_lossy(&compiled.stderr)
-    );
-    let ran = Command::new(folder.join("main")).output().unwrap();
-    String::from_utf8(ran.stdout).unwrap()
-}
-
 /// An off-delay that was armed when the power went is over in time after it came back; and a program that is called `main` has a tag
 /// that is called as the library calls its faults.
 #[test]
@@ -414,7 +172,7 @@ fn a_fault_writes_nothing() {
     };
     let folder = tempfile::tempdir().unwrap();
     let text = "VAR\n    small : SINT := 10;\nEND_VAR\nVAR CONSTANT\n    x : LREAL := 1000.5;\nEND_VAR\n+--[TRUNC]( small, x )--+\n";
-    assert_eq!(check(folder.path(), &compiler, text, 0), Ok(true));
+    assert_eq!(at_random(folder.path(), &compiler, text, 0), Ok(true));
 }
 
 #[test]
@@ -428,12 +186,46 @@ fn examples_do_the_same_in_c() {
     let mut count = 0;
     for path in ladder_tests::project::files(&root.join("examples"), "clad") {
         let text = ladder_tests::project::read(&path);
-        match check(folder.path(), &compiler, &text, 1) {
+        match at_random(folder.path(), &compiler, &text, 1) {
             Ok(is_made) => count += usize::from(is_made),
             Err(why) => panic!("{}: {why}", path.display()),
         }
     }
-    assert!(count > 5, "only {count} examples were written as C");
+    assert!(count > 8, "only {count} examples were written as C");
+}
+
+#[test]
+fn scenarios_of_the_examples_do_the_same_in_c() {
+    let Some(compiler) = compiler() else {
+        eprintln!("skipped: there is no C compiler here");
+        return;
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let examples = ladder_tests::project::root().join("examples");
+    let mut count = 0;
+    for path in ladder_tests::project::files(&examples, "ladder-test") {
+        let suite = scenario::parse(&ladder_tests::project::read(&path));
+        let (name, _) = suite.program.as_ref().expect("a program");
+        let analysis = analysis(&ladder_tests::project::read(&examples.join(name)));
+        let program = analysis.program().expect("an example without errors");
+        let usual = program.cycle.unwrap_or(Options::default().interval);
+        let interval = suite.interval.map_or(usual, |(interval, _)| interval);
+        let options = Options {
+            interval,
+            ..Options::default()
+        };
+        let simulation = Simulation::new(program.clone(), options).expect("an example that runs");
+        let (cases, errors) = scenario::bind(&suite, &simulation);
+        assert!(errors.is_empty(), "{}", path.display());
+        count += cases.len();
+        let told = cases
+            .iter()
+            .map(|case| run::as_played(program, interval, case).expect("a scenario that passes"));
+        let told = told.reduce(run::Told::then).expect("a scenario");
+        let made = check(folder.path(), &compiler, &analysis, &told);
+        assert_eq!(made, Ok(true), "{}", path.display());
+    }
+    assert!(count > 20, "only {count} scenarios were run in C");
 }
 
 #[test]
@@ -456,7 +248,7 @@ fn generated_programs_do_the_same_in_c() {
             profiles[seed as usize / 2 % profiles.len()],
             program(seed, mode)
         );
-        match check(folder.path(), &compiler, &text, seed) {
+        match at_random(folder.path(), &compiler, &text, seed) {
             Ok(is_made) => checked += usize::from(is_made),
             Err(why) => wrong.push(format!("seed {seed}: {why}")),
         }

@@ -9,11 +9,13 @@ use crate::outcome::{Failure, Outcome};
 use crate::output::{Existing, Output};
 use crate::terminal;
 use clap::Args;
+use ladder_analysis::Analysis;
 use ladder_notations::{Companion, Foreign, Notation, write_checked};
 use ladder_workspace::shown;
 use report::{Account, Side};
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use target::{Job, jobs, make_folder};
 
 const EXAMPLES: &str = "\
@@ -122,12 +124,13 @@ fn convert(job: &Job, existing: Existing) -> Result<(Account, Outcome), Failure>
         Form::Foreign(notation) => {
             let file = job.output.as_deref().unwrap_or(&job.input);
             let stem = file.file_stem().unwrap_or_default().to_string_lossy();
-            let writing = write_checked(notation, &ladder.analyze(), &stem).map_err(|error| {
-                Failure::new(format!(
-                    "{name}: this cannot be written as {}: {error}",
-                    notation.title()
-                ))
-            })?;
+            let writing =
+                write_checked(notation, &written_of(&ladder, notation), &stem).map_err(|error| {
+                    Failure::new(format!(
+                        "{name}: this cannot be written as {}: {error}",
+                        notation.title()
+                    ))
+                })?;
             let side = match job.from {
                 Form::Ladder => Side::Source,
                 Form::Foreign(_) => Side::Between,
@@ -139,6 +142,15 @@ fn convert(job: &Job, existing: Existing) -> Result<(Account, Outcome), Failure>
     write(job.output.as_deref(), &bytes, &next_to, existing)?;
     let outcome = account.outcome();
     Ok((account, outcome))
+}
+
+/// What a notation writes of a program: with what it uses of other files, if the notation can say that.
+fn written_of(ladder: &Source, notation: &dyn Notation) -> Arc<Analysis> {
+    let analysis = ladder.analyze();
+    match ladder.program() {
+        Ok(program) if notation.writes_other_files() => Arc::new(analysis.with_program(program)),
+        _ => analysis,
+    }
 }
 
 /// Writes a program and what belongs next to it. Nothing is written if one of them may not be.

@@ -36,10 +36,10 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
     let open = open.or_else(|| shared.companions.get(&wanted.uri));
     let disk = shared.world().disk.clone();
     let converted = blocking(&*shared.host, move |_| {
-        let analysis = match (&wanted.text, &open) {
-            (None, Some(revision)) if revision.kind() == Kind::Program => revision.analysis(),
-            _ => None,
-        };
+        let shown = open
+            .as_ref()
+            .filter(|revision| wanted.text.is_none() && revision.kind() == Kind::Program);
+        let analysis = shown.and_then(|revision| revision.analysis());
         let text = wanted.text.clone();
         let text = text.or_else(|| open.as_ref().map(|revision| revision.text()));
         let kind = open.as_ref().map_or(Kind::Program, |revision| revision.kind());
@@ -50,7 +50,8 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
             to: program.to,
         };
         let analysis = analysis.map(|analysis| Arc::clone(analysis.whole()));
-        translate(&task, analysis.as_deref()).map_err(|message| Failure::Failed(program.say(&message)))
+        let whole = shown.and_then(|revision| revision.program()?.ok());
+        translate(&task, analysis, whole).map_err(|message| Failure::Failed(program.say(&message)))
     });
     json(&converted.await?.map_err(error)?)
 }

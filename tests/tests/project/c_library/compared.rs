@@ -1,0 +1,139 @@
+//! A library that is compiled and run next to the simulator.
+
+use super::run::Told;
+use ladder_analysis::{Analysis, analyze};
+use std::path::Path;
+use std::process::Command;
+use std::sync::Arc;
+
+/// The flags under which a library compiles without a word.
+const STRICT: [&str; 7] = [
+    "-std=c99",
+    "-Wall",
+    "-Wextra",
+    "-Wpedantic",
+    "-Wconversion",
+    "-Werror",
+    "-fsanitize=undefined,address",
+];
+
+/// The compiler that `CC` names, or the first that is found.
+pub(super) fn compiler() -> Option<String> {
+    let works = |name: &String| Command::new(name).arg("--version").output().is_ok();
+    let named = std::env::var("CC").ok();
+    named
+        .into_iter()
+        .chain(["clang", "gcc", "cc"].map(str::to_owned))
+        .find(works)
+}
+
+fn harness(statements: &str, has_texts: bool) -> String {
+    let text = if has_texts {
+        "static void show_text(const program *s, int slot)\n{\n    int n;\n    for (n = 0; n < s->length[slot]; n++) printf(\"%02x\", s->chars[text_at[slot] + (unsigned)n]);\n}\n"
+    } else {
+        ""
+    };
+    format!(
+        "#include \"program.c\"\n#include <stdio.h>\n{text}static int some_scans(program *s, int first, int end, int64_t interval)\n{{\n    int ran = 0;\n    \
+         for (; first < end; first++) ran = program_scan(s, first * interval);\n    return ran;\n}}\n\n\
+         int main(void)\n{{\n    static program s;\n    program_init(&s);\n{statements}    return 0;\n}}\n"
+    )
+}
+
+/// Whether the library was made and did the same; what it says where it does not.
+pub(super) fn check(folder: &Path, compiler: &str, analysis: &Analysis, told: &Told) -> Result<bool, String> {
+    let Told {
+        shown, statements, ..
+    } = told;
+    let notation = ladder_notations::by_name("c").expect("C is known");
+    let Ok(writing) = notation.write(analysis) else {
+        return Ok(false);
+    };
+    let has_texts = String::from_utf8_lossy(&writing.bytes).contains("text_at");
+    std::fs::write(folder.join("program.c"), &writing.bytes).map_err(|error| error.to_string())?;
+    for companion in &writing.companions {
+        std::fs::write(folder.join(&companion.name), &companion.bytes).map_err(|error| error.to_string())?;
+    }
+    std::fs::write(folder.join("main.c"), harness(statements, has_texts))
+        .map_err(|error| error.to_string())?;
+    let run = |arguments: &[&str]| {
+        let output = Command::new(compiler)
+            .current_dir(folder)
+            .args(arguments)
+            .output();
+        output.map_err(|error| error.to_string())
+    };
+    let mut arguments = STRICT.to_vec();
+    arguments.extend(["-O1", "-Wno-unused-function", "main.c", "-o", "main", "-lm"]);
+    let compiled = run(&arguments)?;
+    if !compiled.status.success() {
+        return Err(String::from_utf8_lossy(&compiled.stderr).into_owned());
+    }
+    let ran = Command::new(folder.join("main"))
+        .output()
+        .map_err(|error| error.to_string())?;
+    let said = String::from_utf8_lossy(&ran.stdout);
+    if said == *shown && ran.stderr.is_empty() {
+        return Ok(true);
+    }
+    let line = shown
+        .lines()
+        .zip(said.lines())
+        .find(|(own, other)| !is_same(own, other));
+    if line.is_none() && shown.lines().count() == said.lines().count() && ran.stderr.is_empty() {
+        return Ok(true);
+    }
+    let differs = line.map(|(own, other)| {
+        let pairs = own
+            .split(' ')
+            .zip(other.split(' '))
+            .filter(|(own, other)| own != other);
+        let pairs: Vec<String> = pairs.map(|(own, other)| format!("{own}, in C {other}")).collect();
+        format!(
+            "scan {}: {}",
+            own.split(' ').next().unwrap_or_default(),
+            pairs.join("; ")
+        )
+    });
+    Err(format!(
+        "{}\n{}",
+        differs.unwrap_or_else(|| format!("{} lines, in C {}", shown.lines().count(), said.lines().count())),
+        String::from_utf8_lossy(&ran.stderr)
+    ))
+}
+
+/// Whether two lines show the same, but for the last digits of what functions such as SIN give: each C library has its own.
+fn is_same(own: &str, other: &str) -> bool {
+    let is_near = |(own, other): (&str, &str)| {
+        let number = |pair: &str| pair.rsplit_once('=')?.1.parse::<i64>().ok();
+        own == other
+            || number(own).zip(number(other)).is_some_and(|(own, other)| {
+                own.abs_diff(other) < 64 && f64::from_bits(own as u64).abs() > 1e-300
+            })
+    };
+    own.split(' ').count() == other.split(' ').count() && own.split(' ').zip(other.split(' ')).all(is_near)
+}
+
+/// Compiles a library and a program around it, and runs that.
+pub(super) fn compiled_and_run(compiler: &str, folder: &Path, text: &str, name: &str, main: &str) -> String {
+    let analysis = analyze(&Arc::new(ladder_syntax::parse(text)), name);
+    let writing = ladder_notations::by_name("c").unwrap().write(&analysis).unwrap();
+    std::fs::write(folder.join("library.c"), &writing.bytes).unwrap();
+    let header = &writing.companions[0];
+    std::fs::write(folder.join(&header.name), &header.bytes).unwrap();
+    std::fs::write(folder.join("main.c"), main).unwrap();
+    let mut arguments = STRICT.to_vec();
+    arguments.extend(["main.c", "library.c", "-o", "main", "-lm"]);
+    let compiled = Command::new(compiler)
+        .current_dir(folder)
+        .args(arguments)
+        .output()
+        .unwrap();
+    assert!(
+        compiled.status.success(),
+        "{}",
+        String::from_utf8_lossy(&compiled.stderr)
+    );
+    let ran = Command::new(folder.join("main")).output().unwrap();
+    String::from_utf8(ran.stdout).unwrap()
+}
