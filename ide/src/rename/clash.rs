@@ -2,6 +2,7 @@
 
 use super::RenameRefused;
 use crate::neighbour::{Which, Workspace, in_each};
+use crate::symbol::types::in_declarations;
 use crate::symbol::{Symbol, Usage, declared_names, occurrences, tag_of};
 use ladder_analysis::context::Context;
 use ladder_analysis::names::scope::{Origin, SectionKind};
@@ -111,7 +112,7 @@ pub(super) fn where_used(
     match symbol {
         Symbol::Global(_) => global(file, symbol, key, new),
         // A tag of the name comes before a type, and before a value alone.
-        Symbol::Type { .. } | Symbol::Part { .. } if !is_member(file, symbol) => {
+        Symbol::Type { .. } | Symbol::Part { .. } if may_be_a_tag(file, symbol) => {
             let tags = file
                 .scopes
                 .iter()
@@ -128,11 +129,19 @@ pub(super) fn where_used(
     }
 }
 
-/// Whether a part of a type is a member of a structure, which always comes after a point.
-fn is_member(file: &Context, symbol: &Symbol) -> bool {
+/// Whether a type or a part of one is named where a tag may be named too: a type in the networks, a value of an enumeration
+/// everywhere but in its declaration, a member never, for it comes after a point.
+fn may_be_a_tag(file: &Context, symbol: &Symbol) -> bool {
+    let mut places = occurrences(file, symbol).into_iter();
     match symbol {
-        Symbol::Part { ty, .. } => file.types.enumeration(ty.as_str()).is_none(),
-        _ => false,
+        Symbol::Part { ty, .. } => {
+            file.types.enumeration(ty.as_str()).is_some()
+                && places.any(|place| place.usage != Usage::Definition)
+        }
+        _ => {
+            let declared = in_declarations(file);
+            places.any(|place| !declared.iter().any(|(range, ..)| *range == place.range))
+        }
     }
 }
 

@@ -13,7 +13,9 @@ mod tags;
 use crate::memory::{Bit, Word};
 use crate::places::{BlockAt, Cell};
 use crate::simulation::{Simulation, Status};
+use crate::tags::Point;
 use ladder_analysis::program::{BlockKind, Location};
+use ladder_analysis::values::value::Value;
 use ladder_instructions::{Instruction, Op};
 use matching::Matching;
 pub(crate) use renamed::Names;
@@ -327,15 +329,20 @@ fn powers(old: &Simulation, new: &mut Simulation, matching: &Matching) {
 /// Forces stay, and what waits underneath.
 fn forces(old: &Simulation, new: &mut Simulation, renamed: &Renamed, lost: &mut Vec<Lost>) {
     for (name, force) in &old.forces {
-        let value = old.value(&force.point);
-        match new.resolve(&renamed.name_now(name)) {
-            Ok(point) if point.ty == force.point.ty && !point.read_only => {
+        let point = new.resolve(&renamed.name_now(name));
+        let point = point.ok().filter(|point| !point.read_only);
+        let kept = |value: Value, point: &Point| tags::kept(value, force.point.ty, point.ty);
+        let held = point.and_then(|point| Some((kept(old.value(&force.point), &point)?, point)));
+        match held {
+            Some((value, point)) => {
+                let underneath = force.underneath.clone();
+                let underneath = underneath.and_then(|value| kept(value, &point));
                 new.hold(point.clone(), value);
                 if let Some(held) = new.forces.get_mut(&point.name) {
-                    held.underneath.clone_from(&force.underneath);
+                    held.underneath = underneath;
                 }
             }
-            _ => lost.push(Lost {
+            None => lost.push(Lost {
                 message: format!(
                     "{name} is not forced any more: the program has it no longer, or as another type"
                 ),

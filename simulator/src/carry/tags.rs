@@ -9,11 +9,14 @@ use crate::overlap::{dimensions, overlap};
 use crate::places::{BlockAt, EdgeOf};
 use crate::simulation::Simulation;
 use ladder_analysis::program::{Tag, TagId};
+use ladder_analysis::values::compound::{EnumId, Enumeration};
 use ladder_analysis::values::types::{Scalar, Type};
+use ladder_analysis::values::value::Value;
 use ladder_analysis::with_article;
 use ladder_instructions::StateType;
 use ladder_syntax::Name;
 use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
 
 /// Where a tag lives, and what it is.
 type Living<'p> = (&'p Tag, Home);
@@ -177,11 +180,8 @@ impl Copied<'_> {
         let (element, is_element) = (element(was.ty)?, element(is.ty)?);
         let names = match (element, is_element) {
             (Element::Value(Scalar::Enum(was)), Element::Value(Scalar::Enum(is))) if was != is => {
-                let (was, is) = (was.get(), is.get());
-                if Name::new(&was.name) != Name::new(&is.name) {
-                    return None;
-                }
-                Some((was, is))
+                let both = same_enumeration(was, is)?;
+                Some(both)
             }
             (Element::Value(was), Element::Value(is)) if was == is || (was.is_string() && is.is_string()) => {
                 None
@@ -262,6 +262,26 @@ impl Copied<'_> {
         if let (Some(was), Some(is)) = (was, self.of_tags.get(&to)) {
             self.memory.bits[is.0 as usize] = self.old.machine.memory.bits[was.0 as usize];
         }
+    }
+}
+
+/// Both enumerations, if the one is a later form of the other: by its name, or all of its values.
+fn same_enumeration(was: EnumId, is: EnumId) -> Option<(Arc<Enumeration>, Arc<Enumeration>)> {
+    let (was, is) = (was.get(), is.get());
+    let is_same = Name::new(&was.name) == Name::new(&is.name) || was.values == is.values;
+    is_same.then_some((was, is))
+}
+
+/// The value of a type that is another one in its later form; none if it has none.
+pub(super) fn kept(value: Value, was: Scalar, is: Scalar) -> Option<Value> {
+    match (value, was, is) {
+        (value, was, is) if was == is => Some(value),
+        (Value::Int(number), Scalar::Enum(was), Scalar::Enum(is)) => {
+            let (was, is) = same_enumeration(was, is)?;
+            let number = is.number(was.name_of(number)?)?;
+            Some(Value::Int(i64::from(number)))
+        }
+        _ => None,
     }
 }
 

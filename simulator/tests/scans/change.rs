@@ -545,3 +545,29 @@ fn addresses_keep_what_they_hold() {
     assert_eq!(change(&mut other, &moved), "");
     assert_eq!(held(&other, "n m more %MW4"), "n 1, m 4, more 4, %MW4 4");
 }
+
+#[test]
+fn a_forced_enumeration_stays_by_the_name_of_its_value() {
+    let text = |ty: &str, values: &str| {
+        format!("TYPE {ty} : ({values}); END_TYPE\nVAR p : {ty}; END_VAR\n+--[EQ]( p, B )--( )( y )--+\n")
+    };
+    let mut session = session(&text("Phase", "A, B"));
+    let point = session.simulation().resolve("p").unwrap();
+    session.force(&point, Value::Int(1)).unwrap();
+    session.scan();
+    assert_eq!(change(&mut session, &text("Phase", "C, D, A, B")), "");
+    session.scan();
+    assert_eq!(held(&session, "p y"), "p B, y 1");
+    // The type by another name.
+    assert_eq!(change(&mut session, &text("Stage", "C, D, A, B")), "");
+    assert_eq!(session.simulation().forced().count(), 1);
+    assert_eq!(held(&session, "p y"), "p B, y 1");
+    session.scan();
+    // Another one.
+    assert_eq!(
+        change(&mut session, &text("Step", "B, C")),
+        "p: p was a Stage and is a Step now: it begins with its initial value\n\
+         -: p is not forced any more: the program has it no longer, or as another type\n"
+    );
+    assert_eq!(session.simulation().forced().count(), 0);
+}

@@ -36,7 +36,7 @@ pub(crate) fn check(data: &[u8]) {
         compare(&text, &mut Boolean::new(&text), stimulus);
     }
     if mode == Mode::Typed {
-        compare_typed(&typed_of(&mut Dice::of_bytes(numbers.0)), stimulus);
+        compare_typed(&typed_of(&mut Dice::of_bytes(numbers.0)), stimulus, 2);
     }
     let Some(program) = compile(&text) else {
         panic!("this is not a program:\n{text}");

@@ -8,7 +8,7 @@ use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::values::value::{Value, wrap};
 use ladder_analysis::{analyze, link};
 use ladder_simulator::value_text::cell;
-use ladder_simulator::{Options, Point, Simulation};
+use ladder_simulator::{HistoryLimits, Options, Point, Session, Simulation};
 use ladder_syntax::parse;
 use std::fmt::Write;
 use std::sync::Arc;
@@ -267,47 +267,65 @@ pub fn compare(text: &str, reference: &mut Boolean, stimulus: Stimulus) {
     }
 }
 
-/// Runs a program with types of its own next to the reference, with the same inputs now and then.
+/// Runs a program with types of its own next to the reference, with the same inputs now and then; with edits, it is changed
+/// while it runs.
 ///
 /// # Panics
 /// A part of a tag differs, or how many faults there were.
-pub fn compare_typed(typed: &Typed, stimulus: Stimulus) {
-    let text = typed.to_string();
-    let program = compile(&text).unwrap_or_else(|| {
-        let analysis = analyze(&Arc::new(parse(&text)), "program");
-        let errors = analysis.diagnostics().iter().map(|found| &found.message);
-        panic!("this is not a program: {:#?}\n{text}", errors.collect::<Vec<_>>())
-    });
-    let mut simulation = Simulation::new(program, Options::default())
+pub fn compare_typed(typed: &Typed, stimulus: Stimulus, edits: usize) {
+    let mut typed = typed.clone();
+    let mut text = typed.to_string();
+    let simulation = Simulation::new(typed_program(&text), Options::default())
         .unwrap_or_else(|error| panic!("it is refused: {error:?}\n{text}"));
-    let mut reference = Running::new(typed);
+    let mut session = Session::of(simulation, HistoryLimits::default());
+    let mut reference = Running::new(&typed);
     let mut dice = Dice::new(stimulus.seed);
     for scan in 0..stimulus.scans {
         for input in 0..INPUTS {
             let (high, number) = (dice.one_in(2), dice.between(-1, 3));
             (reference.switches[input], reference.numbers[input]) = (high, number);
             for (name, value) in [("e", Value::Bool(high)), ("i", Value::Int(number))] {
-                let point = simulation.resolve(&format!("{name}{input}")).expect("an input");
-                simulation
-                    .set(&point, value)
-                    .expect("an input takes a value of its type");
+                let point = session.simulation().resolve(&format!("{name}{input}"));
+                let set = session.set(&point.expect("an input"), value);
+                set.expect("an input takes a value of its type");
             }
         }
-        assert!(simulation.scan(), "scan {scan} of\n{text}");
+        assert!(session.scan(), "scan {scan} of\n{text}");
         reference.scan();
-        for (name, expected) in reference.values() {
-            let point = simulation
-                .resolve(&name)
-                .unwrap_or_else(|error| panic!("{error} in\n{text}"));
-            let found = cell(&simulation.value(&point), point.ty);
-            assert_eq!(found, expected, "{name} in scan {scan} of\n{text}");
-        }
-        let faults = simulation.take_faults();
+        same_values(&session, &reference, &format!("scan {scan} of\n{text}"));
+        let faults = session.faults_of(scan as u64);
         assert_eq!(
             faults.len(),
             reference.faults,
             "{faults:?} in scan {scan} of\n{text}"
         );
+        if edits > 0 && scan % (stimulus.scans / (edits + 1)).max(1) == 2 {
+            typed = typed.edited(&mut dice);
+            let before = std::mem::replace(&mut text, typed.to_string());
+            let changed = session.change(typed_program(&text));
+            changed.unwrap_or_else(|error| panic!("it is refused: {error:?}\n{text}"));
+            reference.change(&typed);
+            let shown = format!("the edit after scan {scan} of\n{before}\n=>\n{text}");
+            same_values(&session, &reference, &shown);
+        }
+    }
+}
+
+fn typed_program(text: &str) -> Arc<Program> {
+    compile(text).unwrap_or_else(|| {
+        let analysis = analyze(&Arc::new(parse(text)), "program");
+        let errors = analysis.errors().map(|found| &found.message);
+        panic!("this is not a program: {:#?}\n{text}", errors.collect::<Vec<_>>())
+    })
+}
+
+fn same_values(session: &Session, reference: &Running, shown: &str) {
+    let simulation = session.simulation();
+    for (name, expected) in reference.values() {
+        let point = simulation.resolve(&name);
+        let point = point.unwrap_or_else(|error| panic!("{error} in {shown}"));
+        let found = cell(&simulation.value(&point), point.ty);
+        assert_eq!(found, expected, "{name} in {shown}");
     }
 }
 

@@ -201,7 +201,7 @@ fn check(text: &str) -> usize {
 #[test]
 fn power_goes_the_same_ways_in_the_picture() {
     let mut checked = 0;
-    for mode in [Mode::Boolean, Mode::Wild, Mode::Sensible] {
+    for mode in [Mode::Boolean, Mode::Wild, Mode::Sensible, Mode::Typed] {
         for seed in 0..150 {
             checked += check(&program(seed, mode));
         }

@@ -222,7 +222,12 @@ fn without_declarations(text: &str) -> String {
 #[test]
 fn in_programs_of_the_generator() {
     let mut tally = Tally::default();
-    for (mode, programs) in [(Mode::Sensible, 60), (Mode::Wild, 90), (Mode::Boolean, 40)] {
+    for (mode, programs) in [
+        (Mode::Sensible, 60),
+        (Mode::Wild, 90),
+        (Mode::Boolean, 40),
+        (Mode::Typed, 30),
+    ] {
         for seed in 0..count(programs) {
             let text = program(seed, mode);
             let text = if seed % 3 == 0 { text } else { formatted(&text) };

@@ -92,7 +92,7 @@ fn a_safe_fix_gives_the_healthy_program_or_leaves_an_error() {
     let mut problems = Vec::new();
     let mut made = 0;
     for seed in 0..count {
-        let mode = [Mode::Sensible, Mode::Wild, Mode::Boolean][(seed % 3) as usize];
+        let mode = [Mode::Sensible, Mode::Wild, Mode::Boolean, Mode::Typed][(seed % 4) as usize];
         let healthy = program(seed, mode);
         if analysis(&healthy).has_errors() {
             continue;

@@ -124,3 +124,31 @@ fn types_of_other_files() {
         "#]],
     );
 }
+
+#[test]
+fn a_type_may_have_the_name_of_a_tag() {
+    let text = |rung: &str| {
+        format!("TYPE\n    Ph$0ase : (A, B);\nEND_TYPE\nVAR\n    step : Phase;\nEND_VAR\n{rung}\n")
+    };
+    check(
+        &text("+--[EQ]( step, B )--( )( Q1 )--+"),
+        "Step",
+        expect![[r#"
+        TYPE
+            Step : (A, B);
+        END_TYPE
+        VAR
+            step : Step;
+        END_VAR
+        +--[EQ]( step, B )--( )( Q1 )--+
+    "#]],
+    );
+    // But where a value is written with its type, the tag comes first.
+    check(
+        &text("+--[EQ]( step, Phase.B )--( )( Q1 )--+"),
+        "Step",
+        expect![[r#"
+        refused: there is a tag `Step` on line 5 of main.clad already: both would become one
+    "#]],
+    );
+}

@@ -5,6 +5,8 @@
 //! compared with it.
 
 mod boolean;
+mod changed;
+mod initial;
 mod reader;
 mod typed;
 

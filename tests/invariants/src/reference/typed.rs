@@ -1,11 +1,13 @@
 //! Programs with types of their own, evaluated a second time: a tag is a tree of values here, not a row of columns, and a path is
 //! walked from its root.
 
-use crate::generator::typed::{Act, CELL_MEMBERS, Index, Path, Span, Step, Ty, Typed};
+use super::initial::initial;
+use crate::generator::typed::{Act, CELL, Index, POKED, Path, Span, Step, Ty, Typed};
+use std::collections::BTreeMap;
 
 /// A value with its parts.
 #[derive(Debug, Clone, PartialEq)]
-enum Value {
+pub(super) enum Value {
     /// BOOL, INT, and the number of an enumeration's value.
     One(i64),
     /// The members of a structure, or the elements of an array row by row.
@@ -27,17 +29,17 @@ type Place = Vec<usize>;
 /// A running program.
 #[derive(Debug)]
 pub struct Running {
-    program: Typed,
-    tags: Vec<Value>,
+    pub(super) program: Typed,
+    pub(super) tags: Vec<Value>,
     /// The inputs `e0` ..
     pub switches: Vec<bool>,
     /// The inputs `i0` ..
     pub numbers: Vec<i64>,
-    /// The coils `ok0` ..
-    pub done: Vec<bool>,
+    /// The coils `ok0` .. by their numbers.
+    pub done: BTreeMap<usize, bool>,
     /// How many faults the last scan had.
     pub faults: usize,
-    now: i64,
+    pub(super) now: i64,
 }
 
 /// The time from one scan to the next, in milliseconds.
@@ -46,12 +48,12 @@ const INTERVAL: i64 = 10;
 impl Running {
     /// A program before its first scan.
     pub fn new(program: &Typed) -> Running {
-        let tags = program.tags.iter().map(|(_, ty)| initial(program, ty, 0));
+        let tags = program.tags.iter().map(|tag| initial(program, tag));
         Running {
             tags: tags.collect(),
             switches: vec![false; 3],
             numbers: vec![0; 3],
-            done: vec![false; program.rungs.len()],
+            done: program.rungs.iter().map(|rung| (rung.number, false)).collect(),
             faults: 0,
             now: 0,
             program: program.clone(),
@@ -61,11 +63,11 @@ impl Running {
     /// Runs one scan.
     pub fn scan(&mut self) {
         self.faults = 0;
-        for (number, rung) in self.program.rungs.clone().into_iter().enumerate() {
+        for rung in self.program.rungs.clone() {
             let en = rung.input.is_none_or(|input| self.switches[input]);
             let power = self.act(&rung.act, en);
             self.faults += usize::from(power.is_err());
-            self.done[number] = power.unwrap_or(false);
+            self.done.insert(rung.number, power.unwrap_or(false));
         }
         self.now += INTERVAL;
     }
@@ -73,10 +75,10 @@ impl Running {
     /// Its elementary parts by their names, with what they hold as a trace writes it.
     pub fn values(&self) -> Vec<(String, String)> {
         let mut values = Vec::new();
-        for ((name, ty), value) in self.program.tags.iter().zip(&self.tags) {
-            self.add_values(name.clone(), ty, value, &mut values);
+        for (tag, value) in self.program.tags.iter().zip(&self.tags) {
+            self.add_values(tag.name.clone(), &tag.ty, value, &mut values);
         }
-        for (number, done) in self.done.iter().enumerate() {
+        for (number, done) in &self.done {
             values.push((format!("ok{number}"), i64::from(*done).to_string()));
         }
         values
@@ -84,15 +86,16 @@ impl Running {
 
     fn add_values(&self, name: String, ty: &Ty, value: &Value, values: &mut Vec<(String, String)>) {
         let mut add = |part: &str, held: i64| values.push((format!("{name}{part}"), held.to_string()));
-        match (ty, value) {
+        match (&self.program.real(ty), value) {
             (Ty::Phase, Value::One(number)) => {
-                let phase = self.program.phases.iter().find(|(_, own)| own == number);
+                let phase = self.program.phase.values.iter().find(|(_, own)| own == number);
                 values.push((name, phase.map_or_else(String::new, |(phase, _)| phase.clone())));
             }
             (_, Value::One(number)) => add("", *number),
             (Ty::Structure(structure), Value::Many(parts)) => {
-                for ((member, ty, _), value) in self.program.structures[*structure].iter().zip(parts) {
-                    self.add_values(format!("{name}.{member}"), ty, value, values);
+                let members = &self.program.structures[*structure].members;
+                for (member, value) in members.iter().zip(parts) {
+                    self.add_values(format!("{name}.{}", member.name), &member.ty, value, values);
                 }
             }
             (Ty::Array(dimensions, element), Value::Many(parts)) => {
@@ -178,7 +181,7 @@ impl Running {
             }
             Act::Add(y, a, b) => self.store(y, a, |value| Ok(wrapped(value, *b)))?,
             Act::ToPhase(y, a) => {
-                let phases = self.program.phases.clone();
+                let phases = self.program.phase.values.clone();
                 let is_one = |value: &Value| phases.iter().any(|(_, number)| *value == Value::One(*number));
                 self.store(y, a, |value| if is_one(&value) { Ok(value) } else { Err(Fault) })?;
             }
@@ -243,13 +246,16 @@ impl Running {
 
     /// What the body of `$Poke` does.
     fn poke(&mut self, cell: &[usize], by: i64) {
-        let [n, on, row, t, done, acc, total] = CELL_MEMBERS.map(|member| [cell, &[member]].concat());
-        *self.part(&n) = wrapped(self.part(&n).clone(), by);
-        let value = self.part(&n).clone();
-        let bounds = match &self.program.structures[crate::generator::typed::CELL][CELL_MEMBERS[2]].1 {
+        let members = &self.program.structures[CELL].members;
+        let place = |name| members.iter().position(|member| member.name == name);
+        let places = POKED.map(|name| [cell, &[place(name).expect("it is not taken away")]].concat());
+        let [n, on, row, t, done, acc, total] = places;
+        let bounds = match &members[*row.last().expect("a member")].ty {
             Ty::Array(dimensions, _) => dimensions[0],
             _ => (0, 0),
         };
+        *self.part(&n) = wrapped(self.part(&n).clone(), by);
+        let value = self.part(&n).clone();
         if (bounds.0..=bounds.1).contains(&by) {
             *self.part(&[row, vec![(by - bounds.0) as usize]].concat()) = value;
         } else {
@@ -282,13 +288,15 @@ impl Running {
     }
 
     fn place_and_type(&self, path: &Path) -> Result<(Place, Ty), Fault> {
-        let mut place = vec![path.tag.0];
-        let mut ty = self.program.tags[path.tag.0].1.clone();
+        let (number, tag) = self.program.tag(&path.tag).ok_or(Fault)?;
+        let mut place = vec![number];
+        let mut ty = self.program.real(&tag.ty);
         for step in &path.steps {
             ty = match (step, ty) {
-                (Step::Member(member, _), Ty::Structure(number)) => {
-                    place.push(*member);
-                    self.program.structures[number][*member].1.clone()
+                (Step::Member(name), Ty::Structure(number)) => {
+                    let (at, member) = self.program.member(number, name).ok_or(Fault)?;
+                    place.push(at);
+                    self.program.real(&member.ty)
                 }
                 (Step::Element(indices), Ty::Array(dimensions, element)) => {
                     place.push(self.element(&dimensions, indices)?);
@@ -342,30 +350,5 @@ fn wrapped(value: Value, more: i64) -> Value {
     match value {
         Value::One(number) => Value::One(i64::from((number + more) as i16)),
         other => other,
-    }
-}
-
-fn initial(program: &Typed, ty: &Ty, start: i64) -> Value {
-    match ty {
-        Ty::Phase => Value::One(program.phases[0].1),
-        Ty::Bool | Ty::Int => Value::One(start),
-        Ty::Structure(number) => {
-            let members = program.structures[*number].iter();
-            Value::Many(
-                members
-                    .map(|(_, ty, start)| initial(program, ty, *start))
-                    .collect(),
-            )
-        }
-        Ty::Array(dimensions, element) => {
-            let count = dimensions
-                .iter()
-                .map(|(first, last)| last - first + 1)
-                .product::<i64>();
-            Value::Many(vec![initial(program, element, 0); count as usize])
-        }
-        Ty::Ton => Value::Ton(None, 0, false),
-        Ty::Ctu => Value::Ctu(0, false, false),
-        Ty::Acc => Value::Acc(0, false, 0, false),
     }
 }

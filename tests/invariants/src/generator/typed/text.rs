@@ -1,6 +1,6 @@
 //! Typed programs as texts.
 
-use super::{Act, Index, Path, Span, Step, Ty, Typed};
+use super::{Act, CELL, Declared, Index, Initial, Path, Span, Step, Ty, Typed};
 use std::fmt;
 
 const BLOCKS: &str = "\
@@ -17,7 +17,7 @@ END_FUNCTION_BLOCK
 
 FUNCTION_BLOCK [$Poke]
 VAR_IN_OUT
-    s : Cell;
+    s : @;
 END_VAR
 VAR_INPUT
     k : INT;
@@ -29,24 +29,6 @@ END_VAR
 +--[$Acc]( s.acc, s.on, k, s.total )--+
 END_FUNCTION_BLOCK
 ";
-
-impl fmt::Display for Ty {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Ty::Bool => f.write_str("BOOL"),
-            Ty::Int => f.write_str("INT"),
-            Ty::Phase => f.write_str("Phase"),
-            Ty::Structure(number) => f.write_str(["Item", "Line", "Cell"][*number]),
-            Ty::Array(dimensions, element) => {
-                let bounds = dimensions.iter().map(|(first, last)| format!("{first}..{last}"));
-                write!(f, "ARRAY[{}] OF {element}", bounds.collect::<Vec<_>>().join(", "))
-            }
-            Ty::Ton => f.write_str("TON"),
-            Ty::Ctu => f.write_str("CTU"),
-            Ty::Acc => f.write_str("$Acc"),
-        }
-    }
-}
 
 impl fmt::Display for Index {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -66,10 +48,10 @@ fn list(indices: &[Index]) -> String {
 
 impl fmt::Display for Path {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.tag.1)?;
+        f.write_str(&self.tag)?;
         for step in &self.steps {
             match step {
-                Step::Member(_, name) => write!(f, ".{name}")?,
+                Step::Member(name) => write!(f, ".{name}")?,
                 Step::Element(indices) => write!(f, "[{}]", list(indices))?,
             }
         }
@@ -111,44 +93,95 @@ impl fmt::Display for Act {
     }
 }
 
+impl Typed {
+    fn spelled(&self, ty: &Ty) -> String {
+        match ty {
+            Ty::Bool => "BOOL".to_owned(),
+            Ty::Int => "INT".to_owned(),
+            Ty::Range(low, high) => format!("INT({low}..{high})"),
+            Ty::Phase => self.phase.name.clone(),
+            Ty::Structure(number) => self.structures[*number].name.clone(),
+            Ty::Alias(number) => self.aliases[*number].name.clone(),
+            Ty::Array(dimensions, element) => {
+                let bounds = dimensions.iter().map(|(first, last)| format!("{first}..{last}"));
+                let bounds = bounds.collect::<Vec<_>>().join(", ");
+                format!("ARRAY[{bounds}] OF {}", self.spelled(element))
+            }
+            Ty::Ton => "TON".to_owned(),
+            Ty::Ctu => "CTU".to_owned(),
+            Ty::Acc => "$Acc".to_owned(),
+        }
+    }
+
+    fn value(&self, ty: &Ty, initial: &Initial) -> String {
+        let list = |parts: Vec<String>| parts.join(", ");
+        match (self.real(ty), initial) {
+            (Ty::Bool, Initial::Number(number)) => ["FALSE", "TRUE"][usize::from(*number != 0)].to_owned(),
+            (_, Initial::Number(number)) => number.to_string(),
+            (_, Initial::Value(name)) => name.clone(),
+            (Ty::Structure(number), Initial::Members(members)) => {
+                let members = members.iter().map(|(name, initial)| {
+                    let ty = self.member(number, name).map_or(Ty::Int, |it| it.1.ty.clone());
+                    format!("{name} := {}", self.value(&ty, initial))
+                });
+                format!("({})", list(members.collect()))
+            }
+            (Ty::Array(_, element), Initial::Elements(elements)) => {
+                let elements = elements.iter().map(|(count, initial)| match initial {
+                    Some(initial) if *count == 1 => self.value(&element, initial),
+                    Some(initial) => format!("{count}({})", self.value(&element, initial)),
+                    None => format!("{count}()"),
+                });
+                format!("[{}]", list(elements.collect()))
+            }
+            _ => String::new(),
+        }
+    }
+
+    fn declaration(&self, declared: &Declared) -> String {
+        let ty = self.spelled(&declared.ty);
+        let initial = declared.initial.as_ref();
+        let initial = initial.map(|initial| format!(" := {}", self.value(&declared.ty, initial)));
+        format!("{} : {ty}{};", declared.name, initial.unwrap_or_default())
+    }
+}
+
 impl fmt::Display for Typed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let phases = self
-            .phases
-            .iter()
-            .map(|(name, number)| format!("{name} := {number}"));
-        writeln!(
-            f,
-            "TYPE\n    Phase : ({});",
-            phases.collect::<Vec<_>>().join(", ")
-        )?;
-        for (number, members) in self.structures.iter().enumerate() {
-            writeln!(f, "    {} : STRUCT", Ty::Structure(number))?;
-            for (name, ty, start) in members {
-                match start {
-                    0 => writeln!(f, "        {name} : {ty};")?,
-                    start => writeln!(f, "        {name} : {ty} := {start};")?,
-                }
+        let values = self.phase.values.iter();
+        let values = values.map(|(name, number)| format!("{name} := {number}"));
+        let values = values.collect::<Vec<_>>().join(", ");
+        let initial = self.phase.initial.iter().map(|name| format!(" := {name}"));
+        let initial: String = initial.collect();
+        writeln!(f, "TYPE\n    {} : ({values}){initial};", self.phase.name)?;
+        for alias in &self.aliases {
+            writeln!(f, "    {}", self.declaration(alias))?;
+        }
+        for structure in &self.structures {
+            writeln!(f, "    {} : STRUCT", structure.name)?;
+            for member in &structure.members {
+                writeln!(f, "        {}", self.declaration(member))?;
             }
             writeln!(f, "    END_STRUCT;")?;
         }
+        let blocks = BLOCKS.replace('@', &self.structures[CELL].name);
         writeln!(
             f,
-            "END_TYPE\n\n{BLOCKS}\nVAR_INPUT\n    e0, e1, e2 : BOOL;\n    i0, i1, i2 : INT;\nEND_VAR\nVAR"
+            "END_TYPE\n\n{blocks}\nVAR_INPUT\n    e0, e1, e2 : BOOL;\n    i0, i1, i2 : INT;\nEND_VAR\nVAR"
         )?;
-        for (name, ty) in &self.tags {
-            writeln!(f, "    {name} : {ty};")?;
+        for tag in &self.tags {
+            writeln!(f, "    {}", self.declaration(tag))?;
         }
-        for number in 0..self.rungs.len() {
-            writeln!(f, "    ok{number} : BOOL;")?;
+        for rung in &self.rungs {
+            writeln!(f, "    ok{} : BOOL;", rung.number)?;
         }
         writeln!(f, "END_VAR\n")?;
-        for (number, rung) in self.rungs.iter().enumerate() {
+        for rung in &self.rungs {
             let input = rung
                 .input
                 .map(|input| format!("[ ]( e{input} )--"))
                 .unwrap_or_default();
-            writeln!(f, "+--{input}{}--( )( ok{number} )--+\n", rung.act)?;
+            writeln!(f, "+--{input}{}--( )( ok{} )--+\n", rung.act, rung.number)?;
         }
         Ok(())
     }
