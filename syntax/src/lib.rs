@@ -51,7 +51,7 @@ pub use builder::Builder;
 pub use dump::dump;
 pub use error::{DeclarationProblem, Many, OperandPlace, Surroundings, SyntaxError, SyntaxErrorKind};
 pub use file_lines::{AllLines, FileLines};
-pub use grammar::is_declaration_keyword;
+pub use grammar::{is_declaration_keyword, is_type_keyword};
 pub use kind::{LadderLanguage, SyntaxKind, SyntaxNode, SyntaxToken};
 pub use line::{LineKind, Mode, ReadLine};
 pub use line_index::{LineColumn, LineIndex, line_around};

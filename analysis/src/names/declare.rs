@@ -2,7 +2,7 @@
 
 use super::named_types::NamedTypes;
 use super::problem::NameProblem;
-use super::refused_name::refused_name;
+use super::refused_name::{Place, refused_name};
 use super::type_spec::{self, Constants, Declared, Initial, TypeSpec};
 use crate::names::cold::{Cold, ColdFacts};
 use crate::names::scope::{Origin, Scope, SectionKind, TagFacts, type_by_form};
@@ -127,17 +127,12 @@ fn declaration(
 ) {
     let meaningless = |range: TextRange, message: String| NameProblem::Meaningless(range + start, message);
     // Where the type cannot be read the tag is declared all the same, and its places say its type: one error.
-    let spec = match node
-        .type_ref()
-        .map(|type_ref| type_spec::read(&type_ref, start, types.constants))
-    {
-        Some(Ok(spec)) => spec,
-        Some(Err((range, message))) => {
-            out.push(meaningless(range, message));
-            None
-        }
-        None => None,
-    };
+    let mut problems = Vec::new();
+    let type_ref = node.type_ref();
+    let spec =
+        type_ref.and_then(|type_ref| type_spec::read(&type_ref, start, types.constants, &mut problems));
+    let problems = problems.into_iter();
+    out.extend(problems.map(|(range, message)| meaningless(range, message)));
     let known = spec.as_ref().and_then(TypeSpec::known);
     // What is not known by itself crosses files as it is written.
     let declared = spec.filter(|_| known.is_none()).map(|spec| {
@@ -189,9 +184,14 @@ fn declaration(
             }
         }
     }
+    let place = if context.in_block {
+        Place::BlockTag
+    } else {
+        Place::Tag
+    };
     for name in node.names() {
         let range = name.text_range();
-        if let Some(message) = refused_name(name.text(), context.in_block) {
+        if let Some(message) = refused_name(name.text(), place) {
             out.push(meaningless(range, message));
             continue;
         }

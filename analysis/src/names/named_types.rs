@@ -420,7 +420,7 @@ impl Reading<'_> {
             }
             SpecKind::Structure(specs) => {
                 let mut members = Vec::with_capacity(specs.len());
-                let mut is_whole = !specs.is_empty();
+                let mut is_whole = true;
                 for member in specs {
                     match self.declared(types, &member.declared, file) {
                         Some((ty, initial)) => members.push(MemberType {
@@ -433,13 +433,18 @@ impl Reading<'_> {
                         None => is_whole = false,
                     }
                 }
+                if members.is_empty() {
+                    return None;
+                }
                 let structure = Structure {
                     name: name.into(),
                     members: members.into(),
+                    is_whole,
                 };
                 let id = self.of(Compound::Structure(structure), spec.range, file)?;
-                is_whole.then_some((Type::Compound(id), None))
+                Some((Type::Compound(id), None))
             }
+            SpecKind::Unread => None,
         }
     }
 

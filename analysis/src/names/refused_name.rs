@@ -1,13 +1,27 @@
 //! Which names nothing may have.
 
-use ladder_syntax::{is_declaration_keyword, is_reserved};
+use ladder_syntax::{is_declaration_keyword, is_reserved, is_type_keyword};
+
+/// What would have the name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Place {
+    Tag,
+    /// A tag of a block's body.
+    BlockTag,
+    Type,
+    /// Of an enumeration.
+    Value,
+    /// Of a structure: it comes after a point, where no type can be meant.
+    Member,
+}
 
 /// Why a name may not be declared.
-pub(super) fn refused_name(text: &str, in_block: bool) -> Option<String> {
-    if is_reserved(text) || is_declaration_keyword(text) {
+pub(super) fn refused_name(text: &str, place: Place) -> Option<String> {
+    let is_word = is_reserved(text) || is_declaration_keyword(text);
+    if is_word && !(place == Place::Member && is_type_keyword(text)) {
         return Some(format!("`{text}` is a word of the language: choose another name"));
     }
-    if in_block && (text.eq_ignore_ascii_case("EN") || text.eq_ignore_ascii_case("ENO")) {
+    if place == Place::BlockTag && (text.eq_ignore_ascii_case("EN") || text.eq_ignore_ascii_case("ENO")) {
         return Some(format!("a block has `{text}` of its own: choose another name"));
     }
     None

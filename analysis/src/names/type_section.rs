@@ -1,7 +1,7 @@
 //! Sections of types: what they declare, as they write it.
 
 use super::problem::NameProblem;
-use super::refused_name::refused_name;
+use super::refused_name::{Place, refused_name};
 use super::type_spec::{self, Constants, Declared, DeclaredType, Initial, MemberSpec, SpecKind, TypeSpec};
 use crate::values::literal::Literal;
 use ladder_syntax::ast::{AstNode, Declaration, NodeView, SectionHeader, StructEnd, StructHeader, TokenView};
@@ -62,8 +62,9 @@ pub(crate) fn types(
                 let declared = reader.declared(&declaration, out);
                 if let Some(open) = &mut open {
                     open.is_whole &= declared.is_some() && line.errors.is_empty();
+                    let declared = declared.unwrap_or_else(|| reader.unread());
                     for name in declaration.names() {
-                        open.member(&name, at, declared.as_ref(), out);
+                        open.member(&name, at, &declared, out);
                     }
                 } else if let (Some((name, range)), Some(declared)) =
                     (reader.name_of_type(declaration.names(), out), declared)
@@ -107,11 +108,12 @@ impl Open {
         &mut self,
         name: &TokenView<'_>,
         start: TextSize,
-        declared: Option<&Declared>,
+        declared: &Declared,
         out: &mut Vec<NameProblem>,
     ) {
         let at = name.text_range() + start;
-        if let Some(message) = refused_name(name.text(), false) {
+        if let Some(message) = refused_name(name.text(), Place::Member) {
+            self.is_whole = false;
             out.push(NameProblem::Meaningless(at, message));
             return;
         }
@@ -125,13 +127,11 @@ impl Open {
             });
             return;
         }
-        if let Some(declared) = declared {
-            self.members.push(MemberSpec {
-                name: name.text().into(),
-                at,
-                declared: declared.clone(),
-            });
-        }
+        self.members.push(MemberSpec {
+            name: name.text().into(),
+            at,
+            declared: declared.clone(),
+        });
     }
 }
 
@@ -175,11 +175,20 @@ impl Reader<'_> {
             );
             out.push(NameProblem::Meaningless(second.text_range() + self.at, message));
         }
-        if let Some(message) = refused_name(name.text(), false) {
+        if let Some(message) = refused_name(name.text(), Place::Type) {
             out.push(NameProblem::Meaningless(range, message));
             return None;
         }
         Some((name.text().into(), range))
+    }
+
+    /// What a member is of which that cannot be read: it is there all the same.
+    fn unread(&self) -> Declared {
+        let spec = TypeSpec {
+            kind: SpecKind::Unread,
+            range: line_range(self.line, self.at),
+        };
+        Declared { spec, initial: None }
     }
 
     /// The type and value of a declaration.
@@ -191,13 +200,11 @@ impl Reader<'_> {
                 message.to_owned(),
             ));
         }
-        let spec = match type_spec::read(&declaration.type_ref()?, self.at, self.constants) {
-            Ok(spec) => spec?,
-            Err((range, message)) => {
-                out.push(NameProblem::Meaningless(range + self.at, message));
-                return None;
-            }
-        };
+        let mut problems = Vec::new();
+        let spec = type_spec::read(&declaration.type_ref()?, self.at, self.constants, &mut problems);
+        let problems = problems.into_iter();
+        out.extend(problems.map(|(range, message)| NameProblem::Meaningless(range + self.at, message)));
+        let spec = spec?;
         let initial = declaration.initial_value();
         let initial = initial.map(|value| Initial::new(&value, self.at, self.line.text()));
         Some(Declared { spec, initial })

@@ -1,7 +1,7 @@
 //! Types as declarations write them, before the names in them are looked up. That follows from a file's own text alone, so
 //! this is what one file shows to the others.
 
-use super::refused_name::refused_name;
+use super::refused_name::{Place, refused_name};
 use crate::names::did_you_mean;
 use crate::networks::facts::{self, Node};
 use crate::values::literal::{Literal, literal};
@@ -56,6 +56,8 @@ pub enum SpecKind {
     Enumeration(Vec<(SmolStr, TextRange, i32)>),
     /// `STRUCT`
     Structure(Vec<MemberSpec>),
+    /// A member's type that means nothing: something was said about that.
+    Unread,
 }
 
 /// A member of a structure as it is written.
@@ -206,16 +208,29 @@ impl TypeSpec {
     }
 }
 
-/// The type that a declaration writes, on a line that starts here. `Ok(None)`: the parser said what is wrong. Places of problems
-/// count from the start of the line.
+/// The type that a declaration writes, on a line that starts here. None: something is wrong with all of it, which is among the
+/// problems, or the parser said it. Places of problems count from the start of the line.
 pub(crate) fn read(
     type_ref: &TypeRef<'_>,
     start: TextSize,
     constants: &Constants,
+    out: &mut Vec<TypeProblem>,
+) -> Option<TypeSpec> {
+    spec(type_ref, start, constants, out).unwrap_or_else(|problem| {
+        out.push(problem);
+        None
+    })
+}
+
+fn spec(
+    type_ref: &TypeRef<'_>,
+    start: TextSize,
+    constants: &Constants,
+    out: &mut Vec<TypeProblem>,
 ) -> Result<Option<TypeSpec>, TypeProblem> {
     let range = type_ref.range() + start;
     if type_ref.is_enumeration() {
-        let kind = enumeration(type_ref, start, constants)?;
+        let kind = enumeration(type_ref, start, constants, out);
         return Ok(kind.map(|kind| TypeSpec { kind, range }));
     }
     let mut dimensions = Vec::new();
@@ -233,7 +248,7 @@ pub(crate) fn read(
         dimensions.push(dimension(type_ref, &pair[0], &pair[1], constants)?);
     }
     let element = match type_ref.element() {
-        Some(inner) => read(&inner, start, constants)?,
+        Some(inner) => spec(&inner, start, constants, out)?,
         None => simple(type_ref, start, constants)?,
     };
     let Some(element) = element else { return Ok(None) };
@@ -340,43 +355,54 @@ fn subrange(
     Ok(SpecKind::Subrange(scalar, (low, high)))
 }
 
-/// `(IDLE, FILLING, MIXING := 10)`: from 0, or one past the one before.
+/// `(IDLE, FILLING, MIXING := 10)`: from 0, or one past the one before. A value whose number means nothing has another one, so that
+/// it is known where it is named.
 fn enumeration(
     type_ref: &TypeRef<'_>,
     start: TextSize,
     constants: &Constants,
-) -> Result<Option<SpecKind>, TypeProblem> {
+    out: &mut Vec<TypeProblem>,
+) -> Option<SpecKind> {
     let mut values: Vec<(SmolStr, TextRange, i32)> = Vec::new();
     let mut names = FxHashSet::default();
     let mut numbers = FxHashMap::default();
     let mut next = 0i128;
     for value in type_ref.values() {
-        let Some(name) = value.name() else { return Ok(None) };
+        let Some(name) = value.name() else { continue };
         let range = name.text_range();
-        if let Some(message) = refused_name(name.text(), false) {
-            return Err((range, message));
+        if let Some(message) = refused_name(name.text(), Place::Value) {
+            out.push((range, message));
+            continue;
         }
-        if let Some(own) = value.number() {
-            next = number(&own, constants)?;
-        }
-        let Ok(own) = i32::try_from(next) else {
-            let message = format!("the number of `{}` is {next}, which is no DINT", name.text());
-            return Err((range, message));
-        };
         if !names.insert(Name::new(name.text())) {
-            return Err((range, format!("the value `{}` is there twice", name.text())));
+            out.push((range, format!("the value `{}` is there twice", name.text())));
+            continue;
         }
-        if let Some(other) = numbers.insert(own, name.text()) {
+        match value.number().map(|own| number(&own, constants)) {
+            Some(Ok(own)) => next = own,
+            Some(Err(problem)) => out.push(problem),
+            None => {}
+        }
+        let own = i32::try_from(next).unwrap_or_else(|_| {
+            let message = format!("the number of `{}` is {next}, which is no DINT", name.text());
+            out.push((range, message));
+            0
+        });
+        if let Some(other) = numbers.get(&own).filter(|_| i128::from(own) == next) {
             let message = format!(
                 "`{}` has the number {own}, which is that of `{other}`",
                 name.text()
             );
-            return Err((range, message));
+            out.push((range, message));
         }
-        values.push((name.text().into(), range + start, own));
-        next = i128::from(own) + 1;
+        let free = (own..=i32::MAX)
+            .chain(0..own)
+            .find(|number| !numbers.contains_key(number))?;
+        numbers.insert(free, name.text());
+        values.push((name.text().into(), range + start, free));
+        next = i128::from(free) + 1;
     }
-    Ok((!values.is_empty()).then_some(SpecKind::Enumeration(values)))
+    (!values.is_empty()).then_some(SpecKind::Enumeration(values))
 }
 
 /// A bound: a number, or a CONSTANT tag.

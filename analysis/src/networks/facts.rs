@@ -7,7 +7,7 @@ use crate::values::literal::{self, Literal, LiteralProblem};
 use ladder_instructions::Shape;
 use ladder_syntax::ast::{
     AstNode, Block, BlockShape, Expression, HeadName, IndexExpression, NodeView, Operand, OperandList,
-    TokenView,
+    Subscript, TokenView,
 };
 use ladder_syntax::rowan::GreenNodeData;
 use ladder_syntax::{SyntaxKind, TextRange};
@@ -393,33 +393,39 @@ pub fn node(expression: &Expression<'_>) -> Node {
     Node { kind, range }
 }
 
-/// `a[i, j]` is `a[i][j]`; a range is last.
+/// `a[i, j]` is `a[i][j]`.
 fn index_node(index: &IndexExpression<'_>, range: TextRange) -> Node {
-    let missing = Node {
+    let missing = || Node {
         kind: NodeKind::Missing,
         range,
     };
-    let Some(base) = index.base() else { return missing };
-    let bounds = index.range_expression();
+    let Some(base) = index.base() else {
+        return missing();
+    };
     let mut found = node(&base);
     let mut is_indexed = false;
-    for at in index.indices() {
+    for subscript in index.subscripts() {
+        let base = Box::new(found);
+        let (kind, end) = match subscript {
+            Subscript::Index(at) => (NodeKind::Index(base, Box::new(node(&at))), at.range().end()),
+            Subscript::Range(bounds) => match (bounds.first(), bounds.last()) {
+                (Some(first), Some(last)) => {
+                    let (first, last) = (Box::new(node(&first)), Box::new(node(&last)));
+                    (NodeKind::Range(base, first, last), bounds.range().end())
+                }
+                _ => return missing(),
+            },
+        };
         found = Node {
-            kind: NodeKind::Index(Box::new(found), Box::new(node(&at))),
-            range: TextRange::new(range.start(), at.range().end()),
+            kind,
+            range: TextRange::new(range.start(), end),
         };
         is_indexed = true;
     }
-    match bounds {
-        Some(bounds) => match (bounds.first(), bounds.last()) {
-            (Some(first), Some(last)) => Node {
-                kind: NodeKind::Range(Box::new(found), Box::new(node(&first)), Box::new(node(&last))),
-                range,
-            },
-            _ => missing,
-        },
-        None if is_indexed => Node { range, ..found },
-        None => missing,
+    if is_indexed {
+        Node { range, ..found }
+    } else {
+        missing()
     }
 }
 

@@ -111,8 +111,10 @@ impl Resolver<'_, '_> {
                     return None;
                 };
                 let Some((number, member)) = structure.member(&word.text) else {
-                    let found = unknown_member::of_structure(&structure, word, self.at(word.range));
-                    self.report(found);
+                    if structure.is_whole {
+                        let found = unknown_member::of_structure(&structure, word, self.at(word.range));
+                        self.report(found);
+                    }
                     return None;
                 };
                 part.column += structure.members[..number]
@@ -123,6 +125,10 @@ impl Resolver<'_, '_> {
                 Some(part)
             }
             NodeKind::Missing => None,
+            NodeKind::Range(..) => {
+                self.report(bad_operand::range_inside(self.at(node.range)));
+                None
+            }
             _ => {
                 self.report(bad_operand::wrong(self.at(node.range), "a tag is expected here"));
                 None

@@ -195,6 +195,14 @@ pub(crate) fn no_address(address: &str, range: TextRange) -> Diagnostic {
     )
 }
 
+/// `g[1..2, 3]`
+pub(crate) fn range_inside(range: TextRange) -> Diagnostic {
+    wrong(
+        range,
+        "a range is in the last dimension, at the end: name one element here",
+    )
+}
+
 /// `PI` where a tag is expected.
 pub(crate) fn pi(range: TextRange) -> Diagnostic {
     wrong(range, "PI is a number for the expressions of [CALC], no tag")

@@ -44,6 +44,8 @@ pub struct Structure {
     pub name: SmolStr,
     /// In the order of their declaration.
     pub members: Box<[MemberType]>,
+    /// Something is known of all members; of those of which nothing is, the section of types has a finding.
+    pub is_whole: bool,
 }
 
 /// A member of a structure.
@@ -524,6 +526,7 @@ mod tests {
         };
         let structure = Structure {
             name: "Pair".into(),
+            is_whole: true,
             members: Box::new([
                 member("a", Type::Scalar(Scalar::Int)),
                 member(

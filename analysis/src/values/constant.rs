@@ -271,6 +271,9 @@ fn add_values(
     let mut by_member: Vec<Option<&Node>> = vec![None; structure.members.len()];
     for (name, value) in given {
         let Some((number, _)) = structure.member(&name.text) else {
+            if !structure.is_whole {
+                continue;
+            }
             return Err(not_initial(
                 name.range,
                 format!("{id} has no member `{}`", name.text),

@@ -470,3 +470,67 @@ fn values_that_are_searched_and_written_with_a_sharp() {
         "#]],
     );
 }
+
+#[test]
+fn what_is_right_of_a_type_is_kept() {
+    check(
+        "TYPE\n    Phase : (IDLE, FILLING, IDLE, DONE := x, INT, LAST := 1);\n    Motor : STRUCT\n        speed : REAL;\n        bad   : ARRAY[5..1] OF INT;\n        on    : Nothing;\n        run   : BOOL;\n    END_STRUCT;\nEND_TYPE\nVAR\n    p : Phase := FILLING;\n    m : Motor := (speed := 1.0, bad := [1], on := 3);\nEND_VAR\n+--[EQ]( p, IDLE )--[NE]( p, DONE )--[NE]( p, LAST )--[GT]( m.speed, m.bad[1] )--[ ]( m.on )--( )( m.run )--+\n",
+        expect![[r#"
+            >     Phase : (IDLE, FILLING, IDLE, DONE := x, INT, LAST := 1);
+                                          ^^^^ error[bad-declaration]: the value `IDLE` is there twice
+            >     Phase : (IDLE, FILLING, IDLE, DONE := x, INT, LAST := 1);
+                                                        ^ error[bad-declaration]: `x` is no CONSTANT of this file with a whole number as its value
+            >     Phase : (IDLE, FILLING, IDLE, DONE := x, INT, LAST := 1);
+                                                           ^^^ error[bad-declaration]: `INT` is a word of the language: choose another name
+            >     Phase : (IDLE, FILLING, IDLE, DONE := x, INT, LAST := 1);
+                                                                ^^^^ error[bad-declaration]: `LAST` has the number 1, which is that of `FILLING`
+            >         bad   : ARRAY[5..1] OF INT;
+                              ^^^^^^^^^^^^^^^^^^ error[bad-declaration]: the last index 1 is below the first 5: swap them
+            >         on    : Nothing;
+                              ^^^^^^^ error[unknown-type]: there is no type `Nothing`
+                help: the types are BOOL, INT, DINT, REAL, TIME, TON, CTU and others; declare one of your own in TYPE Nothing : .. END_TYPE
+        "#]],
+    );
+    // What is no member all the same.
+    check(
+        "TYPE\n    Motor : STRUCT\n        speed : REAL;\n        run   : BOOL;\n    END_STRUCT;\nEND_TYPE\nVAR\n    m : Motor := (bad := 1);\nEND_VAR\n+--[ ]( m.on )--( )( m.run )--+\n",
+        expect![[r#"
+            >     m : Motor := (bad := 1);
+                                ^^^ error[bad-declaration]: Motor has no member `bad`
+            > +--[ ]( m.on )--( )( m.run )--+
+                        ^^ error[unknown-member]: Motor has no member `on`
+                help: its members are speed run
+        "#]],
+    );
+}
+
+#[test]
+fn members_may_be_called_like_types_and_instructions() {
+    clean_program(
+        "TYPE\n    Motor : STRUCT\n        ton : TON;\n        int : INT := 3;\n        eq  : BOOL;\n        en  : BOOL;\n    END_STRUCT;\nEND_TYPE\nVAR\n    m : Motor := (int := 4);\nEND_VAR\n+--[ ]( m.en )--[TON]( m.ton, 5s )--[GT]( m.int, 3 )--( )( m.eq )--+\n",
+    );
+    check(
+        "TYPE\n    Motor : STRUCT\n        pi     : REAL;\n        struct : INT;\n        speed  : REAL;\n    END_STRUCT;\nEND_TYPE\n",
+        expect![[r#"
+            >         pi     : REAL;
+                      ^^ error[bad-declaration]: `pi` is a word of the language: choose another name
+            >         struct : INT;
+                      ^^^^^^ error[bad-declaration]: `struct` is a word of the language: choose another name
+        "#]],
+    );
+}
+
+#[test]
+fn a_range_is_last() {
+    check(
+        "VAR\n    g : ARRAY[1..3, 1..4] OF INT;\n    b : ARRAY[1..3, 1..4] OF BOOL;\nEND_VAR\n+--[ ]( b[1..2, 2] )--[FILL]( g[1..2, 2..3], 0 )--[BMOV]( g[1..2][2], g[1, 2..3] )--[FILL]( g[1, 2..3], 0 )--( )( b[1, 1] )--+\n",
+        expect![[r#"
+            > +--[ ]( b[1..2, 2] )--[FILL]( g[1..2, 2..3], 0 )--[BMOV]( g[1..2][2], g[1, 2..3] )--[FILL]( g[1, 2..3], 0 )--( )( b[1, 1] )--+
+                      ^^^^^^ error[bad-operand]: a range is in the last dimension, at the end: name one element here
+            > +--[ ]( b[1..2, 2] )--[FILL]( g[1..2, 2..3], 0 )--[BMOV]( g[1..2][2], g[1, 2..3] )--[FILL]( g[1, 2..3], 0 )--( )( b[1, 1] )--+
+                                            ^^^^^^ error[bad-operand]: a range is in the last dimension, at the end: name one element here
+            > +--[ ]( b[1..2, 2] )--[FILL]( g[1..2, 2..3], 0 )--[BMOV]( g[1..2][2], g[1, 2..3] )--[FILL]( g[1, 2..3], 0 )--( )( b[1, 1] )--+
+                                                                        ^^^^^^^ error[bad-operand]: a range is in the last dimension, at the end: name one element here
+        "#]],
+    );
+}

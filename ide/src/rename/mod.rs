@@ -105,7 +105,7 @@ pub(crate) fn rename_symbol(
 ) -> Result<Vec<Renamed>, RenameRefused> {
     let own = context;
     fixed(own, symbol)?;
-    let new = spelling::checked(symbol, new)?;
+    let new = spelling::checked(own, symbol, new)?;
     // All places of all that must go by one name.
     let symbols = labels::of_one_name(own, symbol, workspace);
     let key = Name::new(&new);

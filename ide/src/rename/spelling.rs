@@ -2,10 +2,11 @@
 
 use super::RenameRefused;
 use crate::symbol::Symbol;
-use ladder_syntax::{is_declaration_keyword, is_identifier, is_reserved, parse};
+use ladder_analysis::context::Context;
+use ladder_syntax::{is_declaration_keyword, is_identifier, is_reserved, is_type_keyword, parse};
 
 /// The new name as it will be written. A block's name may be given without its `$`.
-pub(super) fn checked(symbol: &Symbol, new: &str) -> Result<String, RenameRefused> {
+pub(super) fn checked(context: &Context, symbol: &Symbol, new: &str) -> Result<String, RenameRefused> {
     let new = new.trim();
     if new.is_empty() {
         return Err(RenameRefused("a name is needed".to_owned()));
@@ -33,7 +34,11 @@ pub(super) fn checked(symbol: &Symbol, new: &str) -> Result<String, RenameRefuse
         symbol,
         Symbol::Tag { .. } | Symbol::Global(_) | Symbol::Type { .. } | Symbol::Part { .. }
     );
-    if is_reserved(new) || (tag && is_declaration_keyword(new)) {
+    // A member comes after a point, where no type can be meant.
+    let is_member =
+        matches!(symbol, Symbol::Part { ty, .. } if context.types.enumeration(ty.as_str()).is_none());
+    let may_be = is_member && is_type_keyword(new);
+    if is_reserved(new) || (tag && is_declaration_keyword(new) && !may_be) {
         return Err(RenameRefused(format!(
             "`{new}` is a word of the language: choose another name"
         )));

@@ -1,7 +1,7 @@
 //! Expressions: operands, indices, initial values.
 
 use super::{
-    AstNode, NamedOperand, NodeView, TokenView, child, child_expression, expression_after, expression_before,
+    AstNode, NamedOperand, NodeView, TokenView, child_expression, expression_after, expression_before,
 };
 use crate::kind::SyntaxKind;
 use rowan::TextRange;
@@ -134,15 +134,23 @@ impl<'g> IndexExpression<'g> {
         child_expression(self.0, 0)
     }
 
-    /// The indices, but for a range.
-    pub fn indices(&self) -> impl Iterator<Item = Expression<'g>> + use<'g> {
-        self.0.children().filter_map(Expression::cast).skip(1)
+    /// What is in the brackets.
+    pub fn subscripts(&self) -> impl Iterator<Item = Subscript<'g>> + use<'g> {
+        let subscript = |node| {
+            let range = RangeExpression::cast(node).map(Subscript::Range);
+            range.or_else(|| Expression::cast(node).map(Subscript::Index))
+        };
+        self.0.children().filter_map(subscript).skip(1)
     }
+}
 
-    /// The range, if the last is one.
-    pub fn range_expression(&self) -> Option<RangeExpression<'g>> {
-        child(self.0)
-    }
+/// One of those in the brackets of an index.
+#[derive(Debug, Clone, Copy)]
+pub enum Subscript<'g> {
+    /// `3`
+    Index(Expression<'g>),
+    /// `3..9`
+    Range(RangeExpression<'g>),
 }
 
 impl<'g> RangeExpression<'g> {

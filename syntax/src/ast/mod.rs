@@ -29,7 +29,7 @@ pub use declaration::{
 };
 pub use expression::{
     ArrayExpression, BinaryExpression, CallExpression, Expression, IndexExpression, MemberExpression,
-    ParenExpression, RangeExpression, StructExpression, UnaryExpression,
+    ParenExpression, RangeExpression, StructExpression, Subscript, UnaryExpression,
 };
 pub use view::{NodeView, TokenView};
 

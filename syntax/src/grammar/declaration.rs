@@ -65,10 +65,12 @@ pub fn is_declaration_keyword(word: &str) -> bool {
     if word.len() > LONGEST_KEYWORD || word.bytes().any(|b| !b.is_ascii_alphabetic() && b != b'_') {
         return false;
     }
-    is_one_of(word, &SECTIONS)
-        || is_one_of(word, &TYPES)
-        || is_one_of(word, &MORE_TYPES)
-        || is_one_of(word, &KEYWORDS)
+    is_one_of(word, &SECTIONS) || is_type_keyword(word) || is_one_of(word, &KEYWORDS)
+}
+
+/// Whether a word is the name of an elementary type or of a block type.
+pub fn is_type_keyword(word: &str) -> bool {
+    is_one_of(word, &TYPES) || is_one_of(word, &MORE_TYPES)
 }
 
 fn keyword(word: &str) -> Option<KeywordLine> {

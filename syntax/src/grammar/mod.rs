@@ -12,7 +12,7 @@ mod line;
 mod plain;
 mod recovery;
 
-pub use declaration::is_declaration_keyword;
+pub use declaration::{is_declaration_keyword, is_type_keyword};
 pub(crate) use line::{Entry, line};
 
 use crate::builder::Builder;

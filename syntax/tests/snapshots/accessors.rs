@@ -3,7 +3,7 @@
 use expect_test::{Expect, expect};
 use ladder_syntax::ast::{
     AstNode, Block, BlockHeader, Declaration, Expression, HeadName, NamedOperand, NodeView, Operand,
-    SectionHeader, TokenView,
+    SectionHeader, Subscript, TokenView,
 };
 use ladder_syntax::{Parse, parse};
 use std::fmt::Write as _;
@@ -38,23 +38,22 @@ fn show(expression: Option<&Expression<'_>>) -> String {
         Expression::Address(t) => format!("address {}", t.text()),
         Expression::Literal(t) => format!("literal {}", t.text()),
         Expression::Member(n) => format!("({} . {})", show(n.base().as_ref()), token(n.member())),
-        Expression::Index(n) => match n.range_expression() {
-            Some(range) => format!(
-                "({}[{} .. {}])",
-                show(n.base().as_ref()),
-                show(range.first().as_ref()),
-                show(range.last().as_ref())
-            ),
-            None => {
-                let indices: Vec<String> = n.indices().map(|index| show(Some(&index))).collect();
-                let indices = if indices.is_empty() {
-                    "?".to_owned()
-                } else {
-                    indices.join(", ")
-                };
-                format!("({}[{indices}])", show(n.base().as_ref()))
-            }
-        },
+        Expression::Index(n) => {
+            let subscripts = n.subscripts().map(|subscript| match subscript {
+                Subscript::Index(index) => show(Some(&index)),
+                Subscript::Range(range) => {
+                    let (first, last) = (range.first(), range.last());
+                    format!("{} .. {}", show(first.as_ref()), show(last.as_ref()))
+                }
+            });
+            let subscripts: Vec<String> = subscripts.collect();
+            let subscripts = if subscripts.is_empty() {
+                "?".to_owned()
+            } else {
+                subscripts.join(", ")
+            };
+            format!("({}[{subscripts}])", show(n.base().as_ref()))
+        }
         Expression::Unary(n) => format!("({} {})", token(n.operator()), show(n.operand().as_ref())),
         Expression::Binary(n) => format!(
             "({} {} {})",
