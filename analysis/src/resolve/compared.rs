@@ -120,7 +120,16 @@ impl Resolver<'_, '_> {
             match common(ty, other) {
                 Some(common) => ty = common,
                 None => {
-                    self.report(type_mismatch::cannot_compare(ty, other, bound.range()));
+                    let asked = typed.iter().copied().find(|ty| ty.is_enumeration());
+                    let hidden = asked.and_then(|asked| {
+                        let mut nodes = nodes.iter();
+                        nodes.find_map(|node| {
+                            self.hidden_value(self.at(node.range), self.own_type(node)?, asked)
+                        })
+                    });
+                    let found =
+                        hidden.unwrap_or_else(|| type_mismatch::cannot_compare(ty, other, bound.range()));
+                    self.report(found);
                     return Compared::Not;
                 }
             }

@@ -3,11 +3,13 @@
 use super::Resolver;
 use crate::networks::facts::{Node, NodeKind};
 use crate::program::Expr;
-use crate::rules::bad_operand;
+use crate::findings::diagnostic::Diagnostic;
+use crate::findings::excerpt;
+use crate::rules::{bad_operand, type_mismatch};
 use crate::values::compound::EnumId;
 use crate::values::types::{Scalar, Type};
 use crate::values::value::Value;
-use ladder_syntax::Name;
+use ladder_syntax::{Name, TextRange};
 
 /// What a name says where a value may be meant.
 pub(super) enum NamedValue {
@@ -40,6 +42,17 @@ impl Resolver<'_, '_> {
         }
         let id = self.context.types.enumeration(name)?;
         Some((id, id.get().number(&word.text)))
+    }
+
+    /// What is wrong with a tag in the place of a value of an enumeration that has the same name. A place in the file.
+    pub(super) fn hidden_value(&self, at: TextRange, found: Scalar, asked: Scalar) -> Option<Diagnostic> {
+        let Scalar::Enum(id) = asked else { return None };
+        let name = excerpt::text(&self.context.parse, at);
+        let (enumeration, key) = (id.get(), Name::new(&name));
+        let mut values = enumeration.values.iter().map(|(value, _)| value);
+        let value = values.find(|value| Name::new(value) == key)?;
+        let value = (enumeration.name.as_str(), value.as_str());
+        Some(type_mismatch::hidden_value(&name, found, value, at))
     }
 
     /// The value of an enumeration that a node names where one of this type is asked for, or with its type.

@@ -75,13 +75,15 @@ impl Resolver<'_, '_> {
         let is_digit = self.semantics().truth == Truth::NotZero && expr.ty == Scalar::Bool && ty.is_integer();
         if !is_digit && !passes(expr.ty, ty) {
             let named = self.operand.filter(|operand| operand.range == expr.range);
-            self.report(match named {
-                Some(operand) => {
+            let hidden = self.hidden_value(expr.range, expr.ty, ty);
+            self.report(match (hidden, named) {
+                (Some(hidden), _) => hidden,
+                (None, Some(operand)) => {
                     let given = excerpt::text(&self.context.parse, operand.range);
                     let place = (operand.name, &*operand.block.head_text());
                     type_mismatch::does_not_pass_for(&given, place, expr.ty, ty, expr.range)
                 }
-                None => type_mismatch::does_not_pass(expr.ty, ty, expr.range),
+                (None, None) => type_mismatch::does_not_pass(expr.ty, ty, expr.range),
             });
             return None;
         }
@@ -325,7 +327,9 @@ impl Resolver<'_, '_> {
                 // Two integers that none holds both of, as LINT and ULINT: by value.
                 None if a.is_integer() && b.is_integer() => (a, b),
                 None => {
-                    self.report(type_mismatch::cannot_compare(a, b, range));
+                    let hidden = self.hidden_value(self.at(left.range), a, b);
+                    let hidden = hidden.or_else(|| self.hidden_value(self.at(right.range), b, a));
+                    self.report(hidden.unwrap_or_else(|| type_mismatch::cannot_compare(a, b, range)));
                     return None;
                 }
             },

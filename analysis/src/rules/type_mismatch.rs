@@ -146,6 +146,25 @@ fn unfit(message: String, from: Scalar, to: Scalar, range: TextRange) -> Diagnos
     ))
 }
 
+/// A tag where a value of an enumeration is asked for that has the same name.
+pub(crate) fn hidden_value(
+    tag: &str,
+    found: Scalar,
+    (enumeration, value): (&str, &str),
+    range: TextRange,
+) -> Diagnostic {
+    let whole = format!("{enumeration}.{value}");
+    let message = format!("`{tag}` is the tag of this name here, {}", with_article(found));
+    wrong(range, message)
+        .help(format!("for the value of {enumeration} write `{whole}`"))
+        .fix(
+            Applicability::Unsafe,
+            format!("Replace with `{whole}`"),
+            range,
+            whole,
+        )
+}
+
 /// An operator does not work in the type of the result.
 pub(crate) fn operator(range: TextRange, ty: Scalar) -> Diagnostic {
     wrong(

@@ -148,8 +148,10 @@ fn enumerations_pass_to_themselves() {
          +--[EQ]( step, FILING )--[MOV]( step, Phase.NONE )--[MOV]( n, IDLE )--[EQ]( step, n )--( )( Q1 )--+\n",
         expect![[r#"
             > +--[GT]( step, IDLE )--[MOV]( step, 1 )--[MOV]( n, step )--[ADD]( step, step, 1 )--+
-                 ^^^^^^^^^^^^^^^^^^ error[type-mismatch]: Phase and DINT cannot be compared
-                help: convert one of them with [TYP] first
+                             ^^^^ error[type-mismatch]: `IDLE` is the tag of this name here, a DINT
+                help: for the value of Phase write `Phase.IDLE`
+                fix: Replace with `Phase.IDLE`
+                  +--[GT]( step, Phase.IDLE )------------[MOV]( step, 1 )--[MOV]( n, step )--[ADD]( step, step, 1 )--+
             > +--[GT]( step, IDLE )--[MOV]( step, 1 )--[MOV]( n, step )--[ADD]( step, step, 1 )--+
                                                   ^ error[type-mismatch]: the number 1 is given, Phase is expected
             > +--[GT]( step, IDLE )--[MOV]( step, 1 )--[MOV]( n, step )--[ADD]( step, step, 1 )--+
@@ -531,6 +533,33 @@ fn a_range_is_last() {
                                             ^^^^^^ error[bad-operand]: a range is in the last dimension, at the end: name one element here
             > +--[ ]( b[1..2, 2] )--[FILL]( g[1..2, 2..3], 0 )--[BMOV]( g[1..2][2], g[1, 2..3] )--[FILL]( g[1, 2..3], 0 )--( )( b[1, 1] )--+
                                                                         ^^^^^^^ error[bad-operand]: a range is in the last dimension, at the end: name one element here
+        "#]],
+    );
+}
+
+#[test]
+fn a_tag_with_the_name_of_a_value() {
+    check(
+        "TYPE\n    Phase : (IDLE, FILLING);\nEND_TYPE\nVAR\n    p    : Phase;\n    idle : INT;\n    on   : BOOL;\nEND_VAR\n+--[EQ]( p, IDLE )--[MOV]( p, idle )--[CALC]( on, p <> idle )--[EQ]( p, Phase.IDLE )--[NE]( p, on )--( )( on )--+\n",
+        expect![[r#"
+            > +--[EQ]( p, IDLE )--[MOV]( p, idle )--[CALC]( on, p <> idle )--[EQ]( p, Phase.IDLE )--[NE]( p, on )--( )( on )--+
+                          ^^^^ error[type-mismatch]: `IDLE` is the tag of this name here, an INT
+                help: for the value of Phase write `Phase.IDLE`
+                fix: Replace with `Phase.IDLE`
+                  +--[EQ]( p, Phase.IDLE )--[MOV]( p, idle )--[CALC]( on, p <> idle )--[EQ]( p, Phase.IDLE )--[NE]( p, on )---( )( on )--+
+            > +--[EQ]( p, IDLE )--[MOV]( p, idle )--[CALC]( on, p <> idle )--[EQ]( p, Phase.IDLE )--[NE]( p, on )--( )( on )--+
+                                            ^^^^ error[type-mismatch]: `idle` is the tag of this name here, an INT
+                help: for the value of Phase write `Phase.IDLE`
+                fix: Replace with `Phase.IDLE`
+                  +--[EQ]( p, IDLE )--[MOV]( p, Phase.IDLE )--[CALC]( on, p <> idle )--[EQ]( p, Phase.IDLE )--[NE]( p, on )---( )( on )--+
+            > +--[EQ]( p, IDLE )--[MOV]( p, idle )--[CALC]( on, p <> idle )--[EQ]( p, Phase.IDLE )--[NE]( p, on )--( )( on )--+
+                                                                     ^^^^ error[type-mismatch]: `idle` is the tag of this name here, an INT
+                help: for the value of Phase write `Phase.IDLE`
+                fix: Replace with `Phase.IDLE`
+                  +--[EQ]( p, IDLE )--[MOV]( p, idle )--[CALC]( on, p <> Phase.IDLE )--[EQ]( p, Phase.IDLE )--[NE]( p, on )---( )( on )--+
+            > +--[EQ]( p, IDLE )--[MOV]( p, idle )--[CALC]( on, p <> idle )--[EQ]( p, Phase.IDLE )--[NE]( p, on )--( )( on )--+
+                                                                                                    ^^^^^^^^^^^^^ error[type-mismatch]: Phase and BOOL cannot be compared
+                help: convert one of them with [TYP] first
         "#]],
     );
 }
