@@ -5,7 +5,7 @@
 use crate::layout::{self, Home, MemberSlot};
 use crate::members::shown;
 use crate::memory::TextSlot;
-use crate::tags::{Point, PointSlot};
+use crate::tags::{Point, PointSlot, Within};
 use ladder_analysis::program::{Program, Role, Tag};
 use ladder_analysis::values::types::Type;
 use ladder_instructions::StateType;
@@ -123,6 +123,7 @@ pub(crate) fn state_points<'p>(
             ty: program.member_type(tag, member),
             role: tag.role,
             read_only: tag.constant,
+            within: Within::State(state),
             slot,
         })
     })
@@ -148,6 +149,7 @@ pub(crate) fn element(tag: &Tag, home: Home, index: i64) -> Option<Point> {
         ty,
         role: tag.role,
         read_only: tag.constant,
+        within: Within::of(tag),
         slot,
     })
 }

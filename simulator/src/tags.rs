@@ -10,6 +10,7 @@ use ladder_analysis::program::{Program, Role, SystemTag, Tag, TagId};
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::values::value::Value;
 use ladder_analysis::with_article;
+use ladder_instructions::StateType;
 use ladder_syntax::Name;
 use std::collections::HashMap;
 
@@ -25,10 +26,41 @@ pub struct Point {
     pub role: Role,
     /// It cannot be set or forced: a constant or system tag.
     pub read_only: bool,
+    pub(crate) within: Within,
     pub(crate) slot: PointSlot,
 }
 
+/// What a value is a part of that no force reaches (LANGUAGE §4).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Within {
+    /// Of none: it is an elementary tag, member or element.
+    None,
+    /// It is a bit of a number.
+    Number,
+    /// Of a timer, counter or bistable.
+    State(StateType),
+    /// Of the state of a user-defined block.
+    Block,
+}
+
+impl Within {
+    pub(crate) fn of(tag: &Tag) -> Within {
+        let is_inside = tag.block.is_some() || is_inside(tag);
+        if is_inside { Within::Block } else { Within::None }
+    }
+}
+
+/// Whether a tag is of the state of a user-defined block that is a tag.
+pub(crate) fn is_inside(tag: &Tag) -> bool {
+    (tag.column.as_ref()).is_some_and(|column| column.root < column.declared.0)
+}
+
 impl Point {
+    /// Whether it can be forced: bits, and members of timers and blocks, can only be set.
+    pub fn takes_force(&self) -> bool {
+        !self.read_only && self.within == Within::None
+    }
+
     /// Whether it is a system tag.
     pub(crate) fn is_system(&self) -> bool {
         self.name.starts_with("SYS.")
@@ -323,6 +355,7 @@ impl Names {
                 ty: program.member_type(tag, member),
                 role: tag.role,
                 read_only: matches!(slot, PointSlot::Timing { .. }),
+                within: Within::State(state),
                 slot,
             });
         }
@@ -344,6 +377,7 @@ impl Names {
                 ty: Scalar::Bool,
                 role: point.role,
                 read_only: point.read_only,
+                within: Within::Number,
                 slot: PointSlot::BitOf {
                     word,
                     bit,
@@ -454,6 +488,7 @@ fn system_tag(name: &str) -> Result<Point, UnknownTag> {
         ty: tag.ty(),
         role: Role::Internal,
         read_only: true,
+        within: Within::None,
         slot,
     })
 }
@@ -501,6 +536,7 @@ pub(crate) fn port(ports: Ports, text: &str) -> Option<Result<Point, UnknownTag>
         ty: Scalar::Lint,
         role,
         read_only: false,
+        within: Within::None,
         slot: PointSlot::Word(base.offset(channel)),
     }))
 }

@@ -1,10 +1,10 @@
 //! Values of enumerations by name: `Phase.IDLE`, and `IDLE` alone where the place asks for the type.
 
 use super::Resolver;
-use crate::networks::facts::{Node, NodeKind};
-use crate::program::Expr;
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::excerpt;
+use crate::networks::facts::{Node, NodeKind};
+use crate::program::Expr;
 use crate::rules::{bad_operand, type_mismatch};
 use crate::values::compound::EnumId;
 use crate::values::types::{Scalar, Type};

@@ -343,7 +343,8 @@ pub(super) fn point_json(simulation: &Simulation, point: &Point) -> Json {
     let menu = match (point.read_only, is_forced) {
         (true, _) => "readOnly",
         (false, true) => "forced",
-        (false, false) => "writable",
+        (false, false) if point.takes_force() => "writable",
+        (false, false) => "settable",
     };
     json!({
         "value": value_text_of(simulation, point),

@@ -1,7 +1,7 @@
 //! Values from outside: assigned before a scan, or held by force.
 
 use super::{Change, Force, Simulation};
-use crate::tags::{Point, PointSlot};
+use crate::tags::{Point, PointSlot, Within};
 use ladder_analysis::program::Role;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
@@ -50,9 +50,10 @@ impl Simulation {
     /// Holds a tag at a value: it reads as this value everywhere, and writes to it have no effect.
     ///
     /// # Errors
-    /// The point is read-only, or the value does not fit its type.
+    /// The point is read-only or no elementary part (a bit, a member of a timer or block), or the value does not fit its type.
     pub fn force(&mut self, point: &Point, value: Value) -> Result<(), ValueRefused> {
         check(point, &value)?;
+        check_elementary(point)?;
         if self.open {
             self.pending.push(Change::Force(point.clone(), value));
         } else {
@@ -183,17 +184,7 @@ impl Simulation {
             PointSlot::Bit(slot) => marks.bits[slot.0 as usize] = u8::from(held),
             PointSlot::Word(slot) => marks.words[slot.0 as usize] = if held { -1 } else { 0 },
             PointSlot::Text(slot) => marks.texts[slot.0 as usize] = held,
-            PointSlot::BitOf { word, bit, ty } => {
-                // The sign's copies above the width go with the highest bit.
-                let mask = if ty.is_signed() && u32::from(bit) + 1 == ty.width() {
-                    -1 << bit
-                } else {
-                    1 << bit
-                };
-                let marks = &mut marks.words[word.0 as usize];
-                *marks = if held { *marks | mask } else { *marks & !mask };
-            }
-            PointSlot::Timing { .. } => {}
+            PointSlot::BitOf { .. } | PointSlot::Timing { .. } => {}
         }
     }
 }
@@ -226,6 +217,24 @@ fn check(point: &Point, value: &Value) -> Result<(), ValueRefused> {
             with_article(point.ty)
         ),
     })
+}
+
+/// Whether a force reaches a point (LANGUAGE §4).
+fn check_elementary(point: &Point) -> Result<(), ValueRefused> {
+    let name = &point.name;
+    let whole = name.rsplit_once('.').map_or(name.as_str(), |(whole, _)| whole);
+    let message = match point.within {
+        Within::None => return Ok(()),
+        Within::Number => format!("{name} is a bit, which cannot be forced: force {whole} as a whole"),
+        Within::State(state) => format!(
+            "{name} is a member of {}, which cannot be forced: force what the block of {whole} reads",
+            with_article(state.name())
+        ),
+        Within::Block => format!(
+            "{name} is inside of the state of a block, which cannot be forced: force what the block is given"
+        ),
+    };
+    Err(ValueRefused { message })
 }
 
 /// Why a tag did not take a value.

@@ -2,7 +2,7 @@
 
 use super::Simulation;
 use crate::groups::{Entry, Group, is_long, own, parts, range_of};
-use crate::tags::{Point, UnknownTag, canonical};
+use crate::tags::{Point, UnknownTag, canonical, is_inside};
 use crate::tree::{Grown, Tree};
 use ladder_analysis::program::{Tag, TagId};
 use ladder_analysis::values::types::Type;
@@ -121,12 +121,6 @@ impl Simulation {
         }
         found
     }
-}
-
-/// Whether a tag is in the state of a block.
-fn is_inside(tag: &Tag) -> bool {
-    let column = tag.column.as_ref();
-    column.is_some_and(|column| column.declared.0 > column.root)
 }
 
 /// How many elements the longest array around a value has.

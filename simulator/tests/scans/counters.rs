@@ -1,6 +1,6 @@
 //! Counters and bistables, sentence by sentence of the language's definition.
 
-use crate::support::{check, force, get, simulation, trace, unforce};
+use crate::support::{check, get, set, simulation, trace};
 use expect_test::expect;
 
 fn counter(kind: &str, named: &str) -> String {
@@ -71,17 +71,15 @@ fn in_a_circle() {
 #[test]
 fn counters_stop_at_the_limits_of_dint() {
     let mut up = simulation(&counter("CTUD", ", CD := cd"));
-    force(&mut up, "c.CV", "2147483646");
+    set(&mut up, "c.CV", "2147483646");
     up.scan();
-    unforce(&mut up, "c.CV");
     expect![[r#"
         c.CV  2147483646 2147483647 2147483647 2147483647 2147483647 2147483647
     "#]]
     .assert_eq(&trace(&mut up, "en _-_-_-", "c.CV"));
     let mut down = simulation(&counter("CTUD", ", CD := cd"));
-    force(&mut down, "c.CV", "-2147483647");
+    set(&mut down, "c.CV", "-2147483647");
     down.scan();
-    unforce(&mut down, "c.CV");
     expect![[r#"
         c.CV  -2147483647 -2147483648 -2147483648 -2147483648 -2147483648 -2147483648
     "#]]

@@ -69,19 +69,13 @@ fn a_force_replaces_another() {
 }
 
 #[test]
-fn elements_bits_and_texts() {
+fn elements_and_texts() {
     let mut simulation = simulation(
         "VAR_INPUT a : BOOL; i : INT := 1; END_VAR\n\
          VAR w : INT; b : ARRAY[1..3] OF INT; s : STRING; f : ARRAY[0..1] OF BOOL; END_VAR\n\
          +--[MOV]( w, 0 )--[MOV]( b[i], 7 )--[MOV]( b[2], 8 )--[MOV]( s, 'text' )--( )( f[0..1] )--( )( w.1 )--+\n",
     );
-    for (tag, value) in [
-        ("w.15", "1"),
-        ("w.0", "1"),
-        ("b[1]", "5"),
-        ("s", "held"),
-        ("f[1]", "0"),
-    ] {
+    for (tag, value) in [("w", "5"), ("b[1]", "5"), ("s", "held"), ("f[1]", "0")] {
         force(&mut simulation, tag, value);
     }
     simulation.scan();
@@ -89,10 +83,39 @@ fn elements_bits_and_texts() {
         .iter()
         .map(|tag| get(&simulation, tag))
         .collect();
-    assert_eq!(values, ["-32765", "5", "8", "held", "1", "0"]);
-    unforce(&mut simulation, "w.15");
+    assert_eq!(values, ["5", "5", "8", "held", "1", "0"]);
+    unforce(&mut simulation, "w");
     simulation.scan();
-    assert_eq!(get(&simulation, "w"), "3");
+    assert_eq!(get(&simulation, "w"), "2");
+}
+
+#[test]
+fn bits_and_members_of_timers_and_blocks_are_not_forced() {
+    let mut simulation = simulation(
+        "TYPE S : STRUCT\nw : WORD;\nt : TON;\nEND_STRUCT; END_TYPE\n\
+         FUNCTION_BLOCK [$M]\nVAR_INPUT x : BOOL; END_VAR\nVAR n : INT; END_VAR\n+--[ ]( x )--[ADD]( n, n, 1 )--+\nEND_FUNCTION_BLOCK\n\
+         VAR s : ARRAY[1..2] OF S; m : $M; c : CTU; a : BOOL; END_VAR\n\
+         +--[ ]( s[1].w.3 )--[TON]( s[2].t, 1s )--[CTU]( c, 3 )--[$M]( m, a )--[$M]( a )--( )( a )--+\n",
+    );
+    let mut refused = String::new();
+    for tag in ["s[1].w.3", "s[2].t.ET", "c.CV", "m.x", "m.n", "$M#1.n"] {
+        let point = simulation.resolve(tag).unwrap();
+        let value = parse("1", point.ty).unwrap();
+        let error = simulation.force(&point, value.clone()).unwrap_err();
+        refused.push_str(&format!("{}\n", error.message));
+        // But they can be set.
+        simulation.set(&point, value).unwrap();
+    }
+    assert_eq!(simulation.forced().count(), 0);
+    expect![[r#"
+        s[1].w.3 is a bit, which cannot be forced: force s[1].w as a whole
+        s[2].t.ET is a member of a TON, which cannot be forced: force what the block of s[2].t reads
+        c.CV is a member of a CTU, which cannot be forced: force what the block of c reads
+        m.x is inside of the state of a block, which cannot be forced: force what the block is given
+        m.n is inside of the state of a block, which cannot be forced: force what the block is given
+        $M#1.n is inside of the state of a block, which cannot be forced: force what the block is given
+    "#]]
+    .assert_eq(&refused);
 }
 
 #[test]

@@ -439,7 +439,7 @@ fn tags_of_user_defined_blocks() {
         assert!(session.simulation().resolve(wrong).is_err(), "{wrong}");
     }
     let point = session.simulation().resolve("$INNER#1.n").unwrap();
-    session.force(&point, Value::Int(7)).unwrap();
+    session.set(&point, Value::Int(7)).unwrap();
     session.scan();
     assert_eq!(
         get(&session, "$INNER#1.n $INNER#2.n"),

@@ -1,6 +1,6 @@
 //! Timers, sentence by sentence of the language's definition. One column is a scan of 10 ms.
 
-use crate::support::{check, force, get, simulation, trace, unforce};
+use crate::support::{check, simulation, trace};
 use expect_test::expect;
 
 fn timer(kind: &str) -> String {
@@ -268,37 +268,4 @@ fn two_evaluations_in_one_scan_see_the_same_clock() {
             c.CV  0 1 1 2 2 2
         "#]],
     );
-}
-
-#[test]
-fn forced_members() {
-    let mut simulation = simulation(&timer("TON"));
-    let mut log = String::new();
-    let mut step = |simulation: &mut ladder_simulator::Simulation, what: &str| {
-        simulation.scan();
-        log.push_str(&format!(
-            "{what}: Q {} ET {} y {}\n",
-            get(simulation, "t.Q"),
-            get(simulation, "t.ET"),
-            get(simulation, "y")
-        ));
-    };
-    force(&mut simulation, "t.Q", "1");
-    step(&mut simulation, "Q held high");
-    unforce(&mut simulation, "t.Q");
-    assert_eq!(get(&simulation, "t.Q"), "1");
-    step(&mut simulation, "released");
-    force(&mut simulation, "t.IN", "1");
-    step(&mut simulation, "IN held high");
-    step(&mut simulation, "IN held high");
-    force(&mut simulation, "t.PT", "10ms");
-    step(&mut simulation, "PT held at 10 ms");
-    expect![[r#"
-        Q held high: Q 1 ET 0 y 1
-        released: Q 0 ET 0 y 0
-        IN held high: Q 0 ET 0 y 0
-        IN held high: Q 0 ET 10 y 0
-        PT held at 10 ms: Q 1 ET 10 y 1
-    "#]]
-    .assert_eq(&log);
 }
