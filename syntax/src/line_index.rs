@@ -22,6 +22,12 @@ impl LineColumn {
     }
 }
 
+impl Default for LineColumn {
+    fn default() -> LineColumn {
+        LineColumn::START
+    }
+}
+
 impl fmt::Display for LineColumn {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:{}", self.line, self.column)

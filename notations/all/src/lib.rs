@@ -39,6 +39,10 @@ pub const NOTATIONS: &[&dyn Notation] = &[
     &ladder_notation_openplc::OpenPlc,
     #[cfg(feature = "plcopen")]
     &ladder_notation_plcopen::Plcopen,
+    #[cfg(feature = "simatic")]
+    &ladder_notation_simatic::Simatic,
+    #[cfg(feature = "simatic")]
+    &ladder_notation_simatic::SimaticMl,
     #[cfg(feature = "c")]
     &ladder_notation_c::C,
     // Last: what looks drawn may be one of the others.

@@ -20,7 +20,7 @@ mod read;
 mod scope;
 mod sketch;
 mod standard;
-mod xml;
+pub mod xml;
 
 #[cfg(test)]
 mod counts;

@@ -7,16 +7,19 @@ use roxmltree::{Document, Error, Node, ParsingOptions};
 const MOST_NODES: u32 = 500_000;
 
 /// A file, with the places of its elements.
-pub(super) struct Xml<'t> {
-    pub(super) document: Document<'t>,
+pub struct Xml<'t> {
+    /// What is in it.
+    pub document: Document<'t>,
     lines: Lines,
 }
 
 impl<'t> Xml<'t> {
+    /// Reads it.
+    ///
     /// # Errors
     ///
     /// If it is not XML, or too large.
-    pub(super) fn parse(text: &'t str) -> Result<Xml<'t>, ReadError> {
+    pub fn parse(text: &'t str) -> Result<Xml<'t>, ReadError> {
         let options = ParsingOptions {
             nodes_limit: MOST_NODES,
             ..ParsingOptions::default()
@@ -33,7 +36,7 @@ impl<'t> Xml<'t> {
     }
 
     /// Where an element begins.
-    pub(super) fn place(&self, node: Node<'_, '_>) -> LineColumn {
+    pub fn place(&self, node: Node<'_, '_>) -> LineColumn {
         self.lines.place(self.document.input_text(), node.range().start)
     }
 }
@@ -54,7 +57,7 @@ fn why(error: &Error) -> String {
 }
 
 /// What an element has, by names without their namespaces.
-pub(super) trait Element<'a, 't: 'a>: Sized {
+pub trait Element<'a, 't: 'a>: Sized {
     /// Its name.
     fn name(&self) -> &'t str;
     /// Whether this is its name.

@@ -1,0 +1,157 @@
+//! Blocks of SIMATIC controllers as ladder text, and back: source documents (`.s7dcl` with `.s7res`), and SimaticML.
+//!
+//! ```text
+//! .s7dcl --read--> Unit: declarations, and networks as wires between points
+//! .xml ---xml--->    |
+//!                    '--sketch--> sketch of a ladder program, report, findings
+//! program ------write--> .s7dcl and .s7res of the program as a function block, and of what it uses
+//! ```
+#![forbid(unsafe_code)]
+
+mod cursor;
+mod model;
+mod operand;
+mod read;
+mod scope;
+mod sketch;
+mod standard;
+mod xml;
+
+use ladder_analysis::Analysis;
+use ladder_notation::{Notation, ReadError, Reading, Source, WriteError, Writing, text_of};
+use model::Unit;
+use read::resource::Texts;
+use scope::Library;
+
+/// A longer line is not read: to say a place its line is counted through.
+const LONGEST_LINE: usize = 64 << 10;
+
+/// Source documents.
+#[derive(Debug)]
+pub struct Simatic;
+
+/// SimaticML.
+#[derive(Debug)]
+pub struct SimaticMl;
+
+/// The first lines of a file.
+fn head(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(&bytes[..bytes.len().min(4 << 10)]).into_owned()
+}
+
+fn bounded<'s>(source: &Source<'s>) -> Result<&'s str, ReadError> {
+    let text = source.text()?;
+    if text.lines().any(|line| line.len() > LONGEST_LINE) {
+        let message = format!("a line is longer than {} KiB; exports have short ones", LONGEST_LINE >> 10);
+        return Err(ReadError::whole(message));
+    }
+    Ok(text)
+}
+
+/// What the name of a file next to another ends with.
+fn has_end(file: &str, end: &str) -> bool {
+    let at = file.len().checked_sub(end.len());
+    at.and_then(|at| file.get(at..)).is_some_and(|own| own.eq_ignore_ascii_case(end))
+}
+
+/// The blocks that stand next to one.
+fn companions(source: &Source<'_>) -> Vec<(String, Result<Unit, String>)> {
+    let files = source.companions.iter().filter(|file| has_end(&file.name, ".s7dcl"));
+    files
+        .map(|file| {
+            let stem = file.name[..file.name.len() - ".s7dcl".len()].to_owned();
+            let alone = Source::alone("", &file.bytes);
+            let unit = bounded(&alone)
+                .and_then(|text| read::unit(text, &Texts::default()))
+                .map_err(|error| error.to_string());
+            match unit {
+                Ok(unit) => (unit.name.clone(), Ok(unit)),
+                Err(why) => (stem, Err(why)),
+            }
+        })
+        .collect()
+}
+
+/// The sketch of a block, next to others.
+fn sketched(unit: &Unit, next: &[(String, Result<Unit, String>)]) -> Reading {
+    let mut library: Library<'_> = Library::new();
+    for (name, other) in next {
+        library.insert(name.to_lowercase(), other.as_ref().map_err(Clone::clone));
+    }
+    library.insert(unit.name.to_lowercase(), Ok(unit));
+    sketch::reading(unit, &library)
+}
+
+impl Notation for Simatic {
+    fn name(&self) -> &'static str {
+        "simatic"
+    }
+
+    fn title(&self) -> &'static str {
+        "SIMATIC source document"
+    }
+
+    fn extensions(&self) -> &'static [&'static str] {
+        &["s7dcl"]
+    }
+
+    fn owns_extension(&self) -> bool {
+        true
+    }
+
+    fn recognises(&self, bytes: &[u8]) -> bool {
+        read::recognises(&head(bytes))
+    }
+
+    fn has_companion(&self, program: &str, file: &str) -> bool {
+        has_end(file, ".s7dcl") || file.eq_ignore_ascii_case(&format!("{program}.s7res"))
+    }
+
+    fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
+        let text = bounded(source)?;
+        let texts = source.companions.iter().find(|file| has_end(&file.name, ".s7res"));
+        let texts = match texts {
+            Some(file) => Texts::of(text_of(&file.bytes)?),
+            None => Texts::default(),
+        };
+        let unit = read::unit(text, &texts)?;
+        Ok(sketched(&unit, &companions(source)))
+    }
+
+    fn write(&self, _: &Analysis) -> Result<Writing, WriteError> {
+        Err(WriteError::new("later"))
+    }
+}
+
+impl Notation for SimaticMl {
+    fn name(&self) -> &'static str {
+        "simatic-xml"
+    }
+
+    fn title(&self) -> &'static str {
+        "SimaticML export"
+    }
+
+    fn extensions(&self) -> &'static [&'static str] {
+        &["xml"]
+    }
+
+    fn recognises(&self, bytes: &[u8]) -> bool {
+        xml::recognises(&head(bytes))
+    }
+
+    fn has_companion(&self, _: &str, file: &str) -> bool {
+        has_end(file, ".s7dcl")
+    }
+
+    fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
+        let unit = xml::unit(bounded(source)?)?;
+        Ok(sketched(&unit, &companions(source)))
+    }
+
+    fn write(&self, _: &Analysis) -> Result<Writing, WriteError> {
+        Err(WriteError::new(
+            "such files are read, and not written: write a SIMATIC source document, `--to simatic`",
+        ))
+    }
+}

@@ -1,0 +1,203 @@
+//! A block of a controller, however it was written: what is declared, and its networks as wires between points.
+
+use ladder_notation::{LineColumn, Report};
+
+/// What a file declares.
+#[derive(Debug, Default)]
+pub(crate) struct Unit {
+    pub(crate) place: LineColumn,
+    pub(crate) kind: Kind,
+    pub(crate) name: String,
+    /// What a function returns; none for `Void`.
+    pub(crate) returns: Option<Type>,
+    pub(crate) variables: Vec<Variable>,
+    /// Title and comment.
+    pub(crate) said: Vec<String>,
+    pub(crate) networks: Vec<Network>,
+    /// What was left out while it was read.
+    pub(crate) report: Report,
+}
+
+/// The kinds of blocks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Kind {
+    #[default]
+    FunctionBlock,
+    Function,
+    Organization,
+    Data,
+    Type,
+}
+
+impl Kind {
+    /// The word that it begins with.
+    pub(crate) const fn keyword(self) -> &'static str {
+        match self {
+            Kind::FunctionBlock => "FUNCTION_BLOCK",
+            Kind::Function => "FUNCTION",
+            Kind::Organization => "ORGANIZATION_BLOCK",
+            Kind::Data => "DATA_BLOCK",
+            Kind::Type => "TYPE",
+        }
+    }
+
+    pub(crate) const ALL: [Kind; 5] = [
+        Kind::FunctionBlock,
+        Kind::Function,
+        Kind::Organization,
+        Kind::Data,
+        Kind::Type,
+    ];
+}
+
+/// What a variable is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Role {
+    Input,
+    Output,
+    InOut,
+    #[default]
+    Static,
+    Temp,
+    Constant,
+}
+
+/// A declared variable, or a member of a structure.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Variable {
+    pub(crate) place: LineColumn,
+    pub(crate) name: String,
+    pub(crate) role: Role,
+    pub(crate) retain: bool,
+    pub(crate) ty: Type,
+    /// As it is written.
+    pub(crate) initial: Option<String>,
+    pub(crate) comment: Option<String>,
+}
+
+/// A type as it is declared.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Type {
+    Named(String),
+    Text(Option<u32>),
+    Array(Vec<(String, String)>, Box<Type>),
+    Structure(Vec<Variable>),
+}
+
+impl Default for Type {
+    fn default() -> Type {
+        Type::Named("Bool".to_owned())
+    }
+}
+
+impl PartialEq for Variable {
+    fn eq(&self, other: &Variable) -> bool {
+        self.name == other.name && self.ty == other.ty
+    }
+}
+
+/// A network.
+#[derive(Debug, Default)]
+pub(crate) struct Network {
+    pub(crate) place: LineColumn,
+    /// Title and comment.
+    pub(crate) said: Vec<String>,
+    pub(crate) label: Option<(LineColumn, String)>,
+    pub(crate) body: Body,
+}
+
+/// What a network holds.
+#[derive(Debug)]
+pub(crate) enum Body {
+    Ladder(Net),
+    /// What is not run here: why not, and its text.
+    Text(String, String),
+}
+
+impl Default for Body {
+    fn default() -> Body {
+        Body::Ladder(Net::default())
+    }
+}
+
+/// Wires with parts on them, between points. Point 0 is the left rail.
+#[derive(Debug, Default)]
+pub(crate) struct Net {
+    pub(crate) points: usize,
+    pub(crate) wires: Vec<Wire>,
+}
+
+/// The left rail.
+pub(crate) const RAIL: usize = 0;
+
+/// A wire.
+#[derive(Debug)]
+pub(crate) struct Wire {
+    pub(crate) from: usize,
+    /// Where it ends; none: nowhere.
+    pub(crate) to: Option<usize>,
+    pub(crate) parts: Vec<Part>,
+}
+
+/// An instruction or a call.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Part {
+    pub(crate) place: LineColumn,
+    /// As SIMATIC SD spells it.
+    pub(crate) name: String,
+    /// What holds its state: `#timer`.
+    pub(crate) instance: Option<String>,
+    /// `SrcType`, `Int`
+    pub(crate) templates: Vec<(String, String)>,
+    pub(crate) arguments: Vec<Argument>,
+    /// As it is written, in one line.
+    pub(crate) text: String,
+}
+
+/// What is at a pin.
+#[derive(Debug, Clone)]
+pub(crate) struct Argument {
+    /// None: by place.
+    pub(crate) pin: Option<String>,
+    pub(crate) value: Value,
+    /// Whether it is written: `=>`.
+    pub(crate) is_output: bool,
+}
+
+/// See [`Argument`].
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Value {
+    /// As it is written.
+    Operand(String),
+    /// The power at a point.
+    Power(usize),
+    /// Nothing.
+    Open,
+}
+
+impl Part {
+    /// What is at a pin, where something is. Instructions with one operand have it by place.
+    pub(crate) fn pin(&self, name: &str) -> Option<&Argument> {
+        let named = |argument: &&Argument| match &argument.pin {
+            Some(pin) => pin.eq_ignore_ascii_case(name),
+            None => false,
+        };
+        self.arguments
+            .iter()
+            .find(named)
+            .filter(|argument| argument.value != Value::Open)
+    }
+
+    /// What is at a pin, or given first without a name.
+    pub(crate) fn only(&self, name: &str) -> Option<&Argument> {
+        self.pin(name)
+            .or_else(|| self.arguments.iter().find(|argument| argument.pin.is_none()))
+    }
+
+    /// The value of a template.
+    pub(crate) fn template(&self, name: &str) -> Option<&str> {
+        let mut all = self.templates.iter();
+        all.find(|(own, _)| own.eq_ignore_ascii_case(name))
+            .map(|(_, value)| value.as_str())
+    }
+}

@@ -1,0 +1,207 @@
+//! Networks: rungs, each from a point on, with parts and the points in between.
+
+use super::pragma::{Pragma, templates};
+use super::resource::Texts;
+use crate::cursor::{Cursor, Result};
+use crate::model::{Argument, Body, Net, Network, Part, RAIL, Value, Wire};
+use ladder_notation::Report;
+use std::collections::HashMap;
+
+/// A network has no more parts.
+const MOST_PARTS: usize = 5_000;
+
+/// A network, with its end.
+pub(super) fn network(
+    cursor: &mut Cursor<'_>,
+    pragma: &Pragma,
+    texts: &Texts,
+    report: &mut Report,
+) -> Result<Network> {
+    let place = cursor.place();
+    let Some(end) = cursor.find_word("END_NETWORK") else {
+        return cursor.error("the file ends without `END_NETWORK`");
+    };
+    let mut inside = cursor.clone();
+    inside.end = end;
+    cursor.at = end + "END_NETWORK".len();
+    let mut network = Network {
+        place,
+        said: texts.said(pragma, ["S7_NetworkTitle", "S7_NetworkComment"]),
+        ..Network::default()
+    };
+    let text = inside.rest().trim().to_owned();
+    let language = pragma.get("S7_Language").unwrap_or("LAD");
+    if !language.eq_ignore_ascii_case("LAD") {
+        network.body = Body::Text(format!("a network in {language} is not run here"), text);
+        return Ok(network);
+    }
+    let mut reader = Reader {
+        points: HashMap::new(),
+        net: Net { points: 1, ..Net::default() },
+        parts: 0,
+    };
+    match reader.rungs(&mut inside, &mut network) {
+        Ok(()) => network.body = Body::Ladder(reader.net),
+        Err(error) => {
+            report.approximated(error.place.unwrap_or(place), "network", &*error.message);
+            let why = format!("the network cannot be read: {}", error.message);
+            network.body = Body::Text(why, text);
+        }
+    }
+    Ok(network)
+}
+
+struct Reader {
+    points: HashMap<String, usize>,
+    net: Net,
+    parts: usize,
+}
+
+impl Reader {
+    fn rungs(&mut self, cursor: &mut Cursor<'_>, network: &mut Network) -> Result<()> {
+        while !cursor.is_done() {
+            if cursor.eat_word("LABEL") {
+                let place = cursor.place();
+                cursor.expect("(")?;
+                network.label = Some((place, cursor.name()?));
+                cursor.expect(")")?;
+                cursor.eat(";");
+                continue;
+            }
+            if !cursor.eat_word("RUNG") {
+                return cursor.error("a network in LAD has RUNG .. END_RUNG, and a Label before them");
+            }
+            self.rung(cursor)?;
+        }
+        Ok(())
+    }
+
+    fn rung(&mut self, cursor: &mut Cursor<'_>) -> Result<()> {
+        let Some(mut from) = self.wire(cursor)? else {
+            return cursor.error("a rung begins at a wire: RUNG wire#powerrail");
+        };
+        let mut parts = Vec::new();
+        loop {
+            if cursor.eat_word("END_RUNG") {
+                let to = self.wire(cursor)?;
+                self.net.wires.push(Wire { from, to, parts });
+                return Ok(());
+            }
+            if let Some(point) = self.wire(cursor)? {
+                self.net.wires.push(Wire {
+                    from,
+                    to: Some(point),
+                    parts: std::mem::take(&mut parts),
+                });
+                from = point;
+                continue;
+            }
+            if cursor.is_done() {
+                return cursor.error("a rung ends with END_RUNG");
+            }
+            self.parts += 1;
+            if self.parts > MOST_PARTS {
+                return cursor.error(format!("a network has no more than {MOST_PARTS} parts"));
+            }
+            parts.push(self.part(cursor)?);
+        }
+    }
+
+    /// `wire#name`, if that is next.
+    fn wire(&mut self, cursor: &mut Cursor<'_>) -> Result<Option<usize>> {
+        if !cursor.is("wire#") {
+            return Ok(None);
+        }
+        cursor.at += "wire#".len();
+        let name = cursor.name()?;
+        Ok(Some(self.point(&name)))
+    }
+
+    fn point(&mut self, name: &str) -> usize {
+        if name.eq_ignore_ascii_case("powerrail") {
+            return RAIL;
+        }
+        let next = self.net.points;
+        let point = *self.points.entry(name.to_ascii_lowercase()).or_insert(next);
+        self.net.points = self.net.points.max(point + 1);
+        point
+    }
+
+    /// `[pragma] [instance.] NAME [{templates}] ( arguments )`
+    fn part(&mut self, cursor: &mut Cursor<'_>) -> Result<Part> {
+        let pragma = super::pragma_of(cursor)?;
+        cursor.blanks();
+        let place = cursor.place();
+        let start = cursor.at;
+        let head = cursor.until("({")?;
+        let mut part = Part {
+            place,
+            templates: pragma.templates(),
+            ..Part::default()
+        };
+        if let Some(expression) = pragma.get("S7_Expression") {
+            part.templates.push(("expression".to_owned(), expression.to_owned()));
+        }
+        let is_word = |word: &str| word.chars().all(|c| c.is_alphanumeric() || c == '_');
+        match head.rsplit_once('.') {
+            Some((instance, name)) if is_word(name) && is_instruction(name) => {
+                part.instance = Some(instance.trim().to_owned());
+                part.name = name.to_owned();
+            }
+            _ => part.name = head.to_owned(),
+        }
+        if part.name.is_empty() || part.name.contains(['\n', ';']) {
+            return cursor.error("an instruction is expected here, with its operands in parentheses");
+        }
+        if cursor.eat("{") {
+            part.templates.extend(templates(cursor.until("}")?));
+            cursor.expect("}")?;
+        }
+        cursor.expect("(")?;
+        while !cursor.eat(")") {
+            let argument = self.argument(cursor)?;
+            part.arguments.push(argument);
+            if !cursor.is(")") {
+                cursor.expect(",")?;
+            }
+        }
+        let shown = &cursor.text[start..cursor.at];
+        part.text = part_text(shown);
+        Ok(part)
+    }
+
+    fn argument(&mut self, cursor: &mut Cursor<'_>) -> Result<Argument> {
+        let text = cursor.until(",)")?;
+        let text = text.lines().map(|line| line.split("//").next().unwrap_or_default());
+        let text = text.collect::<Vec<_>>().join(" ");
+        let (pin, value, is_output) = if let Some((pin, value)) = text.split_once("=>") {
+            (Some(pin.trim()), value, true)
+        } else if let Some((pin, value)) = text.split_once(":=") {
+            (Some(pin.trim()), value, false)
+        } else {
+            (None, text.as_str(), false)
+        };
+        let value = value.trim();
+        let value = match value.strip_prefix("wire#") {
+            Some(name) => Value::Power(self.point(name.trim_matches('"'))),
+            None if value.is_empty() => Value::Open,
+            None => Value::Operand(value.to_owned()),
+        };
+        Ok(Argument {
+            pin: pin.map(|pin| pin.trim_matches('"').to_owned()),
+            value,
+            is_output,
+        })
+    }
+}
+
+/// Whether a word after an instance is an instruction, and not a member that is called.
+fn is_instruction(word: &str) -> bool {
+    crate::standard::with_instance(word)
+}
+
+/// A part in one line.
+pub(crate) fn part_text(text: &str) -> String {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    words.join(" ")
+}

@@ -1,0 +1,200 @@
+//! From a block of a controller to ladder text: opened alone as a program that runs, and as the files of a workspace, where
+//! it is a block that other programs use.
+
+mod call;
+mod declare;
+mod idle;
+mod memory;
+mod network;
+mod rungs;
+mod translate;
+mod wiring;
+
+use crate::model::{Kind, Type, Unit};
+use crate::scope::{Library, Scope, block_name};
+use call::Labels;
+use declare::Sections;
+use idle::Idle;
+use ladder_analysis::Severity;
+use ladder_format::Circuit;
+use ladder_format::program::{
+    Drawing, Element, Item, Network, ProgramSketch, Section, SectionKind,
+};
+use ladder_notation::{Content, Finding, LineColumn, Names, ProjectFile, Reading};
+use std::collections::{HashMap, HashSet};
+use translate::Translator;
+
+/// No more blocks come along with one.
+const MOST_BLOCKS: usize = 500;
+
+/// What makes a sketch of a block.
+struct Sketcher<'l> {
+    library: &'l Library<'l>,
+    reading: Reading,
+    /// The blocks that are used.
+    needed: Vec<String>,
+    /// Types by their names in the project; none where one is being declared, or cannot be.
+    types: HashMap<String, Option<String>>,
+    type_names: Names,
+    type_section: Section,
+    idle: Idle,
+}
+
+/// The sketch of a block, with what it uses of the blocks next to it.
+pub(crate) fn reading(unit: &Unit, library: &Library<'_>) -> Reading {
+    let mut reading = sketch(unit, library, false);
+    if matches!(unit.kind, Kind::FunctionBlock | Kind::Function) {
+        let content = Content::Program(sketch(unit, library, true).program);
+        let name = format!("{}.clad", &block_name(&unit.name)[1..]);
+        reading.files.push(ProjectFile { name, content });
+    }
+    reading.report.entries.sort_by_key(|entry| entry.place);
+    reading.findings.sort_by_key(|finding| finding.place);
+    reading
+}
+
+fn sketch(unit: &Unit, library: &Library<'_>, is_block: bool) -> Reading {
+    let mut sketcher = Sketcher {
+        library,
+        reading: Reading {
+            report: unit.report.clone(),
+            ..Reading::default()
+        },
+        needed: Vec::new(),
+        types: HashMap::new(),
+        type_names: Names::default(),
+        type_section: Section::new(SectionKind::Type),
+        idle: Idle::default(),
+    };
+    sketcher.program(unit, is_block);
+    sketcher.reading
+}
+
+impl Sketcher<'_> {
+    fn program(&mut self, unit: &Unit, is_block: bool) {
+        let shown = format!("{} {}", unit.kind.keyword(), unit.name);
+        self.reading.report.translated(unit.place, shown);
+        let body = match unit.kind {
+            Kind::Type => {
+                let ty = Type::Structure(unit.variables.clone());
+                let known = self.structure_alone(unit, &ty);
+                if let Err(why) = known {
+                    self.reading.report.refused(unit.place, format!("type {}", unit.name), why);
+                }
+                Vec::new()
+            }
+            Kind::Data => {
+                let mut scope = Scope::of(&Unit::default(), self.library);
+                let ty = unit.returns.clone().unwrap_or_else(|| Type::Named(unit.name.clone()));
+                scope.global(&unit.name, ty);
+                let mut sections = Sections::default();
+                self.globals(&scope, &mut sections);
+                sections.items()
+            }
+            _ => self.unit(unit, is_block),
+        };
+        let mut blocks = Vec::new();
+        let mut done = HashSet::from([unit.name.to_lowercase()]);
+        while let Some(name) = self.needed.pop() {
+            let library = self.library;
+            if done.len() > MOST_BLOCKS || !done.insert(name.to_lowercase()) {
+                continue;
+            }
+            if let Some(Ok(unit)) = library.get(&name.to_lowercase()) {
+                // What there is to say of it is said where it is read itself.
+                let before = (self.reading.report.clone(), self.reading.findings.clone());
+                let places = self.reading.places.len();
+                let block = self.unit(unit, true);
+                (self.reading.report, self.reading.findings) = before;
+                self.reading.places[places..].fill(LineColumn::START);
+                blocks.extend([Item::Blank, self.block(unit, block)]);
+            }
+        }
+        let mut items: Vec<Item> = unit.said.iter().cloned().map(Item::Comment).collect();
+        if !self.type_section.declarations.is_empty() {
+            items.extend([Item::Blank, Item::Section(self.type_section.clone())]);
+        }
+        items.extend(self.idle.items());
+        items.extend(blocks);
+        if !items.is_empty() {
+            items.push(Item::Blank);
+        }
+        if is_block {
+            let block = self.block(unit, body);
+            items.push(block);
+        } else {
+            items.extend(body);
+        }
+        self.reading.program = ProgramSketch { items };
+    }
+
+    fn structure_alone(&mut self, unit: &Unit, ty: &Type) -> Result<(), String> {
+        let name = Type::Named(unit.name.clone());
+        let ty = if self.library.contains_key(&unit.name.to_lowercase()) { &name } else { ty };
+        self.type_text(ty, &unit.name).map(drop)
+    }
+
+    /// A block of one's own. Without power it does not run there.
+    fn block(&mut self, unit: &Unit, mut items: Vec<Item>) -> Item {
+        let name = block_name(&unit.name);
+        if name[1..] != unit.name {
+            items.insert(0, Item::Comment(format!("{} in the project", unit.name)));
+        }
+        Item::Block {
+            header: format!("[{name}]"),
+            items,
+        }
+    }
+
+    /// Declarations and networks of a block.
+    fn unit(&mut self, unit: &Unit, is_block: bool) -> Vec<Item> {
+        let mut scope = Scope::of(unit, self.library);
+        let memory = memory::of(unit);
+        let mut translator = Translator {
+            scope: &mut scope,
+            labels: Labels::default(),
+        };
+        let mut networks = Vec::new();
+        if is_block && !unit.networks.is_empty() {
+            let guard = ["[/]( EN )", "<RET>"].map(|text| Circuit::Element(Element::block(text, None)));
+            networks.extend([
+                Item::Blank,
+                Item::Network(Network {
+                    comments: Vec::new(),
+                    drawing: Drawing::Circuit(Circuit::Series(guard.into())),
+                }),
+            ]);
+        }
+        for network in &unit.networks {
+            networks.extend(self.network(&mut translator, network));
+        }
+        let mut sections = self.variables(unit, &scope, is_block, |name| memory.contains(&name.to_lowercase()));
+        self.globals(&scope, &mut sections);
+        let mut items = sections.items();
+        items.extend(networks);
+        items
+    }
+
+    /// What is not run here, and the program around it is.
+    fn inert(&mut self, place: LineColumn, what: &str, why: &str) {
+        self.reading.report.approximated(place, what, why);
+        self.reading.findings.push(Finding {
+            place,
+            severity: Severity::Warning,
+            check: "simatic-not-run",
+            message: why.to_owned(),
+        });
+    }
+
+    /// A block that does nothing, as it is on a rung.
+    fn idle_block(&mut self, name: &str, shown: &str) -> String {
+        let library = self.library;
+        let is_taken = |word: &str| {
+            library
+                .values()
+                .filter_map(|unit| unit.as_ref().ok())
+                .any(|unit| block_name(&unit.name).eq_ignore_ascii_case(word))
+        };
+        self.idle.block(name, shown, is_taken)
+    }
+}

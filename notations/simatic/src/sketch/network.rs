@@ -1,0 +1,219 @@
+//! A network: its parts translated, its wires drawn.
+
+use super::Sketcher;
+use super::call::Call;
+use super::translate::{Translated, Translator};
+use super::wiring::{Drawn, Strand, drawn};
+use crate::model::{Body, Net, Network, Part, RAIL, Value, Wire};
+use crate::standard::of_document;
+use ladder_format::Circuit;
+use ladder_format::program::{self, Drawing, Element, Item};
+
+/// A comment is no longer.
+const MOST_SAID: usize = 20_000;
+
+impl Sketcher<'_> {
+    /// A network of a block, with what is said of it.
+    pub(super) fn network(&mut self, translator: &mut Translator<'_, '_>, network: &Network) -> Vec<Item> {
+        let mut comments = network.said.clone();
+        let mut drawings = Vec::new();
+        match &network.body {
+            Body::Text(why, text) => {
+                self.inert(network.place, "network", why);
+                let text: String = text.chars().take(MOST_SAID).collect();
+                comments.push(text.clone());
+                let origin = self.reading.origin(network.place);
+                let shown = crate::read::part_text(&text);
+                let block = self.idle_block("SCL", &shown);
+                let circuit = Circuit::Element(Element::block(block, Some(origin)));
+                drawings.push(Drawing::Circuit(circuit));
+            }
+            Body::Ladder(net) => drawings = self.ladder(translator, network, net),
+        }
+        if let Some((place, label)) = &network.label {
+            self.reading.report.translated(*place, format!("label {label}"));
+            let origin = self.reading.origin(*place);
+            let label = Element::block(format!("<LBL>( {} )", translator.label(label)), Some(origin));
+            marked(&mut drawings, label);
+        }
+        if drawings.is_empty() {
+            return comments.into_iter().map(Item::Comment).collect();
+        }
+        let networks = drawings.into_iter().enumerate().flat_map(|(number, drawing)| {
+            let comments = if number == 0 { std::mem::take(&mut comments) } else { Vec::new() };
+            [Item::Blank, Item::Network(program::Network { comments, drawing })]
+        });
+        networks.collect()
+    }
+
+    fn ladder(&mut self, translator: &mut Translator<'_, '_>, network: &Network, net: &Net) -> Vec<Drawing> {
+        let mut strands: Vec<Strand> = Vec::new();
+        let mut after = Vec::new();
+        let merged = self.merged(net);
+        let mut waiting: Vec<(usize, usize)> = Vec::new();
+        for (number, wire) in net.wires.iter().enumerate() {
+            if merged.contains(&number) {
+                continue;
+            }
+            let mut strand = Strand {
+                from: wire.from,
+                to: wire.to,
+                ..Strand::default()
+            };
+            for part in &wire.parts {
+                let mut part = part.clone();
+                for argument in &mut part.arguments {
+                    if let Value::Power(point) = argument.value {
+                        let text = match contact_before(net, point) {
+                            Some((_, text)) => text.to_owned(),
+                            None => {
+                                let tag = translator.scope.helper("pin", "BOOL", "the power at a pin");
+                                waiting.push((point, strands.len()));
+                                let mut pin = Strand {
+                                    from: point,
+                                    ..Strand::default()
+                                };
+                                pin.elements.push(Element::block(format!("( )( {tag} )"), None));
+                                strand.needs.push(strands.len());
+                                strands.push(pin);
+                                helper_operand(translator, &tag)
+                            }
+                        };
+                        argument.value = Value::Operand(text);
+                    }
+                }
+                let done = self.part(translator, &part);
+                if let Some(tag) = done.cut {
+                    strand.elements.push(Element::block(format!("( )( {tag} )"), None));
+                    let needs = vec![strands.len()];
+                    strands.push(Strand {
+                        to: None,
+                        ..std::mem::take(&mut strand)
+                    });
+                    strand = Strand {
+                        from: RAIL,
+                        to: wire.to,
+                        needs,
+                        ..Strand::default()
+                    };
+                }
+                let origin = self.reading.origin(part.place);
+                let elements = done.texts.into_iter().map(|text| Element::block(text, Some(origin)));
+                strand.elements.extend(elements);
+                after.extend(done.after.into_iter().map(|texts| {
+                    let elements = texts.into_iter().map(|text| Element::block(text, Some(origin)));
+                    Drawing::Circuit(Circuit::Series(elements.map(Circuit::Element).collect()))
+                }));
+            }
+            strands.push(strand);
+        }
+        if strands.iter().all(|strand| strand.elements.is_empty()) {
+            return after;
+        }
+        let tag = || translator.scope.helper("point", "BOOL", "power at a point of a network");
+        let mut drawings = match drawn(&mut strands, net.points, tag) {
+            Ok(Drawn::Whole(drawing)) => vec![drawing],
+            Ok(Drawn::Pieces(pieces)) => {
+                let why = "its wires would cross here: the power at their points goes by way of tags";
+                self.reading.report.approximated(network.place, "network", why);
+                pieces
+            }
+            Err(why) => {
+                self.inert(network.place, "network", &why);
+                let origin = self.reading.origin(network.place);
+                let block = self.idle_block("Network", &why);
+                vec![Drawing::Circuit(Circuit::Element(Element::block(block, Some(origin))))]
+            }
+        };
+        drawings.extend(after);
+        drawings
+    }
+
+    /// The wires that are but one contact on their way to a pin: its tag is an operand.
+    fn merged(&mut self, net: &Net) -> Vec<usize> {
+        let parts = net.wires.iter().flat_map(|wire| &wire.parts);
+        let pins = parts.flat_map(|part| &part.arguments).filter_map(|argument| match argument.value {
+            Value::Power(point) => Some(point),
+            _ => None,
+        });
+        let mut merged = Vec::new();
+        for (wire, _) in pins.filter_map(|point| contact_before(net, point)) {
+            for part in &net.wires[wire].parts {
+                self.reading.report.translated(part.place, part.text.clone());
+            }
+            merged.push(wire);
+        }
+        merged
+    }
+
+    /// A part; one without a counterpart is a block that does nothing.
+    fn part(&mut self, translator: &mut Translator<'_, '_>, part: &Part) -> Translated {
+        let done = match of_document(&part.name) {
+            Some(row) => translator.instruction(row, part),
+            None => self.call(translator, part),
+        };
+        match done {
+            Ok(done) => {
+                let report = &mut self.reading.report;
+                match &done.note {
+                    None => report.translated(part.place, part.text.clone()),
+                    Some(note) => report.approximated(part.place, part.text.clone(), note.clone()),
+                }
+                done
+            }
+            Err(why) => {
+                let why = format!("{why}: it is a block that does nothing");
+                self.inert(part.place, &part.text, &why);
+                Translated {
+                    texts: vec![self.idle_block(&part.name, &part.text)],
+                    ..Translated::default()
+                }
+            }
+        }
+    }
+
+    fn call(&mut self, translator: &mut Translator<'_, '_>, part: &Part) -> Result<Translated, String> {
+        let call = Call::of(translator, part)?;
+        self.needed.push(call.callee.name.clone());
+        call.translated(translator, part)
+    }
+}
+
+/// The wire to a point and the operand of the contact on it, if that is all that leads to the point, and one pin takes it.
+fn contact_before(net: &Net, point: usize) -> Option<(usize, &str)> {
+    let mut into = net.wires.iter().enumerate().filter(|(_, wire)| wire.to == Some(point));
+    let (number, wire) = into.next()?;
+    let takes = |part: &Part| part.arguments.iter().filter(|it| it.value == Value::Power(point)).count();
+    let taken: usize = net.wires.iter().flat_map(|wire| &wire.parts).map(takes).sum();
+    let is_only = into.next().is_none() && taken == 1 && net.wires.iter().all(|wire| wire.from != point);
+    match wire {
+        Wire { from: RAIL, parts, .. } if is_only && parts.len() == 1 && parts[0].name == "Contact" => {
+            match &parts[0].only("operand")?.value {
+                Value::Operand(text) => Some((number, text)),
+                _ => None,
+            }
+        }
+        _ => None,
+    }
+}
+
+/// A tag of our own as an operand of the source.
+fn helper_operand(translator: &mut Translator<'_, '_>, tag: &str) -> String {
+    translator.scope.adopt(tag, "BOOL");
+    format!("#{tag}")
+}
+
+/// A label stands at the beginning of its network, or in one of its own.
+fn marked(drawings: &mut Vec<Drawing>, label: Element) {
+    if let Some(Drawing::Circuit(circuit)) = drawings.first_mut() {
+        let before = std::mem::replace(circuit, Circuit::Series(Vec::new()));
+        let mut parts = vec![Circuit::Element(label)];
+        match before {
+            Circuit::Series(more) => parts.extend(more),
+            other => parts.push(other),
+        }
+        *circuit = Circuit::Series(parts);
+        return;
+    }
+    drawings.insert(0, Drawing::Circuit(Circuit::Element(label)));
+}

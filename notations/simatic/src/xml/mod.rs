@@ -1,0 +1,165 @@
+//! SimaticML: blocks as XML.
+
+mod access;
+mod network;
+
+use crate::cursor::{Cursor, Result};
+use crate::model::{Kind, Role, Type, Unit, Variable};
+use crate::read::type_of;
+use ladder_notation::{Lines, ReadError};
+use ladder_notation_plcopen::xml::{Element, Xml};
+use roxmltree::Node;
+
+/// Structures nest no deeper.
+const DEEPEST: usize = 16;
+
+/// The elements that are blocks.
+const BLOCKS: [(&str, Kind); 6] = [
+    ("SW.Blocks.FB", Kind::FunctionBlock),
+    ("SW.Blocks.FC", Kind::Function),
+    ("SW.Blocks.OB", Kind::Organization),
+    ("SW.Blocks.GlobalDB", Kind::Data),
+    ("SW.Blocks.InstanceDB", Kind::Data),
+    ("SW.Types.PlcStruct", Kind::Type),
+];
+
+/// Whether a text is such a file, from what it begins with.
+pub(crate) fn recognises(head: &str) -> bool {
+    let head = head.trim_start_matches('\u{feff}').trim_start();
+    head.starts_with('<') && head.contains("<Document") && (head.contains("<SW.") || head.contains("<Engineering"))
+}
+
+/// Reads a block.
+///
+/// # Errors
+///
+/// If it is not XML, or holds no block.
+pub(crate) fn unit(text: &str) -> Result<Unit> {
+    let xml = Xml::parse(text)?;
+    let root = xml.document.root_element();
+    let mut blocks = root.elements().filter_map(|node| {
+        let kind = BLOCKS.iter().find(|(name, _)| node.is(name));
+        kind.map(|(_, kind)| (node, *kind))
+    });
+    let Some((node, kind)) = blocks.next() else {
+        let message = "the file holds no block of a program: no SW.Blocks.FB, FC, OB or DB, and no SW.Types.PlcStruct";
+        return Err(ReadError::at(xml.place(root), message));
+    };
+    let attributes = node.child("AttributeList");
+    let attribute = |name: &str| attributes.and_then(|list| list.child(name)).map(|node| node.words());
+    let mut unit = Unit {
+        place: xml.place(node),
+        kind,
+        name: attribute("Name").unwrap_or_default(),
+        said: said(node),
+        ..Unit::default()
+    };
+    if kind == Kind::Data {
+        unit.returns = attribute("InstanceOfName").map(Type::Named);
+    }
+    for (other, _) in blocks {
+        let name = other.child("AttributeList").and_then(|list| list.child("Name"));
+        let shown = format!("block {}", name.map(|node| node.words()).unwrap_or_default());
+        let why = "the first block of a file is read: export each into a file of its own";
+        unit.report.refused(xml.place(other), shown, why);
+    }
+    let sections = attributes
+        .and_then(|list| list.child("Interface"))
+        .and_then(|interface| interface.child("Sections"));
+    for section in sections.iter().flat_map(|list| list.children_of("Section")) {
+        interface(&xml, section, &mut unit)?;
+    }
+    let units = node.child("ObjectList");
+    for compile in units.iter().flat_map(|list| list.children_of("SW.Blocks.CompileUnit")) {
+        let network = network::network(&xml, compile, &mut unit);
+        unit.networks.push(network);
+    }
+    Ok(unit)
+}
+
+/// Title and comment of a block or a network.
+fn said(node: Node<'_, '_>) -> Vec<String> {
+    let mut said: Vec<String> = Vec::new();
+    let texts = node.child("ObjectList");
+    for name in ["Title", "Comment"] {
+        let is = |text: &Node<'_, '_>| text.attribute("CompositionName") == Some(name);
+        let all = texts.iter().flat_map(|list| list.children_of("MultilingualText"));
+        for text in all.filter(is) {
+            let items = text.descendants().filter(|node| node.is_element() && node.is("AttributeList"));
+            let items = items.filter_map(|item| {
+                let text = item.child("Text")?.words();
+                let is_english = item.child("Culture").is_some_and(|culture| culture.words() == "en-US");
+                (!text.is_empty()).then_some((is_english, text))
+            });
+            let items: Vec<(bool, String)> = items.collect();
+            let text = items.iter().find(|(is_english, _)| *is_english).or(items.first());
+            said.extend(text.map(|(_, text)| text.clone()).filter(|text| !said.contains(text)));
+        }
+    }
+    said
+}
+
+fn interface(xml: &Xml<'_>, section: Node<'_, '_>, unit: &mut Unit) -> Result<()> {
+    let role = match section.attribute("Name").unwrap_or_default() {
+        "Input" => Role::Input,
+        "Output" => Role::Output,
+        "InOut" => Role::InOut,
+        "Temp" => Role::Temp,
+        "Constant" => Role::Constant,
+        "Return" => {
+            if let Some(result) = section.child("Member") {
+                let ty = member(xml, result, Role::Output, 0)?.ty;
+                unit.returns = Some(ty).filter(|ty| *ty != Type::Named("Void".to_owned()));
+            }
+            return Ok(());
+        }
+        _ => Role::Static,
+    };
+    for node in section.children_of("Member") {
+        unit.variables.push(member(xml, node, role, 0)?);
+    }
+    Ok(())
+}
+
+fn member(xml: &Xml<'_>, node: Node<'_, '_>, role: Role, depth: usize) -> Result<Variable> {
+    let place = xml.place(node);
+    if depth > DEEPEST {
+        return Err(ReadError::at(place, format!("structures nest deeper than {DEEPEST}")));
+    }
+    let written = node.attribute("Datatype").unwrap_or_default();
+    let whole = |error: ReadError| ReadError::at(place, error.message);
+    let has_members = written.len() >= 6 && written.to_ascii_lowercase().ends_with("struct");
+    let ty = if has_members {
+        let mut members = Vec::new();
+        for inner in node.children_of("Member") {
+            members.push(member(xml, inner, Role::Static, depth + 1)?);
+        }
+        let text = format!("{} END_STRUCT", written);
+        within(type_text(&text).map_err(whole)?, Type::Structure(members))
+    } else {
+        type_text(written).map_err(whole)?
+    };
+    let text = |name: &str| node.child(name).map(|node| node.words()).filter(|text| !text.is_empty());
+    Ok(Variable {
+        place,
+        name: node.attribute("Name").unwrap_or_default().to_owned(),
+        role,
+        retain: node.attribute("Remanence") == Some("Retain"),
+        ty,
+        initial: text("StartValue"),
+        comment: text("Comment"),
+    })
+}
+
+/// An array of empty structures as one of this.
+fn within(ty: Type, of: Type) -> Type {
+    match ty {
+        Type::Array(bounds, inner) => Type::Array(bounds, Box::new(within(*inner, of))),
+        _ => of,
+    }
+}
+
+fn type_text(text: &str) -> Result<Type> {
+    let lines = Lines::of(text);
+    type_of(&mut Cursor::new(text, &lines), 0)
+}
