@@ -15,6 +15,7 @@ mod read;
 mod scope;
 mod sketch;
 mod standard;
+mod write;
 mod xml;
 
 use ladder_analysis::Analysis;
@@ -118,8 +119,8 @@ impl Notation for Simatic {
         Ok(sketched(&unit, &companions(source)))
     }
 
-    fn write(&self, _: &Analysis) -> Result<Writing, WriteError> {
-        Err(WriteError::new("later"))
+    fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
+        write::write(analysis)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::model::{Kind, Type};
 use crate::scope::{Scope, member, plain};
-use crate::standard::elementary;
+use crate::standard::{SYSTEM, elementary};
 
 /// An operand as it is written here.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,6 +46,14 @@ fn read(scope: &mut Scope<'_>, text: &str, wanted: &str, depth: usize) -> Result
                 is_literal: false,
             })
             .ok_or_else(|| format!("`{text}` is no address here"));
+    }
+    let system = SYSTEM.iter().find(|(_, name)| text.trim_matches('"') == *name);
+    if let Some((own, _)) = system.filter(|(_, name)| scope.own(name).is_none()) {
+        return Ok(Operand {
+            text: (*own).to_owned(),
+            ty: Some(Type::Named("BOOL".to_owned())),
+            is_literal: false,
+        });
     }
     let first = text.chars().next().unwrap_or_default();
     if first == '#' || first == '"' {

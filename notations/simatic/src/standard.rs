@@ -259,3 +259,13 @@ pub(crate) fn power_pins(name: &str) -> (&'static str, &'static str) {
         _ => ("en", "eno"),
     }
 }
+
+/// System tags, and what a project calls the same while its system and clock memory are on.
+pub(crate) const SYSTEM: [(&str, &str); 6] = [
+    ("SYS.ON", "AlwaysTRUE"),
+    ("SYS.OFF", "AlwaysFALSE"),
+    ("SYS.FIRST_SCAN", "FirstScan"),
+    ("SYS.CLOCK_100MS", "Clock_10Hz"),
+    ("SYS.CLOCK_500MS", "Clock_2Hz"),
+    ("SYS.CLOCK_1S", "Clock_1Hz"),
+];

@@ -6,9 +6,9 @@ mod declare;
 mod idle;
 mod memory;
 mod network;
-mod rungs;
+pub(crate) mod rungs;
 mod translate;
-mod wiring;
+pub(crate) mod wiring;
 
 use crate::model::{Kind, Type, Unit};
 use crate::scope::{Library, Scope, block_name};

@@ -5,7 +5,7 @@ use super::call::Call;
 use super::translate::{Translated, Translator};
 use super::wiring::{Drawn, Strand, drawn};
 use crate::model::{Body, Net, Network, Part, RAIL, Value, Wire};
-use crate::standard::of_document;
+use crate::standard::{Form, of_document};
 use ladder_format::Circuit;
 use ladder_format::program::{self, Drawing, Element, Item};
 
@@ -50,7 +50,7 @@ impl Sketcher<'_> {
         let mut strands: Vec<Strand> = Vec::new();
         let mut after = Vec::new();
         let merged = self.merged(net);
-        let mut waiting: Vec<(usize, usize)> = Vec::new();
+        let mut points = net.points;
         for (number, wire) in net.wires.iter().enumerate() {
             if merged.contains(&number) {
                 continue;
@@ -60,7 +60,7 @@ impl Sketcher<'_> {
                 to: wire.to,
                 ..Strand::default()
             };
-            for part in &wire.parts {
+            for (at, part) in wire.parts.iter().enumerate() {
                 let mut part = part.clone();
                 for argument in &mut part.arguments {
                     if let Value::Power(point) = argument.value {
@@ -68,7 +68,6 @@ impl Sketcher<'_> {
                             Some((_, text)) => text.to_owned(),
                             None => {
                                 let tag = translator.scope.helper("pin", "BOOL", "the power at a pin");
-                                waiting.push((point, strands.len()));
                                 let mut pin = Strand {
                                     from: point,
                                     ..Strand::default()
@@ -99,6 +98,25 @@ impl Sketcher<'_> {
                 }
                 let origin = self.reading.origin(part.place);
                 let elements = done.texts.into_iter().map(|text| Element::block(text, Some(origin)));
+                let goes_on = at + 1 < wire.parts.len() || wire.to.is_some();
+                if goes_on && sets(&part) {
+                    // Power goes on as it came, and here it would be the tag.
+                    if !strand.elements.is_empty() {
+                        strands.push(Strand {
+                            to: Some(points),
+                            ..std::mem::take(&mut strand)
+                        });
+                        strand.from = points;
+                        strand.to = wire.to;
+                        points += 1;
+                    }
+                    strands.push(Strand {
+                        from: strand.from,
+                        elements: elements.collect(),
+                        ..Strand::default()
+                    });
+                    continue;
+                }
                 strand.elements.extend(elements);
                 after.extend(done.after.into_iter().map(|texts| {
                     let elements = texts.into_iter().map(|text| Element::block(text, Some(origin)));
@@ -111,7 +129,7 @@ impl Sketcher<'_> {
             return after;
         }
         let tag = || translator.scope.helper("point", "BOOL", "power at a point of a network");
-        let mut drawings = match drawn(&mut strands, net.points, tag) {
+        let mut drawings = match drawn(&mut strands, points, tag) {
             Ok(Drawn::Whole(drawing)) => vec![drawing],
             Ok(Drawn::Pieces(pieces)) => {
                 let why = "its wires would cross here: the power at their points goes by way of tags";
@@ -177,6 +195,11 @@ impl Sketcher<'_> {
         self.needed.push(call.callee.name.clone());
         call.translated(translator, part)
     }
+}
+
+/// Whether a part sets its bit.
+fn sets(part: &Part) -> bool {
+    of_document(&part.name).is_some_and(|row| row.form == Form::Coil("(S)"))
 }
 
 /// The wire to a point and the operand of the contact on it, if that is all that leads to the point, and one pin takes it.

@@ -11,12 +11,13 @@ use ladder_format::program::{Element, RungPiece};
 const MOST_RUNGS: usize = 64;
 
 /// A way through the network: what is on it, from a point on.
-struct Way<'s> {
-    from: usize,
-    pieces: Vec<Piece<'s>>,
+pub(crate) struct Way<'s> {
+    pub(crate) from: usize,
+    pub(crate) pieces: Vec<Piece<'s>>,
 }
 
-enum Piece<'s> {
+/// What is on a way.
+pub(crate) enum Piece<'s> {
     Element(&'s Element),
     Point(usize),
 }
@@ -73,7 +74,7 @@ pub(super) fn drawn(strands: &[Strand]) -> Option<Vec<Vec<RungPiece>>> {
 }
 
 /// Each strand goes on with the first after it that nothing has taken yet.
-fn ways(strands: &[Strand]) -> Vec<Way<'_>> {
+pub(crate) fn ways(strands: &[Strand]) -> Vec<Way<'_>> {
     let mut is_taken = vec![false; strands.len()];
     let mut ways = Vec::new();
     for first in 0..strands.len() {

@@ -1,0 +1,253 @@
+//! Declarations of ladder text as sections of source documents.
+
+use super::operand::literal;
+use crate::scope::member;
+use ladder_syntax::ast::{AstNode, Declaration, NodeView, SectionHeader, StructHeader};
+use ladder_syntax::{LineKind, Parse, Section};
+use std::collections::HashMap;
+
+/// What is declared on a line.
+#[derive(Debug, Clone)]
+pub(super) struct Declared {
+    pub(super) names: Vec<String>,
+    pub(super) address: Option<String>,
+    pub(super) ty: String,
+    pub(super) initial: Option<String>,
+    pub(super) comment: Option<String>,
+    /// Where it is in the text.
+    pub(super) at: usize,
+}
+
+/// A section.
+#[derive(Debug, Clone)]
+pub(super) struct Declarations {
+    /// `VAR_INPUT`
+    pub(super) keyword: String,
+    /// `RETAIN`
+    pub(super) qualifier: Option<String>,
+    pub(super) declared: Vec<Declared>,
+    /// The structures of a section of types: the name, and the members.
+    pub(super) structures: Vec<(String, Vec<Declared>)>,
+}
+
+/// The declarations of a section.
+pub(super) fn section(parse: &Parse, section: &Section) -> Declarations {
+    let mut out = Declarations {
+        keyword: String::new(),
+        qualifier: None,
+        declared: Vec::new(),
+        structures: Vec::new(),
+    };
+    let mut is_open = false;
+    for number in section.lines.clone() {
+        let line = &parse.lines()[number];
+        let tree = line.tree();
+        let node = NodeView::root(&tree);
+        match line.kind {
+            LineKind::StructHeader => {
+                let name = StructHeader::cast(node).and_then(|header| header.names().next());
+                let name = name.map(|name| name.text().to_owned()).unwrap_or_default();
+                out.structures.push((name, Vec::new()));
+                is_open = true;
+            }
+            LineKind::StructEnd => is_open = false,
+            LineKind::Declaration => {
+                let Some(found) = Declaration::cast(node) else {
+                    continue;
+                };
+                let declared = declared(&found, line.text(), usize::from(parse.line_start(number)));
+                match out.structures.last_mut().filter(|_| is_open) {
+                    Some((_, members)) => members.push(declared),
+                    None => out.declared.push(declared),
+                }
+            }
+            _ => {
+                if let Some(header) = SectionHeader::cast(node)
+                    && let Some(keyword) = header.section().filter(|_| out.keyword.is_empty())
+                {
+                    out.keyword = keyword.text().to_ascii_uppercase();
+                    out.qualifier = header.qualifiers().next().map(|word| word.text().to_ascii_uppercase());
+                }
+            }
+        }
+    }
+    out
+}
+
+fn declared(found: &Declaration<'_>, text: &str, at: usize) -> Declared {
+    let slice = |range: ladder_syntax::TextRange| text[range].trim().to_owned();
+    let comment = text.split_once(';').and_then(|(_, rest)| {
+        let said = rest.trim().strip_prefix('#')?.split('#').next()?.trim().to_owned();
+        (!said.is_empty()).then_some(said)
+    });
+    Declared {
+        names: found.names().map(|name| name.text().to_owned()).collect(),
+        address: found.address().map(|address| address.text().to_owned()),
+        ty: found.type_ref().map(|ty| slice(ty.range())).unwrap_or_default(),
+        initial: found.initial_value().map(|value| slice(value.range())),
+        comment,
+        at,
+    }
+}
+
+/// A type that a section declares.
+#[derive(Debug, Clone)]
+pub(super) enum TypeForm {
+    Structure(Vec<Declared>),
+    /// Another name for this type, with a first value of its own.
+    Alias(Declared),
+}
+
+/// Types by their names in small letters, each with its name.
+pub(super) type Types = HashMap<String, (String, TypeForm)>;
+
+/// Names of types lead to others no further.
+const DEEPEST: usize = 16;
+
+/// A type as it is written there.
+///
+/// # Errors
+///
+/// Why it has no form there.
+pub(super) fn type_text(text: &str, types: &Types, depth: usize) -> Result<String, String> {
+    let text = text.trim();
+    if depth > DEEPEST {
+        return Err(format!("the type `{text}` leads to too many others"));
+    }
+    let upper = text.to_ascii_uppercase();
+    if text.starts_with('(') {
+        return Err("enumerations have no form there".to_owned());
+    }
+    if let Some(rest) = upper.strip_prefix("ARRAY") {
+        let start = text.len() - rest.trim_start().trim_start_matches('[').len();
+        let end = text.find(']').ok_or("an array is not closed")?;
+        let mut bounds = Vec::new();
+        for bound in text[start..end].split(',') {
+            let (low, high) = bound.split_once("..").ok_or("an array has no range")?;
+            let number = |bound: &str| bound.trim().replace(' ', "").parse::<i64>();
+            let (Ok(low), Ok(high)) = (number(low), number(high)) else {
+                return Err("the bounds of an array are numbers there".to_owned());
+            };
+            bounds.push(format!("{low}..{high}"));
+        }
+        let of = text[end + 1..].trim_start();
+        let of = of.get(2..).ok_or("an array says OF what it is")?;
+        return Ok(format!("Array[{}] of {}", bounds.join(", "), type_text(of, types, depth + 1)?));
+    }
+    if let Some(rest) = upper.strip_prefix("STRING") {
+        return Ok(format!("String{}", rest.replace(' ', "")));
+    }
+    if let Some(block) = text.strip_prefix('$') {
+        return Ok(format!("\"{block}\""));
+    }
+    let base = upper.split('(').next().unwrap_or_default().trim();
+    if let Some(known) = elementary(base).or_else(|| state(base)) {
+        return Ok(known.to_owned());
+    }
+    match types.get(&text.to_lowercase()) {
+        Some((name, TypeForm::Structure(_))) => Ok(format!("\"{name}\"")),
+        Some((_, TypeForm::Alias(alias))) => type_text(&alias.ty, types, depth + 1),
+        None => Err(format!("`{text}` has no form there")),
+    }
+}
+
+/// An elementary type.
+pub(super) fn elementary(upper: &str) -> Option<&'static str> {
+    Some(match upper {
+        "BOOL" => "Bool",
+        "BYTE" => "Byte",
+        "WORD" => "Word",
+        "DWORD" => "DWord",
+        "LWORD" => "LWord",
+        "SINT" => "SInt",
+        "INT" => "Int",
+        "DINT" => "DInt",
+        "LINT" => "LInt",
+        "USINT" => "USInt",
+        "UINT" => "UInt",
+        "UDINT" => "UDInt",
+        "ULINT" => "ULInt",
+        "REAL" => "Real",
+        "LREAL" => "LReal",
+        "TIME" => "Time",
+        "DATE" => "Date",
+        "TOD" => "Time_Of_Day",
+        "DT" => "LDT",
+        _ => return None,
+    })
+}
+
+/// The type of what holds a state.
+fn state(upper: &str) -> Option<&'static str> {
+    Some(match upper {
+        "TON" => "TON_TIME",
+        "TOF" => "TOF_TIME",
+        "TP" => "TP_TIME",
+        "RTO" => "TONR_TIME",
+        "CTU" => "CTU_DINT",
+        "CTD" => "CTD_DINT",
+        "CTUD" => "CTUD_DINT",
+        _ => return None,
+    })
+}
+
+/// A first value.
+///
+/// # Errors
+///
+/// Why it has no form there.
+pub(super) fn initial_text(text: &str) -> Result<String, String> {
+    let none = || format!("the first value `{text}` has no form there");
+    if let Some(inner) = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
+        let values = inner.split(',').map(|value| {
+            let value = value.trim();
+            match value.strip_suffix(')').and_then(|rest| rest.split_once('(')) {
+                Some((count, value)) => Ok(format!("{count}({})", literal(value.trim())?.ok_or_else(none)?)),
+                None => literal(value)?.ok_or_else(none),
+            }
+        });
+        let values: Result<Vec<String>, String> = values.collect();
+        return Ok(format!("[{}]", values?.join(", ")));
+    }
+    literal(text)?.ok_or_else(none)
+}
+
+/// A declaration there, without its pragma.
+///
+/// # Errors
+///
+/// Why it has no form there.
+pub(super) fn declaration(name: &str, ty: &str, initial: Option<&str>, types: &Types) -> Result<String, String> {
+    let alias = match types.get(&ty.to_lowercase()) {
+        Some((_, TypeForm::Alias(alias))) => alias.initial.as_deref(),
+        _ => None,
+    };
+    let ty = type_text(ty, types, 0)?;
+    let initial = match initial.or(alias) {
+        Some(initial) => format!(" := {}", initial_text(initial)?),
+        None => String::new(),
+    };
+    Ok(format!("\"{name}\" : {ty}{initial};"))
+}
+
+/// A structure as a document of its own.
+///
+/// # Errors
+///
+/// Why it has no form there.
+pub(super) fn structure(name: &str, members: &[Declared], types: &Types) -> Result<String, String> {
+    let mut out = format!(
+        "\u{feff}{{\r\n    S7_Version := \"0.1\"\r\n}}\r\nTYPE \"{name}\"\r\n    STRUCT\r\n"
+    );
+    for declared in members {
+        for own in &declared.names {
+            if member(own) != *own {
+                return Err(format!("the member `{own}` has no form there"));
+            }
+            let line = declaration(own, &declared.ty, declared.initial.as_deref(), types)?;
+            out.push_str(&format!("        {line}\r\n"));
+        }
+    }
+    out.push_str("    END_STRUCT;\r\nEND_TYPE\r\n");
+    Ok(out)
+}

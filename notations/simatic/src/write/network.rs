@@ -1,0 +1,155 @@
+//! Networks as rungs with named wires.
+
+use super::Writer;
+use super::operand::Tags;
+use super::strands;
+use crate::model::RAIL;
+use crate::sketch::rungs::{Piece, ways};
+use crate::sketch::wiring::Strand;
+use ladder_analysis::program::{BlockKind, Network, Step};
+use ladder_format::program::Element;
+use ladder_instructions::Op;
+use ladder_syntax::TextSize;
+use std::collections::HashMap;
+
+/// A network as it is written.
+pub(super) struct Written {
+    pub(super) label: Option<String>,
+    pub(super) rungs: String,
+}
+
+impl<'a> Writer<'a> {
+    /// The network of the program that a network of the text is.
+    pub(super) fn network_at(&self, number: usize) -> Option<&'a Network> {
+        self.networks.get(&self.start(number)).copied()
+    }
+
+    /// Where a network of the text begins.
+    pub(super) fn start(&self, number: usize) -> TextSize {
+        let parse = &self.analysis.context.parse;
+        parse.line_start(parse.structure().networks[number].lines.start)
+    }
+
+    /// A network.
+    ///
+    /// # Errors
+    ///
+    /// Why it has no form there.
+    pub(super) fn network(&mut self, network: &Network, tags: &Tags) -> Result<Written, String> {
+        let wires = strands::of(network)?;
+        self.allowed(network, &wires)?;
+        let before = self.statics.len();
+        let drawn = self.strands(network, &wires, tags);
+        let strands = drawn.inspect_err(|_| self.statics.truncate(before))?;
+        let label = wires.label.map(|block| {
+            let bound = &network.blocks[block].arguments[0];
+            self.text[bound.range].trim().to_owned()
+        });
+        Ok(Written {
+            label,
+            rungs: rungs(&strands),
+        })
+    }
+
+    fn strands(&mut self, network: &Network, wires: &strands::Wires, tags: &Tags) -> Result<Vec<Strand>, String> {
+        let mut out = Vec::new();
+        for wire in &wires.wires {
+            let mut elements = Vec::new();
+            for block in &wire.blocks {
+                let block = &network.blocks[*block];
+                let text = self.element(block, tags);
+                let head = self.text[block.location.range].to_owned();
+                let text = text.map_err(|why| format!("`{}`: {why}", head.trim()))?;
+                elements.push(Element::block(text, None));
+            }
+            out.push(Strand {
+                from: wire.from,
+                to: wire.to,
+                elements,
+                needs: Vec::new(),
+            });
+        }
+        Ok(out)
+    }
+
+    /// Whether instructions stand where a document can have them.
+    fn allowed(&self, network: &Network, wires: &strands::Wires) -> Result<(), String> {
+        let mut jumps = 0;
+        let count = network.steps.iter().filter(|step| matches!(step, Step::Block { .. })).count();
+        let mut done = 0;
+        for step in &network.steps {
+            let Step::Block { block, .. } = step else { continue };
+            done += 1;
+            if let BlockKind::Instruction(row) = network.blocks[*block].kind
+                && matches!(row.op, Op::Jmp | Op::Ret)
+            {
+                jumps += 1;
+                if jumps > 1 || done < count {
+                    return Err("a jump or return is the last of its network there".to_owned());
+                }
+            }
+        }
+        for wire in &wires.wires {
+            for (at, block) in wire.blocks.iter().enumerate() {
+                let is_last = at + 1 == wire.blocks.len() && wire.to.is_none();
+                match network.blocks[*block].kind {
+                    BlockKind::Instruction(row) => match row.op {
+                        Op::SetCoil if !is_last => {
+                            return Err("after a set coil power goes on as it came there, and here it is the tag".to_owned());
+                        }
+                        Op::Inverter if at == 0 && wire.from == RAIL => {
+                            return Err("a Not stands after a contact there".to_owned());
+                        }
+                        _ => {}
+                    },
+                    BlockKind::User(user) => {
+                        let is_guarded = self.is_guarded(user);
+                        if !is_guarded && (at > 0 || wire.from != RAIL) {
+                            let name = &self.program.blocks[user].name;
+                            return Err(format!(
+                                "without power `[{name}]` runs here, and does not there: begin its body with `+--[/]( EN )--<RET>--+`"
+                            ));
+                        }
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The rungs of strands.
+fn rungs(strands: &[Strand]) -> String {
+    let mut names: HashMap<usize, String> = HashMap::new();
+    let mut name = |point: usize| match point {
+        RAIL => "wire#powerrail".to_owned(),
+        point => {
+            let next = names.len() + 1;
+            let name = names.entry(point).or_insert_with(|| format!("wire#w{next}"));
+            name.clone()
+        }
+    };
+    let mut out = String::new();
+    for way in ways(strands) {
+        out.push_str(&format!("        RUNG {}\r\n", name(way.from)));
+        let (last, pieces) = match way.pieces.split_last() {
+            Some((Piece::Point(point), pieces)) => (Some(*point), pieces),
+            _ => (None, &way.pieces[..]),
+        };
+        for piece in pieces {
+            match piece {
+                Piece::Point(point) => out.push_str(&format!("            {}\r\n", name(*point))),
+                Piece::Element(element) => {
+                    for line in element.text.lines() {
+                        out.push_str(&format!("            {line}\r\n"));
+                    }
+                }
+            }
+        }
+        match last {
+            Some(point) => out.push_str(&format!("        END_RUNG {}\r\n", name(point))),
+            None => out.push_str("        END_RUNG\r\n"),
+        }
+    }
+    out
+}

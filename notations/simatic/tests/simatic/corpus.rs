@@ -1,0 +1,88 @@
+//! Real blocks.
+
+use super::{errors, read, read_xml, remarks};
+use ladder_notation::Companion;
+use std::path::PathBuf;
+
+fn corpus() -> Option<PathBuf> {
+    let folder = std::env::var_os("LADDER_CORPUS").map(|folder| PathBuf::from(folder).join("simatic"));
+    if folder.is_none() {
+        eprintln!("skipped: LADDER_CORPUS names no folder of real programs");
+    }
+    folder
+}
+
+fn text(name: &str) -> Option<String> {
+    let path = corpus()?.join(name);
+    Some(std::fs::read_to_string(path).expect("the file can be read"))
+}
+
+fn document(stem: &str) -> Option<String> {
+    let resource = format!("{stem}.s7res");
+    let path = corpus()?.join(&resource);
+    let companions = std::fs::read(path).ok().map(|bytes| Companion { name: resource, bytes });
+    let converted = read(&text(&format!("{stem}.s7dcl"))?, companions.into_iter().collect());
+    assert_eq!(errors(&converted.written.text), Vec::<String>::new(), "{}", converted.written.text);
+    let remarks = remarks(&converted);
+    Some(converted.written.text + &remarks)
+}
+
+/// Networks, contacts (of these negated), coils (set, reset), blocks besides.
+fn counts(text: &str) -> String {
+    let parse = ladder_syntax::parse(text);
+    let count = |sign: &str| text.matches(sign).count();
+    let contacts = count("[ ](") + count("[/](");
+    let coils = count("( )(") + count("(S)(") + count("(R)(");
+    let networks = parse.structure().networks.len();
+    let inside: usize = text.matches("FUNCTION_BLOCK [$").count() / 2;
+    let others = text.matches("--[").count() - contacts;
+    format!(
+        "{}: {contacts} {}n, {coils} {}S {}R, {others}",
+        networks - inside.min(0),
+        count("[/]("),
+        count("(S)("),
+        count("(R)(")
+    )
+}
+
+#[test]
+fn counts_of_the_documents() {
+    let expected = [
+        ("MCPVerify_FC_LAD", "7: 6 0n, 5 1S 1R, 3"),
+        ("MCPVerify_FB_LAD_v3", "4: 3 0n, 4 0S 0R, 4"),
+        ("MCPVerify_Mixed_LADSCL", "4: 7 4n, 4 0S 0R, 4"),
+        ("two_motor_stress", "4: 11 4n, 3 0S 0R, 2"),
+    ];
+    for (stem, counted) in expected {
+        let Some(text) = document(stem) else { return };
+        assert_eq!(counts(&text), counted, "{stem}\n{text}");
+    }
+}
+
+#[test]
+fn counts_of_the_exports() {
+    let expected = [
+        ("MCPVerify_FC_LAD.xml", "7: 6 0n, 5 1S 1R, 3"),
+        ("MCPVerify_FB_LAD_v3.xml", "4: 3 0n, 4 0S 0R, 4"),
+        ("MCPVerify_FC_LAD_v2.xml", "10: 2 1n, 5 0S 0R, 9"),
+        ("MCPVerify_FC_LAD_v3.xml", "1: 0 0n, 1 0S 0R, 1"),
+    ];
+    for (name, counted) in expected {
+        let Some(text) = text(name) else { return };
+        let converted = read_xml(&text);
+        let ladder = &converted.written.text;
+        assert_eq!(errors(ladder), Vec::<String>::new(), "{ladder}");
+        assert_eq!(counts(ladder), counted, "{name}\n{ladder}");
+        assert_eq!(remarks(&converted), "", "{name}");
+    }
+}
+
+#[test]
+fn both_forms_of_a_block_are_one_program() {
+    for stem in ["MCPVerify_FC_LAD", "MCPVerify_FB_LAD_v3"] {
+        let (Some(document), Some(export)) = (document(stem), text(&format!("{stem}.xml"))) else {
+            return;
+        };
+        assert_eq!(read_xml(&export).written.text, document);
+    }
+}
