@@ -1,0 +1,312 @@
+//! The order of networks: jumps forward as conditions around what they pass over, loops, the end of a scan.
+
+use crate::arguments::{by_place, named, place};
+use crate::checks::Checks;
+use crate::network::is;
+use crate::power::Power;
+use crate::project::{Result, Service, UnitKind};
+use crate::term::Term;
+use crate::unit::Unit;
+use ladder_analysis::program::{Argument, Block, Network};
+use ladder_analysis::values::types::Scalar;
+use ladder_instructions::{Op, Shape};
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// The jumps and loops of a unit.
+#[derive(Debug, Default)]
+pub(crate) struct Flow {
+    /// By the network that is jumped to: the variable that says so, and the networks that jump.
+    jumps: BTreeMap<usize, (String, Vec<usize>)>,
+    /// By the network with the FOR: the network with its NEXT, and the variable with the number of turns.
+    loops: BTreeMap<usize, (usize, String)>,
+    now: usize,
+}
+
+impl Flow {
+    fn loop_around(&self, network: usize) -> Option<(usize, usize)> {
+        let around = self
+            .loops
+            .iter()
+            .find(|(first, (last, _))| **first < network && network <= *last);
+        around.map(|(first, (last, _))| (*first, *last))
+    }
+}
+
+impl Unit<'_, '_> {
+    /// All networks of the unit. `comment` are the lines above one.
+    pub(crate) fn networks(&mut self, comment: &mut dyn FnMut(usize) -> Vec<String>) -> Result<()> {
+        let program = self.project.program;
+        let networks = self.project.networks(self.kind);
+        let mut flow = self.flow(networks.clone())?;
+        let has_mcr = |network: &Network| network.blocks.iter().any(|block| is(block, Op::Mcr));
+        if program.networks[networks.clone()].iter().any(has_mcr) {
+            let rail = self.numbered("rail", "BOOL");
+            self.line(format!("{rail} := TRUE;"));
+            self.rail = Some(rail);
+        }
+        let mut guards: Vec<String> = Vec::new();
+        for index in networks.clone() {
+            flow.now = index;
+            let network = &program.networks[index];
+            self.here = network.location;
+            let passing = |(target, (_, sources)): (&usize, &(String, Vec<usize>))| {
+                *target > index && sources.iter().any(|source| *source < index)
+            };
+            let wanted: Vec<String> = (flow.jumps.iter())
+                .filter(|jump| passing(*jump))
+                .map(|(_, (flag, _))| flag.clone())
+                .collect();
+            let begins = self.flags_that_begin(&flow, index);
+            let is_loop = flow.loops.contains_key(&index);
+            if guards != wanted || !begins.is_empty() || is_loop {
+                self.unguard(&mut guards);
+            }
+            let lines = comment(index);
+            for line in &lines {
+                match line.as_str() {
+                    "" if self.lines.is_empty() || self.lines.last().is_some_and(String::is_empty) => {}
+                    "" => self.lines.push(String::new()),
+                    line => self.line(line),
+                }
+            }
+            begins.iter().for_each(|line| self.line(line));
+            self.guard(&mut guards, &wanted);
+            self.flow = flow;
+            let opened = self.network(network)?;
+            flow = std::mem::take(&mut self.flow);
+            (0..opened).for_each(|_| self.close("END_IF;"));
+            let closes = flow.loops.values().any(|(last, _)| *last == index);
+            if closes {
+                self.unguard(&mut guards);
+                self.close("END_FOR;");
+            }
+            if let Some((_, turns)) = flow.loops.get(&index).cloned() {
+                self.unguard(&mut guards);
+                self.turns(network, &turns)?;
+            }
+        }
+        self.unguard(&mut guards);
+        Ok(())
+    }
+
+    fn unguard(&mut self, guards: &mut Vec<String>) {
+        if !guards.is_empty() {
+            self.close("END_IF;");
+            guards.clear();
+        }
+    }
+
+    fn guard(&mut self, guards: &mut Vec<String>, wanted: &[String]) {
+        if guards.is_empty() && !wanted.is_empty() {
+            let terms: Vec<String> = wanted.iter().map(|flag| format!("NOT {flag}")).collect();
+            self.open(format!("IF {} THEN", terms.join(" AND ")));
+            guards.extend(wanted.iter().cloned());
+        }
+    }
+
+    /// The variables that are to be FALSE before a network.
+    fn flags_that_begin(&self, flow: &Flow, index: usize) -> Vec<String> {
+        let mut begins = Vec::new();
+        for (target, (flag, sources)) in &flow.jumps {
+            let Some(first) = sources.iter().min() else {
+                continue;
+            };
+            // What leaves a loop is FALSE before that, whose body may not be run.
+            let at = match flow.loop_around(*first) {
+                Some((loop_at, last)) if *target > last => loop_at,
+                _ => *first,
+            };
+            if at == index {
+                begins.push(format!("{flag} := FALSE;"));
+            }
+        }
+        for (at, (_, turns)) in &flow.loops {
+            // A loop at the end of another is not reached if that makes no turn.
+            if *at == index || flow.loop_around(*at).is_some_and(|(first, _)| first == index) {
+                begins.push(format!("{turns} := 0;"));
+            }
+        }
+        begins
+    }
+
+    fn flow(&mut self, networks: Range<usize>) -> Result<Flow> {
+        let program = self.project.program;
+        let mut flow = Flow::default();
+        for index in networks.clone() {
+            for block in &program.networks[index].blocks {
+                self.here = block.location;
+                if is(block, Op::For) {
+                    let mut after = index + 1..networks.end;
+                    let holds_next = |at: &usize| {
+                        program.networks[*at]
+                            .blocks
+                            .iter()
+                            .any(|block| is(block, Op::Next))
+                    };
+                    let Some(last) = after.find(holds_next) else {
+                        return self.stop("a FOR without a NEXT");
+                    };
+                    let turns = self.numbered("turns", "DINT");
+                    flow.loops.insert(index, (last, turns));
+                }
+            }
+        }
+        for index in networks {
+            for block in program.networks[index]
+                .blocks
+                .iter()
+                .filter(|block| is(block, Op::Jmp))
+            {
+                self.here = block.location;
+                let target = match by_place(block).first() {
+                    Some(Argument::Label(Some(target))) => *target,
+                    _ => return self.stop("a jump out of the block where it stands: write it next to that"),
+                };
+                if target <= index {
+                    return self.stop("a jump back, which Structured Text has no word for: use a loop");
+                }
+                let around = |at: usize| flow.loop_around(at);
+                if around(target).is_some() && around(target) != around(index) {
+                    return self.stop("a jump into a loop, which Structured Text has no word for");
+                }
+                let label = match block.arguments.first() {
+                    Some(bound) if block.location.file == 0 => self
+                        .project
+                        .text
+                        .get(Range::<usize>::from(bound.range))
+                        .unwrap_or("there")
+                        .to_owned(),
+                    _ => "there".into(),
+                };
+                if !flow.jumps.contains_key(&target) {
+                    let flag = self.instance(&format!("to_{}", crate::names::identifier(&label)), "BOOL");
+                    flow.jumps.insert(target, (flag, Vec::new()));
+                }
+                if let Some((_, sources)) = flow.jumps.get_mut(&target) {
+                    sources.push(index);
+                }
+            }
+        }
+        Ok(flow)
+    }
+
+    /// `<JMP>`: the rest of its network stands behind it.
+    pub(crate) fn jump(&mut self, block: &Block, en: usize, step: usize) -> Result<bool> {
+        let power = self.entering(en, en);
+        self.powers[step] = Power::Dead;
+        let Some(Argument::Label(Some(target))) = by_place(block).first() else {
+            return self.stop("a jump to nowhere");
+        };
+        let Some((flag, sources)) = self.flow.jumps.get(target).cloned() else {
+            return self.stop("a jump to nowhere");
+        };
+        if matches!(power, Power::Dead) {
+            return Ok(false);
+        }
+        let now = self.flow.now;
+        let mut lines = vec![format!("{flag} := TRUE;")];
+        if let Some((_, turns)) = self.flow.loops.get(&now) {
+            lines.push(format!("{turns} := 0;"));
+        }
+        let leaves_loop = self.flow.loop_around(now).is_some_and(|(_, last)| *target > last);
+        if leaves_loop {
+            lines.push("EXIT;".into());
+            self.when(&power, &lines);
+            return Ok(false);
+        }
+        let is_first =
+            sources.first() == Some(&now) && sources.iter().filter(|source| **source == now).count() == 1;
+        match power.term() {
+            Some(term) if is_first && lines.len() == 1 => self.line(format!("{flag} := {};", term.text)),
+            _ => self.when(&power, &lines),
+        }
+        self.open(format!("IF NOT {flag} THEN"));
+        Ok(true)
+    }
+
+    /// `<RET>` and `<END>`
+    pub(crate) fn leave(&mut self, op: Op, en: usize, step: usize) -> Result<()> {
+        let power = self.entering(en, en);
+        self.powers[step] = Power::Dead;
+        let mut lines = Vec::new();
+        if let UnitKind::Block(index) = self.kind
+            && self.project.program.blocks[index].shape == Shape::Function
+            && op == Op::Ret
+        {
+            return self.stop("a block that returns where it stands: write that next to it");
+        }
+        if op == Op::End {
+            let ended = self.service(Service::Ended);
+            lines.push(format!("{ended} := TRUE;"));
+        }
+        lines.push("RETURN;".into());
+        self.when(&power, &lines);
+        Ok(())
+    }
+
+    /// `<FOR>`: how many turns the loop behind its network makes.
+    pub(crate) fn begins_loop(&mut self, block: &Block, en: usize, step: usize) -> Result<()> {
+        let Some((_, turns)) = self.flow.loops.get(&self.flow.now).cloned() else {
+            return self.stop("a FOR without a NEXT");
+        };
+        let mut checks = Checks::new();
+        let Some(Argument::Value(count)) = by_place(block).first() else {
+            return self.stop("a FOR without a number of turns");
+        };
+        let term = self.settled(count, &mut checks)?;
+        let term = match count.ty {
+            Scalar::Dint => term,
+            ty if ty.width() < 32 && !ty.is_bits() => crate::expression::pass(term, ty, Scalar::Dint),
+            // Nobody waits for so many.
+            Scalar::Lint => {
+                let least = Term::call("LIMIT", &[&Term::whole("0"), &term, &Term::whole("2147483647")]);
+                match term.text.parse::<i32>() {
+                    Ok(_) => term,
+                    Err(_) => Term::call("LINT_TO_DINT", &[&least]),
+                }
+            }
+            ty => {
+                let most = Term::call("MIN", &[&term, &Term::whole("2147483647")]);
+                Term::call(&crate::place::conversion(ty, Scalar::Dint), &[&most])
+            }
+        };
+        if checks.is_empty() {
+            let power = self.entering(en, step);
+            self.powers[step] = power.clone();
+            self.when(&power, &[format!("{turns} := {};", term.text)]);
+            return Ok(());
+        }
+        let power = self.entering(en, en);
+        if matches!(power, Power::Dead) {
+            return Ok(());
+        }
+        let done = self.done(step);
+        self.guarded(
+            power.term().as_ref(),
+            checks,
+            &[format!("{turns} := {};", term.text)],
+            done.as_deref(),
+        );
+        self.is_done(step, done);
+        Ok(())
+    }
+
+    /// The head of a loop.
+    fn turns(&mut self, network: &Network, turns: &str) -> Result<()> {
+        let turn = self.numbered("turn", "DINT");
+        self.open(format!("FOR {turn} := 1 TO {turns} DO"));
+        let Some(block) = network.blocks.iter().find(|block| is(block, Op::For)) else {
+            return Ok(());
+        };
+        self.here = block.location;
+        if let Some((to, ty)) = place(named(block, "I")) {
+            self.free_temporaries();
+            let mut checks = Checks::new();
+            let target = self.place(to, &mut checks)?;
+            let value = crate::expression::pass(Term::variable(&turn), Scalar::Dint, ty);
+            self.guarded(None, checks, &target.assign(&value), None);
+        }
+        Ok(())
+    }
+}

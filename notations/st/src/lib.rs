@@ -1,0 +1,74 @@
+//! Ladder programs as Structured Text of IEC 61131-3, to be read, compiled and kept by people.
+//!
+//! ```text
+//! program model --network: powers as expressions, blocks as statements--> bodies --declarations, pieces--> text
+//! ```
+//!
+//! What is written is the analysed program, network by network. The power of a rung is an expression of its contacts, written where
+//! something acts on it; what a later statement would change gets a name first. Where the standard leaves open what happens, or
+//! says something else than the language does, a function or block of `runtime/` is written along; only those that a program
+//! needs. What cannot be said is refused, with its place.
+//!
+//! Structured Text is only written: it cannot be read as a ladder program again.
+#![forbid(unsafe_code)]
+
+mod arguments;
+mod block;
+mod checks;
+mod comment;
+mod convert;
+mod declare;
+mod expression;
+mod flow;
+mod literal;
+mod names;
+mod network;
+mod pieces;
+mod place;
+mod power;
+mod project;
+mod range;
+mod states;
+mod term;
+mod unit;
+mod user;
+mod write;
+
+use ladder_analysis::Analysis;
+use ladder_notation::{Notation, ReadError, Reading, Source, WriteError, Writing};
+
+/// See the module.
+#[derive(Debug)]
+pub struct St;
+
+impl Notation for St {
+    fn name(&self) -> &'static str {
+        "st"
+    }
+
+    fn title(&self) -> &'static str {
+        "Structured Text"
+    }
+
+    fn extensions(&self) -> &'static [&'static str] {
+        &["st"]
+    }
+
+    fn is_read(&self) -> bool {
+        false
+    }
+
+    fn recognises(&self, _bytes: &[u8]) -> bool {
+        false
+    }
+
+    fn read(&self, _source: &Source<'_>) -> Result<Reading, ReadError> {
+        Err(ReadError::whole(
+            "Structured Text is only written: a ladder program cannot be read from it",
+        ))
+    }
+
+    fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
+        write::write(analysis)
+    }
+}

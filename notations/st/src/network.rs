@@ -1,0 +1,136 @@
+//! A network as statements, in the order in which its blocks are evaluated.
+
+use crate::power::Power;
+use crate::project::Result;
+use crate::unit::Unit;
+use ladder_analysis::program::{Block, BlockKind, Network, Step};
+use ladder_analysis::values::types::Scalar;
+use ladder_instructions::Op;
+
+/// A condition that has grown longer than this gets a name.
+const LONGEST: usize = 160;
+
+impl Unit<'_, '_> {
+    /// Its statements. What comes back is whether it has been left open: by a jump, which the rest of it stands behind.
+    pub(crate) fn network(&mut self, network: &Network) -> Result<usize> {
+        self.free_temporaries();
+        let count = network.steps.len();
+        self.powers = vec![Power::Dead; count];
+        self.left = vec![0; count];
+        for step in &network.steps {
+            match *step {
+                Step::Start { .. } => {}
+                Step::Block { en, .. } => self.left[en] += 1,
+                Step::Join { upper, lower } => {
+                    self.left[upper] += 1;
+                    self.left[lower] += 1;
+                }
+            }
+        }
+        let holds_mcr = network.blocks.iter().any(|block| is(block, Op::Mcr));
+        let rail_number = self.number();
+        let mut opened = 0;
+        let mut step = 0;
+        while step < count {
+            match network.steps[step] {
+                Step::Start { rail: false } => {}
+                Step::Start { rail: true } => {
+                    self.powers[step] = match &self.rail {
+                        Some(rail) if !holds_mcr => Power::of(rail_number, crate::term::Term::variable(rail)),
+                        _ => Power::rail(),
+                    };
+                }
+                Step::Join { upper, lower } => {
+                    self.left[upper] -= 1;
+                    self.left[lower] -= 1;
+                    let number = self.number();
+                    self.powers[step] = self.powers[upper].or(&self.powers[lower], number);
+                    self.shorten(step);
+                }
+                Step::Block { block, en } => {
+                    self.left[en] -= 1;
+                    let last = self.chain(network, step)?;
+                    if let Some(last) = last {
+                        step = last;
+                    } else {
+                        let block = &network.blocks[block];
+                        self.here = block.location;
+                        opened += usize::from(self.block(block, en, step)?);
+                    }
+                    self.shorten(step);
+                }
+            }
+            step += 1;
+        }
+        Ok(opened)
+    }
+
+    fn shorten(&mut self, step: usize) {
+        if self.left[step] == 0 {
+            return;
+        }
+        let Some(term) = self.powers[step].term().filter(|term| term.text.len() > LONGEST) else {
+            return;
+        };
+        let name = self.temporary("power", Scalar::Bool);
+        self.line(format!("{name} := {};", term.text));
+        let number = self.hold(&self.powers[step].numbers(), &name);
+        self.is_held(number, &name);
+    }
+
+    /// Blocks in a row that act on the power that enters the first, in one IF: the last step of them. None: there is no such block
+    /// here.
+    fn chain(&mut self, network: &Network, first: usize) -> Result<Option<usize>> {
+        let mut lines = Vec::new();
+        let mut written = std::collections::BTreeSet::new();
+        let mut last = None;
+        let mut step = first;
+        let Step::Block { en: entered, .. } = network.steps[first] else {
+            return Ok(None);
+        };
+        if matches!(self.powers[entered], Power::Dead) {
+            return Ok(None);
+        }
+        while let Some(Step::Block { block, en }) = network.steps.get(step).copied() {
+            if step > first && (en != step - 1 || self.left[en] != 1) {
+                break;
+            }
+            let block = &network.blocks[block];
+            self.here = block.location;
+            let Some((all, variable)) = self.plain_act(block)? else {
+                break;
+            };
+            lines.extend(all);
+            written.insert(variable);
+            if step > first {
+                self.left[en] = 0;
+            }
+            last = Some(step);
+            step += 1;
+        }
+        let Some(last) = last else { return Ok(None) };
+        let power = self.entering(entered, last);
+        self.powers[last] = power.clone();
+        self.keep(Some(&written));
+        self.when(&power, &lines);
+        Ok(Some(last))
+    }
+
+    /// Statements that are run with this power.
+    pub(crate) fn when(&mut self, power: &Power, lines: &[String]) {
+        match power.term() {
+            None => lines.iter().for_each(|line| self.line(line)),
+            Some(_) if matches!(power, Power::Dead) => {}
+            Some(term) => {
+                self.open(format!("IF {} THEN", term.text));
+                lines.iter().for_each(|line| self.line(line));
+                self.close("END_IF;");
+            }
+        }
+    }
+}
+
+/// Whether a block is this instruction.
+pub(crate) fn is(block: &Block, op: Op) -> bool {
+    matches!(block.kind, BlockKind::Instruction(row) if row.op == op)
+}

@@ -1,0 +1,559 @@
+//! What all units of a program share: the names of types, blocks and values, and which tags they share.
+
+use crate::names::{self, Names};
+use ladder_analysis::program::{
+    Argument, Block, BlockKind, Clock, Expr, ExprKind, Location, Place, Program, SystemTag, Tag, TagId,
+};
+use ladder_analysis::values::compound::{Compound, EnumId, TypeId};
+use ladder_analysis::values::types::{Scalar, Type};
+use ladder_analysis::values::value::Value;
+use ladder_instructions::{Op, StateType};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use std::ops::Range;
+
+/// Why a program is not written: at a place, what cannot be said.
+pub(crate) struct Stop {
+    pub(crate) at: Location,
+    pub(crate) why: String,
+}
+
+pub(crate) type Result<T> = std::result::Result<T, Stop>;
+
+/// A program organisation unit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) enum UnitKind {
+    Program,
+    /// `<FUN>`
+    Function(usize),
+    /// `$Block`
+    Block(usize),
+}
+
+/// What several units need and only the program counts: the clock, the tags of `SYS`, whether the program has ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) enum Service {
+    /// Time since the first scan.
+    Now,
+    ScanTime,
+    FirstScan,
+    Scan,
+    /// Whether there was a fault in the scan before.
+    Fault,
+    /// Whether there is one in this scan.
+    Faulted,
+    Ended,
+    Clock(u8),
+}
+
+impl Service {
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Service::Now => "now",
+            Service::ScanTime => "scan_time",
+            Service::FirstScan => "first_scan",
+            Service::Scan => "scan",
+            Service::Fault => "fault_before",
+            Service::Faulted => "faulted",
+            Service::Ended => "ended",
+            Service::Clock(n) => [
+                "clock_10ms",
+                "clock_100ms",
+                "clock_500ms",
+                "clock_1s",
+                "clock_1m",
+                "clock_1h",
+            ][usize::from(n).min(5)],
+        }
+    }
+
+    pub(crate) fn ty(self) -> Scalar {
+        match self {
+            Service::Now | Service::ScanTime => Scalar::Time,
+            Service::Scan => Scalar::Dint,
+            _ => Scalar::Bool,
+        }
+    }
+
+    pub(crate) fn of(tag: SystemTag) -> Option<Service> {
+        Some(match tag {
+            SystemTag::FirstScan => Service::FirstScan,
+            SystemTag::Scan => Service::Scan,
+            SystemTag::Time => Service::Now,
+            SystemTag::ScanTime => Service::ScanTime,
+            SystemTag::Fault => Service::Fault,
+            SystemTag::Clock(clock) => {
+                Service::Clock(Clock::ALL.iter().position(|other| *other == clock)? as u8)
+            }
+            SystemTag::On | SystemTag::Off => return None,
+        })
+    }
+}
+
+pub(crate) struct Project<'p> {
+    pub(crate) program: &'p Program,
+    /// The text of the program's own file.
+    pub(crate) text: &'p str,
+    /// Words, types, blocks, values: what no variable may be called.
+    pub(crate) names: Names,
+    types: HashMap<TypeId, String>,
+    enumerations: HashMap<EnumId, String>,
+    values: HashMap<(EnumId, i64), String>,
+    pub(crate) blocks: Vec<String>,
+    pub(crate) functions: Vec<String>,
+    /// In the order in which they are declared.
+    pub(crate) type_order: Vec<Declared>,
+    /// Kinds of timers and bistables that some block uses as the standard's do not work.
+    pub(crate) own_states: BTreeSet<&'static str>,
+    /// The names of tags that functions and blocks use as well.
+    shared: HashSet<String>,
+    pub(crate) shared_names: BTreeMap<String, String>,
+    /// What is counted, with its name; and what functions and blocks ask for of that.
+    pub(crate) services: BTreeMap<Service, String>,
+    pub(crate) shared_services: BTreeSet<Service>,
+    pub(crate) pieces: BTreeSet<&'static str>,
+    pub(crate) enumerations_as_numbers: std::collections::HashSet<EnumId>,
+    pub(crate) enumerations_from_numbers: std::collections::HashSet<EnumId>,
+    pub(crate) faults_count: bool,
+}
+
+/// A type that is declared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) enum Declared {
+    Structure(TypeId),
+    Enumeration(EnumId),
+}
+
+/// The name of the tag of the program that a tag is a part of.
+pub(crate) fn root(tag: &Tag) -> &str {
+    match &tag.column {
+        Some(column) => &tag.name[..column.root],
+        None => &tag.name,
+    }
+}
+
+impl<'p> Project<'p> {
+    pub(crate) fn new(program: &'p Program, text: &'p str) -> Project<'p> {
+        let mut names = Names::new();
+        let mut project = Project {
+            program,
+            text,
+            names: Names::new(),
+            types: HashMap::new(),
+            enumerations: HashMap::new(),
+            values: HashMap::new(),
+            blocks: Vec::new(),
+            functions: Vec::new(),
+            type_order: Vec::new(),
+            own_states: BTreeSet::new(),
+            shared: HashSet::new(),
+            shared_names: BTreeMap::new(),
+            services: BTreeMap::new(),
+            shared_services: BTreeSet::new(),
+            pieces: BTreeSet::new(),
+            enumerations_as_numbers: std::collections::HashSet::new(),
+            enumerations_from_numbers: std::collections::HashSet::new(),
+            faults_count: false,
+        };
+        // Variables keep their names; what is named after them stays out of their way.
+        let mut tags = BTreeSet::new();
+        for tag in &program.tags {
+            for word in tag
+                .name
+                .split(['.', '[', ']', ',', ' '])
+                .filter(|word| !word.is_empty())
+            {
+                tags.insert(names::identifier(word));
+            }
+            tags.insert(names::identifier(root(tag)));
+        }
+        for word in ["power", "now", "scan", "ended"] {
+            tags.insert(word.to_owned());
+        }
+        for tag in &tags {
+            names.name(tag, "tag");
+        }
+        for tag in &program.tags {
+            project.add_type(tag.ty, &mut names);
+            if let Some(column) = &tag.column {
+                project.add_type(column.declared.1, &mut names);
+            }
+        }
+        for network in &program.networks {
+            for block in &network.blocks {
+                for bound in &block.arguments {
+                    if let Argument::Value(expr) = &bound.argument {
+                        project.add_types_of(expr, &mut names);
+                    }
+                }
+            }
+        }
+        for block in &program.blocks {
+            project.blocks.push(names.name(&block.name, "block"));
+        }
+        for function in &program.functions {
+            project.functions.push(names.name(&function.name, "function"));
+        }
+        // Only what was given out here is taken for variables.
+        let mut taken = Names::new();
+        let given = project.types.values().chain(project.enumerations.values());
+        for name in given
+            .chain(project.values.values())
+            .chain(&project.blocks)
+            .chain(&project.functions)
+        {
+            taken.name(name, "");
+        }
+        project.names = taken;
+        project.find_shared();
+        project.find_own_states();
+        project.faults_count = project.asks_for(SystemTag::Fault);
+        project
+    }
+
+    fn add_type(&mut self, ty: Type, names: &mut Names) {
+        match ty {
+            Type::Scalar(Scalar::Enum(id))
+            | Type::Array {
+                element: Scalar::Enum(id),
+                ..
+            } => {
+                self.add_enumeration(id, names);
+            }
+            Type::Compound(id) => match id.get() {
+                Compound::Structure(structure) => {
+                    if self.types.contains_key(&id) {
+                        return;
+                    }
+                    self.types.insert(id, names.name(&structure.name, "type"));
+                    for member in &structure.members {
+                        self.add_type(member.ty, names);
+                    }
+                    self.type_order.push(Declared::Structure(id));
+                }
+                Compound::Array(array) => self.add_type(array.element, names),
+                Compound::Block(_) => {}
+            },
+            _ => {}
+        }
+    }
+
+    fn add_types_of(&mut self, expr: &Expr, names: &mut Names) {
+        if let Scalar::Enum(id) = expr.ty {
+            self.add_enumeration(id, names);
+        }
+        match &expr.kind {
+            ExprKind::Pass(a) | ExprKind::Unary(_, a) => self.add_types_of(a, names),
+            ExprKind::Binary(_, a, b) | ExprKind::Compare(_, a, b) => {
+                self.add_types_of(a, names);
+                self.add_types_of(b, names);
+            }
+            ExprKind::Call(_, all) => all.iter().for_each(|one| self.add_types_of(one, names)),
+            _ => {}
+        }
+    }
+
+    fn add_enumeration(&mut self, id: EnumId, names: &mut Names) {
+        if self.enumerations.contains_key(&id) {
+            return;
+        }
+        let enumeration = id.get();
+        self.enumerations
+            .insert(id, names.name(&enumeration.name, "type"));
+        for (name, number) in &enumeration.values {
+            self.values
+                .insert((id, i64::from(*number)), names.name(name, "value"));
+        }
+        self.type_order.push(Declared::Enumeration(id));
+    }
+
+    /// The name of a tag's or member's type. Timers that the standard's blocks do not do have a block of their own.
+    pub(crate) fn type_name(&self, ty: Type) -> String {
+        match ty {
+            Type::Scalar(scalar) => self.scalar_name(scalar),
+            Type::State(state) => self.state_name(state),
+            Type::Array { first, last, element } => {
+                format!("ARRAY[{first}..{last}] OF {}", self.scalar_name(element))
+            }
+            Type::Compound(id) => match id.get() {
+                Compound::Structure(_) => self.types.get(&id).cloned().unwrap_or_default(),
+                Compound::Array(array) => {
+                    let bounds: Vec<String> = array
+                        .dimensions
+                        .iter()
+                        .map(|(first, last)| format!("{first}..{last}"))
+                        .collect();
+                    format!(
+                        "ARRAY[{}] OF {}",
+                        bounds.join(", "),
+                        self.type_name(array.element)
+                    )
+                }
+                Compound::Block(name) => self.block_name(&name),
+            },
+        }
+    }
+
+    fn block_name(&self, name: &str) -> String {
+        let same = |block: &&(String, &String)| block.0 == name.to_lowercase();
+        let all: Vec<(String, &String)> = self
+            .program
+            .blocks
+            .iter()
+            .map(|block| block.name.to_lowercase())
+            .zip(&self.blocks)
+            .collect();
+        all.iter()
+            .find(same)
+            .map_or_else(|| names::identifier(name), |found| found.1.clone())
+    }
+
+    pub(crate) fn scalar_name(&self, scalar: Scalar) -> String {
+        match scalar {
+            Scalar::Enum(id) => self.enumerations.get(&id).cloned().unwrap_or_default(),
+            Scalar::String(length) if length == ladder_analysis::values::types::DEFAULT_STRING => {
+                "STRING".into()
+            }
+            Scalar::String(length) => format!("STRING[{length}]"),
+            other => other.name().into(),
+        }
+    }
+
+    pub(crate) fn state_name(&self, state: StateType) -> String {
+        if self.is_standard(state) {
+            state.name().into()
+        } else {
+            format!("LADDER_{}", state.name())
+        }
+    }
+
+    /// Whether a timer or bistable is the standard's block.
+    pub(crate) fn is_standard(&self, state: StateType) -> bool {
+        matches!(
+            state,
+            StateType::Ton | StateType::Tof | StateType::Tp | StateType::Sr | StateType::Rs
+        ) && !self.own_states.contains(state.name())
+    }
+
+    /// A value as it is written.
+    pub(crate) fn literal(&self, value: &Value, ty: Scalar) -> String {
+        match (value, ty) {
+            (Value::Int(number), Scalar::Enum(id)) => self
+                .values
+                .get(&(id, *number))
+                .cloned()
+                .unwrap_or_else(|| number.to_string()),
+            _ => crate::literal::literal(value, ty),
+        }
+    }
+
+    pub(crate) fn value_name(&self, id: EnumId, number: i64) -> Option<&String> {
+        self.values.get(&(id, number))
+    }
+
+    pub(crate) fn enumeration_name(&self, id: EnumId) -> Option<&String> {
+        self.enumerations.get(&id)
+    }
+
+    pub(crate) fn networks(&self, unit: UnitKind) -> Range<usize> {
+        match unit {
+            UnitKind::Program => self.program.main.clone(),
+            UnitKind::Function(index) => self.program.functions[index].networks.clone(),
+            UnitKind::Block(index) => self.program.blocks[index].networks.clone(),
+        }
+    }
+
+    /// The program first, then what it can reach.
+    pub(crate) fn units(&self) -> Vec<UnitKind> {
+        let functions = (0..self.program.functions.len()).map(UnitKind::Function);
+        let blocks = (0..self.program.blocks.len()).map(UnitKind::Block);
+        std::iter::once(UnitKind::Program)
+            .chain(functions)
+            .chain(blocks)
+            .collect()
+    }
+
+    fn blocks_of(&self, unit: UnitKind) -> impl Iterator<Item = &'p Block> {
+        let program: &'p Program = self.program;
+        program.networks[self.networks(unit)]
+            .iter()
+            .flat_map(|network| &network.blocks)
+    }
+
+    fn find_shared(&mut self) {
+        for unit in self.units() {
+            if unit == UnitKind::Program {
+                continue;
+            }
+            let mut roots = Vec::new();
+            for block in self.blocks_of(unit) {
+                for bound in &block.arguments {
+                    each_tag(&bound.argument, &mut |tag| roots.push(tag));
+                }
+            }
+            for id in roots {
+                let tag = &self.program.tags[id.0 as usize];
+                if tag.block.is_none() {
+                    self.shared.insert(root(tag).to_owned());
+                }
+            }
+        }
+    }
+
+    /// Whether functions or blocks use a tag, too.
+    pub(crate) fn is_shared(&self, root: &str) -> bool {
+        self.shared.contains(root)
+    }
+
+    fn find_own_states(&mut self) {
+        let mut own = BTreeSet::new();
+        for unit in self.units() {
+            for block in self.blocks_of(unit) {
+                let BlockKind::Instruction(row) = block.kind else {
+                    continue;
+                };
+                let state = block
+                    .arguments
+                    .first()
+                    .and_then(|bound| self.state_of(&bound.argument));
+                let Some(state) = state else { continue };
+                let is_named = |name: &str| {
+                    let mut all = block.arguments.iter();
+                    all.any(|bound| bound.operand.is_some_and(|operand| operand.name == name))
+                };
+                let fits = match row.op {
+                    Op::Ton | Op::Tof | Op::Tp => {
+                        let preset = block.arguments.get(1).map(|bound| &bound.argument);
+                        !is_named("R") && preset.is_some_and(|preset| self.is_positive(preset))
+                    }
+                    Op::Sr | Op::Rs => true,
+                    _ => false,
+                };
+                if !fits {
+                    own.insert(state.name());
+                }
+            }
+        }
+        self.own_states = own;
+    }
+
+    fn is_positive(&self, argument: &Argument) -> bool {
+        let Argument::Value(expr) = argument else {
+            return false;
+        };
+        let positive = |value: &Value| matches!(value, Value::Int(number) if *number > 0);
+        match &expr.kind {
+            ExprKind::Constant(value) => positive(value),
+            ExprKind::Read(Place::Tag(tag)) => {
+                let tag = &self.program.tags[tag.0 as usize];
+                tag.constant && tag.initial.first().is_some_and(positive)
+            }
+            _ => false,
+        }
+    }
+
+    pub(crate) fn state_of(&self, argument: &Argument) -> Option<StateType> {
+        let tag = match argument {
+            Argument::State(tag) => *tag,
+            Argument::ChosenState(chosen) => chosen.first,
+            _ => return None,
+        };
+        match self.program.tags[tag.0 as usize].ty {
+            Type::State(state) => Some(state),
+            _ => None,
+        }
+    }
+
+    fn asks_for(&self, wanted: SystemTag) -> bool {
+        let mut found = false;
+        for unit in self.units() {
+            for block in self.blocks_of(unit) {
+                for bound in &block.arguments {
+                    for (place, _) in bound.places() {
+                        found |= *place == Place::System(wanted);
+                    }
+                }
+            }
+        }
+        found
+    }
+
+    /// The name of something that is counted, and that it is asked for here.
+    pub(crate) fn service(&mut self, service: Service, unit: UnitKind) -> String {
+        if unit != UnitKind::Program {
+            self.shared_services.insert(service);
+        }
+        let names = &mut self.names;
+        self.services
+            .entry(service)
+            .or_insert_with(|| names.name(service.name(), "of_ladder"))
+            .clone()
+    }
+
+    /// The name of a tag that several units share.
+    pub(crate) fn shared_name(&mut self, root: &str) -> String {
+        let names = &mut self.names;
+        self.shared_names
+            .entry(root.to_owned())
+            .or_insert_with(|| names.name(root, "tag"))
+            .clone()
+    }
+}
+
+/// Every tag that an argument is about.
+fn each_tag(argument: &Argument, give: &mut impl FnMut(TagId)) {
+    match argument {
+        Argument::Value(expr) => tags_of(expr, give),
+        Argument::Place(place, _) => tags_of_place(place, give),
+        Argument::Parts(parts) => parts.iter().for_each(|part| each_tag(part, give)),
+        Argument::State(tag) => give(*tag),
+        Argument::ChosenState(chosen) => {
+            give(chosen.first);
+            tags_of(&chosen.number, give);
+        }
+        Argument::Range(range) => {
+            give(range.tag);
+            tags_of(&range.first, give);
+            if let Some(last) = &range.last {
+                tags_of(last, give);
+            }
+        }
+        _ => {}
+    }
+}
+
+fn tags_of_place(place: &Place, give: &mut impl FnMut(TagId)) {
+    if let Some(root) = place.root() {
+        give(root);
+    }
+    match place {
+        Place::Element(_, index) => tags_of(index, give),
+        Place::Chosen(chosen) | Place::ChosenMember(chosen, _) => tags_of(&chosen.number, give),
+        Place::Bit(inner, ..) | Place::As(inner, ..) => tags_of_place(inner, give),
+        _ => {}
+    }
+}
+
+fn tags_of(expr: &Expr, give: &mut impl FnMut(TagId)) {
+    match &expr.kind {
+        ExprKind::Read(place) => tags_of_place(place, give),
+        ExprKind::Pass(a) | ExprKind::Unary(_, a) => tags_of(a, give),
+        ExprKind::Binary(_, a, b) | ExprKind::Compare(_, a, b) => {
+            tags_of(a, give);
+            tags_of(b, give);
+        }
+        ExprKind::Call(_, all) => all.iter().for_each(|one| tags_of(one, give)),
+        ExprKind::Sum(range) => {
+            give(range.tag);
+            tags_of(&range.first, give);
+            if let Some(last) = &range.last {
+                tags_of(last, give);
+            }
+        }
+        ExprKind::Offset(subscripts) => {
+            subscripts
+                .iter()
+                .for_each(|subscript| tags_of(&subscript.index, give));
+        }
+        ExprKind::Constant(_) => {}
+    }
+}

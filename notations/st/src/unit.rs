@@ -1,0 +1,309 @@
+//! A program, function or block on its way into the text: its variables, and the lines of its body.
+
+use crate::flow::Flow;
+use crate::names::{self, Names};
+use crate::power::{Factor, Power};
+use crate::project::{Project, Result, Service, Stop, UnitKind, root};
+use crate::term::Term;
+use ladder_analysis::program::{Location, TagId};
+use ladder_analysis::values::types::Scalar;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+/// A variable that the ladder program does not declare.
+pub(crate) struct Local {
+    pub(crate) name: String,
+    pub(crate) ty: String,
+}
+
+pub(crate) struct Unit<'a, 'p> {
+    pub(crate) project: &'a mut Project<'p>,
+    pub(crate) kind: UnitKind,
+    pub(crate) names: Names,
+    /// The variables of tags by the name of the tag.
+    pub(crate) variables: BTreeMap<String, String>,
+    /// Variables of others that it uses: their names and types.
+    pub(crate) externals: BTreeMap<String, String>,
+    /// Blocks for edges, timers of bodies and other things that stay.
+    pub(crate) instances: Vec<Local>,
+    /// Values on their way.
+    pub(crate) temporaries: Vec<Local>,
+    pub(crate) lines: Vec<String>,
+    indent: usize,
+    /// The names of temporaries by their type, and how many are in use.
+    pool: BTreeMap<String, (Vec<String>, usize)>,
+    pub(crate) here: Location,
+    numbers: usize,
+    /// Of the network that is written: the power of each step that is still needed, and how often.
+    pub(crate) powers: Vec<Power>,
+    pub(crate) left: Vec<usize>,
+    /// The variable that holds the power of the rails, if they can be switched off.
+    pub(crate) rail: Option<String>,
+    called: HashMap<usize, String>,
+    pub(crate) flow: Flow,
+}
+
+impl<'a, 'p> Unit<'a, 'p> {
+    pub(crate) fn new(project: &'a mut Project<'p>, kind: UnitKind, here: Location) -> Unit<'a, 'p> {
+        Unit {
+            names: project.names.clone(),
+            project,
+            kind,
+            variables: BTreeMap::new(),
+            externals: BTreeMap::new(),
+            instances: Vec::new(),
+            temporaries: Vec::new(),
+            lines: Vec::new(),
+            indent: 1,
+            pool: BTreeMap::new(),
+            here,
+            numbers: 0,
+            powers: Vec::new(),
+            left: Vec::new(),
+            rail: None,
+            called: HashMap::new(),
+            flow: Flow::default(),
+        }
+    }
+
+    /// That it cannot be written.
+    pub(crate) fn stop<T>(&self, why: impl Into<String>) -> Result<T> {
+        Err(Stop {
+            at: self.here,
+            why: why.into(),
+        })
+    }
+
+    pub(crate) fn line(&mut self, text: impl AsRef<str>) {
+        self.lines
+            .push(format!("{}{}", "    ".repeat(self.indent), text.as_ref()));
+    }
+
+    pub(crate) fn open(&mut self, head: impl AsRef<str>) {
+        self.line(head);
+        self.indent += 1;
+    }
+
+    pub(crate) fn close(&mut self, end: &str) {
+        self.indent -= 1;
+        self.line(end);
+    }
+
+    /// `ELSE`
+    pub(crate) fn other(&mut self) {
+        self.indent -= 1;
+        self.line("ELSE");
+        self.indent += 1;
+    }
+
+    pub(crate) fn number(&mut self) -> usize {
+        self.numbers += 1;
+        self.numbers
+    }
+
+    /// The variable of a tag.
+    pub(crate) fn variable(&mut self, tag: TagId) -> String {
+        let program = self.project.program;
+        let tag_of = &program.tags[tag.0 as usize];
+        let name = root(tag_of);
+        if let Some(block) = tag_of.block {
+            let user = &program.blocks[block];
+            if user.en == tag {
+                return "power_in".into();
+            }
+            if user.eno == tag {
+                return "power_out".into();
+            }
+            let is_parameter =
+                |&(parameter, _): &(TagId, _)| root(&program.tags[parameter.0 as usize]) == name;
+            if user.parameters.iter().any(is_parameter) {
+                return names::member(name);
+            }
+        } else if self.project.is_shared(name) {
+            let shared = self.project.shared_name(name);
+            if !self.externals.contains_key(&shared) {
+                let declared = crate::declare::declared_type(program, name);
+                let ty = self.project.type_name(declared);
+                self.externals.insert(shared.clone(), ty);
+            }
+            return shared;
+        }
+        if let Some(variable) = self.variables.get(name) {
+            return variable.clone();
+        }
+        let variable = self.names.name(name, "tag");
+        self.variables.insert(name.to_owned(), variable.clone());
+        variable
+    }
+
+    /// Something that is counted.
+    pub(crate) fn service(&mut self, service: Service) -> String {
+        let name = self.project.service(service, self.kind);
+        let ty = self.project.scalar_name(service.ty());
+        self.externals.insert(name.clone(), ty);
+        name
+    }
+
+    /// A variable that lives as long as the unit.
+    pub(crate) fn instance(&mut self, base: &str, ty: &str) -> String {
+        let name = self.names.name(base, "2");
+        self.instances.push(Local {
+            name: name.clone(),
+            ty: ty.to_owned(),
+        });
+        name
+    }
+
+    /// The same, with a number.
+    pub(crate) fn numbered(&mut self, base: &str, ty: &str) -> String {
+        let name = self.names.numbered(base);
+        self.instances.push(Local {
+            name: name.clone(),
+            ty: ty.to_owned(),
+        });
+        name
+    }
+
+    /// A variable for a value within one network.
+    pub(crate) fn temporary(&mut self, base: &str, ty: Scalar) -> String {
+        let ty = self.project.scalar_name(ty);
+        let (all, used) = self.pool.entry(format!("{base} {ty}")).or_default();
+        *used += 1;
+        if let Some(name) = all.get(*used - 1) {
+            return name.clone();
+        }
+        let name = self.names.numbered(base);
+        all.push(name.clone());
+        self.temporaries.push(Local {
+            name: name.clone(),
+            ty,
+        });
+        name
+    }
+
+    pub(crate) fn value_temporary(&mut self, ty: Scalar) -> String {
+        let base = match ty {
+            Scalar::Bool => "bit".to_owned(),
+            Scalar::String(_) => "text".into(),
+            Scalar::Enum(_) => "value".into(),
+            other => other.name().to_ascii_lowercase(),
+        };
+        self.temporary(&base, ty)
+    }
+
+    /// All temporaries are free again.
+    pub(crate) fn free_temporaries(&mut self) {
+        self.pool.values_mut().for_each(|(_, used)| *used = 0);
+    }
+
+    /// The variable that holds a function's own state, which all that call it share.
+    pub(crate) fn function_instance(&mut self, function: usize) -> String {
+        let name = self.called.get(&function).cloned();
+        name.unwrap_or_else(|| {
+            let root = format!("the function {}", self.project.program.functions[function].name);
+            let name = self.project.functions[function].clone();
+            let shared = match self.project.shared_names.get(&root) {
+                Some(shared) => shared.clone(),
+                None => {
+                    let shared = self.project.names.name(&format!("do_{name}"), "function");
+                    self.project.shared_names.insert(root, shared.clone());
+                    shared
+                }
+            };
+            self.externals.insert(shared.clone(), name);
+            self.called.insert(function, shared.clone());
+            shared
+        })
+    }
+
+    /// Before something of these is written: what is still to be read of it as it was is kept. `None` is anything that others
+    /// can see.
+    pub(crate) fn keep(&mut self, written: Option<&BTreeSet<String>>) {
+        let is_own = |name: &String| {
+            let mut own = self.temporaries.iter().chain(&self.instances);
+            own.any(|own| own.name == *name)
+        };
+        let mut kept: BTreeMap<usize, Term> = BTreeMap::new();
+        for (power, left) in self.powers.iter().zip(&self.left) {
+            let Power::Live(factors) = power else { continue };
+            if *left == 0 {
+                continue;
+            }
+            for factor in factors {
+                let is_touched = match written {
+                    Some(written) => factor.term.reads.iter().any(|read| written.contains(read)),
+                    None => factor.term.reads.iter().any(|read| !is_own(read)),
+                };
+                if is_touched {
+                    kept.insert(factor.number, factor.term.clone());
+                }
+            }
+        }
+        let mut names = BTreeMap::new();
+        for (number, term) in kept {
+            let name = self.temporary("power", Scalar::Bool);
+            self.line(format!("{name} := {};", term.text));
+            names.insert(number, name);
+        }
+        if names.is_empty() {
+            return;
+        }
+        for power in &mut self.powers {
+            let Power::Live(factors) = power else { continue };
+            for factor in factors {
+                if let Some(name) = names.get(&factor.number) {
+                    factor.term = Term::variable(name);
+                }
+            }
+        }
+    }
+
+    /// From here on the power with these conditions is what a variable holds that is about to be written.
+    pub(crate) fn hold(&mut self, numbers: &[usize], variable: &str) -> usize {
+        let number = self.number();
+        for power in &mut self.powers {
+            let Power::Live(factors) = power else { continue };
+            let begins = factors.len() >= numbers.len()
+                && factors
+                    .iter()
+                    .zip(numbers)
+                    .all(|(factor, number)| factor.number == *number);
+            if begins {
+                let held = Factor {
+                    number,
+                    term: Term::whole(variable),
+                };
+                factors.splice(..numbers.len(), [held]);
+            }
+        }
+        number
+    }
+
+    /// The variable is written: from here on it may be written again.
+    pub(crate) fn is_held(&mut self, number: usize, variable: &str) {
+        for power in &mut self.powers {
+            let Power::Live(factors) = power else { continue };
+            for factor in factors.iter_mut().filter(|factor| factor.number == number) {
+                factor.term = Term::variable(variable);
+            }
+        }
+    }
+
+    /// The power that enters a block, ready to be written: what is needed again has a name.
+    pub(crate) fn entering(&mut self, en: usize, step: usize) -> Power {
+        let power = self.powers[en].clone();
+        if power.is_short() || !self.is_needed_again(en, step) {
+            return power;
+        }
+        let Some(term) = power.term() else { return power };
+        let name = self.temporary("power", Scalar::Bool);
+        self.line(format!("{name} := {};", term.text));
+        let number = self.hold(&power.numbers(), &name);
+        self.is_held(number, &name);
+        self.powers[en].clone()
+    }
+
+    /// Whether something else will ask for the power that enters a block, or leaves it as the same one.
+    pub(crate) fn is_needed_again(&self, en: usize, step: usize) -> bool {
+        self.left[en] > 0 || self.left[step] > 0
+    }
+}

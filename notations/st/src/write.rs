@@ -1,0 +1,515 @@
+//! From a program to the text.
+
+use crate::comment;
+use crate::declare::{self, Variable};
+use crate::names;
+use crate::pieces;
+use crate::project::{Project, Service, Stop, UnitKind};
+use crate::term::{Binding, Term};
+use crate::unit::{Local, Unit};
+use ladder_analysis::Analysis;
+use ladder_analysis::program::{Clock, Location, ParameterKind, Program, Role, TagId};
+use ladder_instructions::Profile;
+use ladder_notation::{LineColumn, Lines, Report, WriteError, Writing};
+use ladder_syntax::{Parse, TextRange};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+/// A unit that is written, but for its declarations.
+struct Body {
+    kind: UnitKind,
+    lines: Vec<String>,
+    variables: BTreeMap<String, String>,
+    externals: BTreeMap<String, String>,
+    instances: Vec<Local>,
+    temporaries: Vec<Local>,
+}
+
+/// Writes the text.
+pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
+    let text = analysis.context.parse.to_string();
+    let program = analysis
+        .program()
+        .ok_or_else(|| WriteError::new("the program has errors, or needs another file of its workspace"))?;
+    let lines = Lines::of(&text);
+    let place = |location: Location| match location.file {
+        0 => lines.place(&text, location.range.start().into()),
+        _ => LineColumn::START,
+    };
+    let refused = |Stop { at, why }: Stop| {
+        let of = match at.file {
+            0 => String::new(),
+            other => format!(
+                "in {}: ",
+                program
+                    .files
+                    .get(other as usize)
+                    .map_or("another file", String::as_str)
+            ),
+        };
+        WriteError::new(format!(
+            "{}: {of}Structured Text cannot say this: {why}",
+            place(at)
+        ))
+    };
+    if let Some(profile) = program
+        .profiles
+        .iter()
+        .find(|profile| **profile != Profile::default())
+    {
+        return Err(WriteError::new(format!(
+            "the program has the arithmetic and timing of {}, which Structured Text does not: write it for IEC 61131-3, without \
+             the comment that names the profile",
+            profile.name()
+        )));
+    }
+    let mut project = Project::new(program, &text);
+    let file = Path::new(program.files.first().map_or("program", String::as_str));
+    let stem = file
+        .file_stem()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned();
+    let name = project.names.name(&stem, "program");
+    let mut bodies = Vec::new();
+    for unit in project.units() {
+        bodies.push(body(&mut project, unit, &analysis.context.parse).map_err(refused)?);
+    }
+    let prelude = prelude(&mut project, &mut bodies[0]);
+    let mut report = Report::default();
+    for network in program
+        .networks
+        .iter()
+        .filter(|network| network.location.file == 0)
+    {
+        report.translated(place(network.location), "network");
+    }
+    let bytes = assembled(&project, &name, &prelude, &bodies).into_bytes();
+    Ok(Writing {
+        bytes,
+        companions: Vec::new(),
+        report,
+    })
+}
+
+fn body(project: &mut Project<'_>, kind: UnitKind, parse: &Parse) -> Result<Body, Stop> {
+    let program = project.program;
+    let start = Location {
+        file: 0,
+        range: TextRange::default(),
+    };
+    let text = project.text;
+    let mut unit = Unit::new(project, kind, start);
+    // What the ladder program names keeps its name before anything else has one.
+    let block = match kind {
+        UnitKind::Block(block) => {
+            for name in ["power_in", "power_out"] {
+                unit.names.name(name, "");
+            }
+            for (tag, _) in &program.blocks[block].parameters {
+                let name = crate::project::root(&program.tags[tag.0 as usize]);
+                unit.names.name(name, "");
+            }
+            Some(block)
+        }
+        _ => None,
+    };
+    if !matches!(kind, UnitKind::Function(_)) {
+        for variable in declare::variables(program, block) {
+            if block.is_some() || !unit.project.is_shared(variable.root) {
+                unit.variable(TagId(variable.index as u32));
+            }
+        }
+    }
+    let mut comments = |network: usize| {
+        let location = program.networks[network].location;
+        match location.file {
+            0 => comment::of_network(parse, text, location.range),
+            _ => vec![String::new()],
+        }
+    };
+    unit.networks(&mut comments)?;
+    Ok(Body {
+        kind,
+        lines: unit.lines,
+        variables: unit.variables,
+        externals: unit.externals,
+        instances: unit.instances,
+        temporaries: unit.temporaries,
+    })
+}
+
+/// What a scan begins with, before the first network.
+fn prelude(project: &mut Project<'_>, program: &mut Body) -> Vec<String> {
+    let mut lines = Vec::new();
+    let asked: Vec<Service> = project.services.keys().copied().collect();
+    let mut name = |project: &mut Project<'_>, service: Service| {
+        let name = project.service(service, UnitKind::Program);
+        let ty = project.scalar_name(service.ty());
+        program.externals.insert(name.clone(), ty);
+        name
+    };
+    if asked.contains(&Service::Ended) {
+        let ended = name(project, Service::Ended);
+        lines.extend([format!("IF {ended} THEN"), "    RETURN;".into(), "END_IF;".into()]);
+    }
+    if asked.contains(&Service::FirstScan) {
+        let first = name(project, Service::FirstScan);
+        lines.push(format!("{first} := NOT has_run;"));
+        lines.push("has_run := TRUE;".into());
+        program.instances.push(Local {
+            name: "has_run".into(),
+            ty: "BOOL".into(),
+        });
+    }
+    if asked.contains(&Service::Scan) {
+        let scan = name(project, Service::Scan);
+        lines.push(format!("{scan} := scans_begun;"));
+        lines.push("scans_begun := scans_begun + 1;".into());
+        program.instances.push(Local {
+            name: "scans_begun".into(),
+            ty: "DINT".into(),
+        });
+    }
+    if asked.contains(&Service::Fault) {
+        let (fault, faulted) = (name(project, Service::Fault), name(project, Service::Faulted));
+        lines.push(format!("{fault} := {faulted};"));
+        lines.push(format!("{faulted} := FALSE;"));
+    }
+    let clocks: Vec<u8> = asked
+        .iter()
+        .filter_map(|service| match service {
+            Service::Clock(n) => Some(*n),
+            _ => None,
+        })
+        .collect();
+    if asked.contains(&Service::Now) || asked.contains(&Service::ScanTime) || !clocks.is_empty() {
+        let now = name(project, Service::Now);
+        project.pieces.insert("LADDER_CLOCK");
+        program.instances.push(Local {
+            name: "ladder_clock_1".into(),
+            ty: "LADDER_CLOCK".into(),
+        });
+        lines.push("ladder_clock_1();".into());
+        if asked.contains(&Service::ScanTime) {
+            let scan_time = name(project, Service::ScanTime);
+            lines.push(format!("{scan_time} := ladder_clock_1.NOW - {now};"));
+        }
+        lines.push(format!("{now} := ladder_clock_1.NOW;"));
+        for clock in clocks {
+            let wave = name(project, Service::Clock(clock));
+            project.pieces.insert("LADDER_MILLISECONDS");
+            let period = Clock::ALL[usize::from(clock)].period() / 1_000_000;
+            let number = Term::call("LADDER_MILLISECONDS", &[&Term::variable(&now)]);
+            let rest = Term::binary(&number, "MOD", &Term::whole(period.to_string()), Binding::Product);
+            lines.push(format!("{wave} := {} >= {};", rest.text, period / 2));
+        }
+    }
+    lines
+}
+
+fn assembled(project: &Project<'_>, name: &str, prelude: &[String], bodies: &[Body]) -> String {
+    let program = project.program;
+    // What more than the program asks for belongs to the configuration.
+    let mut shared: BTreeMap<&String, &String> = BTreeMap::new();
+    for body in bodies.iter().filter(|body| body.kind != UnitKind::Program) {
+        shared.extend(&body.externals);
+    }
+    let tags: BTreeSet<&String> = project.shared_names.values().collect();
+    for (name, ty) in &bodies[0].externals {
+        let is_instance = project
+            .shared_names
+            .iter()
+            .any(|(root, own)| own == name && root.starts_with("the function "));
+        if tags.contains(name) && !is_instance {
+            shared.insert(name, ty);
+        }
+    }
+    let mut out = format!("(* The ladder program {name}. *)\n\n");
+    out.push_str(&project.types());
+    let pieces = pieces::text(&project.pieces);
+    out.push_str(&pieces);
+    for (index, body) in callees_first(program, bodies) {
+        let name = match body.kind {
+            UnitKind::Function(function) => &project.functions[function],
+            UnitKind::Block(block) => &project.blocks[block],
+            UnitKind::Program => continue,
+        };
+        debug_assert!(index > 0);
+        out.push_str(&format!("FUNCTION_BLOCK {name}\n"));
+        if let UnitKind::Block(block) = body.kind {
+            block_variables(project, block, body, &mut out);
+        }
+        own_variables(body, &mut out);
+        let all: Vec<Local> = body
+            .externals
+            .iter()
+            .map(|(name, ty)| Local {
+                name: name.clone(),
+                ty: ty.clone(),
+            })
+            .collect();
+        section("VAR_EXTERNAL", &all, &mut out);
+        if matches!(body.kind, UnitKind::Block(_)) {
+            out.push_str("    power_out := power_in;\n");
+        }
+        lines(&body.lines, &mut out);
+        out.push_str("END_FUNCTION_BLOCK\n\n");
+    }
+    out.push_str(&format!("PROGRAM {name}\n"));
+    let main = &bodies[0];
+    program_variables(project, main, &shared, &mut out);
+    own_variables(main, &mut out);
+    let (outer, inner): (Vec<_>, Vec<_>) = main
+        .externals
+        .iter()
+        .partition(|(name, _)| shared.contains_key(name));
+    let local = |all: Vec<(&String, &String)>| -> Vec<Local> {
+        all.into_iter()
+            .map(|(name, ty)| Local {
+                name: name.clone(),
+                ty: ty.clone(),
+            })
+            .collect()
+    };
+    section("VAR", &local(inner), &mut out);
+    section("VAR_EXTERNAL", &local(outer), &mut out);
+    for line in prelude {
+        out.push_str(&format!("    {line}\n"));
+    }
+    if !prelude.is_empty() {
+        out.push('\n');
+    }
+    lines(&main.lines, &mut out);
+    out.push_str("END_PROGRAM\n");
+    if !shared.is_empty() {
+        configuration(project, name, &shared, &mut out);
+    }
+    out
+}
+
+fn lines(lines: &[String], out: &mut String) {
+    for line in lines {
+        out.push_str(line.trim_end());
+        out.push('\n');
+    }
+}
+
+/// Blocks before those that use them.
+fn callees_first<'b>(program: &Program, bodies: &'b [Body]) -> Vec<(usize, &'b Body)> {
+    let mut order = Vec::new();
+    let mut seen = vec![false; bodies.len()];
+    for index in 0..bodies.len() {
+        visit(program, bodies, index, &mut seen, &mut order);
+    }
+    order
+}
+
+fn visit<'b>(
+    program: &Program,
+    bodies: &'b [Body],
+    index: usize,
+    seen: &mut [bool],
+    order: &mut Vec<(usize, &'b Body)>,
+) {
+    if std::mem::replace(&mut seen[index], true) {
+        return;
+    }
+    let networks = match bodies[index].kind {
+        UnitKind::Program => program.main.clone(),
+        UnitKind::Function(function) => program.functions[function].networks.clone(),
+        UnitKind::Block(block) => program.blocks[block].networks.clone(),
+    };
+    for block in program.networks[networks]
+        .iter()
+        .flat_map(|network| &network.blocks)
+    {
+        let mut called = Vec::new();
+        if let ladder_analysis::program::BlockKind::User(user) = block.kind {
+            called.push(UnitKind::Block(user));
+        }
+        for bound in &block.arguments {
+            if let ladder_analysis::program::Argument::Function(function) = bound.argument {
+                called.push(UnitKind::Function(function));
+            }
+        }
+        for unit in called {
+            if let Some(other) = bodies.iter().position(|body| body.kind == unit) {
+                visit(program, bodies, other, seen, order);
+            }
+        }
+    }
+    order.push((index, &bodies[index]));
+}
+
+fn section(head: &str, variables: &[Local], out: &mut String) {
+    if variables.is_empty() {
+        return;
+    }
+    out.push_str(head);
+    out.push('\n');
+    for Local { name, ty } in variables {
+        out.push_str(&format!("    {name} : {ty};\n"));
+    }
+    out.push_str("END_VAR\n");
+}
+
+fn own_variables(body: &Body, out: &mut String) {
+    section("VAR", &body.instances, out);
+    section("VAR", &body.temporaries, out);
+}
+
+/// A declaration with what it starts with, its address and its comment.
+fn declaration(project: &Project<'_>, variable: &Variable<'_>, name: &str, with_address: bool) -> String {
+    let mut line = format!("    {name}");
+    if let Some(address) = variable.tag.address.as_ref().filter(|_| with_address) {
+        line.push_str(&format!(" AT {address}"));
+    }
+    line.push_str(&format!(" : {}", project.type_name(variable.ty)));
+    if let Some(value) = project.initial(variable) {
+        line.push_str(&format!(" := {value}"));
+    }
+    line.push(';');
+    let mut said = Vec::new();
+    if !name.eq_ignore_ascii_case(variable.root) {
+        said.push(format!("called {}", variable.root));
+    }
+    if variable.tag.location.file == 0 {
+        said.extend(comment::of_declaration(project.text, variable.tag.location.range));
+    }
+    if !said.is_empty() {
+        line.push_str(&format!("  {}", comment::comment(&said.join("; "))));
+    }
+    line.push('\n');
+    line
+}
+
+fn program_variables(
+    project: &Project<'_>,
+    body: &Body,
+    shared: &BTreeMap<&String, &String>,
+    out: &mut String,
+) {
+    let mut sections: BTreeMap<(u8, &str), String> = BTreeMap::new();
+    for variable in declare::variables(project.program, None) {
+        let Some(name) = body.variables.get(variable.root) else {
+            continue;
+        };
+        if shared.contains_key(name) && project.is_shared(variable.root) {
+            continue;
+        }
+        let head = head(&variable);
+        sections
+            .entry(head)
+            .or_default()
+            .push_str(&declaration(project, &variable, name, true));
+    }
+    for ((_, head), text) in sections {
+        out.push_str(&format!("{head}\n{text}END_VAR\n"));
+    }
+}
+
+/// The section that a tag of the program belongs to. One at an address is neither input nor output: the address says it.
+fn head(variable: &Variable<'_>) -> (u8, &'static str) {
+    let tag = variable.tag;
+    match (tag.role, tag.retain, tag.constant) {
+        (_, _, true) => (6, "VAR CONSTANT"),
+        (Role::Input, false, _) if tag.address.is_none() => (0, "VAR_INPUT"),
+        (Role::Output, false, _) if tag.address.is_none() => (1, "VAR_OUTPUT"),
+        (Role::Input, true, _) if tag.address.is_none() => (2, "VAR_INPUT RETAIN"),
+        (Role::Output, true, _) if tag.address.is_none() => (3, "VAR_OUTPUT RETAIN"),
+        (_, true, _) => (5, "VAR RETAIN"),
+        _ => (4, "VAR"),
+    }
+}
+
+fn block_variables(project: &Project<'_>, block: usize, body: &Body, out: &mut String) {
+    let program = project.program;
+    let user = &program.blocks[block];
+    let variables = declare::variables(program, Some(block));
+    let of = |kind: ParameterKind| {
+        let mut text = String::new();
+        for (tag, own) in &user.parameters {
+            let root = crate::project::root(&program.tags[tag.0 as usize]);
+            if *own == kind
+                && let Some(variable) = variables.iter().find(|variable| variable.root == root)
+            {
+                text.push_str(&declaration(project, variable, &names::member(root), false));
+            }
+        }
+        text
+    };
+    out.push_str(&format!(
+        "VAR_INPUT\n    power_in : BOOL;\n{}END_VAR\n",
+        of(ParameterKind::Input)
+    ));
+    out.push_str(&format!(
+        "VAR_OUTPUT\n    power_out : BOOL;\n{}END_VAR\n",
+        of(ParameterKind::Output)
+    ));
+    let in_outs = of(ParameterKind::InOut);
+    if !in_outs.is_empty() {
+        out.push_str(&format!("VAR_IN_OUT\n{in_outs}END_VAR\n"));
+    }
+    let mut sections: BTreeMap<&str, String> = BTreeMap::new();
+    for variable in &variables {
+        let Some(name) = body.variables.get(variable.root) else {
+            continue;
+        };
+        let head = match (variable.tag.constant, variable.tag.retain) {
+            (true, _) => "VAR CONSTANT",
+            (_, true) => "VAR RETAIN",
+            _ => "VAR",
+        };
+        sections
+            .entry(head)
+            .or_default()
+            .push_str(&declaration(project, variable, name, false));
+    }
+    for (head, text) in sections {
+        out.push_str(&format!("{head}\n{text}END_VAR\n"));
+    }
+}
+
+/// What units share, and the program that runs.
+fn configuration(
+    project: &Project<'_>,
+    program: &str,
+    shared: &BTreeMap<&String, &String>,
+    out: &mut String,
+) {
+    let mut sections: BTreeMap<&str, String> = BTreeMap::new();
+    let variables = declare::variables(project.program, None);
+    for (name, ty) in shared {
+        let root = project
+            .shared_names
+            .iter()
+            .find(|(_, own)| own == name)
+            .map(|(root, _)| root);
+        let variable = root.and_then(|root| variables.iter().find(|variable| variable.root == root));
+        match variable {
+            Some(variable) => {
+                let head = match (variable.tag.constant, variable.tag.retain) {
+                    (true, _) => "VAR_GLOBAL CONSTANT",
+                    (_, true) => "VAR_GLOBAL RETAIN",
+                    _ => "VAR_GLOBAL",
+                };
+                sections
+                    .entry(head)
+                    .or_default()
+                    .push_str(&declaration(project, variable, name, true));
+            }
+            None => sections
+                .entry("VAR_GLOBAL")
+                .or_default()
+                .push_str(&format!("    {name} : {ty};\n")),
+        }
+    }
+    out.push_str("\nCONFIGURATION config\n");
+    for (head, text) in sections {
+        out.push_str(&format!("{head}\n{text}END_VAR\n"));
+    }
+    out.push_str(&format!(
+        "RESOURCE plc ON PLC\n    PROGRAM main_program : {program};\nEND_RESOURCE\nEND_CONFIGURATION\n"
+    ));
+}
