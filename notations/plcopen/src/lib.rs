@@ -8,18 +8,23 @@
 //!               body: what is done, in its order --prepare--> what must stand above
 //!                  |
 //!               draw: each network as series and branches --> one program, and the files of a workspace
+//!
+//! ladder text --write--> Project --emit--> XML, which is read as the same text again
 //! ```
 //!
 //! Other files that hold such graphs are read into the same [`model`] and go the same way through [`reading`].
 #![forbid(unsafe_code)]
 
+mod emit;
 mod expression;
 pub mod graph;
 pub mod model;
+mod own;
 mod read;
 mod scope;
 mod sketch;
 mod standard;
+mod write;
 pub mod xml;
 
 #[cfg(test)]
@@ -55,7 +60,12 @@ impl Notation for Plcopen {
         read::project(source.text()?).map(reading)
     }
 
-    fn write(&self, _: &Analysis) -> Result<Writing, WriteError> {
-        Err(WriteError::new("PLCopen XML is read only"))
+    fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
+        let (project, report) = write::project(analysis)?;
+        Ok(Writing {
+            bytes: emit::project(project).into_bytes(),
+            report,
+            companions: Vec::new(),
+        })
     }
 }

@@ -114,6 +114,22 @@ pub struct Variable {
     pub comment: Option<String>,
 }
 
+impl Variable {
+    /// A variable of a unit, or a member, that begins with zero.
+    pub(crate) fn local(place: LineColumn, name: String, ty: Type) -> Variable {
+        Variable {
+            place,
+            name,
+            role: Role::Local,
+            qualifier: None,
+            address: None,
+            ty,
+            initial: None,
+            comment: None,
+        }
+    }
+}
+
 /// What a variable is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {

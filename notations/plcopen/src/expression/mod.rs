@@ -5,6 +5,7 @@ mod tokens;
 use super::model::Type;
 use super::scope::{Scope, Shared, member, trigger};
 use super::standard;
+use ladder_analysis::values::types::{Scalar, passes};
 use tokens::{Token, tokens};
 
 /// An operand.
@@ -47,6 +48,22 @@ pub(crate) struct Meaning<'m> {
 ///
 /// Why it has no counterpart.
 pub(crate) fn operand(text: &str, meaning: Meaning<'_>) -> Result<Operand, String> {
+    if let Some((call, inner)) = text
+        .trim()
+        .strip_suffix(')')
+        .and_then(|text| text.split_once('('))
+        && let Some(standard::Function::Convert(to)) = standard::function(call.trim())
+        && let Ok(inner) = operand(inner, meaning)
+        && inner
+            .ty
+            .as_ref()
+            .is_some_and(|from| passes_to(meaning.shared.real(from), to))
+    {
+        return Ok(Operand {
+            ty: Some(named(to)),
+            ..inner
+        });
+    }
     let tokens = tokens(text)?;
     let mut parser = Parser {
         tokens: &tokens,
@@ -110,6 +127,16 @@ fn named(name: &str) -> Type {
     Type::Named(name.to_owned())
 }
 
+/// Whether a value passes to a type without being converted.
+fn passes_to(from: &Type, to: &str) -> bool {
+    let scalar = |name: &str| Scalar::from_name(standard::elementary(name)?);
+    let from = match from {
+        Type::Named(name) => scalar(name),
+        _ => None,
+    };
+    from.zip(scalar(to)).is_some_and(|(from, to)| passes(from, to))
+}
+
 fn is_truth(word: &str) -> bool {
     word.eq_ignore_ascii_case("TRUE") || word.eq_ignore_ascii_case("FALSE")
 }
@@ -132,7 +159,7 @@ impl Parser<'_, '_> {
             return Err(format!("its parentheses nest deeper than {DEEPEST}"));
         }
         let mut out = String::new();
-        let mut found: Option<Type> = None;
+        let (mut found, mut weak): (Option<Type>, Option<Type>) = (None, None);
         while let Some(token) = self.tokens.get(self.at) {
             let (piece, ty) = match token {
                 Token::Sign(")" | "]" | ",") => break,
@@ -153,6 +180,12 @@ impl Parser<'_, '_> {
                     self.compares |= matches!(*sign, "=" | "<>" | "<" | "<=" | ">" | ">=");
                     ((*sign).to_owned(), None)
                 }
+                // A number takes the type of what is next to it.
+                Token::Literal(text, Some("LREAL")) if !text.contains('#') => {
+                    self.at += 1;
+                    weak = Some(named("LREAL"));
+                    (text.clone(), None)
+                }
                 Token::Literal(text, ty) => {
                     self.at += 1;
                     (text.clone(), ty.map(named))
@@ -170,7 +203,7 @@ impl Parser<'_, '_> {
         if out.is_empty() {
             return Err("something is missing in it".to_owned());
         }
-        Ok((out, found))
+        Ok((out, found.or(weak)))
     }
 
     /// What is in parentheses, with what closes them.
@@ -213,14 +246,23 @@ impl Parser<'_, '_> {
     }
 
     fn call(&mut self, word: &str) -> Result<(String, Option<Type>), String> {
-        let Some(standard::Function::Value(mnemonic)) = standard::function(word) else {
-            return Err(format!(
-                "`{word}` is no function that an expression can have here"
-            ));
-        };
+        let unknown = || format!("`{word}` is no function that an expression can have here");
+        let function = standard::function(word).ok_or_else(unknown)?;
         self.at += 1;
         let (inner, ty) = self.nested(")")?;
-        Ok((format!("{mnemonic}({inner})"), ty))
+        match function {
+            standard::Function::Value(mnemonic) => Ok((format!("{mnemonic}({inner})"), ty)),
+            standard::Function::Convert(to)
+                if ty
+                    .as_ref()
+                    .is_some_and(|from| passes_to(self.meaning.shared.real(from), to)) =>
+            {
+                let is_single = !inner.contains([' ', ',']);
+                let text = if is_single { inner } else { format!("({inner})") };
+                Ok((text, Some(named(to))))
+            }
+            _ => Err(unknown()),
+        }
     }
 
     /// A variable, with members and indices.

@@ -2,7 +2,7 @@
 
 use super::blocks::{Class, is_enable, operand_pins, result_output};
 use super::body::Body;
-use crate::expression::Operand;
+use crate::expression::{Form, Operand};
 use crate::graph::{End, Kind};
 use crate::model::{Role, Type, UnitKind};
 use crate::scope::local;
@@ -28,6 +28,12 @@ impl Body<'_> {
                 if operands.is_empty() {
                     return Err("nothing is wired to its inputs".to_owned());
                 }
+                let mut given = operand_pins(self, node).into_iter();
+                let is_formula = given.any(|pin| {
+                    let operand = self.operands.get(&(node, pin));
+                    operand.is_some_and(|operand| operand.form == Form::Expression)
+                });
+                let mnemonic = if is_formula { "CALC" } else { mnemonic };
                 one(format!("[{}]( {result}, {} )", mnemonic, operands.join(", ")))
             }
             Class::Convert => {

@@ -29,9 +29,9 @@ impl Pencil<'_, '_> {
         match (modifier.negated, storage, modifier.edge) {
             (true, ..) => (vec![format!("(/)( {tag} )")], true),
             (false, Storage::Set, _) => one("(S)"),
-            (false, Storage::Reset, _) => one("(R)"),
+            (false, Storage::Reset, _) => (vec![format!("(R)( {tag} )")], true),
             (false, Storage::None, Edge::None) => (vec![format!("( )( {tag} )")], true),
-            (false, Storage::None, Edge::Rising) => one("(P)"),
+            (false, Storage::None, Edge::Rising) => (vec![format!("(P)( {tag} )")], true),
             // The first scan without power counts as a fall in the standard.
             (false, Storage::None, Edge::Falling) => {
                 (vec!["[NOT]".to_owned(), format!("(P)( {tag} )")], false)

@@ -295,6 +295,9 @@ impl Body<'_> {
                     let operand = self.operand(text)?;
                     match (operand.form, negated) {
                         (Form::Literal | Form::Path, false) => return Ok(operand),
+                        (Form::Expression, false) if self.takes_formula(node, &operand) => {
+                            return Ok(operand);
+                        }
                         (Form::Expression, false) => return self.computed(*end),
                         _ => {}
                     }
@@ -349,6 +352,29 @@ impl Body<'_> {
             form: Form::Path,
             ty: Some(Type::Named("BOOL".to_owned())),
         })
+    }
+
+    /// Whether an expression is all that a block computes, in the type of the one variable that takes it.
+    fn takes_formula(&self, node: usize, formula: &Operand) -> bool {
+        let Some(output) = result_output(&self.graph.nodes[node]) else {
+            return false;
+        };
+        let taken = self
+            .uses
+            .get(&End { node, output })
+            .map_or(&[][..], Vec::as_slice);
+        let (Some(Class::Value("MOV")), &[user]) = (self.class(node), taken) else {
+            return false;
+        };
+        let Kind::Variable(text, false) = &self.graph.nodes[user].kind else {
+            return false;
+        };
+        let ty = self.operand(text).ok().and_then(|taken| taken.ty);
+        let real = |ty: &Option<Type>| match ty.as_ref().map(|ty| self.shared.real(ty)) {
+            Some(Type::Named(name)) => standard::elementary(name),
+            _ => None,
+        };
+        real(&ty).is_some() && real(&ty) == real(&formula.ty)
     }
 
     /// A tag with the value of an expression.

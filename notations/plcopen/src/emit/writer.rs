@@ -1,0 +1,86 @@
+//! XML as text: elements with their attributes, indented.
+
+/// A document on its way.
+#[derive(Debug, Default)]
+pub(super) struct Xml {
+    out: String,
+    depth: usize,
+}
+
+impl Xml {
+    pub(super) fn start() -> Xml {
+        Xml {
+            out: "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n".to_owned(),
+            depth: 0,
+        }
+    }
+
+    pub(super) fn finish(self) -> String {
+        self.out
+    }
+
+    fn begin(&mut self, name: &str, attributes: &[(&str, &str)]) {
+        self.out.extend(std::iter::repeat_n("  ", self.depth));
+        self.out.push('<');
+        self.out.push_str(name);
+        for (key, value) in attributes {
+            self.out.push(' ');
+            self.out.push_str(key);
+            self.out.push_str("=\"");
+            escape(&mut self.out, value);
+            self.out.push('"');
+        }
+    }
+
+    /// An element with nothing in it.
+    pub(super) fn empty(&mut self, name: &str, attributes: &[(&str, &str)]) {
+        self.begin(name, attributes);
+        self.out.push_str("/>\n");
+    }
+
+    /// An element with a text in it.
+    pub(super) fn words(&mut self, name: &str, words: &str) {
+        self.begin(name, &[]);
+        self.out.push('>');
+        escape(&mut self.out, words);
+        self.out.push_str("</");
+        self.out.push_str(name);
+        self.out.push_str(">\n");
+    }
+
+    /// An element with others in it.
+    pub(super) fn around(&mut self, name: &str, attributes: &[(&str, &str)], inside: impl FnOnce(&mut Xml)) {
+        self.begin(name, attributes);
+        self.out.push_str(">\n");
+        self.depth += 1;
+        let start = self.out.len();
+        inside(self);
+        self.depth -= 1;
+        if self.out.len() == start {
+            // Nothing came: `<name/>`.
+            self.out.truncate(start - 2);
+            self.out.push_str("/>\n");
+            return;
+        }
+        self.out.extend(std::iter::repeat_n("  ", self.depth));
+        self.out.push_str("</");
+        self.out.push_str(name);
+        self.out.push_str(">\n");
+    }
+}
+
+/// What stands in a text or an attribute. What XML cannot hold at all is left out.
+fn escape(out: &mut String, text: &str) {
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\n' | '\t' => out.push(c),
+            '\r' => out.push_str("&#13;"),
+            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => out.push(' '),
+            c => out.push(c),
+        }
+    }
+}

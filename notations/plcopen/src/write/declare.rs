@@ -1,0 +1,252 @@
+//! Types and variables.
+
+use super::names::{Names, identifier};
+use super::text::{self, Words};
+use crate::model::{Initial, Type, Variable};
+use ladder_analysis::context::Context;
+use ladder_analysis::names::scope::TagFacts;
+use ladder_analysis::names::type_spec::{Declared, SpecKind, TypeSpec};
+use ladder_analysis::networks::facts::{Node, NodeKind};
+use ladder_analysis::values::compound::Compound;
+use ladder_analysis::values::types::{DEFAULT_STRING, Scalar, Type as OwnType};
+use ladder_analysis::values::value::Value;
+use ladder_instructions::StateType;
+use ladder_notation::{LineColumn, comments};
+
+/// How a function block of the standard is called there.
+pub(super) fn state_name(state: StateType) -> Result<&'static str, String> {
+    Ok(match state {
+        StateType::Ton => "TON",
+        StateType::Tof => "TOF",
+        StateType::Tp => "TP",
+        // They count in DINT here.
+        StateType::Ctu => "CTU_DINT",
+        StateType::Ctd => "CTD_DINT",
+        StateType::Ctud => "CTUD_DINT",
+        StateType::Sr => "SR",
+        StateType::Rs => "RS",
+        StateType::Rto | StateType::Rtof | StateType::Ctc => {
+            return Err(format!("the standard has no {}", state.name()));
+        }
+    })
+}
+
+fn named(name: impl Into<String>) -> Type {
+    Type::Named(name.into())
+}
+
+fn scalar(scalar: Scalar) -> Type {
+    match scalar {
+        Scalar::String(DEFAULT_STRING) => Type::Text(None),
+        Scalar::String(length) => Type::Text(Some(length.into())),
+        Scalar::Enum(id) => named(identifier(&id.get().name)),
+        other => named(other.name()),
+    }
+}
+
+/// A block's name without its sign.
+pub(super) fn block_name(blocks: &Names, name: &str) -> String {
+    blocks
+        .get(name)
+        .map_or_else(|| identifier(name.trim_start_matches('$')), str::to_owned)
+}
+
+/// A type where a tag of it is declared.
+///
+/// # Errors
+///
+/// Why it has no counterpart.
+pub(super) fn type_of(blocks: &Names, ty: OwnType) -> Result<Type, String> {
+    let bounds = |(first, last): &(i64, i64)| (first.to_string(), last.to_string());
+    Ok(match ty {
+        OwnType::Scalar(ty) => scalar(ty),
+        OwnType::State(state) => named(state_name(state)?),
+        OwnType::Array { first, last, element } => {
+            Type::Array(vec![bounds(&(first, last))], Box::new(scalar(element)))
+        }
+        OwnType::Compound(id) => match id.get() {
+            Compound::Structure(structure) => named(identifier(&structure.name)),
+            Compound::Block(name) => named(block_name(blocks, &name)),
+            Compound::Array(array) => {
+                let element = Box::new(type_of(blocks, array.element)?);
+                Type::Array(array.dimensions.iter().map(bounds).collect(), element)
+            }
+        },
+    })
+}
+
+/// A type as a declaration writes it.
+///
+/// # Errors
+///
+/// Why it has no counterpart.
+pub(super) fn type_in(source: &Source<'_>, spec: &TypeSpec) -> Result<Type, String> {
+    Ok(match &spec.kind {
+        SpecKind::Known(ty) => type_of(source.blocks, *ty)?,
+        SpecKind::Subrange(base, (low, high)) => {
+            Type::Range(base.name().to_owned(), low.to_string(), high.to_string())
+        }
+        SpecKind::Named(name) => named(identifier(name)),
+        SpecKind::Block(name) => named(block_name(source.blocks, name)),
+        SpecKind::Array(bounds, element) => {
+            let bounds = bounds
+                .iter()
+                .map(|(first, last)| (first.to_string(), last.to_string()));
+            Type::Array(bounds.collect(), Box::new(type_in(source, element)?))
+        }
+        SpecKind::Enumeration(values) => {
+            let mut next = 0;
+            let values = values.iter().map(|(name, _, number)| {
+                let said = (*number != next).then(|| number.to_string());
+                next = number + 1;
+                (identifier(name), said)
+            });
+            Type::Enumeration(values.collect())
+        }
+        SpecKind::Structure(members) => {
+            let members = members.iter().map(|member| {
+                let declared = &member.declared;
+                let mut variable = Variable::local(
+                    place(source.context, member.at.start()),
+                    identifier(&member.name),
+                    type_in(source, &declared.spec)?,
+                );
+                variable.initial = declared_initial(source, declared)?;
+                variable.comment = said(source.context, member.at.start());
+                Ok(variable)
+            });
+            Type::Structure(members.collect::<Result<_, String>>()?)
+        }
+    })
+}
+
+/// Where something is in the ladder text.
+pub(super) fn place(context: &Context, offset: ladder_syntax::TextSize) -> LineColumn {
+    let line = context.line_number(offset) as u32;
+    let start = context
+        .parse
+        .line_at(offset)
+        .map_or(offset, |line| context.parse.line_start(line));
+    LineColumn {
+        line,
+        column: u32::from(offset - start) + 1,
+    }
+}
+
+/// What the comments on a line say of what is declared on it.
+pub(super) fn said(context: &Context, offset: ladder_syntax::TextSize) -> Option<String> {
+    let line = context.parse.line_at(offset)?;
+    let all = comments::on_line(&context.parse, line);
+    let words: Vec<&str> = all.iter().flat_map(|comment| comments::said(comment)).collect();
+    (!words.is_empty()).then(|| words.join(" "))
+}
+
+/// A value at the start as it is written.
+///
+/// # Errors
+///
+/// Why it has no counterpart.
+fn initial_in(words: Words<'_>, node: &Node) -> Result<Initial, String> {
+    Ok(match &node.kind {
+        NodeKind::Array(values) => {
+            let values = values.iter().map(|value| match &value.kind {
+                NodeKind::Repeat(times, values) => {
+                    let times = words.node(times)?.parse().ok();
+                    match (times, &values[..]) {
+                        (Some(times), [value]) => Ok((times, initial_in(words, value)?)),
+                        _ => Err("what is repeated is one value there".to_owned()),
+                    }
+                }
+                _ => Ok((1, initial_in(words, value)?)),
+            });
+            Initial::Array(values.collect::<Result<_, String>>()?)
+        }
+        NodeKind::Members(values) => {
+            let values = values
+                .iter()
+                .map(|(name, value)| Ok((identifier(&name.text), initial_in(words, value)?)));
+            Initial::Structure(values.collect::<Result<_, String>>()?)
+        }
+        _ => Initial::Simple(words.node(node)?),
+    })
+}
+
+/// A value at the start in a declaration.
+///
+/// # Errors
+///
+/// Why it has no counterpart.
+pub(super) fn declared_initial(place: &Source<'_>, declared: &Declared) -> Result<Option<Initial>, String> {
+    let Some(initial) = &declared.initial else {
+        return Ok(None);
+    };
+    let words = Words {
+        text: place.text,
+        base: initial.start,
+        names: place.globals,
+    };
+    initial_in(words, &initial.node).map(Some)
+}
+
+/// What declarations are read from.
+#[derive(Clone, Copy)]
+pub(super) struct Source<'s> {
+    pub(super) context: &'s Context,
+    pub(super) text: &'s str,
+    /// The names of blocks.
+    pub(super) blocks: &'s Names,
+    /// The names that initial values may mention.
+    pub(super) globals: &'s Names,
+}
+
+/// The value that a tag begins with.
+///
+/// # Errors
+///
+/// Why it has no counterpart.
+fn initial(source: &Source<'_>, tag: &TagFacts) -> Result<Option<Initial>, String> {
+    if let Some(declared) = &tag.cold.declared {
+        return declared_initial(source, declared);
+    }
+    let values = &tag.cold.initial;
+    let one = |value: &Value, ty| text::value(value, ty).map(Initial::Simple);
+    match (tag.ty, &values[..]) {
+        (_, []) => Ok(None),
+        (Some(OwnType::Scalar(ty)), [value, ..]) => one(value, ty).map(Some),
+        (Some(OwnType::Array { element, .. }), values) => {
+            let mut runs: Vec<(u32, &Value)> = Vec::new();
+            for value in values {
+                match runs.last_mut() {
+                    Some((times, last)) if *last == value => *times += 1,
+                    _ => runs.push((1, value)),
+                }
+            }
+            let runs = runs
+                .into_iter()
+                .map(|(times, value)| Ok((times, one(value, element)?)));
+            Ok(Some(Initial::Array(runs.collect::<Result<_, String>>()?)))
+        }
+        _ => Err("its value at the start has no counterpart".to_owned()),
+    }
+}
+
+/// A tag as a variable of this name. Its role and qualifier are the caller's.
+///
+/// # Errors
+///
+/// Why it has no counterpart.
+pub(super) fn variable(source: &Source<'_>, tag: &TagFacts, name: &str) -> Result<Variable, String> {
+    let at = source.context.place_of(tag).start();
+    let ty = match (&tag.cold.declared, tag.ty) {
+        (Some(declared), _) => type_in(source, &declared.spec)?,
+        (None, Some(ty)) => type_of(source.blocks, ty)?,
+        (None, None) => return Err("its type is not known".to_owned()),
+    };
+    let mut variable = Variable::local(place(source.context, at), name.to_owned(), ty);
+    variable.address = tag.cold.address.as_deref().map(str::to_ascii_uppercase);
+    variable.initial = initial(source, tag)?;
+    if tag.is_declared() {
+        variable.comment = said(source.context, at);
+    }
+    Ok(variable)
+}

@@ -1,0 +1,240 @@
+//! Names as IEC 61131-3 has them.
+
+use ladder_syntax::Name;
+use std::collections::{HashMap, HashSet};
+
+/// Words that are no names there, in capitals. Names of functions and function blocks are none either: compilers find
+/// the function.
+const RESERVED: &[&str] = &[
+    "ABS",
+    "ACOS",
+    "ACTION",
+    "ADD",
+    "AND",
+    "ANDN",
+    "ANY",
+    "ARRAY",
+    "ASIN",
+    "AT",
+    "ATAN",
+    "BOOL",
+    "BY",
+    "BYTE",
+    "CAL",
+    "CALC",
+    "CALCN",
+    "CASE",
+    "CONCAT",
+    "CONFIGURATION",
+    "CONSTANT",
+    "COS",
+    "CTD",
+    "CTU",
+    "CTUD",
+    "DATE",
+    "DELETE",
+    "DINT",
+    "DIV",
+    "DO",
+    "DT",
+    "DWORD",
+    "ELSE",
+    "ELSIF",
+    "EN",
+    "ENO",
+    "EQ",
+    "EXIT",
+    "EXP",
+    "EXPT",
+    "FALSE",
+    "FIND",
+    "FOR",
+    "FROM",
+    "FUNCTION",
+    "F_EDGE",
+    "F_TRIG",
+    "GE",
+    "GT",
+    "IF",
+    "INITIAL_STEP",
+    "INSERT",
+    "INT",
+    "INTERVAL",
+    "JMP",
+    "JMPC",
+    "JMPCN",
+    "LDN",
+    "LE",
+    "LEFT",
+    "LEN",
+    "LIMIT",
+    "LINT",
+    "LN",
+    "LOG",
+    "LREAL",
+    "LT",
+    "LWORD",
+    "MAX",
+    "MID",
+    "MIN",
+    "MOD",
+    "MOVE",
+    "MUL",
+    "MUX",
+    "NE",
+    "NIL",
+    "NON_RETAIN",
+    "NOT",
+    "OF",
+    "ON",
+    "OR",
+    "ORN",
+    "POINTER",
+    "PRIORITY",
+    "PROGRAM",
+    "READ_ONLY",
+    "READ_WRITE",
+    "REAL",
+    "REPEAT",
+    "REPLACE",
+    "RESOURCE",
+    "RET",
+    "RETAIN",
+    "RETC",
+    "RETCN",
+    "RETURN",
+    "RIGHT",
+    "ROL",
+    "ROR",
+    "RS",
+    "RTC",
+    "R_EDGE",
+    "R_TRIG",
+    "SEL",
+    "SEMA",
+    "SHL",
+    "SHR",
+    "SIN",
+    "SINGLE",
+    "SINT",
+    "SQRT",
+    "SR",
+    "STEP",
+    "STN",
+    "STRING",
+    "STRUCT",
+    "SUB",
+    "TAN",
+    "TASK",
+    "THEN",
+    "TIME",
+    "TO",
+    "TOD",
+    "TOF",
+    "TON",
+    "TP",
+    "TRANSITION",
+    "TRUE",
+    "TRUNC",
+    "TYPE",
+    "UDINT",
+    "UINT",
+    "ULINT",
+    "UNTIL",
+    "USINT",
+    "VAR",
+    "WHILE",
+    "WITH",
+    "WORD",
+    "WSTRING",
+    "XOR",
+    "XORN",
+];
+
+/// A name with the signs that are allowed there: letters and digits of ASCII, single underscores between them.
+pub(super) fn identifier(name: &str) -> String {
+    let mut out = String::new();
+    for c in name.chars() {
+        match c {
+            c if c.is_ascii_alphanumeric() => out.push(c),
+            _ if out.ends_with('_') => {}
+            _ => out.push('_'),
+        }
+    }
+    while out.ends_with('_') {
+        out.pop();
+    }
+    if !out.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_') {
+        out.insert_str(0, "n_");
+    }
+    if RESERVED.binary_search(&out.to_ascii_uppercase().as_str()).is_ok() {
+        out.push_str("_1");
+    }
+    out
+}
+
+/// The names of one unit, or of a project.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Names {
+    taken: HashSet<String>,
+    by_tag: HashMap<Name, String>,
+}
+
+impl Names {
+    /// The names of something inside, which are not to be those around it.
+    pub(super) fn inside(&self) -> Names {
+        Names {
+            taken: self.taken.clone(),
+            by_tag: HashMap::new(),
+        }
+    }
+
+    /// A name like this one that nothing else has.
+    pub(super) fn fresh(&mut self, like: &str) -> String {
+        let like = identifier(like);
+        let mut name = like.clone();
+        let mut number = 1;
+        while !self.taken.insert(name.to_ascii_lowercase()) {
+            number += 1;
+            name = format!("{like}_{number}");
+        }
+        name
+    }
+
+    /// Gives a tag its name.
+    pub(super) fn declare(&mut self, tag: &str) -> String {
+        let name = self.fresh(tag);
+        self.by_tag.insert(Name::new(tag), name.clone());
+        name
+    }
+
+    /// Gives a tag a name that is another's already: a global in the units that use it.
+    pub(super) fn alias(&mut self, tag: &str, name: &str) {
+        self.taken.insert(name.to_ascii_lowercase());
+        self.by_tag.insert(Name::new(tag), name.to_owned());
+    }
+
+    /// The name of a tag.
+    pub(super) fn get(&self, tag: &str) -> Option<&str> {
+        self.by_tag.get(&Name::new(tag)).map(String::as_str)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_of_ascii() {
+        assert!(RESERVED.is_sorted());
+        for (tag, name) in [
+            ("start", "start"),
+            ("Größe", "Gr_e"),
+            ("a__b_", "a_b"),
+            ("Step", "Step_1"),
+            ("2x", "n_2x"),
+        ] {
+            assert_eq!(identifier(tag), name);
+        }
+    }
+}

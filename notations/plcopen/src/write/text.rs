@@ -1,0 +1,345 @@
+//! Operands as expressions of ST.
+
+use super::names::{Names, identifier};
+use ladder_analysis::networks::facts::{Node, NodeKind, Operator};
+use ladder_analysis::program::{BinaryOperator, Expr, ExprKind, Member, Place, SystemTag, UnaryOperator};
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
+use ladder_instructions::Op;
+use ladder_syntax::{TextRange, TextSize};
+
+/// What operands are written from: the text of the ladder program, and the names of its tags there.
+#[derive(Clone, Copy)]
+pub(super) struct Words<'w> {
+    pub(super) text: &'w str,
+    /// Where the line of the operand starts.
+    pub(super) base: TextSize,
+    pub(super) names: &'w Names,
+}
+
+/// An expression, and how tightly its parts hold together: a name 9, `OR` 1.
+type Piece = Result<(String, u8), String>;
+
+const WHOLE: u8 = 9;
+
+impl Words<'_> {
+    fn slice(&self, range: TextRange) -> &str {
+        &self.text[range]
+    }
+
+    /// An expression of which the types are not needed: indices and values at the start.
+    ///
+    /// # Errors
+    ///
+    /// Why it has no counterpart.
+    pub(super) fn node(&self, node: &Node) -> Result<String, String> {
+        Ok(match &node.kind {
+            NodeKind::Name(name) => self.name(name),
+            NodeKind::Address(address) => address.to_ascii_uppercase(),
+            NodeKind::Literal(_) => literal(self.slice(node.range + self.base), None),
+            NodeKind::Member(base, word) => match &base.kind {
+                NodeKind::Name(name) if name.eq_ignore_ascii_case("SYS") => {
+                    return Err(format!("the standard has no SYS.{}", word.text));
+                }
+                // A value of an enumeration, after the name of its type.
+                NodeKind::Name(name) if self.names.get(name).is_none() => {
+                    format!("{}#{}", identifier(name), identifier(&word.text))
+                }
+                _ => format!("{}.{}", self.node(base)?, member(&word.text)),
+            },
+            NodeKind::Index(base, index) => {
+                let index = self.node(index)?;
+                match self.node(base)? {
+                    // `a[1, 2]`: the first index is in the base.
+                    base if base.ends_with(']') && self.is_one_list(node) => {
+                        format!("{}, {index}]", &base[..base.len() - 1])
+                    }
+                    base => format!("{base}[{index}]"),
+                }
+            }
+            NodeKind::Unary(Operator::Sub, inner) => format!("-{}", self.node(inner)?),
+            NodeKind::Unary(_, inner) => format!("NOT {}", self.node(inner)?),
+            NodeKind::Binary(operator, left, right) => {
+                let sign = match operator {
+                    Operator::Power => "**",
+                    Operator::Shl | Operator::Shr => return Err("shifts are no operators there".to_owned()),
+                    other => other.text(),
+                };
+                format!("{} {sign} {}", self.node(left)?, self.node(right)?)
+            }
+            NodeKind::Paren(inner) => format!("({})", self.node(inner)?),
+            _ => return Err("such an expression has no counterpart".to_owned()),
+        })
+    }
+
+    fn name(&self, name: &str) -> String {
+        self.names
+            .get(name)
+            .map_or_else(|| identifier(name), str::to_owned)
+    }
+
+    /// Whether an index follows the one before it after a comma.
+    fn is_one_list(&self, node: &Node) -> bool {
+        let NodeKind::Index(base, index) = &node.kind else {
+            return false;
+        };
+        let NodeKind::Index(_, before) = &base.kind else {
+            return false;
+        };
+        let between = TextRange::new(before.range.end(), index.range.start()) + self.base;
+        self.slice(between).contains(',')
+    }
+
+    /// A value as an operand, already in the type that its place asks for.
+    ///
+    /// # Errors
+    ///
+    /// Why it has no counterpart.
+    pub(super) fn value(&self, expression: &Expr, node: &Node) -> Result<String, String> {
+        self.expression(expression, node).map(|(text, _)| text)
+    }
+
+    fn expression(&self, expression: &Expr, node: &Node) -> Piece {
+        let whole = |text: String| Ok((text, WHOLE));
+        match &expression.kind {
+            ExprKind::Constant(known) => {
+                let text = self.slice(expression.range);
+                match found(node, expression.range, self.base).map(|node| &node.kind) {
+                    Some(NodeKind::Literal(_)) => {}
+                    Some(_) if matches!(expression.ty, Scalar::Enum(_)) => {
+                        let node = found(node, expression.range, self.base).unwrap_or(node);
+                        return self.node(node).and_then(whole);
+                    }
+                    _ => return value(known, expression.ty).and_then(whole),
+                }
+                whole(literal(text, Some((known, expression.ty))))
+            }
+            ExprKind::Read(place) => {
+                let at = found(node, expression.range, self.base);
+                let at = at.ok_or("such an expression has no counterpart")?;
+                self.place(place, at).and_then(whole)
+            }
+            ExprKind::Pass(inner) => {
+                if let ExprKind::Constant(_) = inner.kind {
+                    return self.expression(inner, node);
+                }
+                let (text, holds) = self.expression(inner, node)?;
+                let (from, to) = (inner.ty.name(), expression.ty.name());
+                if from == to {
+                    return Ok((text, holds));
+                }
+                whole(format!("{from}_TO_{to}({text})"))
+            }
+            ExprKind::Unary(operator, inner) => {
+                let (text, holds) = self.expression(inner, node)?;
+                let text = if holds < 8 { format!("({text})") } else { text };
+                let sign = match operator {
+                    UnaryOperator::Minus => "-",
+                    UnaryOperator::Not => "NOT ",
+                };
+                Ok((format!("{sign}{text}"), 8))
+            }
+            ExprKind::Binary(operator, left, right) => {
+                let (sign, rank) = match operator {
+                    BinaryOperator::Or => ("OR", 1),
+                    BinaryOperator::Xor => ("XOR", 2),
+                    BinaryOperator::And => ("AND", 3),
+                    BinaryOperator::Add => ("+", 6),
+                    BinaryOperator::Sub => ("-", 6),
+                    BinaryOperator::Mul => ("*", 7),
+                    BinaryOperator::Div => ("/", 7),
+                    BinaryOperator::Mod => ("MOD", 7),
+                    // It goes to the right here, and to the left there.
+                    BinaryOperator::Power => {
+                        let (left, right) = (self.inside(left, node, 9)?, self.inside(right, node, 9)?);
+                        return Ok((format!("{left} ** {right}"), 7));
+                    }
+                    BinaryOperator::Shl | BinaryOperator::Shr => {
+                        return Err("shifts are no operators there".to_owned());
+                    }
+                };
+                let (left, right) = (
+                    self.inside(left, node, rank)?,
+                    self.inside(right, node, rank + 1)?,
+                );
+                Ok((format!("{left} {sign} {right}"), rank))
+            }
+            ExprKind::Compare(op, left, right) => {
+                let (sign, rank) = match op {
+                    Op::Eq => ("=", 4),
+                    Op::Ne => ("<>", 4),
+                    Op::Lt => ("<", 5),
+                    Op::Le => ("<=", 5),
+                    Op::Gt => (">", 5),
+                    _ => (">=", 5),
+                };
+                let (left, right) = (
+                    self.inside(left, node, rank)?,
+                    self.inside(right, node, rank + 1)?,
+                );
+                Ok((format!("{left} {sign} {right}"), rank))
+            }
+            ExprKind::Call(op, arguments) => {
+                let name = super::functions::of(*op)
+                    .ok_or("a function in it has no counterpart")?
+                    .name;
+                let arguments: Result<Vec<String>, String> = arguments
+                    .iter()
+                    .map(|argument| self.value(argument, node))
+                    .collect();
+                whole(format!("{name}({})", arguments?.join(", ")))
+            }
+            ExprKind::Sum(_) => Err("the standard has no SUM".to_owned()),
+            ExprKind::Offset(_) => Err("such an expression has no counterpart".to_owned()),
+        }
+    }
+
+    /// A part of an expression, in parentheses where it holds together less than what is around it.
+    fn inside(&self, expression: &Expr, node: &Node, rank: u8) -> Result<String, String> {
+        let (text, holds) = self.expression(expression, node)?;
+        Ok(if holds < rank { format!("({text})") } else { text })
+    }
+
+    /// A place that is read or written.
+    ///
+    /// # Errors
+    ///
+    /// Why it has no counterpart.
+    pub(super) fn place(&self, place: &Place, node: &Node) -> Result<String, String> {
+        match (place, &node.kind) {
+            (Place::System(SystemTag::On), _) => Ok("TRUE".to_owned()),
+            (Place::System(SystemTag::Off), _) => Ok("FALSE".to_owned()),
+            (Place::Member(_, member) | Place::ChosenMember(_, member), NodeKind::Member(base, word)) => {
+                let name = match member {
+                    Member::Changed | Member::Timing => {
+                        return Err(format!("timers and counters there have no `{}`", word.text));
+                    }
+                    other => member_name(*other),
+                };
+                Ok(format!("{}.{name}", self.node(base)?))
+            }
+            (Place::Member(..) | Place::ChosenMember(..), _) => {
+                Err("a timer or counter is no value there".to_owned())
+            }
+            _ => self.node(node),
+        }
+    }
+}
+
+fn member_name(member: Member) -> &'static str {
+    match member {
+        Member::In => "IN",
+        Member::Pt => "PT",
+        Member::Q => "Q",
+        Member::Et => "ET",
+        Member::Cu => "CU",
+        Member::Cd => "CD",
+        Member::R => "R",
+        Member::Ld => "LD",
+        Member::Pv => "PV",
+        Member::Cv => "CV",
+        Member::Qu => "QU",
+        Member::Qd => "QD",
+        Member::Q1 => "Q1",
+        Member::Changed => "CC",
+        Member::Timing => "TT",
+    }
+}
+
+/// A member; a bit is its number.
+fn member(name: &str) -> String {
+    if name.bytes().all(|c| c.is_ascii_digit()) {
+        return name.to_owned();
+    }
+    identifier(name)
+}
+
+/// The part of an expression at a place of the text.
+pub(super) fn found(node: &Node, range: TextRange, base: TextSize) -> Option<&Node> {
+    let own = node.range + base;
+    if own == range && !matches!(node.kind, NodeKind::Paren(_)) {
+        return Some(node);
+    }
+    if !own.contains_range(range) {
+        return None;
+    }
+    match &node.kind {
+        NodeKind::Member(inner, _) | NodeKind::Unary(_, inner) | NodeKind::Paren(inner) => {
+            found(inner, range, base)
+        }
+        NodeKind::Index(left, right) | NodeKind::Binary(_, left, right) => {
+            found(left, range, base).or_else(|| found(right, range, base))
+        }
+        NodeKind::Range(one, two, three) => [one, two, three]
+            .into_iter()
+            .find_map(|inner| found(inner, range, base)),
+        NodeKind::Call(_, inner) | NodeKind::Array(inner) | NodeKind::Repeat(_, inner) => {
+            inner.iter().find_map(|inner| found(inner, range, base))
+        }
+        _ => None,
+    }
+}
+
+/// A literal as the standard has it, in the type of its place where that is known.
+pub(super) fn literal(text: &str, known: Option<(&Value, Scalar)>) -> String {
+    let is_digits = text.bytes().all(|c| c.is_ascii_digit() || c == b'_');
+    match known {
+        Some((Value::Int(nanoseconds), Scalar::Time)) if is_digits => time(*nanoseconds),
+        Some((_, Scalar::Real | Scalar::Lreal)) if is_digits => format!("{text}.0"),
+        _ => {
+            let is_span = text.starts_with(|c: char| c.is_ascii_digit())
+                && !text.contains('#')
+                && text.ends_with(|c: char| c.is_ascii_alphabetic());
+            if is_span {
+                format!("T#{text}")
+            } else {
+                text.to_owned()
+            }
+        }
+    }
+}
+
+/// A value that a tag begins with.
+///
+/// # Errors
+///
+/// Why it has no counterpart.
+pub(super) fn value(value: &Value, ty: Scalar) -> Result<String, String> {
+    Ok(match (value, ty) {
+        (Value::Bool(on), _) => if *on { "TRUE" } else { "FALSE" }.to_owned(),
+        (Value::Int(nanoseconds), Scalar::Time) => time(*nanoseconds),
+        (Value::Int(_), Scalar::Date | Scalar::Tod | Scalar::Dt) => {
+            return Err("dates and times of day at the start are not written".to_owned());
+        }
+        (Value::Int(number), Scalar::Enum(id)) => {
+            let known = id.get();
+            known
+                .name_of(*number)
+                .map_or_else(|| number.to_string(), |name| identifier(name))
+        }
+        (Value::Int(number), Scalar::Lword | Scalar::Ulint) => (*number as u64).to_string(),
+        (Value::Int(number), _) => number.to_string(),
+        (Value::Real(number), _) => format!("{number:?}"),
+        (Value::Text(bytes), _) => {
+            let mut out = String::from("'");
+            for c in String::from_utf8_lossy(bytes).chars() {
+                match c {
+                    '$' | '\'' => out.extend(['$', c]),
+                    c if c.is_control() => out.push_str(&format!("${:02X}", u32::from(c))),
+                    c => out.push(c),
+                }
+            }
+            out + "'"
+        }
+    })
+}
+
+/// A duration.
+pub(super) fn time(nanoseconds: i64) -> String {
+    let sign = if nanoseconds < 0 { "-" } else { "" };
+    let size = nanoseconds.unsigned_abs();
+    let units = [(1_000_000_000, "s"), (1_000_000, "ms"), (1_000, "us"), (1, "ns")];
+    let unit = units.iter().find(|(unit, _)| size.is_multiple_of(*unit));
+    let (unit, name) = unit.copied().unwrap_or((1, "ns"));
+    format!("T#{sign}{}{name}", size / unit)
+}
