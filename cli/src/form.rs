@@ -53,7 +53,7 @@ pub(crate) fn names() -> PossibleValuesParser {
 
 /// The names that `--to` takes.
 pub(crate) fn targets() -> PossibleValuesParser {
-    listed(|_| true)
+    listed(|notation| notation.is_written())
 }
 
 fn listed(takes: fn(&dyn Notation) -> bool) -> PossibleValuesParser {

@@ -84,7 +84,7 @@ fn a_file_is_checked_run_and_tested_as_it_is() {
     .assert_eq(&run.to_string());
     let run = folder.ladder(&["test", "cell.ladder-test"]).to_string();
     assert!(run.contains("ok    it counts"), "{run}");
-    let run = folder.ladder(&["convert", "cell.L5X", "--to", "l5k"]);
+    let run = folder.ladder(&["convert", "cell.L5X", "-o", "again.l5k"]);
     expect![[r#"
         exit status 2
         -- stderr

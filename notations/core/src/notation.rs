@@ -35,6 +35,11 @@ pub trait Notation: Sync {
         false
     }
 
+    /// Whether programs are written in this notation, too. Else [`write`](Notation::write) says so.
+    fn is_written(&self) -> bool {
+        true
+    }
+
     /// Whether a run of such a program is about its coils, and nothing else is shown of it unless asked for.
     fn shows_coils(&self) -> bool {
         false

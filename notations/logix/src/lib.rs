@@ -98,6 +98,10 @@ impl Notation for L5x {
         true
     }
 
+    fn is_written(&self) -> bool {
+        false
+    }
+
     fn recognises(&self, bytes: &[u8]) -> bool {
         head(bytes).contains(&format!("<{}", l5x::ROOT))
     }
@@ -129,6 +133,10 @@ impl Notation for L5k {
         true
     }
 
+    fn is_written(&self) -> bool {
+        false
+    }
+
     fn recognises(&self, bytes: &[u8]) -> bool {
         l5k::recognises(&head(bytes))
     }
@@ -154,6 +162,10 @@ impl Notation for Rslogix500 {
 
     fn extensions(&self) -> &'static [&'static str] {
         &["slc"]
+    }
+
+    fn is_written(&self) -> bool {
+        false
     }
 
     fn recognises(&self, bytes: &[u8]) -> bool {

@@ -31,6 +31,10 @@ impl Notation for OpenPlc {
         &["ld"]
     }
 
+    fn is_written(&self) -> bool {
+        false
+    }
+
     fn recognises(&self, bytes: &[u8]) -> bool {
         header::recognises(bytes)
     }

@@ -1,6 +1,7 @@
 //! What names mean: the variables of a unit and of the project, its types, its blocks.
 
 use super::model::{Project, Role, Type, Unit, UnitKind, Variable};
+use super::own;
 use super::standard::{self, StandardBlock};
 use ladder_notation::Names;
 use std::collections::{HashMap, HashSet};
@@ -126,7 +127,10 @@ impl<'p> Shared<'p> {
             scope.alias("EN", "EN", &power);
             scope.alias("ENO", "ENO", &power);
             for variable in local(unit) {
-                scope.declare(&variable.name, &variable.ty, "");
+                match own::power(variable) {
+                    Some(name) => scope.alias(&variable.name, name, &power),
+                    None => scope.declare(&variable.name, &variable.ty, ""),
+                }
             }
             if let Some(returns) = &unit.returns {
                 scope.declare(&unit.name, returns, "");

@@ -91,11 +91,11 @@ pub struct Nothing {}
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub struct Notations {
-    /// All but ladder text.
+    /// Those that programs are written in, without ladder text.
     pub notations: Vec<Known>,
 }
 
-/// A notation that programs are read from and written in.
+/// A notation that programs are written in.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub struct Known {

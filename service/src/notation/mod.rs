@@ -23,9 +23,10 @@ pub(crate) struct Task<'t> {
     pub(crate) to: Form,
 }
 
-/// All notations but ladder text.
+/// The notations, besides ladder text, that programs are written in.
 pub(crate) fn known() -> Notations {
-    let known = NOTATIONS.iter().map(|notation| Known {
+    let written = NOTATIONS.iter().filter(|notation| notation.is_written());
+    let known = written.map(|notation| Known {
         name: notation.name().to_owned(),
         title: notation.title().to_owned(),
         extensions: notation.extensions().iter().map(ToString::to_string).collect(),

@@ -72,6 +72,7 @@ pub(crate) fn operand(text: &str, meaning: Meaning<'_>) -> Result<Operand, Strin
         depth: 0,
         reads: Vec::new(),
         compares: false,
+        has_real: false,
         pieces: 0,
     };
     if tokens.is_empty() {
@@ -102,7 +103,11 @@ pub(crate) fn operand(text: &str, meaning: Meaning<'_>) -> Result<Operand, Strin
     if !is_well_formed(&out) {
         return Err("it is no expression".to_owned());
     }
-    let ty = if parser.compares { Some(named("BOOL")) } else { ty };
+    let ty = match ty {
+        _ if parser.compares => Some(named("BOOL")),
+        None if parser.has_real => Some(named("LREAL")),
+        ty => ty,
+    };
     Ok(Operand {
         text: out,
         form,
@@ -148,6 +153,8 @@ struct Parser<'t, 'm> {
     depth: usize,
     reads: Vec<String>,
     compares: bool,
+    /// A number with a point is in it.
+    has_real: bool,
     /// How many things stand next to each other outside parentheses; one in parentheses is what it is without.
     pieces: usize,
 }
@@ -159,7 +166,7 @@ impl Parser<'_, '_> {
             return Err(format!("its parentheses nest deeper than {DEEPEST}"));
         }
         let mut out = String::new();
-        let (mut found, mut weak): (Option<Type>, Option<Type>) = (None, None);
+        let mut found: Option<Type> = None;
         while let Some(token) = self.tokens.get(self.at) {
             let (piece, ty) = match token {
                 Token::Sign(")" | "]" | ",") => break,
@@ -183,7 +190,7 @@ impl Parser<'_, '_> {
                 // A number takes the type of what is next to it.
                 Token::Literal(text, Some("LREAL")) if !text.contains('#') => {
                     self.at += 1;
-                    weak = Some(named("LREAL"));
+                    self.has_real = true;
                     (text.clone(), None)
                 }
                 Token::Literal(text, ty) => {
@@ -203,7 +210,7 @@ impl Parser<'_, '_> {
         if out.is_empty() {
             return Err("something is missing in it".to_owned());
         }
-        Ok((out, found.or(weak)))
+        Ok((out, found))
     }
 
     /// What is in parentheses, with what closes them.

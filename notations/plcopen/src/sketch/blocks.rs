@@ -2,7 +2,7 @@
 
 use super::body::Body;
 use super::declare::type_text;
-use crate::graph::{Edge, End, Kind, Modifier, Node, Storage};
+use crate::graph::{Edge, End, Kind, Modifier, Node, Pin, Storage};
 use crate::model::{Type, UnitKind};
 use crate::scope::Shared;
 use crate::standard::{self, Function, Gate, StandardBlock};
@@ -94,11 +94,22 @@ fn is_enable_out(pin: &str) -> bool {
     pin.eq_ignore_ascii_case("ENO")
 }
 
+/// What a pin of a unit of the project is called in the unit's own text.
+pub(super) fn named_in_unit<'b>(body: &'b Body<'_>, node: usize, pin: &str) -> Option<&'b str> {
+    let Kind::Block { name, .. } = &body.graph.nodes[node].kind else {
+        return None;
+    };
+    let unit = body.shared.blocks.get(&name.to_lowercase())?;
+    unit.scope.get(pin).map(|known| known.spelled.as_str())
+}
+
 /// The pins that power enters, in series: EN, and what starts a timer.
 pub(super) fn power_pins(body: &Body<'_>, node: usize) -> Vec<usize> {
     let drawn = &body.graph.nodes[node];
     let mut pins: Vec<usize> = Vec::new();
-    pins.extend(drawn.inputs.iter().position(|pin| is_enable(&pin.name)));
+    let is_own = |pin: &str| named_in_unit(body, node, pin) == Some("EN");
+    let enables = |pin: &Pin| is_enable(&pin.name) || is_own(&pin.name);
+    pins.extend(drawn.inputs.iter().position(enables));
     let first = match body.class(node) {
         Some(Class::Standard(StandardBlock::Stateful(_, pin, _))) => pin,
         Some(Class::Standard(_)) => "CLK",
@@ -137,7 +148,10 @@ pub(super) fn power_output(body: &Body<'_>, node: usize) -> Option<usize> {
         }),
         Class::Gate(_) | Class::Compare(_) => Some(0),
         Class::Unknown => named("ENO").or(Some(0)),
-        _ => named("ENO"),
+        _ => named("ENO").or_else(|| {
+            let mut outputs = outputs.iter();
+            outputs.position(|output| named_in_unit(body, node, &output.name) == Some("ENO"))
+        }),
     }
 }
 

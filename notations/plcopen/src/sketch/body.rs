@@ -339,6 +339,13 @@ impl<'b> Body<'b> {
     }
 
     fn write(&mut self, group: Vec<usize>) {
+        let ends = self.without_passed(&group);
+        if ends.len() < group.len() {
+            let targets: Vec<Target> = ends.into_iter().map(Target::Root).collect();
+            if self.network(&targets) {
+                return;
+            }
+        }
         let targets: Vec<Target> = group.iter().map(|node| Target::Root(*node)).collect();
         if self.network(&targets) {
             return;
@@ -353,6 +360,32 @@ impl<'b> Body<'b> {
                 self.in_pieces(target);
             }
         }
+    }
+
+    /// Of what a network does without the blocks that power goes through on its way to the others: they are drawn there, in the
+    /// order of the wires. A contact that reads what such a block writes has to come after it.
+    fn without_passed(&self, group: &[usize]) -> Vec<usize> {
+        let mut passed = HashSet::new();
+        for (number, node) in group.iter().enumerate().rev() {
+            if passed.contains(node) {
+                continue;
+            }
+            let mut own = HashSet::new();
+            self.feeds(*node, &mut own);
+            let is_read = |block: &usize| {
+                let written = self.writes(*block);
+                own.iter()
+                    .any(|other| self.reads(*other).iter().any(|tag| written.contains(tag)))
+            };
+            let before = group[..number].iter().filter(|other| own.contains(other));
+            let blocks = before.filter(|other| matches!(self.graph.nodes[**other].kind, Kind::Block { .. }));
+            passed.extend(blocks.copied().filter(|block| !is_read(block)));
+        }
+        group
+            .iter()
+            .copied()
+            .filter(|node| !passed.contains(node))
+            .collect()
     }
 
     /// Draws a network, if it can be drawn as one.

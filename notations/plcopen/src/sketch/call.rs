@@ -1,6 +1,6 @@
 //! Blocks as they are written: `[TON]( T1, T#5s )`, `[ADD]( y, a, b )`, `[$Motor]( m1, start := a )`.
 
-use super::blocks::{Class, is_enable, operand_pins, result_output};
+use super::blocks::{Class, is_enable, named_in_unit, operand_pins, result_output};
 use super::body::Body;
 use crate::expression::{Form, Operand};
 use crate::graph::{End, Kind};
@@ -126,7 +126,7 @@ impl Body<'_> {
             operands.push(self.instance(node)?);
         }
         for (index, pin) in self.graph.nodes[node].inputs.iter().enumerate() {
-            if is_enable(&pin.name) {
+            if is_enable(&pin.name) || named_in_unit(self, node, &pin.name) == Some("EN") {
                 continue;
             }
             let Some(operand) = self.operands.get(&(node, index)) else {

@@ -3,6 +3,7 @@
 use super::initial::{initial_text, zero};
 use crate::expression::{Meaning, address_of, operand};
 use crate::model::{Project, Role, Type, Unit, UnitKind, Variable};
+use crate::own;
 use crate::scope::{Scope, Shared, local, member, trigger};
 use crate::standard::{self, StandardBlock};
 use ladder_format::program::{Declaration, Item, Qualifier, Section, SectionKind};
@@ -232,7 +233,8 @@ pub(super) fn variables(
         }
         let is_power = ["EN", "ENO"]
             .iter()
-            .any(|name| variable.name.eq_ignore_ascii_case(name));
+            .any(|name| variable.name.eq_ignore_ascii_case(name))
+            || own::power(variable).is_some();
         if !is_program && is_power {
             reading.report.translated(variable.place, shown);
             continue;

@@ -62,6 +62,8 @@ pub(super) struct Pencil<'d, 'b> {
     /// The points that outputs are, from which point on.
     ends: HashMap<(End, usize), usize>,
     pins: HashMap<(usize, usize, usize), usize>,
+    /// The points where several outputs come together, from which point on.
+    joins: HashMap<(Vec<End>, usize), usize>,
     /// The points after coils and blocks.
     after: HashMap<usize, usize>,
     executed: Vec<usize>,
@@ -83,6 +85,7 @@ impl Drawn {
             points: 0,
             ends: HashMap::new(),
             pins: HashMap::new(),
+            joins: HashMap::new(),
             after: HashMap::new(),
             executed: Vec::new(),
             shown: HashSet::new(),
@@ -330,9 +333,17 @@ impl Pencil<'_, '_> {
                 for end in ends {
                     points.push(self.source(node, *end, start)?);
                 }
-                let point = self.point();
-                self.join(points, point);
-                point
+                // The same wires that end at two pins are one point.
+                let known = self.joins.get(&(ends.to_vec(), start)).copied();
+                known.unwrap_or_else(|| {
+                    let point = self.point();
+                    self.join(points, point);
+                    // Where a tag holds one of them, each pin has a contact of its own.
+                    if !ends.iter().any(|end| self.body.results.contains_key(end)) {
+                        self.joins.insert((ends.to_vec(), start), point);
+                    }
+                    point
+                })
             }
         };
         if modifier.negated {

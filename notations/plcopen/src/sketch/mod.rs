@@ -25,6 +25,7 @@ pub fn reading(project: Project) -> Reading {
         report: std::mem::take(&mut project.report),
         ..Reading::default()
     };
+    project.units.iter_mut().for_each(crate::own::without_sinks);
     let project = &project;
     let shared = Shared::of(project);
     let types = declare::types(&shared, project, &mut reading);

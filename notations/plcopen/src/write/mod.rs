@@ -15,13 +15,15 @@ mod unit;
 
 use super::model::{Project, Task, TypeDeclaration, UnitKind};
 use declare::Source;
+use ladder_analysis::context::Body;
+use ladder_analysis::networks::network::Meaning;
 use ladder_analysis::program::Program;
 use ladder_analysis::{Analysis, analyze, library, link};
 use ladder_instructions::Profile;
 use ladder_notation::{LineColumn, Report, WriteError, no_program};
-use ladder_syntax::TextSize;
+use ladder_syntax::{Name, TextSize};
 use names::{Names, identifier};
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 use unit::{Face, Faces, Parameter, Project as Shared, Unit};
 
@@ -94,7 +96,15 @@ pub(super) fn project(analysis: &Analysis) -> Result<(Project, Report), WriteErr
     for unit in &all {
         project.globals.extend(unit.globals(&mut shared, &mut report));
     }
-    let faces = faces(&all, &shared);
+    let mut faces = faces(&all, &shared);
+    let (broken, users) = broken(
+        &all,
+        &Shared {
+            faces: &faces,
+            ..shared.clone()
+        },
+    );
+    faces.break_with(broken, &users);
     let shared = Shared {
         faces: &faces,
         ..shared
@@ -222,6 +232,36 @@ fn types(own: &Unit<'_>, shared: &Shared<'_>, report: &mut Report) -> Vec<TypeDe
     types
 }
 
+/// The blocks of which not all is written, and for each block those that use it.
+fn broken(units: &[&Unit<'_>], shared: &Shared<'_>) -> (Vec<Name>, HashMap<Name, Vec<Name>>) {
+    let (mut broken, mut users) = (Vec::new(), HashMap::<Name, Vec<Name>>::new());
+    for unit in units {
+        let context = unit.context();
+        for block in 0..context.own_blocks {
+            let mut report = Report::default();
+            unit.write(shared, Some(block), String::new(), &mut report);
+            if report.tally().refused > 0 {
+                broken.push(context.user_blocks[block].key.clone());
+            }
+        }
+        for network in &context.networks {
+            let Body::Block(user) = context.bodies[network.index] else {
+                continue;
+            };
+            for block in network.blocks() {
+                if let Meaning::User(used) = block.meaning {
+                    let used = context.user_blocks[used].key.clone();
+                    users
+                        .entry(used)
+                        .or_default()
+                        .push(context.user_blocks[user].key.clone());
+                }
+            }
+        }
+    }
+    (broken, users)
+}
+
 /// How the blocks look from outside.
 fn faces(units: &[&Unit<'_>], shared: &Shared<'_>) -> Faces {
     let mut faces = Faces::default();
@@ -241,6 +281,7 @@ fn faces(units: &[&Unit<'_>], shared: &Shared<'_>) -> Faces {
                     power_in,
                     power_out,
                     parameters: parameters.collect(),
+                    is_broken: false,
                 },
             );
         }

@@ -178,6 +178,7 @@ pub(super) fn identifier(name: &str) -> String {
 pub(super) struct Names {
     taken: HashSet<String>,
     by_tag: HashMap<Name, String>,
+    refused: HashSet<Name>,
 }
 
 impl Names {
@@ -186,6 +187,7 @@ impl Names {
         Names {
             taken: self.taken.clone(),
             by_tag: HashMap::new(),
+            refused: self.refused.clone(),
         }
     }
 
@@ -212,6 +214,16 @@ impl Names {
     pub(super) fn alias(&mut self, tag: &str, name: &str) {
         self.taken.insert(name.to_ascii_lowercase());
         self.by_tag.insert(Name::new(tag), name.to_owned());
+    }
+
+    /// A tag that is not declared there.
+    pub(super) fn refuse(&mut self, tag: &str) {
+        self.refused.insert(Name::new(tag));
+    }
+
+    /// See above.
+    pub(super) fn is_refused(&self, tag: &str) -> bool {
+        !self.refused.is_empty() && self.refused.contains(&Name::new(tag))
     }
 
     /// The name of a tag.

@@ -34,6 +34,9 @@ impl Words<'_> {
     /// Why it has no counterpart.
     pub(super) fn node(&self, node: &Node) -> Result<String, String> {
         Ok(match &node.kind {
+            NodeKind::Name(name) if self.names.is_refused(name) => {
+                return Err(format!("the type of `{name}` has no counterpart"));
+            }
             NodeKind::Name(name) => self.name(name),
             NodeKind::Address(address) => address.to_ascii_uppercase(),
             NodeKind::Literal(_) => literal(self.slice(node.range + self.base), None),

@@ -29,6 +29,8 @@ pub(super) struct Face {
     pub(super) power_in: String,
     pub(super) power_out: String,
     pub(super) parameters: Vec<Parameter>,
+    /// Not all of it is written.
+    pub(super) is_broken: bool,
 }
 
 /// A parameter of a block.
@@ -45,9 +47,22 @@ impl Faces {
     pub(super) fn insert(&mut self, block: &str, face: Face) {
         self.0.insert(Name::new(block), face);
     }
+
+    /// Marks these as not whole, and all that use them. `users` has for each block those that use it.
+    pub(super) fn break_with(&mut self, broken: Vec<Name>, users: &HashMap<Name, Vec<Name>>) {
+        let mut waiting = broken;
+        while let Some(name) = waiting.pop() {
+            if let Some(face) = self.0.get_mut(&name)
+                && !std::mem::replace(&mut face.is_broken, true)
+            {
+                waiting.extend(users.get(&name).into_iter().flatten().cloned());
+            }
+        }
+    }
 }
 
 /// What all units of a project share.
+#[derive(Clone)]
 pub(super) struct Project<'p> {
     /// The names of blocks, by their names here.
     pub(super) blocks: Names,
@@ -135,14 +150,15 @@ impl<'u> Unit<'u> {
         &self,
         project: &Project<'_>,
         scope: usize,
-        own: &Scope,
+        own: &mut Scope,
         report: &mut Report,
     ) -> Vec<Variable> {
+        let names = own.names.clone();
         let source = Source {
             context: self.context(),
             text: self.text,
             blocks: &project.blocks,
-            globals: &own.names,
+            globals: &names,
         };
         let mut variables = Vec::new();
         if let Some((enters, leaves)) = &own.power {
@@ -162,11 +178,7 @@ impl<'u> Unit<'u> {
             }
         }
         for tag in self.tags(scope) {
-            let Some(name) = own
-                .names
-                .get(&tag.name)
-                .filter(|_| tag.origin != Origin::Implicit)
-            else {
+            let Some(name) = names.get(&tag.name).filter(|_| tag.origin != Origin::Implicit) else {
                 continue;
             };
             let global = self.global(tag);
@@ -186,11 +198,11 @@ impl<'u> Unit<'u> {
                     }
                     variables.push(variable);
                 }
-                Err(why) => report.refused(
-                    self.place(self.context().place_of(tag).start()),
-                    format!("tag {}", tag.name),
-                    why,
-                ),
+                Err(why) => {
+                    own.names.refuse(&tag.name);
+                    let at = self.place(self.context().place_of(tag).start());
+                    report.refused(at, format!("tag {}", tag.name), why);
+                }
             }
         }
         variables
@@ -238,7 +250,7 @@ impl<'u> Unit<'u> {
     ) -> Made {
         let scope = block.map_or(0, |block| block + 1);
         let mut own = self.scope(project, scope);
-        let mut variables = self.variables(project, scope, &own, report);
+        let mut variables = self.variables(project, scope, &mut own, report);
         let mut body = Networks {
             unit: self,
             project,
