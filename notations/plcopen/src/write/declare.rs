@@ -167,7 +167,7 @@ fn initial_in(words: Words<'_>, node: &Node) -> Result<Initial, String> {
                 .map(|(name, value)| Ok((identifier(&name.text), initial_in(words, value)?)));
             Initial::Structure(values.collect::<Result<_, String>>()?)
         }
-        _ => Initial::Simple(words.node(node)?),
+        _ => Initial::Simple(words.enumerator(node)?),
     })
 }
 

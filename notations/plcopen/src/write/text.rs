@@ -75,6 +75,21 @@ impl Words<'_> {
         })
     }
 
+    /// A value of an enumeration, with the name of its type or without.
+    ///
+    /// # Errors
+    ///
+    /// If it is none.
+    pub(super) fn enumerator(&self, node: &Node) -> Result<String, String> {
+        match &node.kind {
+            NodeKind::Member(base, word) => match &base.kind {
+                NodeKind::Name(name) => Ok(format!("{}#{}", identifier(name), identifier(&word.text))),
+                _ => Err("such a value has no counterpart".to_owned()),
+            },
+            _ => self.node(node),
+        }
+    }
+
     fn name(&self, name: &str) -> String {
         self.names
             .get(name)
@@ -111,7 +126,7 @@ impl Words<'_> {
                     Some(NodeKind::Literal(_)) => {}
                     Some(_) if matches!(expression.ty, Scalar::Enum(_)) => {
                         let node = found(node, expression.range, self.base).unwrap_or(node);
-                        return self.node(node).and_then(whole);
+                        return self.enumerator(node).and_then(whole);
                     }
                     _ => return value(known, expression.ty).and_then(whole),
                 }

@@ -6,3 +6,4 @@ mod elements;
 mod harness;
 mod projects;
 mod traces;
+mod written;
