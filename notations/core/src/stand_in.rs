@@ -8,9 +8,11 @@ use std::borrow::Cow;
 
 /// What holds the place of a comment; a parenthesis closes it.
 const STAND_IN: &str = "[ ](SYS.ON";
+/// What holds the place of a short one; a bracket closes it.
+const SHORT: &str = "[NOT";
 
-/// The analysis of a text in which each comment on a rung that is an element has a contact in its place, so that it has
-/// a place in the circuit. Every byte stays where it is: what is at the contact's place in the text is the comment.
+/// The analysis of a text in which each comment on a rung that is an element has a block in its place, so that it has
+/// a place in the circuit. Every byte stays where it is: what is at the block's place in the text is the comment.
 ///
 /// # Errors
 ///
@@ -31,10 +33,15 @@ pub fn analysis<'a>(
         let tokens = tokens.filter_map(NodeOrToken::into_token);
         for token in tokens.filter(|token| token.kind() == SyntaxKind::COMMENT) {
             let comment = token.text();
-            if comment.len() > STAND_IN.len() && is_element(comment) {
-                let blanks = comment.len() - STAND_IN.len() - 1;
+            let (begin, end) = if comment.len() > STAND_IN.len() {
+                (STAND_IN, ")")
+            } else {
+                (SHORT, "]")
+            };
+            if comment.len() > begin.len() && is_element(comment) {
+                let blanks = comment.len() - begin.len() - 1;
                 let at = start + usize::from(token.text_range().start());
-                aside.replace_range(at..at + comment.len(), &format!("{STAND_IN}{:blanks$})", ""));
+                aside.replace_range(at..at + comment.len(), &format!("{begin}{:blanks$}{end}", ""));
             }
         }
     }

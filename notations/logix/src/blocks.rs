@@ -106,9 +106,25 @@ impl Blocks {
         TEXTS.iter().any(|(known, _)| own.eq_ignore_ascii_case(known))
     }
 
+    /// The block whose name a name begins with, and what follows: the elements that it is for.
+    pub(crate) fn named(name: &str) -> Option<(&'static str, &str)> {
+        let known = TEXTS.iter().filter_map(|(known, _)| {
+            let start = name.get(..known.len())?;
+            start
+                .eq_ignore_ascii_case(known)
+                .then(|| (*known, &name[known.len()..]))
+        });
+        known.max_by_key(|(known, _)| known.len())
+    }
+
+    /// The definitions of those that are used, each as a text.
+    pub(crate) fn texts(&self) -> impl Iterator<Item = &String> {
+        self.used.values().chain(self.idle.values().map(|(_, text)| text))
+    }
+
     /// Their definitions.
     pub(crate) fn items(&self) -> impl Iterator<Item = Item> {
-        let texts = self.used.values().chain(self.idle.values().map(|(_, text)| text));
-        texts.flat_map(|text| [Item::Blank, Item::Text(text.clone())])
+        let items = |text: &String| [Item::Blank, Item::Text(text.clone())];
+        self.texts().flat_map(items)
     }
 }

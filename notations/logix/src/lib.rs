@@ -30,6 +30,7 @@ mod translate;
 mod types;
 mod unit;
 mod values;
+mod write;
 
 use ladder_analysis::Analysis;
 use ladder_notation::{LineColumn, Notation, ReadError, Reading, Source, WriteError, Writing, text_of};
@@ -111,8 +112,8 @@ impl Notation for L5x {
         Ok(sketch::sketch(&l5x::read(text)?, text))
     }
 
-    fn write(&self, _: &Analysis) -> Result<Writing, WriteError> {
-        Err(not_written())
+    fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
+        write::write(analysis)
     }
 }
 

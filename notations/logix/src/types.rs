@@ -26,7 +26,7 @@ pub(crate) enum Elem {
 const STRING: u32 = 82;
 
 impl Elem {
-    fn named(name: &str) -> Option<Elem> {
+    pub(crate) fn named(name: &str) -> Option<Elem> {
         Some(match name {
             "BOOL" | "BIT" => Elem::Bool,
             "SINT" => Elem::Sint,

@@ -2,13 +2,15 @@
 //! in every scan under the profile of the notation.
 
 use ladder_analysis::analyze;
+use ladder_analysis::values::value::Value;
 use ladder_format::program::{
     Declaration, Drawing, Element, Item, Network, ProgramSketch, Section, SectionKind,
 };
 use ladder_format::{Circuit, Options};
 use ladder_invariants::generator::Dice;
-use ladder_invariants::trace::{Stimulus, next_to};
+use ladder_invariants::trace::{Stimulus, compile, next_to};
 use ladder_notations::{Notation, Source, by_name, convert};
+use ladder_simulator::{Options as Run, Point, Simulation};
 use ladder_syntax::parse;
 use std::sync::Arc;
 
@@ -280,6 +282,114 @@ const CLICK_CSV: Says = Says {
     bits: &["X[1]", "X[2]", "X[3]", "Y[1]", "Y[2]", "C[20]"],
     numbers: &["DS[8]", "DS[9]"],
     always: &[],
+};
+
+/// What is written as it is, and read as it was.
+const LOGIX: Says = Says {
+    notation: "l5x",
+    profile: Some("profile logix"),
+    rungs: Rungs::Any,
+    inputs: &["start", "stop", "level"],
+    outputs: &["run", "lamp"],
+    others: &[
+        ("held", "BOOL"),
+        ("n", "DINT"),
+        ("m", "DINT"),
+        ("small", "INT"),
+        ("speed", "REAL"),
+        ("table", "ARRAY[0..9] OF DINT"),
+    ],
+    conditions: &[
+        "[ ]( {} )",
+        "[/]( {} )",
+        "[ ]( n.3 )",
+        "[EQ]( {n}, {#} )",
+        "[GE]( {n}, {n} )",
+        "[NE]( small, {n} )",
+        "[LT]( speed, 2.5 )",
+        "[LE]( 2, {n}, 9 )",
+        "[ ]( SYS.OFF )",
+        "[ ]( SYS.FIRST_SCAN )",
+        "( )( {y} )",
+    ],
+    actions: &[
+        "( )( {y} )",
+        "(S)( {y} )",
+        "(R)( {y} )",
+        "[MOV]( {m}, {#} )",
+        "[TYP]( small, {n} )",
+        "[TYP]( speed, {n} )",
+        "[ADD]( {m}, {n}, {#} )",
+        "[SUB]( {m}, {n}, {n} )",
+        "[XOR]( {m}, {n}, {#} )",
+        "[CALC]( {m}, {n} / {n} )",
+        "[CALC]( {m}, {n} MOD small + {#} * {n} )",
+        "[CALC]( speed, (speed + {#}) / 2.0 )",
+        "[CALC]( small, ABS({n}) - {#} )",
+        "[CALC]( table[{#}], NOT {n} )",
+        "[BMOV]( table[2..5], table[4..7] )",
+        "[FILL]( table[0..3], {n} )",
+        "( )( table[{#}].1 )",
+        "<MCR>",
+    ],
+    states: &[],
+    bits: &["start", "stop", "level", "run", "lamp", "held"],
+    numbers: &["n", "m"],
+    always: &[],
+};
+
+/// What Logix does otherwise, and is written so that it does the same.
+const TO_LOGIX: Says = Says {
+    profile: None,
+    others: &[
+        ("held", "BOOL"),
+        ("n", "DINT"),
+        ("m", "DINT"),
+        ("small", "INT"),
+        ("latch", "SR"),
+        ("kept", "RS"),
+    ],
+    conditions: &[
+        "[ ]( {} )",
+        "[/]( {} )",
+        "[OSR]",
+        "[P]( stop )",
+        "[N]( level )",
+        "[EQ]( {n}, {#} )",
+        "[GE]( {n}, {n} )",
+        "[NE]( small, {n} )",
+        "[LE]( 2, {n}, 9 )",
+        "[ ]( latch.Q1 )",
+    ],
+    actions: &[
+        "( )( {y} )",
+        "(/)( {y} )",
+        "(S)( {y} )",
+        "(R)( {y} )",
+        "(P)( {y} )",
+        "(N)( {y} )",
+        "[MOV]( {m}, {#} )",
+        "[DIV]( {m}, {n}, {n} )",
+        "[MOD]( {m}, {n}, {#} )",
+        "[CALC]( {m}, {n} * {n} - {#} )",
+        "[MAX]( small, 3, 4 )",
+        "[SEL]( {m}, level, 4, {#} )",
+        "[MOV]( {y}, start )",
+        "[CALC]( {y}, start AND NOT level OR {n} > {#} )",
+        "[SR]( latch, R := stop )",
+        "[RS]( kept, R := level )",
+    ],
+    states: &[
+        ("T", "TON", "[TON]( {t}, T#{#}0ms )"),
+        ("T", "TON", "[TON]( {t}, T#{#}0ms, R := stop )"),
+        ("T", "TOF", "[TOF]( {t}, T#{#}0ms )"),
+        ("T", "TP", "[TP]( {t}, T#{#}0ms )"),
+        ("T", "RTO", "[RTO]( {t}, T#{#}0ms, R := stop )"),
+        ("C", "CTU", "[CTU]( {t}, {#}, R := stop )"),
+        ("C", "CTD", "[CTD]( {t}, {#}, LD := level )"),
+        ("C", "CTUD", "[CTUD]( {t}, {#}, CD := level, R := stop )"),
+    ],
+    ..LOGIX
 };
 
 const TEXTBOOK: Says = Says {
@@ -610,6 +720,82 @@ fn ldmicro_text() {
 #[test]
 fn iot() {
     check(&IOT);
+}
+
+#[test]
+fn logix() {
+    check(&LOGIX);
+}
+
+/// The values of tags after each scan.
+fn values(text: &str, names: &[&str], seed: u64) -> Vec<String> {
+    let program = compile(text).unwrap_or_else(|| panic!("this is no program:\n{text}"));
+    let mut simulation = Simulation::new(program, Run::default()).expect("it can be run");
+    let mut dice = Dice::new(seed);
+    let point = |simulation: &Simulation, name: &str| {
+        simulation.resolve(name).unwrap_or_else(|e| panic!("{e}\n{text}"))
+    };
+    let points: Vec<Point> = names.iter().map(|name| point(&simulation, name)).collect();
+    let inputs: Vec<Point> = TO_LOGIX
+        .inputs
+        .iter()
+        .map(|name| point(&simulation, name))
+        .collect();
+    let mut out = Vec::new();
+    for scan in 0..60 {
+        for input in &inputs {
+            if dice.one_in(3) {
+                let value = Value::Bool(dice.one_in(2));
+                simulation.set(input, value).expect("an input takes a value");
+            }
+        }
+        simulation.scan();
+        let shown: Vec<String> = points
+            .iter()
+            .map(|point| format!("{:?}", simulation.value(point)))
+            .collect();
+        out.push(format!("{scan}: {}", shown.join(" ")));
+    }
+    out
+}
+
+#[test]
+fn programs_of_the_language_do_the_same_in_logix() {
+    let notation = by_name("l5x").expect("the notation is registered");
+    let names = ["run", "lamp", "held", "n", "m", "small"];
+    let mut whole = 0;
+    for seed in 0..200 {
+        let text = TO_LOGIX.program(&mut Dice::new(seed));
+        let analysis = analyze(&Arc::new(parse(&text)), "test.clad");
+        assert!(
+            !analysis.has_errors(),
+            "{:?}\n{text}",
+            analysis.errors().collect::<Vec<_>>()
+        );
+        let writing = notation
+            .write(&analysis)
+            .unwrap_or_else(|error| panic!("{error}\n{text}"));
+        // What cannot be written is said.
+        if writing.report.tally().refused > 0 {
+            continue;
+        }
+        whole += 1;
+        let shown = String::from_utf8_lossy(&writing.bytes);
+        let back = convert(
+            notation,
+            &Source::alone("test", &writing.bytes),
+            &Options::default(),
+        );
+        let ladder = back
+            .unwrap_or_else(|error| panic!("{error}\n{shown}"))
+            .written
+            .text;
+        let (one, other) = (values(&text, &names, seed), values(&ladder, &names, seed));
+        for (one, other) in one.iter().zip(&other) {
+            assert_eq!(one, other, "{seed}: {text}\nof\n{shown}");
+        }
+    }
+    assert!(whole > 100, "only {whole}");
 }
 
 #[test]

@@ -179,8 +179,9 @@ impl Tags {
             .as_ref()
             .and_then(|raw| Value::of(raw, &ty, &self.types));
         let kind = match tag.usage {
-            Usage::Input if in_body => Kind::Input,
-            Usage::Output if in_body => Kind::Output,
+            // Programs have parameters, too.
+            Usage::Input => Kind::Input,
+            Usage::Output => Kind::Output,
             Usage::InOut if in_body => Kind::InOut,
             _ if tag.constant => Kind::Constant,
             _ if tag.name.ends_with(":I") => Kind::Input,

@@ -60,7 +60,8 @@ impl Translator<'_> {
         }
         let scope = 1 + project.programs.len() + aoi;
         let mut rest = rest.iter();
-        let mut texts = vec![own.text.clone()];
+        // In the order of the sections that declare them.
+        let mut texts: Vec<(u8, String)> = vec![(0, own.text.clone())];
         let mut before = Vec::new();
         for parameter in &definition.parameters {
             let Some(symbol) = self.tags.parameter_symbol(scope, &parameter.name) else {
@@ -76,7 +77,7 @@ impl Translator<'_> {
             if !given(parameter) {
                 let passed = self.tags.passed.get(&(own.text.clone(), symbol)).copied();
                 if let (Some(passed), Kind::Input) = (passed, kind) {
-                    texts.push(format!("{name} := {}", self.tags.symbols[passed].name));
+                    texts.push((1, format!("{name} := {}", self.tags.symbols[passed].name)));
                 }
                 continue;
             }
@@ -86,7 +87,7 @@ impl Translator<'_> {
             match (kind, &ty) {
                 (Kind::Input, Ty::Elem(elem)) => {
                     let value = self.input(text, *elem, &mut before)?;
-                    texts.push(format!("{name} := {value}"));
+                    texts.push((1, format!("{name} := {value}")));
                 }
                 (Kind::Output, Ty::Elem(elem)) => {
                     let place = self.target(
@@ -100,17 +101,19 @@ impl Translator<'_> {
                     if place.ty != ty {
                         return Err(format!("`{text}` has another type than {}", parameter.name));
                     }
-                    texts.push(format!("{name} => {}", place.text));
+                    texts.push((3, format!("{name} => {}", place.text)));
                 }
                 _ => {
                     let place = self.target(text, Role::Array)?;
-                    texts.push(format!("{name} := {}", place.text));
+                    texts.push((2, format!("{name} := {}", place.text)));
                 }
             }
         }
         if rest.next().is_some() {
             return Err(format!("{} does not have so many operands", definition.name));
         }
+        texts.sort_by_key(|(section, _)| *section);
+        let texts: Vec<String> = texts.into_iter().map(|(_, text)| text).collect();
         let call = format!("[{}]( {} )", self.aoi_names[aoi], texts.join(", "));
         before.push(self.block(call));
         Ok(Circuit::Series(before))

@@ -10,7 +10,7 @@ use std::fs;
 use std::path::PathBuf;
 
 /// The files of others, if they are here.
-fn corpus(folder: &str) -> Option<PathBuf> {
+pub(crate) fn corpus(folder: &str) -> Option<PathBuf> {
     let Some(root) = std::env::var_os("LADDER_CORPUS") else {
         eprintln!("skipped: LADDER_CORPUS does not say where the files of others are");
         return None;
@@ -18,7 +18,7 @@ fn corpus(folder: &str) -> Option<PathBuf> {
     Some(PathBuf::from(root).join(folder))
 }
 
-fn read(notation: &dyn Notation, path: &std::path::Path) -> Converted {
+pub(crate) fn read(notation: &dyn Notation, path: &std::path::Path) -> Converted {
     let bytes = fs::read(path).expect("the file can be read");
     let stem = path.file_stem().expect("a name").to_string_lossy().into_owned();
     convert(notation, &Source::alone(&stem, &bytes), &Options::default())

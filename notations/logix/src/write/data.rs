@@ -1,0 +1,450 @@
+//! Types, tags and their values.
+
+use super::names::Kind;
+use super::operand::milliseconds;
+use super::{Result, Writer};
+use crate::model::{DataType, Member, Raw, Tag, Usage};
+use ladder_analysis::cross_reference;
+use ladder_analysis::names::scope::{Origin, Scope, SectionKind, TagFacts};
+use ladder_analysis::values::compound::{Compound, Structure};
+use ladder_analysis::values::types::{Scalar, Type};
+use ladder_analysis::values::value::Value;
+use ladder_instructions::StateType;
+use ladder_notation::comments;
+use ladder_syntax::ast::{AstNode, NodeView, StructHeader};
+use ladder_syntax::{LineKind, Name};
+use std::collections::HashMap;
+
+/// How long a STRING of Logix is.
+const STRING: u16 = 82;
+/// The largest array.
+const MOST_ELEMENTS: i64 = 1_000_000;
+
+/// What the comments at declarations say, by the block and the tag.
+pub(super) type Comments = HashMap<(String, Name), String>;
+
+/// What Logix calls an elementary type that is no text; none if it has none.
+pub(super) fn name_of(scalar: Scalar) -> Option<&'static str> {
+    Some(match scalar {
+        Scalar::Byte => "USINT",
+        Scalar::Word => "UINT",
+        Scalar::Dword => "UDINT",
+        Scalar::Lword => "ULINT",
+        Scalar::Time | Scalar::Enum(_) => "DINT",
+        Scalar::Date | Scalar::Tod | Scalar::Dt | Scalar::String(_) => return None,
+        other => other.name(),
+    })
+}
+
+/// A value as a number.
+pub(super) fn number_of(value: Option<&Value>, scalar: Option<Scalar>) -> Result<String> {
+    Ok(match (value, scalar) {
+        (Some(Value::Bool(high)), _) => u8::from(*high).to_string(),
+        (Some(Value::Int(span)), Some(Scalar::Time)) => milliseconds(*span)?.to_string(),
+        (Some(Value::Int(number)), Some(Scalar::Ulint | Scalar::Lword)) => (*number as u64).to_string(),
+        (Some(Value::Int(number)), _) => number.to_string(),
+        (Some(Value::Real(number)), Some(Scalar::Real)) => format!("{:?}", *number as f32),
+        (Some(Value::Real(number)), _) => format!("{number:?}"),
+        (_, Some(scalar)) if scalar.is_real() => "0.0".to_owned(),
+        _ => "0".to_owned(),
+    })
+}
+
+/// A type there: its name, and the size of each dimension.
+#[derive(Debug, Clone)]
+struct There {
+    name: String,
+    dimensions: Vec<u32>,
+}
+
+impl Writer<'_> {
+    /// What the comments at declarations say.
+    pub(super) fn comments(&self) -> Comments {
+        let entries = cross_reference(&self.analysis.context);
+        let said = entries.into_iter().filter(|entry| !entry.comment.is_empty());
+        said.map(|entry| {
+            let block = entry.block.unwrap_or_default().to_ascii_uppercase();
+            ((block, Name::new(&entry.name)), entry.comment)
+        })
+        .collect()
+    }
+
+    /// The tags of a scope, each with whether it is the controller's.
+    pub(super) fn tags(&mut self, scope: &Scope, block: &str, said: &Comments) -> Vec<(bool, Tag)> {
+        let mut out = Vec::new();
+        for facts in &scope.tags {
+            let is_shared = facts.is_alias() || matches!(facts.origin, Origin::Implicit | Origin::Shared);
+            if is_shared || self.absorbed_names.contains(&Name::new(&facts.name)) {
+                continue;
+            }
+            match self.tag(facts) {
+                Ok(mut tag) => {
+                    let key = (block.to_ascii_uppercase(), Name::new(&facts.name));
+                    tag.comment = said.get(&key).cloned();
+                    let is_global = matches!(
+                        facts.origin,
+                        Origin::Declared(SectionKind::Global | SectionKind::External)
+                    );
+                    out.push((is_global, tag));
+                }
+                Err(why) => {
+                    let place = self.place_of(facts);
+                    self.report.refused(place, format!("tag {}", facts.name), why);
+                }
+            }
+        }
+        out
+    }
+
+    fn tag(&mut self, facts: &TagFacts) -> Result<Tag> {
+        let ty = facts.ty.ok_or("its type is not known")?;
+        let there = self.ty(ty)?;
+        if ty.scalar() == Some(Scalar::Time) && !self.is_own {
+            let place = self.place_of(facts);
+            let why = "there a time is a DINT in milliseconds";
+            self.report
+                .approximated(place, format!("tag {}", facts.name), why);
+        }
+        let values = match &facts.cold.initial[..] {
+            [] => ty.initial_values(),
+            given => given.to_vec(),
+        };
+        let is_zero = |value: &Value| match value {
+            Value::Bool(high) => !high,
+            Value::Int(number) => *number == 0,
+            Value::Real(number) => *number == 0.0,
+            Value::Text(text) => text.is_empty(),
+        };
+        // What a type of the controller has is nowhere declared: its values show it.
+        let is_shown = is_built_in(&there.name);
+        let value = if values.iter().all(is_zero) && !is_shown {
+            None
+        } else {
+            self.raw(ty, &mut values.into_iter())?
+        };
+        Ok(Tag {
+            name: self.names.spell(Kind::Tag, &facts.name),
+            ty: there.name,
+            dimensions: there.dimensions,
+            usage: match facts.origin {
+                Origin::Declared(SectionKind::Input) => Usage::Input,
+                Origin::Declared(SectionKind::Output) => Usage::Output,
+                Origin::Declared(SectionKind::InOut) => Usage::InOut,
+                _ => Usage::Local,
+            },
+            constant: facts.constant,
+            value,
+            ..Tag::default()
+        })
+    }
+
+    fn ty(&mut self, ty: Type) -> Result<There> {
+        let scalar = |name: String| There {
+            name,
+            dimensions: Vec::new(),
+        };
+        if let Some((dimensions, element)) = ty.array() {
+            let element = self.ty(element)?;
+            if !element.dimensions.is_empty() {
+                return Err("an array of arrays has no counterpart there".to_owned());
+            }
+            let mut sizes = Vec::new();
+            for (first, last) in &dimensions {
+                if *first < 0 || *last >= MOST_ELEMENTS {
+                    return Err("there an array begins at 0".to_owned());
+                }
+                sizes.push(u32::try_from(*last + 1).unwrap_or(u32::MAX));
+            }
+            // Bits are kept in words there.
+            if let ("BOOL", [size]) = (element.name.as_str(), &mut sizes[..]) {
+                *size = size.div_ceil(32) * 32;
+            }
+            return Ok(There {
+                name: element.name,
+                dimensions: sizes,
+            });
+        }
+        Ok(match ty {
+            Type::Scalar(Scalar::String(STRING)) => scalar("STRING".to_owned()),
+            Type::Scalar(Scalar::String(length)) => scalar(self.text_type(length)),
+            Type::Scalar(own) => scalar(name_of(own).ok_or("there are no dates there")?.to_owned()),
+            Type::State(state) => scalar(match state {
+                StateType::Ton | StateType::Tof | StateType::Tp | StateType::Rto => "TIMER".to_owned(),
+                StateType::Ctu | StateType::Ctd | StateType::Ctud => "COUNTER".to_owned(),
+                StateType::Sr | StateType::Rs => "BOOL".to_owned(),
+                StateType::Rtof | StateType::Ctc => {
+                    return Err("there is no such timer or counter there".to_owned());
+                }
+            }),
+            Type::Compound(id) => match id.get() {
+                Compound::Structure(structure) => scalar(self.structure(&structure)?),
+                Compound::Block(name) => scalar(self.names.spell(Kind::Type, &name)),
+                Compound::Array(_) => return Err("this array has no counterpart there".to_owned()),
+            },
+            Type::Array { .. } => return Err("this array has no counterpart there".to_owned()),
+        })
+    }
+
+    /// A text of another length than Logix' own.
+    fn text_type(&mut self, length: u16) -> String {
+        let name = format!("STRING_{length}");
+        if self.types.iter().all(|ty| ty.name != name) {
+            let member = |name: &str, ty: &str, size: Option<u32>| Member {
+                name: name.to_owned(),
+                ty: ty.to_owned(),
+                dimensions: size.into_iter().collect(),
+                ..Member::default()
+            };
+            self.types.push(DataType {
+                name: name.clone(),
+                is_string: true,
+                members: vec![
+                    member("LEN", "DINT", None),
+                    member("DATA", "SINT", Some(u32::from(length))),
+                ],
+                ..DataType::default()
+            });
+        }
+        name
+    }
+
+    /// The name of a structure, which is declared if it is not yet.
+    fn structure(&mut self, structure: &Structure) -> Result<String> {
+        if let Some(own) = standard(structure) {
+            return Ok(own.to_owned());
+        }
+        if is_built_in(&structure.name) {
+            return Ok(structure.name.to_string());
+        }
+        let name = self.names.spell(Kind::Type, &structure.name);
+        if self.types.iter().any(|ty| ty.name == name) {
+            return Ok(name);
+        }
+        let (comment, said) = self.structure_comments(&structure.name, &name);
+        let mut members: Vec<Member> = Vec::new();
+        let mut bits = 0;
+        for (number, own) in structure.members.iter().enumerate() {
+            let there = self.ty(own.ty)?;
+            let mut member = Member {
+                name: self.names.spell(Kind::Tag, &own.name),
+                ty: there.name,
+                dimensions: there.dimensions,
+                comment: said.get(&own.key).cloned(),
+                ..Member::default()
+            };
+            if member.dimensions.len() > 1 {
+                return Err("there a member has one dimension".to_owned());
+            }
+            // Bits share a hidden word.
+            if member.ty == "BOOL" && member.dimensions.is_empty() {
+                let is_first = bits % 8 == 0;
+                let host = match members.iter().rev().find(|member| member.hidden) {
+                    Some(host) if !is_first => host.name.clone(),
+                    _ => {
+                        let host = format!("ZZZZZZZZZZ{}{number}", shortened(&name));
+                        members.push(Member {
+                            name: host.clone(),
+                            ty: "SINT".to_owned(),
+                            hidden: true,
+                            ..Member::default()
+                        });
+                        host
+                    }
+                };
+                "BIT".clone_into(&mut member.ty);
+                member.bit = Some((host, bits % 8));
+                bits += 1;
+            } else {
+                bits = 0;
+            }
+            members.push(member);
+        }
+        self.types.push(DataType {
+            name: name.clone(),
+            members,
+            comment,
+            ..DataType::default()
+        });
+        Ok(name)
+    }
+
+    /// What the comments at the declaration of a structure say: above it, and at its members.
+    fn structure_comments(&mut self, name: &str, there: &str) -> (Option<String>, HashMap<Name, String>) {
+        let parse = &self.analysis.context.parse;
+        let lines = parse.lines();
+        let said_on = |line: usize| {
+            let all = comments::on_line(parse, line);
+            all.join(" ").split_whitespace().collect::<Vec<_>>().join(" ")
+        };
+        let is_it = |line: &usize| {
+            if lines[*line].kind != LineKind::StructHeader {
+                return false;
+            }
+            let tree = lines[*line].tree();
+            let header = StructHeader::cast(NodeView::root(&tree));
+            let mut names = header.iter().flat_map(StructHeader::names);
+            names.any(|own| Name::new(own.text()) == Name::new(name))
+        };
+        let mut members = HashMap::new();
+        let sections = parse.structure().sections.iter();
+        let Some(header) = sections.flat_map(|section| section.lines.clone()).find(is_it) else {
+            return (None, members);
+        };
+        self.type_order.insert(there.to_owned(), header);
+        let mut above: Vec<String> = Vec::new();
+        for line in (0..header)
+            .rev()
+            .take_while(|line| lines[*line].kind == LineKind::Comment)
+        {
+            above.insert(0, said_on(line));
+        }
+        let inside = (header + 1..lines.len()).take_while(|line| lines[*line].kind != LineKind::StructEnd);
+        for line in inside.filter(|line| lines[*line].kind == LineKind::Declaration) {
+            let said = said_on(line);
+            let tree = lines[line].tree();
+            let names = ladder_syntax::ast::Declaration::cast(NodeView::root(&tree));
+            for name in names
+                .iter()
+                .flat_map(ladder_syntax::ast::Declaration::names)
+                .filter(|_| !said.is_empty())
+            {
+                members.insert(Name::new(name.text()), said.clone());
+            }
+        }
+        ((!above.is_empty()).then(|| above.join("\n")), members)
+    }
+
+    /// The values of a type, out of those of its elementary parts in their order.
+    fn raw(&mut self, ty: Type, values: &mut impl Iterator<Item = Value>) -> Result<Option<Raw>> {
+        if let Some((dimensions, element)) = ty.array() {
+            let there = self.ty(ty)?;
+            let elements = self.elements_of(&dimensions, element, values)?;
+            return Ok(Some(Raw::Array(there.name, there.dimensions, elements)));
+        }
+        Ok(Some(match ty {
+            Type::Scalar(Scalar::String(_)) => {
+                let name = self.ty(ty)?.name;
+                let text = match values.next() {
+                    Some(Value::Text(text)) => text,
+                    _ => Box::default(),
+                };
+                let length = Raw::Scalar("DINT".to_owned(), text.len().to_string());
+                let characters = Raw::Scalar(name.clone(), escaped(&text));
+                let members = vec![("LEN".to_owned(), length), ("DATA".to_owned(), characters)];
+                Raw::Structure(name, members)
+            }
+            Type::Scalar(scalar) => {
+                let value = values.next();
+                Raw::Scalar(self.ty(ty)?.name, number_of(value.as_ref(), Some(scalar))?)
+            }
+            Type::State(state) => state_value(state),
+            Type::Compound(id) => match id.get() {
+                Compound::Structure(structure) => {
+                    let mut members = Vec::new();
+                    for member in &structure.members {
+                        let value = self.raw(member.ty, values)?;
+                        // What the reader adds to a TIMER is none of it there.
+                        let is_there = standard(&structure) != Some("TIMER") || member.name != "LAST";
+                        let name = self.names.spell(Kind::Tag, &member.name);
+                        members.extend(value.filter(|_| is_there).map(|value| (name, value)));
+                    }
+                    Raw::Structure(self.structure(&structure)?, members)
+                }
+                _ => return Ok(None),
+            },
+            Type::Array { .. } => return Ok(None),
+        }))
+    }
+
+    /// The elements of an array from index 0 on, row by row.
+    fn elements_of(
+        &mut self,
+        dimensions: &[(i64, i64)],
+        element: Type,
+        values: &mut impl Iterator<Item = Value>,
+    ) -> Result<Vec<Raw>> {
+        let mut out = Vec::new();
+        let whole = self.ty(element)?;
+        let zero = {
+            let mut zeros = element.initial_values().into_iter();
+            self.raw(element, &mut zeros)?
+                .unwrap_or(Raw::Scalar(whole.name, "0".to_owned()))
+        };
+        let mut indices = vec![0i64; dimensions.len()];
+        let is_bits = element.scalar() == Some(Scalar::Bool) && dimensions.len() == 1;
+        let mut sizes: Vec<i64> = dimensions.iter().map(|(_, last)| last + 1).collect();
+        if is_bits {
+            sizes[0] = (sizes[0] + 31) / 32 * 32;
+        }
+        for _ in 0..sizes.iter().product::<i64>() {
+            let mut all = indices.iter().zip(dimensions);
+            let inside = all.all(|(index, (first, last))| (first..=last).contains(&index));
+            let value = if inside { self.raw(element, values)? } else { None };
+            out.push(value.unwrap_or_else(|| zero.clone()));
+            for (index, size) in indices.iter_mut().zip(&sizes).rev() {
+                *index += 1;
+                if *index < *size {
+                    break;
+                }
+                *index = 0;
+            }
+        }
+        Ok(out)
+    }
+}
+
+/// The structure that every controller has which one is.
+fn standard(structure: &Structure) -> Option<&'static str> {
+    const NAMES: [&str; 3] = ["TIMER", "COUNTER", "CONTROL"];
+    let own = NAMES
+        .into_iter()
+        .find(|name| structure.name.eq_ignore_ascii_case(name))?;
+    let members: &[&str] = match own {
+        "TIMER" => &["PRE", "ACC", "EN", "TT", "DN", "LAST"],
+        "COUNTER" => &["PRE", "ACC", "CU", "CD", "DN", "OV", "UN"],
+        _ => &["LEN", "POS", "EN", "EU", "DN", "EM", "ER", "UL", "IN", "FD"],
+    };
+    let same = structure
+        .members
+        .iter()
+        .map(|member| member.name.as_str())
+        .eq(members.iter().copied());
+    same.then_some(own)
+}
+
+/// Whether every controller has a type of that name.
+fn is_built_in(name: &str) -> bool {
+    ["PID", "MESSAGE"].contains(&name)
+}
+
+fn state_value(state: StateType) -> Raw {
+    let (name, numbers, bits): (_, _, &[&str]) = match state {
+        StateType::Ctu | StateType::Ctd | StateType::Ctud | StateType::Ctc => {
+            ("COUNTER", ["PRE", "ACC"], &["CU", "CD", "DN", "OV", "UN"])
+        }
+        StateType::Sr | StateType::Rs => return Raw::Scalar("BOOL".to_owned(), "0".to_owned()),
+        _ => ("TIMER", ["PRE", "ACC"], &["EN", "TT", "DN"]),
+    };
+    let zero = |ty: &str| Raw::Scalar(ty.to_owned(), "0".to_owned());
+    let numbers = numbers.iter().map(|name| ((*name).to_owned(), zero("DINT")));
+    let bits = bits.iter().map(|name| ((*name).to_owned(), zero("BOOL")));
+    Raw::Structure(name.to_owned(), numbers.chain(bits).collect())
+}
+
+fn shortened(name: &str) -> String {
+    name.chars().take(10).collect()
+}
+
+/// Characters as Logix writes them in a text.
+fn escaped(text: &[u8]) -> String {
+    let mut out = String::new();
+    for byte in text {
+        match byte {
+            b'$' => out.push_str("$$"),
+            b'\'' => out.push_str("$'"),
+            b' '..=b'~' => out.push(*byte as char),
+            _ => out.push_str(&format!("${byte:02X}")),
+        }
+    }
+    out
+}

@@ -1,0 +1,307 @@
+//! User-defined blocks: those that the reader brings along are instructions there, all others Add-On Instructions.
+
+use super::names::Kind;
+use super::rung::{Series, it};
+use super::{Result, Writer};
+use crate::blocks::Blocks;
+use crate::types::Elem;
+use ladder_analysis::program::{Argument, Block, Bound, ParameterKind};
+use ladder_analysis::values::types::Scalar;
+use ladder_syntax::{LineKind, Name};
+
+/// What a user-defined block is there.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Known {
+    /// An instruction that the reader wrote as a block.
+    Native(&'static str),
+    /// One that does nothing here; its name there.
+    Idle(String),
+    /// An Add-On Instruction; its name there.
+    Own(String),
+    /// It cannot be one; why.
+    Not(&'static str),
+}
+
+/// The definition without what layout changes.
+fn bare(text: &str) -> String {
+    let begin = text.find("FUNCTION_BLOCK").unwrap_or(0);
+    let kept = text[begin..].chars().filter(|c| !c.is_whitespace() && *c != '-');
+    kept.flat_map(char::to_lowercase).collect()
+}
+
+/// The instruction whose block the reader writes in this way.
+fn native(name: &str, definition: &str) -> Option<&'static str> {
+    let name = name.trim_start_matches('$');
+    let (own, suffix) = Blocks::named(name)?;
+    let mut blocks = Blocks::default();
+    if suffix.is_empty() {
+        blocks.plain(own);
+    } else {
+        let digits = suffix.find(|c: char| c.is_ascii_digit())?;
+        let (ty, size) = suffix.split_at(digits);
+        let elem = match ty {
+            "" => Elem::Dint,
+            "STRING" => return native_of_texts(own, size, definition),
+            ty => Elem::named(ty)?,
+        };
+        blocks.on_array(own, size.parse().ok()?, elem);
+    }
+    same(&blocks, definition).then_some(own)
+}
+
+/// Of `STRING824` it is not known where the length ends.
+fn native_of_texts(own: &'static str, digits: &str, definition: &str) -> Option<&'static str> {
+    let mut ways = (1..digits.len()).filter_map(|at| digits.split_at_checked(at));
+    let is_one = ways.any(|(length, size)| {
+        let mut blocks = Blocks::default();
+        let (Ok(length), Ok(size)) = (length.parse(), size.parse()) else {
+            return false;
+        };
+        blocks.on_array(own, size, Elem::String(length));
+        same(&blocks, definition)
+    });
+    is_one.then_some(own)
+}
+
+fn same(blocks: &Blocks, definition: &str) -> bool {
+    let bare_definition = bare(definition);
+    blocks.texts().any(|text| bare(text) == bare_definition)
+}
+
+impl Writer<'_> {
+    /// Finds out what each block is.
+    pub(super) fn know_blocks(&mut self) {
+        let context = &self.analysis.context;
+        for (number, block) in self.program.blocks.iter().enumerate() {
+            let of = context
+                .user_blocks
+                .iter()
+                .position(|own| own.name.eq_ignore_ascii_case(&block.name));
+            let Some(of) = of.filter(|of| *of < context.own_blocks) else {
+                self.known.insert(
+                    number,
+                    Known::Not("it is defined in another file, or in the library"),
+                );
+                continue;
+            };
+            let lines = context.parse.structure().blocks[of].lines.clone();
+            let text = self.lines_text(lines.clone());
+            let known = match native(&block.name, &text) {
+                Some(own) => Known::Native(own),
+                None => match self.idle(lines.start) {
+                    Some(name) => Known::Idle(name),
+                    None if block.parameters.iter().any(|(tag, kind)| {
+                        let ty = self.program.tags[tag.0 as usize].ty;
+                        *kind != ParameterKind::InOut
+                            && !ty.scalar().is_some_and(|ty| !ty.is_string() && !ty.is_date())
+                    }) || !block.parts.iter().all(Vec::is_empty)
+                        && block
+                            .parameters
+                            .iter()
+                            .zip(&block.parts)
+                            .any(|((_, kind), parts)| *kind != ParameterKind::InOut && !parts.is_empty()) =>
+                    {
+                        Known::Not("there only in-outs are texts, structures or arrays")
+                    }
+                    None => {
+                        let original = self.original(lines.start, &block.name);
+                        let name = match original {
+                            Some(original) => self.names.spell(Kind::Type, &original),
+                            None => self.names.spell(Kind::Type, &block.name),
+                        };
+                        self.names.stands_for(Kind::Type, &block.name, &name);
+                        Known::Own(name)
+                    }
+                },
+            };
+            self.body_of.insert(number, of);
+            self.known.insert(number, known);
+        }
+    }
+
+    /// The text of some lines.
+    pub(super) fn lines_text(&self, lines: std::ops::Range<usize>) -> String {
+        let all = self.analysis.context.parse.lines();
+        lines.map(|line| all[line].text()).collect()
+    }
+
+    /// The name of the instruction that a block stands for which does nothing.
+    fn idle(&self, header: usize) -> Option<String> {
+        let above = header.checked_sub(1)?;
+        let line = &self.analysis.context.parse.lines()[above];
+        if line.kind != LineKind::Comment {
+            return None;
+        }
+        let said = line.text().trim().strip_prefix("# ")?.to_owned();
+        let (name, _) = said.split_once(" has no counterpart: the block does nothing, and power passes.")?;
+        Some(name.to_owned())
+    }
+
+    /// The name that an Add-On Instruction had: what the reader says above its definition.
+    fn original(&self, header: usize, block: &str) -> Option<String> {
+        let lines = self.analysis.context.parse.lines();
+        let above = (0..header)
+            .rev()
+            .take_while(|line| matches!(lines[*line].kind, LineKind::Comment));
+        let names = above.filter_map(|line| {
+            let said = lines[line].text().trim().strip_prefix("# Add-On Instruction ")?;
+            Some(said.trim_end_matches('#').trim().to_owned())
+        });
+        let letters = |name: &str| {
+            let kept = name.chars().filter(char::is_ascii_alphanumeric);
+            kept.flat_map(char::to_lowercase).collect::<String>()
+        };
+        let mut names = names.filter(|name| letters(name) == letters(block));
+        names.next()
+    }
+
+    /// A user-defined block on a rung.
+    pub(super) fn user(&mut self, user: usize, block: &Block) -> Result<Series> {
+        match self.known.get(&user).cloned() {
+            Some(Known::Native(own)) => self.native(own, block),
+            Some(Known::Idle(name)) => self.idle_call(&name, block),
+            Some(Known::Own(name)) => self.call(user, &name, block),
+            Some(Known::Not(why)) => Err(why.to_owned()),
+            None => Err("its definition is not in the file".to_owned()),
+        }
+    }
+
+    fn native(&mut self, own: &'static str, block: &Block) -> Result<Series> {
+        let mut texts = Vec::new();
+        for bound in &block.arguments {
+            texts.push(self.argument(bound)?);
+        }
+        let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+        Ok(vec![match (own, &texts[..]) {
+            ("TON" | "TOF" | "RTO" | "CTU" | "CTD", [state]) => it(own, &[state, "?", "?"]),
+            ("TON" | "TOF" | "RTO", [..]) => {
+                return Err("its time base is not a millisecond, which timers count there".to_owned());
+            }
+            ("TimerRES" | "CounterRES" | "ControlRES", [state]) => it("RES", &[state]),
+            ("ONS" | "OSR" | "OSF", all) => it(own, all),
+            ("BSL" | "BSR", [array, control, bit]) => it(own, &[&begin(array), control, bit, "?"]),
+            ("FFL" | "LFL", [value, array, control]) => it(own, &[value, &begin(array), control, "?", "?"]),
+            ("FFU" | "LFU", [array, value, control]) => it(own, &[&begin(array), value, control, "?", "?"]),
+            ("SQI" | "SQO", [array, mask, value, control]) => {
+                it(own, &[&begin(array), mask, value, control, "?", "?"])
+            }
+            ("SQL", [array, value, control]) => it(own, &[&begin(array), value, control, "?", "?"]),
+            _ => return Err("it has no counterpart in the middle of other rungs".to_owned()),
+        }])
+    }
+
+    fn idle_call(&mut self, name: &str, block: &Block) -> Result<Series> {
+        let shown = match block.arguments.first() {
+            Some(bound) => self.source(bound.range).trim().trim_matches('\'').to_owned(),
+            None => String::new(),
+        };
+        if shown.chars().count() >= 127 {
+            return Err("not all of its operands are known".to_owned());
+        }
+        let shown = shown.replace("$'", "'").replace("$$", "$").replace(", ", ",");
+        if name == "JSR" {
+            let routine = shown.split(',').next().unwrap_or_default();
+            if self.analysis.context.function(&Name::new(routine)).is_some() {
+                return Err(format!(
+                    "it would call the routine `{routine}`, and does nothing here"
+                ));
+            }
+            self.note(&format!(
+                "there is no routine `{routine}`, as there was none where it was read"
+            ));
+        }
+        Ok(vec![it(name, &[&shown])])
+    }
+
+    /// What is given for a parameter.
+    fn argument(&mut self, bound: &Bound) -> Result<String> {
+        match &bound.argument {
+            Argument::Value(value) => {
+                if let Some(tag) = read_tag(value)
+                    && let Some(Some(text)) = self.absorbed.get(&tag)
+                {
+                    return Ok(text.clone());
+                }
+                self.value(value)
+            }
+            _ => {
+                let written = self.source(bound.range).to_owned();
+                let written = written
+                    .split_once("=>")
+                    .map_or(written.as_str(), |(_, value)| value);
+                let written = written.split_once(":=").map_or(written, |(_, value)| value);
+                self.path(written.trim())
+            }
+        }
+    }
+
+    /// A call of an Add-On Instruction: the instance, then each parameter.
+    fn call(&mut self, user: usize, name: &str, block: &Block) -> Result<Series> {
+        let definition = &self.program.blocks[user];
+        let parameters = definition.parameters.clone();
+        let mut operands = Vec::new();
+        let instance = block.arguments.iter().find(|bound| bound.parameter.is_none());
+        operands.push(match instance {
+            Some(bound) => self.argument(bound)?,
+            None => self.made(name, name, "the state of a block"),
+        });
+        let mut before = Series::new();
+        for (number, (tag, kind)) in parameters.iter().enumerate() {
+            if !self.is_given(user, number) {
+                continue;
+            }
+            let ty = self.program.tags[tag.0 as usize].ty;
+            let given = block
+                .arguments
+                .iter()
+                .find(|bound| bound.parameter == Some(number));
+            operands.push(match (given, kind) {
+                (Some(bound), ParameterKind::Input) => match &bound.argument {
+                    Argument::Value(value) if !Self::is_simple(value) => {
+                        if ty.scalar() == Some(Scalar::Bool) {
+                            return Err("there an input takes a tag or a number".to_owned());
+                        }
+                        let text = self.formula(value)?;
+                        let like = ty.scalar().and_then(super::data::name_of).unwrap_or("DINT");
+                        let helper = self.made("input", like, "the value of an input");
+                        before.push(it("CPT", &[&helper, &text]));
+                        helper
+                    }
+                    _ => self.argument(bound)?,
+                },
+                (Some(bound), _) => self.argument(bound)?,
+                (None, ParameterKind::Input) => {
+                    let initial = self.program.tags[tag.0 as usize].initial.first().cloned();
+                    super::data::number_of(initial.as_ref(), ty.scalar())?
+                }
+                (None, _) => {
+                    let like = ty.scalar().and_then(super::data::name_of).unwrap_or("DINT");
+                    self.made("unused", like, "an output that nothing uses")
+                }
+            });
+        }
+        let operands: Vec<&str> = operands.iter().map(String::as_str).collect();
+        before.push(it(name, &operands));
+        Ok(before)
+    }
+
+    /// Whether a parameter is an operand of calls: one of them gives it.
+    pub(super) fn is_given(&self, user: usize, parameter: usize) -> bool {
+        self.given.contains(&(user, parameter))
+            || self.program.blocks[user].parameters[parameter].1 == ParameterKind::InOut
+    }
+}
+
+fn read_tag(value: &ladder_analysis::program::Expr) -> Option<ladder_analysis::program::TagId> {
+    use ladder_analysis::program::{ExprKind, Place};
+    match &value.kind {
+        ExprKind::Read(Place::Tag(tag)) => Some(*tag),
+        ExprKind::Pass(inner) => read_tag(inner),
+        _ => None,
+    }
+}
+
+/// Its first element.
+fn begin(array: &str) -> String {
+    format!("{array}[0]")
+}

@@ -1,0 +1,369 @@
+//! The parts of a program as routines, with what comments say.
+
+use super::names::{Kind, Names};
+use super::native::Known;
+use super::rung::{Piece, Series, it, text};
+use super::{Result, Writer};
+use crate::model::{Program, Project, Routine, Rung, Tag};
+use ladder_analysis::program::{Argument, BlockKind, Network};
+use ladder_instructions::Op;
+use ladder_notation::comments;
+use ladder_syntax::{Item, Name};
+use std::collections::HashMap;
+
+/// The name of the first routine.
+const MAIN: &str = "MainRoutine";
+
+impl Writer<'_> {
+    pub(super) fn project(&mut self) -> Project {
+        self.know_blocks();
+        self.spell_tags();
+        self.count_uses();
+        let mut project = Project {
+            rate: self.analysis.context.cycle.map(rate),
+            ..Project::default()
+        };
+        self.names.fresh(Kind::Routine, MAIN);
+        let mut routines = vec![Routine {
+            name: MAIN.to_owned(),
+            ..Routine::default()
+        }];
+        let mut bodies: HashMap<usize, Vec<Rung>> = HashMap::new();
+        let mut locals: HashMap<usize, (Vec<Tag>, Vec<String>)> = HashMap::new();
+        let mut waiting: Vec<String> = Vec::new();
+        let mut said_of_all: Vec<String> = Vec::new();
+        let mut has_begun = false;
+        let program = self.program;
+        let mut networks = program
+            .networks
+            .iter()
+            .filter(|network| network.location.file == 0);
+        let parse = self.analysis.context.parse.clone();
+        let mut within = None;
+        for item in &parse.structure().items {
+            match *item {
+                Item::Decoration(line) => {
+                    let said = comments_on(&parse, line);
+                    // A blank line within what is said.
+                    if said.is_empty() && !waiting.is_empty() {
+                        waiting.push(String::new());
+                    }
+                    if !has_begun
+                        && let [only] = &said[..]
+                        && let Some(name) = controller(only)
+                    {
+                        name.clone_into(&mut project.name);
+                        continue;
+                    }
+                    waiting.extend(said);
+                }
+                Item::Section(_) if !has_begun => said_of_all.append(&mut waiting),
+                Item::BlockHeader(number) => {
+                    within = Some(number);
+                    self.described(number, &mut waiting);
+                }
+                Item::BlockEnd(_) => {
+                    within = None;
+                    waiting.clear();
+                }
+                Item::Network(number) => {
+                    has_begun = true;
+                    let Some(network) = networks.next() else { continue };
+                    let drawn = &parse.structure().networks[number];
+                    for line in drawn.lines.clone() {
+                        waiting.extend(
+                            comments_on(&parse, line)
+                                .into_iter()
+                                .filter(|said| said.trim() != "NOP"),
+                        );
+                    }
+                    if within.is_none()
+                        && let Some(name) = function(network)
+                    {
+                        let name = self.source(name).trim().to_owned();
+                        self.in_function = true;
+                        routines.push(Routine {
+                            name: self.names.spell(Kind::Routine, &name),
+                            comment: comment(&mut waiting),
+                            ..Routine::default()
+                        });
+                        if network.blocks.len() == 1 {
+                            self.translated(network);
+                            continue;
+                        }
+                    }
+                    let rungs = match within {
+                        Some(body) if !self.is_written(body) => {
+                            waiting.clear();
+                            continue;
+                        }
+                        Some(body) => {
+                            self.body = Some(body);
+                            let (made, first) = locals.remove(&body).unwrap_or_default();
+                            let outer = (
+                                std::mem::replace(&mut self.made, made),
+                                std::mem::replace(&mut self.first_scan, first),
+                                std::mem::replace(&mut self.in_function, false),
+                            );
+                            let rungs = self.rungs_of(network, comment(&mut waiting));
+                            let own = (
+                                std::mem::replace(&mut self.made, outer.0),
+                                std::mem::replace(&mut self.first_scan, outer.1),
+                            );
+                            self.in_function = outer.2;
+                            locals.insert(body, own);
+                            self.body = None;
+                            bodies.entry(body).or_default().extend(rungs);
+                            continue;
+                        }
+                        None => self.rungs_of(network, comment(&mut waiting)),
+                    };
+                    if let Some(routine) = routines.last_mut() {
+                        routine.rungs.extend(rungs);
+                    }
+                }
+                Item::Section(_) | Item::Stray(_) => {}
+            }
+        }
+        if !has_begun {
+            said_of_all.append(&mut waiting);
+        }
+        if let (Some(comment), Some(last)) = (comment(&mut waiting), routines.last_mut()) {
+            last.rungs.push(Rung {
+                text: text(&[it("NOP", &[])]),
+                comment: Some(comment),
+                ..Rung::default()
+            });
+        }
+        if let Some(first) = self.first_scan_rung() {
+            routines[0].rungs.insert(0, first);
+        }
+        if project.name.is_empty() {
+            let name = &self.analysis.context.name;
+            let stem = name.rsplit(['/', '\\']).next().unwrap_or_default();
+            let stem = stem.split('.').next().unwrap_or_default();
+            project.name = Names::default().spell(Kind::Tag, stem);
+        }
+        let said = self.comments();
+        let scopes = self.analysis.context.scopes.clone();
+        project.aois = self.definitions(&mut bodies, &mut locals, &said);
+        let mut tags = Vec::new();
+        if let Some(scope) = scopes.iter().find(|scope| scope.block.is_none()) {
+            for (is_global, tag) in self.tags(scope, "", &said) {
+                if is_global {
+                    project.tags.push(tag);
+                } else {
+                    tags.push(tag);
+                }
+            }
+        }
+        tags.append(&mut self.made);
+        project.types = std::mem::take(&mut self.types);
+        project
+            .types
+            .sort_by_key(|ty| self.type_order.get(&ty.name).copied().unwrap_or(usize::MAX));
+        let is_empty = routines.iter().all(|routine| routine.rungs.is_empty()) && tags.is_empty();
+        if !is_empty || project.aois.is_empty() {
+            project.programs.push(Program {
+                name: "MainProgram".to_owned(),
+                main: Some(MAIN.to_owned()),
+                tags,
+                routines,
+                comment: comment(&mut said_of_all),
+                ..Program::default()
+            });
+        }
+        project
+    }
+
+    /// Whether the definition of a block is written as an Add-On Instruction.
+    fn is_written(&self, body: usize) -> bool {
+        let of = self.body_of.iter().find(|(_, own)| **own == body);
+        of.is_some_and(|(user, _)| matches!(self.known.get(user), Some(Known::Own(_))))
+    }
+
+    /// Each name is spelled as it is first, so that those of helpers give way.
+    fn spell_tags(&mut self) {
+        let scopes = &self.analysis.context.scopes;
+        let names: Vec<_> = scopes
+            .iter()
+            .flat_map(|scope| &scope.tags)
+            .map(|tag| tag.name.clone())
+            .collect();
+        for name in names {
+            if !name.eq_ignore_ascii_case("EN") && !name.eq_ignore_ascii_case("ENO") {
+                self.names.spell(Kind::Tag, &name);
+            }
+        }
+    }
+
+    /// Which tags are used once written and once read, and which parameters calls give.
+    fn count_uses(&mut self) {
+        let mut count: HashMap<u32, usize> = HashMap::new();
+        for network in &self.program.networks {
+            for block in &network.blocks {
+                for bound in &block.arguments {
+                    for (place, _) in bound.places() {
+                        if let Some(root) = place.root() {
+                            *count.entry(root.0).or_default() += 1;
+                        }
+                    }
+                    if let (BlockKind::User(user), Some(parameter)) = (block.kind, bound.parameter) {
+                        self.given.insert((user, parameter));
+                    }
+                }
+            }
+        }
+        if !self.is_own {
+            return;
+        }
+        let said = self.comments();
+        for (number, tag) in self.program.tags.iter().enumerate() {
+            let block = tag
+                .block
+                .map(|block| self.program.blocks[block].name.to_ascii_uppercase());
+            let key = (block.unwrap_or_default(), Name::new(&tag.name));
+            let is_helper = said.get(&key).is_some_and(|said| said.starts_with("helper: "));
+            if is_helper && count.get(&(number as u32)) == Some(&2) {
+                self.helpers
+                    .insert(ladder_analysis::program::TagId(number as u32));
+            }
+        }
+    }
+
+    fn translated(&mut self, network: &Network) {
+        let place = self.at(network.location.range.start().into());
+        self.report.translated(place, "network");
+    }
+
+    /// A network as rungs, with what is said of it on the first.
+    fn rungs_of(&mut self, network: &Network, mut comment: Option<String>) -> Vec<Rung> {
+        let place = self.at(network.location.range.start().into());
+        self.note = None;
+        let made = (self.made.len(), self.first_scan.len());
+        let rungs = self.network(network).and_then(checked);
+        match rungs {
+            Ok(rungs) => {
+                match self.note.take() {
+                    Some(note) => self.report.approximated(place, "network", note),
+                    None => self.report.translated(place, "network"),
+                }
+                let rung = |series: Series| Rung {
+                    text: text(&series),
+                    comment: comment.take(),
+                    ..Rung::default()
+                };
+                rungs.into_iter().map(rung).collect()
+            }
+            Err(why) => {
+                self.made.truncate(made.0);
+                self.first_scan.truncate(made.1);
+                self.report.refused(place, "network", &why);
+                let drawing = self.source(network.location.range);
+                let said = comment.map_or_else(String::new, |said| format!("{said}\n"));
+                vec![Rung {
+                    text: text(&[it("NOP", &[])]),
+                    comment: Some(format!("{said}not written: {why}\n{drawing}")),
+                    ..Rung::default()
+                }]
+            }
+        }
+    }
+
+    /// In the first scan what is high has risen: here it has, there the memories of edges are on.
+    pub(super) fn first_scan_rung(&mut self) -> Option<Rung> {
+        let bits = std::mem::take(&mut self.first_scan);
+        if bits.is_empty() || self.is_own {
+            return None;
+        }
+        let mut series = vec![it("XIC", &["S:FS"])];
+        series.extend(bits.iter().map(|bit| it("OTU", &[bit])));
+        Some(Rung {
+            text: text(&series),
+            comment: Some("What is high in the first scan has risen".to_owned()),
+            ..Rung::default()
+        })
+    }
+
+    /// Whether several labels have a name.
+    pub(super) fn ambiguous_label(&self, name: &str) -> bool {
+        let key = Name::new(name);
+        let context = &self.analysis.context;
+        let of = |label: &&ladder_analysis::context::LabelFacts| label.key == key;
+        let mut bodies: Vec<_> = context
+            .labels
+            .iter()
+            .filter(of)
+            .map(|label| context.bodies[label.network])
+            .collect();
+        let count = bodies.len();
+        bodies.sort_unstable();
+        bodies.dedup();
+        bodies.len() != count
+    }
+}
+
+/// What no rung of Logix can be.
+fn checked(rungs: Vec<Series>) -> Result<Vec<Series>> {
+    const DEEPEST: usize = 20;
+    fn depth(series: &[Piece]) -> usize {
+        let of = |piece: &Piece| match piece {
+            Piece::It(_) => 0,
+            Piece::Branch(legs) => 1 + legs.iter().map(|leg| depth(leg)).max().unwrap_or(0),
+        };
+        series.iter().map(of).max().unwrap_or(0)
+    }
+    if rungs.iter().any(|rung| depth(rung) > DEEPEST) {
+        return Err("its branches are nested too deep".to_owned());
+    }
+    let filled = rungs.into_iter().map(|rung| {
+        if rung.is_empty() {
+            vec![it("NOP", &[])]
+        } else {
+            rung
+        }
+    });
+    Ok(filled.collect())
+}
+
+/// The name of the function that a network begins.
+fn function(network: &Network) -> Option<ladder_syntax::TextRange> {
+    network
+        .blocks
+        .iter()
+        .find_map(|block| match (block.kind, block.arguments.first()) {
+            (BlockKind::Instruction(row), Some(bound)) if row.op == Op::Fun => {
+                matches!(bound.argument, Argument::Function(_)).then_some(bound.range)
+            }
+            _ => None,
+        })
+}
+
+/// The comments on a line, without those for the tools.
+fn comments_on(parse: &ladder_syntax::Parse, line: usize) -> Vec<String> {
+    let all = comments::on_line(parse, line).into_iter();
+    all.filter(|said| !said.trim_start().starts_with("ladder:"))
+        .map(|said| {
+            let lines: Vec<&str> = said.lines().map(str::trim).collect();
+            lines.join("\n").trim().to_owned()
+        })
+        .collect()
+}
+
+/// The name of a controller, as the reader says it.
+fn controller(said: &str) -> Option<&str> {
+    let name = said.strip_prefix("Controller ")?;
+    (!name.contains(char::is_whitespace)).then_some(name)
+}
+
+/// What waits as one comment.
+fn comment(waiting: &mut Vec<String>) -> Option<String> {
+    let said = std::mem::take(waiting).join("\n").trim().to_owned();
+    (!said.is_empty()).then_some(said)
+}
+
+/// A period in milliseconds.
+fn rate(nanoseconds: i64) -> String {
+    let milliseconds = nanoseconds as f64 / 1e6;
+    format!("{milliseconds}")
+}
