@@ -6,5 +6,6 @@ mod cases;
 mod exports;
 mod files;
 mod instructions;
+mod oracle;
 mod projects;
 mod run;
