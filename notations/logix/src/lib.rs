@@ -99,10 +99,6 @@ impl Notation for L5x {
         true
     }
 
-    fn is_written(&self) -> bool {
-        false
-    }
-
     fn recognises(&self, bytes: &[u8]) -> bool {
         head(bytes).contains(&format!("<{}", l5x::ROOT))
     }

@@ -83,6 +83,7 @@ pub(super) fn type_of(blocks: &Names, ty: OwnType) -> Result<Type, String> {
 pub(super) fn type_in(source: &Source<'_>, spec: &TypeSpec) -> Result<Type, String> {
     Ok(match &spec.kind {
         SpecKind::Known(ty) => type_of(source.blocks, *ty)?,
+        SpecKind::Unread => return Err("its type means nothing".to_owned()),
         SpecKind::Subrange(base, (low, high)) => {
             Type::Range(base.name().to_owned(), low.to_string(), high.to_string())
         }
