@@ -145,6 +145,8 @@ pub fn compile(program: &Program, interval: i64) -> Result<Compiled> {
         outer_powers: Vec::new(),
         keeps: kept_tags(program),
         retained: Vec::new(),
+        retained_edges: Vec::new(),
+        kept_things: HashMap::new(),
         semantics: &Semantics::IEC,
         interval,
         edges: HashMap::new(),
@@ -198,6 +200,10 @@ struct Compiler<'p> {
     keeps: Vec<bool>,
     /// Retentive tags of bodies, one for each place.
     retained: Vec<(TagId, Home)>,
+    /// Edges of blocks whose states are retentive tags, by the names that they have in a file.
+    retained_edges: Vec<(String, Home)>,
+    /// How many things are kept of each tag that holds such states, by the name of the first like it.
+    kept_things: HashMap<&'p str, u32>,
     /// What the profile of the file does otherwise whose network is being compiled.
     semantics: &'static Semantics,
     /// The time between two scans in nanoseconds.
@@ -246,7 +252,13 @@ impl Compiler<'_> {
             fused,
             places: self.places,
             ports: self.ports,
-            retained: retained(self.program, &self.homes, &self.keeps, &self.retained),
+            retained: retained(
+                self.program,
+                &self.homes,
+                &self.keeps,
+                &self.retained,
+                self.retained_edges,
+            ),
             code: self.code,
             homes: self.homes,
             initial: memory,

@@ -7,7 +7,7 @@ use crate::layout::Home;
 use crate::memory::{Bit, Word};
 use crate::operation::IntegerOp;
 use crate::places::{BlockAt, Cell};
-use ladder_analysis::program::{Argument, Tag, TagId};
+use ladder_analysis::program::{Argument, BlockKind, Tag, TagId};
 use ladder_analysis::values::types::Scalar;
 
 /// One step on the way to what owns something.
@@ -47,7 +47,7 @@ pub(super) type Thing = (OwnerPath, u32);
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub(super) struct OwnerPath(Vec<Step>);
 
-impl Compiler<'_> {
+impl<'p> Compiler<'p> {
     /// The state of a block that an argument names.
     pub(super) fn owner(&mut self, argument: &Argument) -> Result<Option<Owner>> {
         Ok(match argument {
@@ -142,6 +142,7 @@ impl Compiler<'_> {
                     let bit = self.layout.bit();
                     self.layout.keep(bit);
                 }
+                self.keep_edges(&thing, count, first);
                 self.owned_bits.insert(thing, first);
                 first
             }
@@ -159,6 +160,51 @@ impl Compiler<'_> {
                 Spot::BitAt(self.slot_offset(number, first.0))
             }
         }
+    }
+
+    /// Notes the edges of those owners that are retentive.
+    fn keep_edges(&mut self, thing: &Thing, count: u32, first: Bit) {
+        let program = self.program;
+        let roots = self.roots(thing);
+        if !roots.iter().any(|tag| tag.retain) {
+            return;
+        }
+        let at = self.standing.last();
+        let block = at.map(|at| &program.networks[at.network].blocks[at.block].kind);
+        let mnemonic = match block {
+            Some(BlockKind::Instruction(row)) => row.mnemonic,
+            _ => "",
+        };
+        let number = self.kept_things.entry(roots[0].name.as_str()).or_default();
+        *number += 1;
+        let number = *number;
+        for (n, tag) in (0..count).zip(each(roots, count)) {
+            if tag.retain {
+                let at = first.offset(n);
+                let home = Home::Bits { at, first: 0, len: 1 };
+                // A tag may hold several states.
+                let of_state = n % (count / roots.len() as u32).max(1);
+                let state = if of_state == 0 {
+                    String::new()
+                } else {
+                    format!(".{of_state}")
+                };
+                let name = format!("{}.{mnemonic}#{number}{state}", tag.name);
+                self.retained_edges.push((name, home));
+            }
+        }
+    }
+
+    /// The tags of the program that owners are, or are in.
+    fn roots(&self, (path, _): &Thing) -> &'p [Tag] {
+        let first = match path.0.first() {
+            Some(Step::Tags(TagId(first))) => *first as usize,
+            _ => 0,
+        };
+        let tags = &self.program.tags[first..];
+        let alike = |tag: &Tag| tag.ty == tags[0].ty && tag.block == tags[0].block;
+        let count = tags.iter().take_while(|tag| alike(tag)).count();
+        &tags[..count]
     }
 
     /// Room for a tag of the body of a block whose state is no tag.
@@ -181,9 +227,13 @@ impl Compiler<'_> {
                     homes.push(self.layout.tag(declared)?);
                 }
                 let one = homes.get(1).copied().unwrap_or(zero);
-                if self.keeps[tag.0 as usize] {
-                    self.retained.extend(homes.into_iter().map(|home| (tag, home)));
-                }
+                let keeps = self.keeps[tag.0 as usize];
+                let roots = each(self.roots(&thing), count);
+                let kept = homes
+                    .into_iter()
+                    .zip(roots)
+                    .filter(|(_, root)| keeps || root.retain);
+                self.retained.extend(kept.map(|(home, _)| (tag, home)));
                 self.owned_tags.insert(thing, (zero, one));
                 (zero, one)
             }
@@ -203,6 +253,12 @@ impl Compiler<'_> {
             }
         })
     }
+}
+
+/// For each of so many owners the tag of the program that it is, or is in.
+fn each(roots: &[Tag], count: u32) -> impl Iterator<Item = &Tag> {
+    let states = (count as usize / roots.len()).max(1);
+    roots.iter().flat_map(move |tag| std::iter::repeat_n(tag, states))
 }
 
 impl Home {

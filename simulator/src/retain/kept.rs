@@ -29,15 +29,28 @@ pub struct Kept {
 pub(crate) fn kept(program: &Program, retained: &[Retained], memory: &Memory, now: i64) -> Vec<Kept> {
     let kept = retained.iter().map(|tag| Kept {
         name: tag.name.clone(),
-        ty: type_text(&program.tags[tag.tag.0 as usize]),
+        ty: type_text(declared(program, tag)),
         values: values(tag.home, memory, now),
     });
     kept.collect()
 }
 
+/// The tag that is kept; none of an edge, which is a BOOL.
+fn declared<'p>(program: &'p Program, kept: &Retained) -> Option<&'p Tag> {
+    kept.tag.map(|tag| &program.tags[tag.0 as usize])
+}
+
+fn type_of(tag: Option<&Tag>) -> Type {
+    tag.map_or(Type::BOOL, |tag| tag.ty)
+}
+
+fn dimensions_of(tag: Option<&Tag>) -> Vec<(i64, i64)> {
+    tag.map_or_else(Vec::new, dimensions)
+}
+
 /// The type of a tag as it is declared, of a column with all dimensions of the arrays around it.
-fn type_text(tag: &Tag) -> String {
-    match (tag.ty, dimensions(tag)) {
+fn type_text(tag: Option<&Tag>) -> String {
+    match (type_of(tag), dimensions_of(tag)) {
         (Type::Array { element, .. }, dimensions) if dimensions.len() > 1 => {
             let bounds = dimensions.iter().map(|(first, last)| format!("{first}..{last}"));
             format!("ARRAY[{}] OF {element}", bounds.collect::<Vec<_>>().join(", "))
@@ -128,11 +141,11 @@ pub(crate) fn restore(
             ));
             continue;
         };
-        let declared = &program.tags[tag.tag.0 as usize];
+        let declared = declared(program, tag);
         let ty = type_text(declared);
         let element = shape(&ty).map_or(ty.as_str(), |(_, element)| element);
         let was =
-            shape(&kept.ty).filter(|(was, of)| *of == element && was.len() == dimensions(declared).len());
+            shape(&kept.ty).filter(|(was, of)| *of == element && was.len() == dimensions_of(declared).len());
         let Some((was, _)) = was else {
             complaints.push(format!(
                 "{name} was kept as {}, but it is {ty} now: it begins with its initial value",
@@ -151,7 +164,7 @@ pub(crate) fn restore(
 /// enumeration whose value is no more that element.
 fn put(
     home: Home,
-    tag: &Tag,
+    tag: Option<&Tag>,
     (was, texts): (&[(i64, i64)], &[String]),
     memory: &mut Memory,
 ) -> Result<(), String> {
@@ -171,12 +184,12 @@ fn put(
     if let Home::State { state, bits, words } = home {
         return put_state(state, bits, words, texts, memory);
     }
-    let (Type::Scalar(scalar) | Type::Array { element: scalar, .. }) = tag.ty else {
+    let (Type::Scalar(scalar) | Type::Array { element: scalar, .. }) = type_of(tag) else {
         return Ok(());
     };
     let mut values = Vec::new();
     let mut missing = Ok(());
-    for run in overlap(was, &dimensions(tag)) {
+    for run in overlap(was, &dimensions_of(tag)) {
         for n in 0..run.count {
             match value_text::parse(&texts[(run.from + n) as usize], scalar) {
                 Ok(value) => values.push((run.to + n, value)),

@@ -1,7 +1,8 @@
 //! What keeps its value over a warm restart (LANGUAGE §5.4).
 //!
 //! Always a whole tag: `(M)( w.3 )` keeps all of `w`, `[PERSIST]( a[2] )` the array, and of a timer, counter or
-//! bistable everything it remembers. The memory of edges belongs to a place in the text and is not kept.
+//! bistable everything it remembers. The state of a user-defined block that is a retentive tag is kept whole, with its edges and
+//! the blocks in it. Any other memory of edges belongs to a place in the text and is not kept.
 
 mod kept;
 
@@ -13,13 +14,15 @@ use ladder_analysis::program::{Argument, BlockKind, ParameterKind, Program, Tag,
 use ladder_instructions::Op;
 use std::collections::HashMap;
 
-/// One retentive tag.
+/// One retentive tag, or an edge of a block whose state is one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Retained {
     /// Its name; for a tag in the body of a user-defined block with the place where the block is, counted in
-    /// the order in which they run first: `$Debounce[2].t`.
+    /// the order in which they run first: `$Debounce[2].t`. An edge has that of the state, what remembers it and its number there:
+    /// `door.OSR#1`.
     pub name: String,
-    pub(crate) tag: TagId,
+    /// None of an edge.
+    pub(crate) tag: Option<TagId>,
     /// Where it lives.
     pub home: Home,
 }
@@ -68,12 +71,13 @@ impl Retained {
 }
 
 /// The retentive tags of a program, see [`kept_tags`]. `of_bodies` are those of user-defined blocks, one for each
-/// place, in the order of the code.
+/// place, in the order of the code, `edges` those of blocks whose states are retentive.
 pub(crate) fn retained(
     program: &Program,
     homes: &[Home],
     keeps: &[bool],
     of_bodies: &[(TagId, Home)],
+    edges: Vec<(String, Home)>,
 ) -> Vec<Retained> {
     let is_shared = |tag: &Tag| tag.block.is_none();
     let shared = (0..).map(TagId).zip(homes.iter().zip(&program.tags).zip(keeps));
@@ -81,7 +85,7 @@ pub(crate) fn retained(
     let mut retained: Vec<Retained> = shared
         .map(|(id, ((home, tag), _))| Retained {
             name: tag.name.clone(),
-            tag: id,
+            tag: Some(id),
             home: *home,
         })
         .collect();
@@ -93,9 +97,15 @@ pub(crate) fn retained(
         let block = tag.block.map_or("", |block| &program.blocks[block].name);
         Retained {
             name: format!("{block}[{place}].{}", tag.name),
-            tag: id,
+            tag: Some(id),
             home,
         }
+    }));
+    let edges = edges.into_iter();
+    retained.extend(edges.map(|(name, home)| Retained {
+        name,
+        tag: None,
+        home,
     }));
     retained
 }

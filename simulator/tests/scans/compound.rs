@@ -3,6 +3,7 @@
 use crate::change::{change, held, run, session, set};
 use crate::support::{self, get, simulation};
 use expect_test::{Expect, expect};
+use ladder_simulator::Simulation;
 
 /// Runs a program for one scan, changes it, and shows what was lost and what tags hold.
 #[track_caller]
@@ -156,4 +157,47 @@ fn an_array_that_is_a_member_goes_by_reference() {
         lamps.map(|lamp| get(&simulation, lamp)),
         ["0", "1", "1", "0", "1"]
     );
+}
+
+/// Edges of its own, in a block in it, and in a state that is one of its tags.
+const EDGES: &str = "FUNCTION_BLOCK [$Rise]\nVAR_INPUT\nx : BOOL;\nEND_VAR\nVAR_OUTPUT\nn : INT;\nEND_VAR\n\
+                     +--[P]( x )--[ADD]( n, n, 1 )--+\nEND_FUNCTION_BLOCK\n\
+                     FUNCTION_BLOCK [$All]\nVAR_INPUT\nx : BOOL;\nEND_VAR\nVAR_OUTPUT\na, b, c : INT;\nEND_VAR\nVAR\nrise : ARRAY[1..2] OF $Rise;\nEND_VAR\n\
+                     +--[ ]( x )--[OSR]--[ADD]( a, a, 1 )--+\n+--[$Rise]( x, b )--+\n+--[$Rise]( rise[2], x, c )--+\nEND_FUNCTION_BLOCK\n\
+                     VAR_INPUT\nx : BOOL;\nEND_VAR\nVAR RETAIN\nm : ARRAY[1..2] OF $All;\none : $All;\nEND_VAR\nVAR\nlost : $All;\nk : INT := 2;\nEND_VAR\n\
+                     +--[$All]( m[k], x )--+\n+--[$All]( one, x )--+\n+--[$All]( lost, x )--+\n";
+
+#[test]
+fn the_state_of_a_retentive_block_keeps_its_edges() {
+    let tags = "m[1].a m[2].a m[2].b m[2].c one.a one.b one.c lost.a lost.b lost.c";
+    let shown = |simulation: &Simulation| {
+        let tags = tags
+            .split(' ')
+            .map(|tag| format!("{tag} {}", get(simulation, tag)));
+        tags.collect::<Vec<_>>().join(", ") + "\n"
+    };
+    let mut simulation = simulation(EDGES);
+    support::set(&mut simulation, "x", "1");
+    simulation.scan();
+    let kept = simulation.retained();
+    let edges = kept.iter().filter(|kept| kept.name.contains('#'));
+    let names: Vec<String> = edges
+        .map(|kept| format!("{} {}", kept.name, kept.values[0]))
+        .collect();
+    expect![[r#"
+        m[1].OSR#1 FALSE, m[2].OSR#1 TRUE, one.OSR#1 TRUE, m[1].P#2 FALSE, m[2].P#2 TRUE, one.P#2 TRUE, m[1].P#3 FALSE, m[1].P#3.1 FALSE, m[2].P#3 FALSE, m[2].P#3.1 TRUE, one.P#3 FALSE, one.P#3.1 TRUE
+    "#]].assert_eq(&(names.join(", ") + "\n"));
+    // The power is high all the time: whoever remembers that sees no other edge.
+    let expected = expect![[r#"
+        m[1].a 0, m[2].a 1, m[2].b 1, m[2].c 1, one.a 1, one.b 1, one.c 1, lost.a 1, lost.b 1, lost.c 1
+    "#]];
+    simulation.warm_restart();
+    support::set(&mut simulation, "x", "1");
+    simulation.scan();
+    expected.assert_eq(&shown(&simulation));
+    let mut from_file = support::simulation(EDGES);
+    assert_eq!(from_file.warm_start(&kept), [""; 0]);
+    support::set(&mut from_file, "x", "1");
+    from_file.scan();
+    assert_eq!(shown(&from_file), shown(&simulation));
 }

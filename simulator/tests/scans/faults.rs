@@ -1,6 +1,6 @@
 //! Faults: the result is not written, ENO is low, the fault is recorded with its place, the scan goes on.
 
-use crate::support::{check, get, set, simulation};
+use crate::support::{check, force, get, set, simulation};
 use expect_test::expect;
 
 /// Runs one block once; what became of its result, its power, and the message.
@@ -178,4 +178,44 @@ fn every_kind_in_ranges_texts_and_ports() {
         ( )( a[i] ): index 9 is outside the array [1..3]: nothing was written; limit the index before this block
         (S)( a[i].3 ): index 9 is outside the array [1..3]: nothing was written; limit the index before this block
     "#]].assert_eq(&all.concat());
+}
+
+#[test]
+fn a_coil_acts_with_low_power_and_so_needs_its_index() {
+    let rungs = [
+        "( )( a[i] )",
+        "(/)( a[i] )",
+        "(S)( a[i] )",
+        "(R)( a[i] )",
+        "(P)( a[i] )",
+        "(N)( a[i] )",
+        "(M)( a[i] )",
+        "(SM)( a[i] )",
+        "(RM)( a[i] )",
+        "(RES)( t[i] )",
+        "(R)( t[i] )",
+        "( )( n[i].3 )",
+        "[TON]( t[i], 1s )",
+        "[P]( a[i] )",
+    ];
+    let of_high_power = ["[ ]( a[i] )", "[MOV]( n[i], 5 )", "[EQ]( n[i], 5 )"];
+    for rung in rungs.iter().chain(&of_high_power) {
+        let text = format!(
+            "VAR a : ARRAY[1..2] OF BOOL; n : ARRAY[1..2] OF INT; t : ARRAY[1..2] OF TON; i : INT := 5; e, u : BOOL; END_VAR\n\
+             +--[ ]( e )--{rung}--( )( Q1 )--+\n"
+        );
+        for plain in [false, true] {
+            let mut simulation = simulation(&text);
+            if plain {
+                force(&mut simulation, "u", "0");
+            }
+            simulation.scan();
+            let faults = simulation.take_faults().len();
+            assert_eq!(
+                faults,
+                usize::from(rungs.contains(rung)),
+                "{rung}, plain code: {plain}"
+            );
+        }
+    }
 }
