@@ -1,11 +1,13 @@
-//! `unhandled-value`: a chain of networks compares an enumeration with some of its values and not with others.
+//! `unhandled-value`: a chain of networks handles an enumeration value by value, and leaves some of them out.
+//!
+//! It is such a chain if it asks for two values at least, and nowhere for all others: with `[NE]`, or with `[NOT]` after `[EQ]`.
 
 use crate::boolean::written::written;
 use crate::context::{Body, Context};
 use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::{Rule, RuleFacts, RuleGroup, Severity};
-use crate::networks::NetworkAt;
-use crate::networks::facts::Node;
+use crate::networks::facts::{Node, NodeKind, Operator};
+use crate::networks::{BlockAt, NetworkAt};
 use crate::values::compound::EnumId;
 use crate::values::types::{Scalar, Type};
 use ladder_instructions::Op;
@@ -18,7 +20,7 @@ pub(crate) const RULE: Rule = Rule(&RuleFacts::new(
     Severity::Info,
 ));
 
-/// A shorter chain is one question, not a choice among all values.
+/// A shorter chain is one question, not a choice among all values; and so is one for a single value.
 const SHORTEST: usize = 2;
 
 /// Networks one after the other that compare one tag.
@@ -29,7 +31,22 @@ struct Chain {
     id: EnumId,
     first: TextRange,
     networks: usize,
+    /// Without those that are there twice.
     values: Vec<SmolStr>,
+    /// A network asks for all values but some.
+    has_else: bool,
+}
+
+impl Chain {
+    fn add(&mut self, values: impl IntoIterator<Item = SmolStr>, has_else: bool) {
+        self.has_else |= has_else;
+        for value in values {
+            let is_it = |known: &SmolStr| Name::new(known) == Name::new(&value);
+            if !self.values.iter().any(is_it) {
+                self.values.push(value);
+            }
+        }
+    }
 }
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -44,7 +61,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         match (&mut open, compared) {
             (Some(chain), Some(found)) if goes_on(chain, &found.path) => {
                 chain.networks += 1;
-                chain.values.extend(found.values);
+                chain.add(found.values, found.has_else);
             }
             (_, found) => {
                 out.extend(open.take().and_then(unhandled));
@@ -58,45 +75,70 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 /// What a network compares with values of an enumeration.
 fn compared(context: &Context, network: NetworkAt<'_>) -> Option<Chain> {
     let mut found: Option<Chain> = None;
-    for block in network
-        .blocks()
-        .filter(|block| block.op() == Some(Op::Eq) && !block.faulty)
-    {
-        let [left, right] = &*block.facts.operands else {
-            continue;
-        };
+    let mut is_turned = false;
+    for block in network.blocks().filter(|block| !block.faulty) {
+        is_turned |= block.op() == Some(Op::Inverter);
         let value = |node: &Node| context.value_of(network.scope, block, node);
-        let (path, (id, value)) = match (value(&left.value), value(&right.value)) {
-            (None, Some(value)) => (&left.value, value),
-            (Some(value), None) => (&right.value, value),
-            _ => continue,
-        };
-        if context.path_type(network.scope, path) != Some(Type::Scalar(Scalar::Enum(id))) {
-            continue;
-        }
-        let shown = written(context, network.scope, path);
-        let key = Name::new(&shown);
-        match &mut found {
-            Some(chain) if chain.path == key => chain.values.push(value),
-            Some(_) => {}
-            None => {
-                found = Some(Chain {
-                    path: key,
-                    shown,
-                    body: context.bodies[network.index],
-                    id,
-                    first: block.range(),
-                    networks: 1,
-                    values: vec![value],
-                });
+        for (left, right, is_else) in comparisons(&block) {
+            let (path, (id, value)) = match (value(left), value(right)) {
+                (None, Some(value)) => (left, value),
+                (Some(value), None) => (right, value),
+                _ => continue,
+            };
+            if context.path_type(network.scope, path) != Some(Type::Scalar(Scalar::Enum(id))) {
+                continue;
+            }
+            let shown = written(context, network.scope, path);
+            let chain = found.get_or_insert_with(|| Chain {
+                path: Name::new(&shown),
+                shown: shown.clone(),
+                body: context.bodies[network.index],
+                id,
+                first: block.range(),
+                networks: 1,
+                values: Vec::new(),
+                has_else: false,
+            });
+            if chain.path == Name::new(&shown) {
+                // Only what is asked for by itself is handled.
+                chain.add((!is_else).then_some(value), is_else);
             }
         }
+    }
+    if let Some(chain) = &mut found {
+        chain.has_else |= is_turned;
     }
     found
 }
 
+/// The two sides of what a block compares, and whether for being different; `=` in an expression handles no value.
+fn comparisons<'n>(block: &'n BlockAt<'_>) -> Vec<(&'n Node, &'n Node, bool)> {
+    let mut found = Vec::new();
+    match (block.op(), &*block.facts.operands) {
+        (Some(op @ (Op::Eq | Op::Ne)), [left, right]) => {
+            found.push((&left.value, &right.value, op == Op::Ne));
+        }
+        (Some(Op::Calc), [_, expression]) => in_expression(&expression.value, &mut found),
+        _ => {}
+    }
+    found
+}
+
+// An expression nests no deeper than it was parsed.
+fn in_expression<'n>(node: &'n Node, found: &mut Vec<(&'n Node, &'n Node, bool)>) {
+    match &node.kind {
+        NodeKind::Binary(Operator::NotEqual, left, right) => found.push((left, right, true)),
+        NodeKind::Binary(_, left, right) => {
+            in_expression(left, found);
+            in_expression(right, found);
+        }
+        NodeKind::Unary(_, inner) | NodeKind::Paren(inner) => in_expression(inner, found),
+        _ => {}
+    }
+}
+
 fn unhandled(chain: Chain) -> Option<Diagnostic> {
-    if chain.networks < SHORTEST {
+    if chain.networks < SHORTEST || chain.values.len() < SHORTEST || chain.has_else {
         return None;
     }
     let enumeration = chain.id.get();

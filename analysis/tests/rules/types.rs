@@ -405,6 +405,15 @@ fn values_that_nothing_asks_for() {
     clean_program(&text(
         "+--[EQ]( p, ONE )--( )( Q1 )--+\n+--[EQ]( p, TWO )--( )( Q2 )--+\n+--[EQ]( p, THREE )--( )( Q3 )--+\n",
     ));
+    // One value alone, and an answer for all others.
+    for rungs in [
+        "+--[EQ]( p, ONE )--( )( Q1 )--+\n+--[EQ]( p, ONE )--( )( Q2 )--+\n",
+        "+--[EQ]( p, ONE )--( )( Q1 )--+\n+--[EQ]( p, TWO )--( )( Q2 )--+\n+--[NE]( p, ONE )--[NE]( p, TWO )--( )( Q3 )--+\n",
+        "+--[EQ]( p, ONE )--( )( Q1 )--+\n+--[EQ]( p, TWO )--[NOT]--( )( Q2 )--+\n",
+        "+--[EQ]( p, ONE )--( )( Q1 )--+\n+--[EQ]( p, TWO )--( )( Q2 )--+\n+--[CALC]( Q3, NOT (p = one) AND p <> TWO )--+\n",
+    ] {
+        clean_program(&text(rungs));
+    }
 }
 
 /// `DN` of a timer is its `Q`; of a structure it is a member like any other.
