@@ -101,7 +101,9 @@ impl<'b> Arguments<'b> {
         match self.get(n)? {
             Argument::State(tag) => Ok(*tag),
             Argument::ChosenState(_) => Err(self.refused(
-                "in the profile of its file a computed index does not choose a timer or counter: write a number".into(),
+                "in the profile of its file part of what a timer or counter remembers belongs to the place of its block: a computed \
+                 index cannot choose one, write a number"
+                    .into(),
             )),
             _ => Err(self.mismatch()),
         }

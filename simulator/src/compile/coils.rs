@@ -126,26 +126,17 @@ impl Compiler<'_> {
 
     /// `(RES)`
     pub(super) fn clear(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
-        if matches!(self.semantics.timing, Timing::Clock | Timing::Units) {
-            return self.clear_chosen(arguments, en);
+        match self.semantics.timing {
+            Timing::Clock | Timing::Units => return self.clear_chosen(arguments, en),
+            Timing::Ticks => return self.reset_ticks(arguments, en),
+            Timing::Scans => {}
         }
         let tag = arguments.state(0)?;
-        let Home::State { state, bits, words } = self.homes[tag.0 as usize] else {
+        let Home::State { state, words, .. } = self.homes[tag.0 as usize] else {
             return Err(arguments.mismatch());
         };
-        match self.semantics.timing {
-            Timing::Clock | Timing::Units => {}
-            Timing::Scans if state.is_timer() => return Ok(self.clear_count(en, words.offset(timer::ET))),
-            Timing::Scans => return Ok(self.clear_count(en, words.offset(counter::CV))),
-            Timing::Ticks => return self.reset_ticks(arguments, en),
-        }
-        self.emit(Instr::Clear {
-            en,
-            state,
-            bits,
-            words,
-        });
-        Ok(en)
+        let count = if state.is_timer() { timer::ET } else { counter::CV };
+        Ok(self.clear_count(en, words.offset(count)))
     }
 
     /// The same, where a computed index may choose the timer or counter.

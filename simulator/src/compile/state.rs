@@ -5,19 +5,81 @@ use super::arguments::Arguments;
 use super::chosen::StateSpot;
 use super::{Compiler, Result};
 use crate::code::Instr;
-use crate::layout::{Home, counter, timer};
+use crate::layout::{Home, counter, state_size, timer};
 use crate::memory::{Bit, Word};
 use crate::operation::{Conversion, Width};
 use ladder_analysis::program::{Expr, ExprKind};
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
-use ladder_instructions::{FirstEdges, Op};
+use ladder_instructions::{FirstEdges, Op, StateType};
+
+/// A state that a routine works on.
+pub(super) struct Lent {
+    pub(super) state: StateType,
+    pub(super) bits: Bit,
+    pub(super) words: Word,
+    /// The words with the slots that it is a copy of.
+    chosen: Option<(Word, Word)>,
+}
 
 impl Compiler<'_> {
+    /// Where the state of a timer or counter is that has its block alone.
     pub(super) fn home_of(&self, arguments: Arguments) -> Result<(Bit, Word)> {
         match self.homes[arguments.state(0)?.0 as usize] {
             Home::State { bits, words, .. } => Ok((bits, words)),
             _ => Err(arguments.mismatch()),
+        }
+    }
+
+    /// A state for a routine, which works on fixed slots: one that an index chooses is lent to it as a copy.
+    pub(super) fn lend_state(&mut self, arguments: Arguments) -> Result<Lent> {
+        let found = self.state_spot(arguments.get(0)?)?;
+        let (state, spot) = found.ok_or_else(|| arguments.mismatch())?;
+        let (at_bits, at_words) = match spot {
+            StateSpot::Fixed { bits, words } => {
+                return Ok(Lent {
+                    state,
+                    bits,
+                    words,
+                    chosen: None,
+                });
+            }
+            StateSpot::At { bits, words } => (bits, words),
+        };
+        let (bit_count, word_count) = state_size(state);
+        let all_bits: Vec<Bit> = (0..bit_count).map(|_| self.layout.bit()).collect();
+        let all_words: Vec<Word> = (0..word_count).map(|_| self.layout.word()).collect();
+        let (Some(&bits), Some(&words)) = (all_bits.first(), all_words.first()) else {
+            return Err(arguments.mismatch());
+        };
+        for (n, to) in (0..).zip(all_bits) {
+            self.layout.keep(to);
+            let at = self.slot_offset(at_bits, n);
+            self.emit(Instr::LoadBit { to, at });
+        }
+        for (n, to) in (0..).zip(all_words) {
+            let at = self.slot_offset(at_words, n);
+            self.emit(Instr::LoadWord { to, at });
+        }
+        Ok(Lent {
+            state,
+            bits,
+            words,
+            chosen: Some((at_bits, at_words)),
+        })
+    }
+
+    /// Puts a copy back.
+    pub(super) fn take_back(&mut self, lent: &Lent) {
+        let Some((bits, words)) = lent.chosen else { return };
+        let (bit_count, word_count) = state_size(lent.state);
+        for n in 0..bit_count {
+            let (at, from) = (self.slot_offset(bits, n), lent.bits.offset(n));
+            self.emit(Instr::StoreBit { at, from });
+        }
+        for n in 0..word_count {
+            let (at, from) = (self.slot_offset(words, n), lent.words.offset(n));
+            self.emit(Instr::StoreWord { at, from });
         }
     }
 

@@ -2,11 +2,12 @@
 
 use super::arguments::Arguments;
 use super::{Compiler, Result};
+use crate::code::Instr;
 use crate::layout::{Home, counter};
 use crate::memory::{Bit, Word};
 use crate::operation::IntegerOp;
 use crate::routine::Routine;
-use ladder_analysis::program::{Argument, Expr, ExprKind};
+use ladder_analysis::program::{Argument, Expr, ExprKind, TagId};
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
 use ladder_instructions::{Counting, Op, StateType};
@@ -22,7 +23,7 @@ impl Compiler<'_> {
             Op::Tof => Routine::TickTof,
             _ => return Err(arguments.not_in_profile()),
         };
-        let (bits, words) = self.home_of(arguments)?;
+        let lent = self.lend_state(arguments)?;
         let base = match arguments.named_value("B")? {
             Some(base) => self.word(base)?,
             None => self.constant(BASE),
@@ -32,8 +33,17 @@ impl Compiler<'_> {
         let out = self.layout.bit();
         self.routine(
             routine,
-            &[out.0, en.0, preset.0, bits.0, words.0, base.0, interval.0],
+            &[
+                out.0,
+                en.0,
+                preset.0,
+                lent.bits.0,
+                lent.words.0,
+                base.0,
+                interval.0,
+            ],
         );
+        self.take_back(&lent);
         Ok(out)
     }
 
@@ -56,10 +66,11 @@ impl Compiler<'_> {
             Op::Ctd => Routine::LatchingCtd,
             _ => return Err(arguments.not_in_profile()),
         };
-        let (bits, words) = self.home_of(arguments)?;
+        let lent = self.lend_state(arguments)?;
         let preset = self.word(arguments.value(1)?)?;
         let out = self.layout.bit();
-        self.routine(routine, &[out.0, en.0, preset.0, bits.0, words.0]);
+        self.routine(routine, &[out.0, en.0, preset.0, lent.bits.0, lent.words.0]);
+        self.take_back(&lent);
         Ok(out)
     }
 
@@ -73,17 +84,26 @@ impl Compiler<'_> {
         {
             for block in &network.blocks {
                 let arguments = Arguments::of(block);
-                let (Ok(tag), Some(Argument::Value(start))) = (arguments.state(0), arguments.named("AC"))
-                else {
+                let Some(Argument::Value(start)) = arguments.named("AC") else {
                     continue;
+                };
+                let tags: Vec<TagId> = match arguments.get(0) {
+                    Ok(Argument::State(tag)) => vec![*tag],
+                    Ok(Argument::ChosenState(all)) => {
+                        let tags = 0..all.count;
+                        tags.map(|n| TagId(all.first.0 + n * all.step)).collect()
+                    }
+                    _ => continue,
                 };
                 let ExprKind::Constant(Value::Int(number)) = start.kind else {
                     continue;
                 };
                 let word = self.constant(number);
-                self.starts.insert(tag, word);
-                if let Home::State { words, .. } = self.homes[tag.0 as usize] {
-                    self.layout.memory.words[words.offset(counter::CV).0 as usize] = number;
+                for tag in tags {
+                    self.starts.insert(tag, word);
+                    if let Home::State { words, .. } = self.homes[tag.0 as usize] {
+                        self.layout.memory.words[words.offset(counter::CV).0 as usize] = number;
+                    }
                 }
             }
         }
@@ -91,11 +111,16 @@ impl Compiler<'_> {
 
     /// `(RES)`
     pub(super) fn reset_ticks(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
-        let tag = arguments.state(0)?;
-        let Home::State { state, bits, words } = self.homes[tag.0 as usize] else {
-            return Err(arguments.mismatch());
+        let out = self.layout.bit();
+        self.emit(Instr::Follow { out, en });
+        let lent = self.lend_state(arguments)?;
+        let (state, bits, words) = (lent.state, lent.bits, lent.words);
+        // What an index chooses among begins alike: one block is on all of it.
+        let tag = match arguments.get(0)? {
+            Argument::ChosenState(chosen) => Some(chosen.first),
+            argument => argument.root(),
         };
-        let start = match self.starts.get(&tag) {
+        let start = match tag.and_then(|tag| self.starts.get(&tag)) {
             Some(&start) => start,
             None => self.constant(0),
         };
@@ -108,6 +133,7 @@ impl Compiler<'_> {
         let is_known = state.is_timer() || state.is_counter();
         debug_assert!(is_known, "{} has nothing to reset", StateType::name(state));
         self.routine(routine, &[en.0, bits.0, words.0, start.0, interval.0]);
-        Ok(en)
+        self.take_back(&lent);
+        Ok(out)
     }
 }

@@ -73,13 +73,14 @@ impl Compiler<'_> {
             Op::Ctud => Routine::ComparingCtud,
             _ => return Err(arguments.not_in_profile()),
         };
-        let (bits, words) = self.home_of(arguments)?;
+        let lent = self.lend_state(arguments)?;
         let preset = self.word(arguments.value(1)?)?;
         let inputs = [("CD", counter::CD), ("R", counter::R), ("LD", counter::LD)];
-        let inputs = inputs.map(|(name, member)| (name, bits.offset(member)));
+        let inputs = inputs.map(|(name, member)| (name, lent.bits.offset(member)));
         self.inputs(arguments, &inputs)?;
         let out = self.layout.bit();
-        self.routine(routine, &[out.0, en.0, preset.0, bits.0, words.0]);
+        self.routine(routine, &[out.0, en.0, preset.0, lent.bits.0, lent.words.0]);
+        self.take_back(&lent);
         Ok(out)
     }
 }

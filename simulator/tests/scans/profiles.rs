@@ -1,7 +1,7 @@
 //! Profiles: what instructions do otherwise. That whole programs do what they did on their own systems is compared where
 //! those can be read.
 
-use crate::support::{check, get, set, simulation};
+use crate::support::{check, force, get, set, simulation};
 use expect_test::expect;
 use ladder_simulator::{Options, Simulation, Status};
 use std::sync::Arc;
@@ -237,5 +237,74 @@ fn what_a_system_does_not_have_is_an_error() {
         let analysis = ladder_analysis::analyze(&Arc::new(ladder_syntax::parse(&text)), "test.clad");
         let messages: Vec<&str> = analysis.errors().map(|error| error.message.as_str()).collect();
         assert!(messages.contains(&expected), "{messages:?}");
+    }
+}
+
+/// A timer or counter that an index chooses does what it does alone, and no other changes.
+#[test]
+fn a_computed_index_chooses_where_all_is_in_the_tag() {
+    let program = |profile: &str, ty: &str, rung: &str, place: &str| {
+        let rung = rung.replace('X', place);
+        format!(
+            "# ladder: profile {profile} #\nVAR_INPUT\n    a, b, r : BOOL;\nEND_VAR\nVAR\n    x : ARRAY[1..3] OF {ty};\n    k : INT := 2;\n    u : BOOL;\n    y : BOOL;\nEND_VAR\n{rung}\n"
+        )
+    };
+    let reset = "--( )( y )--+\n+--[ ]( r )--(RES)( X )--+";
+    for (profile, ty, block, members) in [
+        ("iot", "TON", "[TON]( X, 3, B := T#10ms )", "Q ET"),
+        ("iot", "TOF", "[TOF]( X, 3, B := T#10ms )", "Q ET"),
+        ("iot", "CTU", "[CTU]( X, 3 )", "Q CV"),
+        ("iot", "CTD", "[CTD]( X, 3, AC := 7 )", "Q CV"),
+        ("click", "CTU", "[CTU]( X, 3, R := b )", "Q CV"),
+        ("click", "CTUD", "[CTUD]( X, 3, CD := b, R := r )", "QU QD CV"),
+        ("iec", "RTO", "[RTO]( X, T#30ms, R := b )", "Q ET"),
+    ] {
+        let rung = format!("+--[ ]( a )--{block}{reset}");
+        let mut runs = Vec::new();
+        for (place, plain) in [("x[2]", false), ("x[k]", false), ("x[2]", true), ("x[k]", true)] {
+            let mut simulation = simulation(&program(profile, ty, &rung, place));
+            if plain {
+                force(&mut simulation, "u", "0");
+            }
+            let mut shown = String::new();
+            let mut random = 7u32;
+            for _ in 0..60 {
+                for input in ["a", "b", "r"] {
+                    random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                    let value = if random >> 28
+                        < [13, 3, 1][usize::from(input == "b") + 2 * usize::from(input == "r")]
+                    {
+                        "1"
+                    } else {
+                        "0"
+                    };
+                    set(&mut simulation, input, value);
+                }
+                simulation.scan();
+                let of = |element: &str| {
+                    members
+                        .split(' ')
+                        .map(|member| get(&simulation, &format!("x[{element}].{member}")))
+                        .collect::<Vec<_>>()
+                        .join(" ")
+                };
+                shown.push_str(&format!(
+                    "{} {} {} {}\n",
+                    get(&simulation, "y"),
+                    of("1"),
+                    of("2"),
+                    of("3")
+                ));
+            }
+            runs.push(shown);
+        }
+        for run in &runs[1..] {
+            assert_eq!(*run, runs[0], "{block} of {profile}");
+        }
+        assert!(
+            runs[0].contains("1 "),
+            "{block} of {profile} does something:\n{}",
+            runs[0]
+        );
     }
 }
