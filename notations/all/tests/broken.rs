@@ -158,7 +158,7 @@ fn sound() -> &'static [Sound] {
         programs.push(textbook.into_bytes());
         programs.push(DRAFT.as_bytes().to_vec());
         let seeds =
-            ["ascii", "openplc", "plcopen"].map(|name| own.join("../../fuzz/seeds/notations").join(name));
+            ["ascii", "openplc", "plcopen", "simatic", "simatic_xml"].map(|name| own.join("../../fuzz/seeds/notations").join(name));
         programs.extend(seeds.map(|seed| std::fs::read(seed).expect("the seeds are whole")));
         let recognised = |bytes: Vec<u8>| {
             let notation = NOTATIONS

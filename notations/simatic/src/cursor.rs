@@ -19,6 +19,17 @@ fn is_letter(c: char) -> bool {
     c.is_alphanumeric() || c == '_'
 }
 
+/// Where what begins with a quote ends: with the same one that no `$` precedes, or with the line.
+fn quote_end(text: &str, quote: char) -> usize {
+    let mut is_escaped = false;
+    let end = text.char_indices().skip(1).find(|(_, c)| {
+        let ends = (*c == quote && !is_escaped) || *c == '\n';
+        is_escaped = *c == '$' && quote == '\'' && !is_escaped;
+        ends
+    });
+    end.map_or(text.len(), |(at, _)| at + 1)
+}
+
 impl<'t> Cursor<'t> {
     pub(crate) fn new(text: &'t str, lines: &'t Lines) -> Cursor<'t> {
         let at = if text.starts_with('\u{feff}') { 3 } else { 0 };
@@ -156,8 +167,11 @@ impl<'t> Cursor<'t> {
         let start = self.at;
         let mut depth = 0usize;
         let mut quote = None;
+        let mut is_escaped = false;
         for (at, c) in self.rest().char_indices() {
             match (quote, c) {
+                (Some('\''), _) if is_escaped => is_escaped = false,
+                (Some('\''), '$') => is_escaped = true,
                 (Some(own), c) if own == c => quote = None,
                 (Some(_), '\n') => break,
                 (Some(_), _) => {}
@@ -191,8 +205,7 @@ impl<'t> Cursor<'t> {
                 }
                 other.at += found.len();
             } else if c == '"' || c == '\'' {
-                let end = rest[1..].find([c, '\n']).map_or(rest.len(), |end| end + 2);
-                other.at += end;
+                other.at += quote_end(rest, c);
             } else {
                 other.at += c.len_utf8();
             }

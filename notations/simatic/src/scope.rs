@@ -20,8 +20,8 @@ pub(crate) struct Scope<'l> {
     pub(crate) library: &'l Library<'l>,
     names: Names,
     own: HashMap<String, Known>,
-    /// What is used of other parts of the project, by how it is written in full.
-    pub(crate) globals: BTreeMap<String, Known>,
+    /// What is used of other parts of the project, by how it is written in full in small letters, and as it is written.
+    pub(crate) globals: BTreeMap<String, (String, Known)>,
     /// What the source does not have: name, type, what it is for.
     pub(crate) helpers: Vec<(String, String, String)>,
 }
@@ -78,9 +78,12 @@ impl<'l> Scope<'l> {
     /// A tag of the project that this file does not declare, under the name that it is written by.
     pub(crate) fn global(&mut self, path: &str, ty: Type) -> Known {
         let names = &mut self.names;
-        let known = self.globals.entry(path.to_lowercase()).or_insert_with(|| Known {
-            spelled: names.fresh(path),
-            ty,
+        let (_, known) = self.globals.entry(path.to_lowercase()).or_insert_with(|| {
+            let known = Known {
+                spelled: names.fresh(path),
+                ty,
+            };
+            (path.to_owned(), known)
         });
         known.clone()
     }

@@ -7,9 +7,9 @@ use ladder_format::program::{
     Declaration, Drawing, Element, Item, Network, ProgramSketch, Section, SectionKind,
 };
 use ladder_format::{Circuit, Options};
-use ladder_invariants::generator::Dice;
+use ladder_invariants::generator::{Dice, Mode, program};
 use ladder_invariants::trace::{Stimulus, compile, next_to};
-use ladder_notations::{Notation, Source, by_name, convert};
+use ladder_notations::{Notation, Source, Writing, by_name, convert};
 use ladder_simulator::{Options as Run, Point, Simulation};
 use ladder_syntax::parse;
 use std::sync::Arc;
@@ -439,6 +439,78 @@ const CPLC_DRAFT: Says = Says {
     always: &[],
 };
 
+const SIMATIC: Says = Says {
+    notation: "simatic",
+    profile: None,
+    rungs: Rungs::Any,
+    inputs: &["start", "stop", "level"],
+    outputs: &["run", "lamp"],
+    others: &[
+        ("held", "BOOL"),
+        ("n", "INT"),
+        ("m", "INT"),
+        ("long", "DINT"),
+        ("speed", "REAL"),
+        ("bits", "WORD"),
+        ("flags", "ARRAY[0..9] OF BOOL"),
+    ],
+    conditions: &[
+        "[ ]( {} )",
+        "[/]( {} )",
+        "[P]( {} )",
+        "[N]( {} )",
+        "[OSR]",
+        "[OSF]",
+        "[ ]( flags[{#}] )",
+        "[ ]( n.3 )",
+        "[ ]( SYS.FIRST_SCAN )",
+        "[EQ]( {n}, {#} )",
+        "[GE]( {n}, long )",
+        "[LT]( speed, 1.5 )",
+        "[LE]( {#}, {n}, {#} )",
+        "[NE]( bits, 16#0003 )",
+    ],
+    actions: &[
+        "( )( {y} )",
+        "(/)( {y} )",
+        "(S)( {y} )",
+        "(R)( {y} )",
+        "(P)( {y} )",
+        "(N)( {y} )",
+        "(S)( flags[1..4] )",
+        "( )( bits.2 )",
+        "[MOV]( {m}, {#} )",
+        "[MOV]( long, {n} )",
+        "[TYP]( {m}, long )",
+        "[TYP]( speed, {n} )",
+        "[TRUNC]( {m}, speed )",
+        "[ADD]( {m}, {n}, {#}, {n} )",
+        "[SUB]( {m}, {n}, {#} )",
+        "[MUL]( speed, speed, 0.5 )",
+        "[MOD]( {m}, {n}, {#} )",
+        "[NEG]( {m}, {n} )",
+        "[MAX]( {m}, {n}, {#} )",
+        "[LIMIT]( {m}, 2, {n}, 90 )",
+        "[SEL]( {m}, {}, {n}, {#} )",
+        "[OR]( bits, bits, 16#0100 )",
+        "[SHL]( bits, bits, 2 )",
+        "[CALC]( {m}, ({n} + {#}) * m )",
+        "[CALC]( long, long MOD 7 - {n} )",
+    ],
+    states: &[
+        ("warm", "TON", "[TON]( {t}, T#{#}0ms )"),
+        ("slow", "TOF", "[TOF]( {t}, T#{#}0ms )"),
+        ("one", "TP", "[TP]( {t}, T#{#}0ms )"),
+        ("kept", "RTO", "[RTO]( {t}, T#{#}0ms, R := stop )"),
+        ("parts", "CTU", "[CTU]( {t}, {#}, R := stop )"),
+        ("left", "CTD", "[CTD]( {t}, {#}, LD := level )"),
+        ("both", "CTUD", "[CTUD]( {t}, {#}, CD := level, R := stop )"),
+    ],
+    bits: &["start", "stop", "level", "run", "lamp", "held"],
+    numbers: &["n", "m"],
+    always: &[],
+};
+
 /// A drawing has no declarations: those of the program are put before it.
 const ASCII: Says = Says {
     notation: "ascii",
@@ -689,7 +761,10 @@ fn check(says: &Says) {
         assert!(remarks.is_empty(), "{remarks:?}\n{text}");
         let shown = String::from_utf8_lossy(&writing.bytes);
         assert!(notation.recognises(&writing.bytes), "{shown}");
-        let source = Source::alone("test", &writing.bytes);
+        let source = Source {
+            companions: writing.companions,
+            ..Source::alone("test", &writing.bytes)
+        };
         let back = convert(notation, &source, &Options::default());
         let back = back.unwrap_or_else(|error| panic!("{error}\n{shown}\nof\n{text}"));
         let remarks: Vec<_> = back.report.remarks().collect();
@@ -816,6 +891,53 @@ fn textbook() {
 #[test]
 fn cplc_draft() {
     check(&CPLC_DRAFT);
+}
+
+#[test]
+fn simatic() {
+    check(&SIMATIC);
+}
+
+/// Any wiring and any instruction: what is written without a remark does the same when it is read, and is written the same again.
+#[test]
+fn simatic_says_what_it_cannot() {
+    let notation = by_name("simatic").expect("the notation is registered");
+    let mut written = 0;
+    for seed in 0..400 {
+        let mode = [Mode::Boolean, Mode::Boolean, Mode::Sensible, Mode::Wild][seed as usize % 4];
+        let text = program(seed, mode);
+        let analysis = analyze(&Arc::new(parse(&text)), "test.clad");
+        let Ok(writing) = notation.write(&analysis) else {
+            continue;
+        };
+        let is_whole = writing.report.remarks().next().is_none();
+        let read = |writing: Writing| {
+            let shown = String::from_utf8_lossy(&writing.bytes).into_owned();
+            let source = Source {
+                companions: writing.companions,
+                ..Source::alone("test", &writing.bytes)
+            };
+            let back = convert(notation, &source, &Options::default());
+            (
+                back.unwrap_or_else(|error| panic!("{error}\n{shown}\nof\n{text}")).written.text,
+                shown,
+            )
+        };
+        let (ladder, shown) = read(writing);
+        let analysis = analyze(&Arc::new(parse(&ladder)), "test.clad");
+        let errors: Vec<&str> = analysis.errors().map(|error| error.message.as_str()).collect();
+        if is_whole {
+            written += 1;
+            assert!(errors.is_empty(), "{errors:?}\n{ladder}\nof\n{shown}\nof\n{text}");
+            let different = next_to(&text, &ladder, Stimulus { seed, scans: 60 });
+            assert_eq!(different, None, "{ladder}\nof\n{shown}\nof\n{text}");
+            let again = notation.write(&analysis).expect("it was written once");
+            let (same, shown) = read(again);
+            assert_eq!(same, ladder, "{shown}\nof\n{text}");
+        }
+    }
+    println!("{written} of 400 programs without a remark");
+    assert!(written > 100, "{written}");
 }
 
 #[test]

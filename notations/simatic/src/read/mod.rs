@@ -68,7 +68,7 @@ fn body(cursor: &mut Cursor<'_>, unit: &mut Unit, texts: &Texts) -> Result<()> {
         if cursor.eat_word(&end) {
             break;
         } else if cursor.eat_word("NETWORK") {
-            let network = networks::network(cursor, &pragma, texts, &mut unit.report)?;
+            let network = networks::network(cursor, &pragma, texts)?;
             unit.networks.push(network);
         } else if let Some(section) = declarations::section(cursor) {
             declarations::variables(cursor, section, texts, &mut unit.variables)?;

@@ -4,7 +4,6 @@ use super::pragma::{Pragma, templates};
 use super::resource::Texts;
 use crate::cursor::{Cursor, Result};
 use crate::model::{Argument, Body, Net, Network, Part, RAIL, Value, Wire};
-use ladder_notation::Report;
 use std::collections::HashMap;
 
 /// A network has no more parts.
@@ -15,7 +14,6 @@ pub(super) fn network(
     cursor: &mut Cursor<'_>,
     pragma: &Pragma,
     texts: &Texts,
-    report: &mut Report,
 ) -> Result<Network> {
     let place = cursor.place();
     let Some(end) = cursor.find_word("END_NETWORK") else {
@@ -43,7 +41,7 @@ pub(super) fn network(
     match reader.rungs(&mut inside, &mut network) {
         Ok(()) => network.body = Body::Ladder(reader.net),
         Err(error) => {
-            report.approximated(error.place.unwrap_or(place), "network", &*error.message);
+            network.place = error.place.unwrap_or(place);
             let why = format!("the network cannot be read: {}", error.message);
             network.body = Body::Text(why, text);
         }

@@ -96,7 +96,7 @@ impl Sketcher<'_> {
 
     /// What is used of the rest of the project.
     pub(super) fn globals(&mut self, scope: &Scope<'_>, sections: &mut Sections) {
-        for (path, known) in &scope.globals {
+        for (path, known) in scope.globals.values() {
             let ty = match self.type_text(&known.ty, &known.spelled) {
                 Ok(ty) => ty,
                 Err(why) => {
@@ -133,7 +133,7 @@ impl Sketcher<'_> {
         let ty = match self.type_text(&variable.ty, spelled) {
             Ok(ty) => ty,
             Err(why) => {
-                self.reading.report.refused(variable.place, shown(), why);
+                self.reading.report.approximated(variable.place, shown(), format!("it is not declared here: {why}"));
                 return None;
             }
         };

@@ -139,7 +139,9 @@ impl Sketcher<'_> {
             Err(why) => {
                 self.inert(network.place, "network", &why);
                 let origin = self.reading.origin(network.place);
-                let block = self.idle_block("Network", &why);
+                let parts = net.wires.iter().flat_map(|wire| &wire.parts);
+                let parts: Vec<&str> = parts.map(|part| part.text.as_str()).collect();
+                let block = self.idle_block("Network", &parts.join(" "));
                 vec![Drawing::Circuit(Circuit::Element(Element::block(block, Some(origin))))]
             }
         };

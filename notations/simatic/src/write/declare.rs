@@ -224,6 +224,8 @@ pub(super) fn declaration(name: &str, ty: &str, initial: Option<&str>, types: &T
     };
     let ty = type_text(ty, types, 0)?;
     let initial = match initial.or(alias) {
+        Some("1") if ty == "Bool" => " := TRUE".to_owned(),
+        Some("0") if ty == "Bool" => " := FALSE".to_owned(),
         Some(initial) => format!(" := {}", initial_text(initial)?),
         None => String::new(),
     };

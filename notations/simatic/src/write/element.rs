@@ -4,7 +4,7 @@ use super::Writer;
 use super::declare::elementary;
 use super::operand::{Tags, operand};
 use crate::standard::{Form, Pins, ROWS, Row};
-use ladder_analysis::program::{Argument, Block, BlockKind, Bound};
+use ladder_analysis::program::{Argument, Block, BlockKind, Bound, ParameterKind};
 use ladder_analysis::values::types::Scalar;
 use ladder_instructions::Op;
 
@@ -115,7 +115,7 @@ impl Writer<'_> {
                 if parts.len() + 1 < given.len() {
                     return Err(format!("an operand of `[{mnemonic}]` has no pin there"));
                 }
-                parts.push(if name.starts_with("CT") { "cv => " } else { "et => " }.to_owned());
+                parts.push(if name.starts_with("CT") { "cv =>" } else { "et =>" }.to_owned());
                 Ok(format!("{head}{state}.{name}( {} )", parts.join(", ")))
             }
             Form::Value(_, pins) => {
@@ -235,11 +235,10 @@ impl Writer<'_> {
                 continue;
             };
             let text = self.given(bound, tags)?;
-            let (tag, kind) = definition.parameters.get(parameter).ok_or("its parameters are not known")?;
-            let tag = &program.tags[tag.0 as usize].name;
-            let own = tag.rsplit(['.', '$']).next().unwrap_or(tag);
-            let sign = match kind {
-                ladder_analysis::program::ParameterKind::Output => "=>",
+            let own = self.parameters.get(&name.to_lowercase());
+            let own = own.and_then(|own| own.get(parameter)).ok_or("its parameters are not known")?;
+            let sign = match definition.parameters.get(parameter) {
+                Some((_, ParameterKind::Output)) => "=>",
                 _ => ":=",
             };
             parts.push(format!("\"{own}\" {sign} {text}"));

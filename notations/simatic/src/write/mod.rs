@@ -30,6 +30,8 @@ struct Writer<'a> {
     taken: HashSet<String>,
     /// Texts in languages, each with its id.
     texts: Vec<(String, String)>,
+    /// The names of the parameters of each block, by its name in small letters.
+    parameters: HashMap<String, Vec<String>>,
     /// The networks of the program by where they begin.
     networks: HashMap<TextSize, &'a Network>,
     /// The blocks whose first network keeps them from running without power, as all do there; in small letters.
@@ -51,6 +53,7 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
         return Err(WriteError::new(message));
     }
     let lines = Lines::of(&text);
+    let units = unit::units(&analysis.context.parse);
     let mut writer = Writer {
         analysis,
         program,
@@ -62,14 +65,13 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
         statics: Vec::new(),
         taken: HashSet::new(),
         texts: Vec::new(),
+        parameters: unit::parameters(&units),
         networks: HashMap::new(),
         guarded: HashSet::new(),
     };
     for network in &program.networks {
         writer.networks.insert(network.location.range.start(), network);
     }
-    let parse = &*analysis.context.parse;
-    let units = unit::units(parse);
     writer.types(&units);
     writer.guards();
     let names: HashSet<String> = units.iter().skip(1).map(|unit| unit.name.to_lowercase()).collect();

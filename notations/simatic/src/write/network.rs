@@ -6,7 +6,7 @@ use super::strands;
 use crate::model::RAIL;
 use crate::sketch::rungs::{Piece, ways};
 use crate::sketch::wiring::Strand;
-use ladder_analysis::program::{BlockKind, Network, Step};
+use ladder_analysis::program::{Block, BlockKind, Network, Step};
 use ladder_format::program::Element;
 use ladder_instructions::Op;
 use ladder_syntax::TextSize;
@@ -41,14 +41,18 @@ impl<'a> Writer<'a> {
         let before = self.statics.len();
         let drawn = self.strands(network, &wires, tags);
         let strands = drawn.inspect_err(|_| self.statics.truncate(before))?;
-        let label = wires.label.map(|block| {
-            let bound = &network.blocks[block].arguments[0];
-            self.text[bound.range].trim().to_owned()
-        });
         Ok(Written {
-            label,
+            label: self.label(network),
             rungs: rungs(&strands),
         })
+    }
+
+    /// The label that marks a network.
+    pub(super) fn label(&self, network: &Network) -> Option<String> {
+        let is_label =
+            |block: &&Block| matches!(block.kind, BlockKind::Instruction(row) if row.op == Op::Lbl);
+        let block = network.blocks.iter().find(is_label)?;
+        Some(self.source(block.arguments.first()?).to_owned())
     }
 
     fn strands(&mut self, network: &Network, wires: &strands::Wires, tags: &Tags) -> Result<Vec<Strand>, String> {

@@ -16,8 +16,6 @@ pub(super) struct Wiring {
 #[derive(Debug)]
 pub(super) struct Wires {
     pub(super) wires: Vec<Wiring>,
-    /// The block that marks it.
-    pub(super) label: Option<usize>,
 }
 
 struct Edge {
@@ -34,7 +32,7 @@ struct Edge {
 pub(super) fn of(network: &Network) -> Result<Wires, String> {
     let mut points: Vec<Option<usize>> = Vec::with_capacity(network.steps.len());
     let mut edges: Vec<Edge> = Vec::new();
-    let mut label = None;
+    let mut is_marked = false;
     for (number, step) in network.steps.iter().enumerate() {
         let own = number + 1;
         points.push(match *step {
@@ -43,10 +41,10 @@ pub(super) fn of(network: &Network) -> Result<Wires, String> {
                 let from = points[en].ok_or("no power reaches a block of it")?;
                 let is_label = matches!(network.blocks[block].kind, BlockKind::Instruction(row) if row.op == Op::Lbl);
                 if is_label {
-                    if from != RAIL || label.is_some() || !edges.is_empty() {
+                    if from != RAIL || is_marked || !edges.is_empty() {
                         return Err("a label stands at the beginning of its network there".to_owned());
                     }
-                    label = Some(block);
+                    is_marked = true;
                     Some(RAIL)
                 } else {
                     edges.push(Edge {
@@ -72,7 +70,6 @@ pub(super) fn of(network: &Network) -> Result<Wires, String> {
     }
     Ok(Wires {
         wires: wires(&mut edges, network.steps.len() + 1),
-        label,
     })
 }
 

@@ -8,6 +8,7 @@ use crate::read::resource::{ID, written};
 use ladder_analysis::program::Role;
 use ladder_notation::{LineColumn, comments};
 use ladder_syntax::{Item, LineKind, Parse};
+use std::collections::HashMap;
 
 /// What is written into one document.
 #[derive(Debug, Default)]
@@ -95,6 +96,17 @@ pub(super) fn units(parse: &Parse) -> Vec<Unit> {
     units
 }
 
+/// The names of the parameters of each block.
+pub(super) fn parameters(units: &[Unit]) -> HashMap<String, Vec<String>> {
+    let of = |unit: &Unit| {
+        let sections = unit.sections.iter();
+        let own = sections.filter(|section| matches!(section.keyword.as_str(), "VAR_INPUT" | "VAR_OUTPUT" | "VAR_IN_OUT"));
+        let names = own.flat_map(|section| &section.declared).flat_map(|declared| declared.names.clone());
+        (unit.name.to_lowercase(), names.collect())
+    };
+    units.iter().map(of).collect()
+}
+
 impl Writer<'_> {
     /// A document, and the texts that belong to it.
     pub(super) fn unit(&mut self, name: &str, unit: &Unit) -> (Vec<u8>, Option<Vec<u8>>) {
@@ -134,7 +146,8 @@ impl Writer<'_> {
                     self.report.refused(place, "network", why);
                     let text = self.text[network.location.range].to_owned();
                     let lines = text.lines().map(|line| format!("        // {line}\r\n"));
-                    (None, lines.collect())
+                    // Others may jump to it.
+                    (self.label(network), lines.collect())
                 }
             };
             let label = label.map(|label| format!("        Label( \"{label}\" )\r\n")).unwrap_or_default();
