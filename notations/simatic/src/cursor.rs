@@ -30,6 +30,25 @@ fn quote_end(text: &str, quote: char) -> usize {
     end.map_or(text.len(), |(at, _)| at + 1)
 }
 
+/// A text without the comments at the ends of its lines, as one line.
+pub(crate) fn without_comments(text: &str) -> String {
+    let mut out = String::new();
+    let mut rest = text;
+    while let Some(c) = rest.chars().next() {
+        let length = match c {
+            '"' | '\'' => quote_end(rest, c),
+            '/' if rest.starts_with("//") => {
+                rest = &rest[rest.find('\n').unwrap_or(rest.len())..];
+                continue;
+            }
+            c => c.len_utf8(),
+        };
+        out.push_str(if c == '\n' { " " } else { &rest[..length] });
+        rest = &rest[length..];
+    }
+    out
+}
+
 impl<'t> Cursor<'t> {
     pub(crate) fn new(text: &'t str, lines: &'t Lines) -> Cursor<'t> {
         let at = if text.starts_with('\u{feff}') { 3 } else { 0 };
@@ -161,34 +180,31 @@ impl<'t> Cursor<'t> {
         }
     }
 
-    /// Everything up to one of these signs outside of quotes and brackets, without blanks at its ends.
+    /// Everything up to one of these signs outside of quotes, brackets and comments, without blanks at its ends.
     pub(crate) fn until(&mut self, signs: &str) -> Result<&'t str> {
         self.blanks();
         let start = self.at;
-        let mut depth = 0usize;
-        let mut quote = None;
-        let mut is_escaped = false;
-        for (at, c) in self.rest().char_indices() {
-            match (quote, c) {
-                (Some('\''), _) if is_escaped => is_escaped = false,
-                (Some('\''), '$') => is_escaped = true,
-                (Some(own), c) if own == c => quote = None,
-                (Some(_), '\n') => break,
-                (Some(_), _) => {}
-                (None, c) if depth == 0 && signs.contains(c) => {
-                    self.at = start + at;
-                    return Ok(self.text[start..self.at].trim());
-                }
-                (None, '"' | '\'') => quote = Some(c),
-                (None, '(' | '[') => depth += 1,
-                (None, ')' | ']') => depth = depth.saturating_sub(1),
+        let mut at = start;
+        let mut open: Vec<char> = Vec::new();
+        while let Some(c) = self.text[at..self.end].chars().next() {
+            let rest = &self.text[at..self.end];
+            if open.is_empty() && signs.contains(c) {
+                self.at = at;
+                return Ok(self.text[start..at].trim());
+            }
+            at += match c {
+                '"' | '\'' => quote_end(rest, c),
+                '/' if rest.starts_with("//") => rest.find('\n').unwrap_or(rest.len()),
+                c => c.len_utf8(),
+            };
+            match c {
+                '(' => open.push(')'),
+                '[' => open.push(']'),
+                ')' | ']' if open.pop() != Some(c) => break,
                 _ => {}
             }
         }
-        self.error(format!(
-            "one of `{signs}` is missing after `{}`",
-            self.shown()
-        ))
+        self.error(format!("one of `{signs}` is missing after `{}`", self.shown()))
     }
 
     /// Where a word stands next, outside of quotes and comments.

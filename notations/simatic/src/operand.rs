@@ -287,6 +287,9 @@ pub(crate) fn literal(text: &str) -> Option<Operand> {
     if let Some((kind, value)) = upper.split_once('#')
         && kind.chars().all(|c| c.is_alphanumeric() || c == '_')
     {
+        if value.is_empty() || !value.chars().all(|c| c.is_ascii_alphanumeric() || "_.:+-".contains(c)) {
+            return None;
+        }
         return match kind {
             "T" | "TIME" | "LT" | "LTIME" | "S5T" | "S5TIME" => {
                 of(format!("T#{}", value.to_ascii_lowercase()), Some("TIME"))

@@ -50,6 +50,11 @@ pub(crate) fn unit(text: &str, texts: &Texts) -> Result<Unit> {
         unit.returns = Some(type_of(&mut cursor, 0)?).filter(|ty| !declarations::is_void(ty));
     }
     body(&mut cursor, &mut unit, texts)?;
+    if !cursor.is_done() {
+        let why = "a file has one block: the rest of it is not read";
+        let place = cursor.place();
+        unit.report.refused(place, "what stands after the end", why);
+    }
     Ok(unit)
 }
 

@@ -2,7 +2,7 @@
 
 use super::pragma::{Pragma, templates};
 use super::resource::Texts;
-use crate::cursor::{Cursor, Result};
+use crate::cursor::{Cursor, Result, without_comments};
 use crate::model::{Argument, Body, Net, Network, Part, RAIL, Value, Wire};
 use std::collections::HashMap;
 
@@ -59,6 +59,9 @@ impl Reader {
     fn rungs(&mut self, cursor: &mut Cursor<'_>, network: &mut Network) -> Result<()> {
         while !cursor.is_done() {
             if cursor.eat_word("LABEL") {
+                if network.label.is_some() {
+                    return cursor.error("a network has one label");
+                }
                 let place = cursor.place();
                 cursor.expect("(")?;
                 network.label = Some((place, cursor.name()?));
@@ -148,11 +151,15 @@ impl Reader {
             }
             _ => part.name = head.to_owned(),
         }
-        if part.name.is_empty() || part.name.contains(['\n', ';']) {
+        if !is_head(head) {
             return cursor.error("an instruction is expected here, with its operands in parentheses");
         }
         if cursor.eat("{") {
-            part.templates.extend(templates(cursor.until("}")?));
+            let text = cursor.until("}")?;
+            if text.contains(['\n', '(', '{']) {
+                return cursor.error("templates stand on one line: { SrcType := Int }");
+            }
+            part.templates.extend(templates(text));
             cursor.expect("}")?;
         }
         cursor.expect("(")?;
@@ -169,9 +176,7 @@ impl Reader {
     }
 
     fn argument(&mut self, cursor: &mut Cursor<'_>) -> Result<Argument> {
-        let text = cursor.until(",)")?;
-        let text = text.lines().map(|line| line.split("//").next().unwrap_or_default());
-        let text = text.collect::<Vec<_>>().join(" ");
+        let text = without_comments(cursor.until(",)")?);
         let (pin, value, is_output) = if let Some((pin, value)) = text.split_once("=>") {
             (Some(pin.trim()), value, true)
         } else if let Some((pin, value)) = text.split_once(":=") {
@@ -191,6 +196,24 @@ impl Reader {
             is_output,
         })
     }
+}
+
+/// Whether a text is a name: of an instruction, or a path to what holds a state.
+fn is_head(text: &str) -> bool {
+    let mut quoted = false;
+    let mut depth = 0usize;
+    let is_right = |c: char| {
+        match c {
+            '"' => quoted = !quoted,
+            _ if quoted => return c != '\n',
+            '[' => depth += 1,
+            ']' => depth = depth.saturating_sub(1),
+            _ if depth > 0 => {}
+            _ => return c.is_alphanumeric() || "_#.%".contains(c),
+        }
+        true
+    };
+    !text.is_empty() && text.chars().all(is_right)
 }
 
 /// Whether a word after an instance is an instruction, and not a member that is called.

@@ -8,7 +8,7 @@ pub(crate) struct Pragma(Vec<(String, String)>);
 
 impl Pragma {
     pub(crate) fn get(&self, name: &str) -> Option<&str> {
-        let mut all = self.0.iter();
+        let mut all = self.0.iter().rev();
         all.find(|(own, _)| own.eq_ignore_ascii_case(name))
             .map(|(_, value)| value.as_str())
     }
@@ -44,7 +44,11 @@ pub(super) fn pragma(cursor: &mut Cursor<'_>) -> Result<Pragma> {
             let value = if cursor.is("\"") {
                 cursor.quoted()?
             } else {
-                cursor.until(";}")?.to_owned()
+                let value = cursor.until(";}")?;
+                if value.contains(['\n', '(']) {
+                    return cursor.error("a value of a pragma stands in quotes");
+                }
+                value.to_owned()
             };
             pragma.0.push((name, value));
             if !cursor.eat(";") && !cursor.is("}") {

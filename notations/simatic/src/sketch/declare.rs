@@ -242,6 +242,12 @@ fn with_first_name(name: &str, spelled: &str, comment: Option<&str>) -> Option<S
 
 /// An initial value: a literal, or those of an array.
 fn initial_text(text: &str) -> Option<String> {
+    let found = value_text(text)?;
+    let section = format!("VAR\n    x : INT := {found};\nEND_VAR\n");
+    ladder_syntax::parse(&section).errors().is_empty().then_some(found)
+}
+
+fn value_text(text: &str) -> Option<String> {
     let text = text.trim();
     if let Some(inner) = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
         let values = inner.split(',').map(|value| {

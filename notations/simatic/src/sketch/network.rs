@@ -172,6 +172,14 @@ impl Sketcher<'_> {
             Some(row) => translator.instruction(row, part),
             None => self.call(translator, part),
         };
+        let is_drawn = |text: &str| ladder_syntax::parse(&format!("+--{text}--+\n")).errors().is_empty();
+        let done = done.and_then(|done| {
+            let mut texts = done.texts.iter().chain(done.after.iter().flatten());
+            if texts.all(|text| is_drawn(text)) {
+                return Ok(done);
+            }
+            Err("an operand of it cannot be written here".to_owned())
+        });
         match done {
             Ok(done) => {
                 let report = &mut self.reading.report;

@@ -1,6 +1,7 @@
 //! Blocks of SIMATIC controllers, read and written.
 
 mod back;
+mod broken;
 mod corpus;
 mod reading;
 mod writing;
