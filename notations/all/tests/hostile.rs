@@ -167,7 +167,8 @@ fn a_line_of_fifty_megabytes() {
     }
 }
 
-const DOCUMENT: &str = "FUNCTION_BLOCK a\nVAR\na, y : Bool;\nEND_VAR\n{ S7_Language := \"LAD\" }\nNETWORK\nRUNG wire#powerrail ";
+const DOCUMENT: &str =
+    "FUNCTION_BLOCK a\nVAR\na, y : Bool;\nEND_VAR\n{ S7_Language := \"LAD\" }\nNETWORK\nRUNG wire#powerrail ";
 
 /// What ends [`DOCUMENT`].
 const DOCUMENT_END: &str = "\nEND_RUNG\nEND_NETWORK\nEND_FUNCTION_BLOCK\n";
@@ -176,15 +177,41 @@ const DOCUMENT_END: &str = "\nEND_RUNG\nEND_NETWORK\nEND_FUNCTION_BLOCK\n";
 fn blocks_of_simatic_controllers_are_read_in_linear_time() {
     let rungs = |rung: &dyn Fn(usize) -> String, count: usize| {
         let inside: String = (0..count).map(rung).collect();
-        let text = format!("{DOCUMENT}Contact( #a ) END_RUNG\n{inside}RUNG wire#powerrail Coil( #y ){DOCUMENT_END}");
+        let text =
+            format!("{DOCUMENT}Contact( #a ) END_RUNG\n{inside}RUNG wire#powerrail Coil( #y ){DOCUMENT_END}");
         drop(read("simatic", text.as_bytes()));
     };
-    rungs(&|n| format!("RUNG wire#powerrail Contact( #a ) wire#w{n} Coil( #y ) END_RUNG\n"), 2_000);
-    rungs(&|n| format!("RUNG wire#w{n} Contact( #a ) END_RUNG wire#w{}\n", n + 1), 4_000);
-    rungs(&|n| format!("RUNG wire#w{} Contact( #a ) END_RUNG wire#w{n}\n", n + 1), 4_000);
-    rungs(&|n| format!("RUNG wire#w{} Contact( #a ) wire#w{} Coil( #y ) END_RUNG wire#w{}\n", n / 7, n / 3, n / 2), 1_500);
-    rungs(&|n| format!("RUNG wire#powerrail #c{n}.CTU( r := wire#w{n}, pv := 5, cv => ) END_RUNG\n"), 2_000);
-    rungs(&|_| "RUNG wire#powerrail Unknown( #a ) END_RUNG\n".to_owned(), 2_000);
+    rungs(
+        &|n| format!("RUNG wire#powerrail Contact( #a ) wire#w{n} Coil( #y ) END_RUNG\n"),
+        2_000,
+    );
+    rungs(
+        &|n| format!("RUNG wire#w{n} Contact( #a ) END_RUNG wire#w{}\n", n + 1),
+        4_000,
+    );
+    rungs(
+        &|n| format!("RUNG wire#w{} Contact( #a ) END_RUNG wire#w{n}\n", n + 1),
+        4_000,
+    );
+    rungs(
+        &|n| {
+            format!(
+                "RUNG wire#w{} Contact( #a ) wire#w{} Coil( #y ) END_RUNG wire#w{}\n",
+                n / 7,
+                n / 3,
+                n / 2
+            )
+        },
+        1_500,
+    );
+    rungs(
+        &|n| format!("RUNG wire#powerrail #c{n}.CTU( r := wire#w{n}, pv := 5, cv => ) END_RUNG\n"),
+        2_000,
+    );
+    rungs(
+        &|_| "RUNG wire#powerrail Unknown( #a ) END_RUNG\n".to_owned(),
+        2_000,
+    );
 }
 
 #[test]
@@ -201,12 +228,24 @@ fn a_long_line_of_short_words() {
         ("iot", "NO I1 ", "; NO I1 "),
         ("ldmicro", "LDmicro0.1\nPROGRAM\nRUNG\n", "CONTACTS "),
         ("simatic", DOCUMENT, "RUNG wire#powerrail Contact( #a ) END_RUNG "),
-        ("simatic", DOCUMENT, "RUNG wire#powerrail Contact( #a ) wire#w END_RUNG\n"),
-        ("simatic", DOCUMENT, "RUNG wire#a Coil( #y ) wire#b END_RUNG wire#a\n"),
+        (
+            "simatic",
+            DOCUMENT,
+            "RUNG wire#powerrail Contact( #a ) wire#w END_RUNG\n",
+        ),
+        (
+            "simatic",
+            DOCUMENT,
+            "RUNG wire#a Coil( #y ) wire#b END_RUNG wire#a\n",
+        ),
         ("simatic", DOCUMENT, "Contact( #a )\n"),
         ("simatic", "FUNCTION_BLOCK a\nVAR\n", "a : Struct\n"),
         ("simatic", "FUNCTION_BLOCK a\nVAR\n", "{ S7_MLC := \"x\" }\n"),
-        ("simatic", "FUNCTION_BLOCK a\nVAR\nEND_VAR\n", "{ S7_Language := \"LAD\" } NETWORK RUNG wire#powerrail Coil( #a[#a[0]] ) END_RUNG END_NETWORK\n"),
+        (
+            "simatic",
+            "FUNCTION_BLOCK a\nVAR\nEND_VAR\n",
+            "{ S7_Language := \"LAD\" } NETWORK RUNG wire#powerrail Coil( #a[#a[0]] ) END_RUNG END_NETWORK\n",
+        ),
     ] {
         let text = first.to_owned() + &word.repeat(1_000_000 / word.len());
         // That it ends is what counts.

@@ -43,7 +43,10 @@ fn head(bytes: &[u8]) -> String {
 fn bounded<'s>(source: &Source<'s>) -> Result<&'s str, ReadError> {
     let text = source.text()?;
     if text.lines().any(|line| line.len() > LONGEST_LINE) {
-        let message = format!("a line is longer than {} KiB; exports have short ones", LONGEST_LINE >> 10);
+        let message = format!(
+            "a line is longer than {} KiB; exports have short ones",
+            LONGEST_LINE >> 10
+        );
         return Err(ReadError::whole(message));
     }
     Ok(text)
@@ -52,12 +55,16 @@ fn bounded<'s>(source: &Source<'s>) -> Result<&'s str, ReadError> {
 /// What the name of a file next to another ends with.
 fn has_end(file: &str, end: &str) -> bool {
     let at = file.len().checked_sub(end.len());
-    at.and_then(|at| file.get(at..)).is_some_and(|own| own.eq_ignore_ascii_case(end))
+    at.and_then(|at| file.get(at..))
+        .is_some_and(|own| own.eq_ignore_ascii_case(end))
 }
 
 /// The blocks that stand next to one.
 fn companions(source: &Source<'_>) -> Vec<(String, Result<Unit, String>)> {
-    let files = source.companions.iter().filter(|file| has_end(&file.name, ".s7dcl"));
+    let files = source
+        .companions
+        .iter()
+        .filter(|file| has_end(&file.name, ".s7dcl"));
     files
         .map(|file| {
             let stem = file.name[..file.name.len() - ".s7dcl".len()].to_owned();
@@ -110,7 +117,10 @@ impl Notation for Simatic {
 
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
         let text = bounded(source)?;
-        let texts = source.companions.iter().find(|file| has_end(&file.name, ".s7res"));
+        let texts = source
+            .companions
+            .iter()
+            .find(|file| has_end(&file.name, ".s7res"));
         let texts = match texts {
             Some(file) => Texts::of(text_of(&file.bytes)?),
             None => Texts::default(),

@@ -104,9 +104,15 @@ fn path(scope: &mut Scope<'_>, text: &str, wanted: &str, depth: usize) -> Result
         if unit.returns.is_none()
             && let Some(Step::Member(name)) = steps.next_if(|step| matches!(step, Step::Member(_)))
         {
-            let found = unit.variables.iter().find(|own| own.name.eq_ignore_ascii_case(&name));
+            let found = unit
+                .variables
+                .iter()
+                .find(|own| own.name.eq_ignore_ascii_case(&name));
             let found = found.ok_or_else(|| format!("the data block `{root}` has no `{name}`"))?;
-            (format!("{}.{}", known.spelled, member(&name)), Some(found.ty.clone()))
+            (
+                format!("{}.{}", known.spelled, member(&name)),
+                Some(found.ty.clone()),
+            )
         } else {
             (known.spelled, Some(known.ty))
         }
@@ -127,7 +133,11 @@ fn path(scope: &mut Scope<'_>, text: &str, wanted: &str, depth: usize) -> Result
         let ty = match steps.peek() {
             None => wanted,
             Some(Step::Bit(_)) => "WORD",
-            Some(_) => return Err(format!("`{root}` is declared in another file, and has a computed index")),
+            Some(_) => {
+                return Err(format!(
+                    "`{root}` is declared in another file, and has a computed index"
+                ));
+            }
         };
         let known = scope.global(&name, Type::Named(ty.to_owned()));
         (known.spelled, Some(known.ty))
@@ -148,7 +158,9 @@ fn path(scope: &mut Scope<'_>, text: &str, wanted: &str, depth: usize) -> Result
                     of => scope.members(of).map(<[_]>::to_vec),
                 });
                 let found = members.and_then(|members| {
-                    members.into_iter().find(|own| own.name.eq_ignore_ascii_case(&name))
+                    members
+                        .into_iter()
+                        .find(|own| own.name.eq_ignore_ascii_case(&name))
                 });
                 ty = found.map(|found| found.ty);
                 out.push_str(&format!(".{}", member(&name)));
@@ -287,7 +299,11 @@ pub(crate) fn literal(text: &str) -> Option<Operand> {
     if let Some((kind, value)) = upper.split_once('#')
         && kind.chars().all(|c| c.is_alphanumeric() || c == '_')
     {
-        if value.is_empty() || !value.chars().all(|c| c.is_ascii_alphanumeric() || "_.:+-".contains(c)) {
+        if value.is_empty()
+            || !value
+                .chars()
+                .all(|c| c.is_ascii_alphanumeric() || "_.:+-".contains(c))
+        {
             return None;
         }
         return match kind {
@@ -311,7 +327,9 @@ pub(crate) fn literal(text: &str) -> Option<Operand> {
     }
     let digits = text.trim_start_matches(['+', '-']);
     let is_number = digits.starts_with(|c: char| c.is_ascii_digit())
-        && digits.chars().all(|c| c.is_ascii_alphanumeric() || ".+-_".contains(c))
+        && digits
+            .chars()
+            .all(|c| c.is_ascii_alphanumeric() || ".+-_".contains(c))
         && !digits.contains('%');
     if !is_number {
         return None;
@@ -321,5 +339,8 @@ pub(crate) fn literal(text: &str) -> Option<Operand> {
     if !is_integer && number.parse::<f64>().is_err() {
         return None;
     }
-    of(text.trim_start_matches('+').to_owned(), (!is_integer).then_some("REAL"))
+    of(
+        text.trim_start_matches('+').to_owned(),
+        (!is_integer).then_some("REAL"),
+    )
 }

@@ -152,7 +152,10 @@ pub(crate) fn passes(from: &str, to: &str) -> bool {
     ];
     let is_bits = |ty: &str| matches!(ty, "BYTE" | "WORD" | "DWORD" | "LWORD");
     chains.into_iter().any(rises)
-        || matches!((from, to), ("UINT", "REAL") | ("SINT", "REAL" | "LREAL") | ("UDINT", "LINT" | "LREAL"))
+        || matches!(
+            (from, to),
+            ("UINT", "REAL") | ("SINT", "REAL" | "LREAL") | ("UDINT", "LINT" | "LREAL")
+        )
         || widths
             .iter()
             .any(|same| same.contains(&from) && same.contains(&to) && (is_bits(from) || is_bits(to)))

@@ -27,7 +27,9 @@ pub(crate) enum Form {
     /// A coil on several bits.
     Bits(&'static str),
     /// A bit that is set and reset: whether resetting is stronger.
-    Bistable { reset_wins: bool },
+    Bistable {
+        reset_wins: bool,
+    },
     /// A block with a state: its mnemonic, and the pins that are operands, each with its name here (by place without).
     State(&'static str, &'static [(&'static str, &'static str)]),
     TimerCoil(&'static str),
@@ -40,8 +42,12 @@ pub(crate) enum Form {
     Step(&'static str),
     Convert,
     Calculate,
-    Jump { negated: bool },
-    Return { negated: bool },
+    Jump {
+        negated: bool,
+    },
+    Return {
+        negated: bool,
+    },
 }
 
 /// The pins that are operands.
@@ -183,7 +189,10 @@ pub(crate) const ROWS: &[Row] = &[
 /// a comparison and a gate that differ in nothing else are told apart by it.
 pub(crate) fn of_document(name: &str) -> Option<&'static Row> {
     let exact = ROWS.iter().find(|row| row.sd.contains(&name));
-    exact.or_else(|| ROWS.iter().find(|row| row.sd.iter().any(|own| own.eq_ignore_ascii_case(name))))
+    exact.or_else(|| {
+        ROWS.iter()
+            .find(|row| row.sd.iter().any(|own| own.eq_ignore_ascii_case(name)))
+    })
 }
 
 /// The instruction of a part in SimaticML.
@@ -202,7 +211,10 @@ pub(crate) fn with_instance(name: &str) -> bool {
 pub(crate) fn state_type(name: &str) -> Option<&'static str> {
     let upper = name.to_ascii_uppercase();
     let base = match upper.split_once('_') {
-        Some((base, "TIME" | "LTIME" | "SINT" | "INT" | "DINT" | "LINT" | "USINT" | "UINT" | "UDINT" | "ULINT")) => base,
+        Some((
+            base,
+            "TIME" | "LTIME" | "SINT" | "INT" | "DINT" | "LINT" | "USINT" | "UINT" | "UDINT" | "ULINT",
+        )) => base,
         _ => &upper,
     };
     Some(match base {
@@ -236,7 +248,9 @@ pub(crate) fn elementary(name: &str) -> Option<&'static str> {
 /// The pin that power enters, and the one that it leaves, in SimaticML.
 pub(crate) fn power_pins(name: &str) -> (&'static str, &'static str) {
     match of_xml(name).map(|row| row.form) {
-        Some(Form::Compare(_) | Form::InRange | Form::OutRange | Form::Valid | Form::Invalid) => ("pre", "out"),
+        Some(Form::Compare(_) | Form::InRange | Form::OutRange | Form::Valid | Form::Invalid) => {
+            ("pre", "out")
+        }
         Some(Form::State("CTU", _)) => ("CU", "Q"),
         Some(Form::State("CTD", _)) => ("CD", "Q"),
         Some(Form::State("CTUD", _)) => ("CU", "QU"),

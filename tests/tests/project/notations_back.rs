@@ -919,7 +919,9 @@ fn simatic_says_what_it_cannot() {
             };
             let back = convert(notation, &source, &Options::default());
             (
-                back.unwrap_or_else(|error| panic!("{error}\n{shown}\nof\n{text}")).written.text,
+                back.unwrap_or_else(|error| panic!("{error}\n{shown}\nof\n{text}"))
+                    .written
+                    .text,
                 shown,
             )
         };
@@ -934,7 +936,9 @@ fn simatic_says_what_it_cannot() {
             let again = notation.write(&analysis).expect("it was written once");
             let (same, shown) = read(again);
             let drawn = |text: &str| {
-                let lines = text.lines().filter(|line| !line.is_empty() && !line.starts_with('#'));
+                let lines = text
+                    .lines()
+                    .filter(|line| !line.is_empty() && !line.starts_with('#'));
                 lines.collect::<Vec<_>>().join("\n")
             };
             assert_eq!(drawn(&same), drawn(&ladder), "{shown}\nof\n{text}");

@@ -121,13 +121,21 @@ pub(crate) fn type_of(cursor: &mut Cursor<'_>, depth: usize) -> Result<Type> {
     if cursor.eat_word("STRUCT") {
         let mut members = Vec::new();
         while !cursor.eat_word("END_STRUCT") {
-            declaration(cursor, (Role::Static, false), &Texts::default(), &mut members, depth + 1)?;
+            declaration(
+                cursor,
+                (Role::Static, false),
+                &Texts::default(),
+                &mut members,
+                depth + 1,
+            )?;
         }
         return Ok(Type::Structure(members));
     }
     let is_quoted = cursor.is("\"");
     let name = cursor.name()?;
-    let is_text = ["STRING", "WSTRING"].iter().any(|text| name.eq_ignore_ascii_case(text));
+    let is_text = ["STRING", "WSTRING"]
+        .iter()
+        .any(|text| name.eq_ignore_ascii_case(text));
     if is_text && !is_quoted {
         if !cursor.eat("[") {
             return Ok(Type::Text(None));

@@ -7,8 +7,8 @@ pub(crate) mod resource;
 
 use crate::cursor::{Cursor, Result};
 use crate::model::{Kind, Unit};
-use ladder_notation::Lines;
 pub(crate) use declarations::type_of;
+use ladder_notation::Lines;
 use pragma::Pragma;
 use resource::Texts;
 

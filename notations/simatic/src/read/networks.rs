@@ -10,11 +10,7 @@ use std::collections::HashMap;
 const MOST_PARTS: usize = 5_000;
 
 /// A network, with its end.
-pub(super) fn network(
-    cursor: &mut Cursor<'_>,
-    pragma: &Pragma,
-    texts: &Texts,
-) -> Result<Network> {
+pub(super) fn network(cursor: &mut Cursor<'_>, pragma: &Pragma, texts: &Texts) -> Result<Network> {
     let place = cursor.place();
     let Some(end) = cursor.find_word("END_NETWORK") else {
         return cursor.error("the file ends without `END_NETWORK`");
@@ -35,7 +31,10 @@ pub(super) fn network(
     }
     let mut reader = Reader {
         points: HashMap::new(),
-        net: Net { points: 1, ..Net::default() },
+        net: Net {
+            points: 1,
+            ..Net::default()
+        },
         parts: 0,
     };
     match reader.rungs(&mut inside, &mut network) {
@@ -141,7 +140,8 @@ impl Reader {
             ..Part::default()
         };
         if let Some(expression) = pragma.get("S7_Expression") {
-            part.templates.push(("expression".to_owned(), expression.to_owned()));
+            part.templates
+                .push(("expression".to_owned(), expression.to_owned()));
         }
         let is_word = |word: &str| word.chars().all(|c| c.is_alphanumeric() || c == '_');
         match head.rsplit_once('.') {

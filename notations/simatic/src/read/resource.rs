@@ -81,7 +81,10 @@ fn unquoted(value: &str) -> String {
 pub(crate) fn written(texts: &[(String, String)]) -> String {
     let mut out = String::from("\u{feff}MultiLingualTexts:\r\n");
     for (id, text) in texts {
-        let text = text.replace('\\', "\\\\").replace('"', "\\\"").replace('\n', "\\n");
+        let text = text
+            .replace('\\', "\\\\")
+            .replace('"', "\\\"")
+            .replace('\n', "\\n");
         out.push_str(&format!("  - id: {id}\r\n    {FIRST}: \"{text}\"\r\n"));
     }
     out

@@ -22,7 +22,10 @@ impl<'l> Call<'l> {
     pub(super) fn of(translator: &mut Translator<'_, 'l>, part: &Part) -> Result<Call<'l>, String> {
         let scope = &mut *translator.scope;
         let name = part.name.trim();
-        let plain_name = name.trim_start_matches("_.").trim_start_matches('#').trim_matches('"');
+        let plain_name = name
+            .trim_start_matches("_.")
+            .trim_start_matches('#')
+            .trim_matches('"');
         let library = scope.library;
         if let Some(Err(why)) = library.get(&plain_name.to_lowercase()) {
             return Err(format!("the file of `{plain_name}` cannot be read: {why}"));
@@ -52,11 +55,19 @@ impl<'l> Call<'l> {
     }
 
     /// `[$Motor]( pump, start := a, running => b )`
-    pub(super) fn translated(self, translator: &mut Translator<'_, 'l>, part: &Part) -> Result<Translated, String> {
+    pub(super) fn translated(
+        self,
+        translator: &mut Translator<'_, 'l>,
+        part: &Part,
+    ) -> Result<Translated, String> {
         let own = Scope::of(self.callee, translator.scope.library);
         let mut texts: Vec<String> = self.instance.into_iter().collect();
         let mut note = None;
-        let result = self.callee.returns.as_ref().filter(|_| self.callee.kind == Kind::Function);
+        let result = self
+            .callee
+            .returns
+            .as_ref()
+            .filter(|_| self.callee.kind == Kind::Function);
         let result = result.map(|ty| Variable {
             name: "Ret_Val".to_owned(),
             role: Role::Output,
@@ -80,22 +91,33 @@ impl<'l> Call<'l> {
                     let value = zero(&parameter.ty)
                         .ok_or_else(|| format!("nothing is at its pin `{}`", parameter.name))?;
                     texts.push(format!("{spelled} := {value}"));
-                    note = Some(format!("`{}` is left out: it has its first value here", parameter.name));
+                    note = Some(format!(
+                        "`{}` is left out: it has its first value here",
+                        parameter.name
+                    ));
                 }
                 (Role::InOut, None) => return Err(format!("nothing is at its pin `{}`", parameter.name)),
                 _ => {}
             }
         }
-        let unknown = part.arguments.iter().filter(|given| given.value != Value::Open).find(|given| {
-            let pin = given.pin.as_deref().unwrap_or_default();
-            own.own(pin).is_none()
-        });
+        let unknown = part
+            .arguments
+            .iter()
+            .filter(|given| given.value != Value::Open)
+            .find(|given| {
+                let pin = given.pin.as_deref().unwrap_or_default();
+                own.own(pin).is_none()
+            });
         if let Some(unknown) = unknown {
             let pin = unknown.pin.as_deref().unwrap_or_default();
             return Err(format!("the block has no pin `{pin}`"));
         }
         Ok(Translated {
-            texts: vec![format!("[{}]( {} )", block_name(&self.callee.name), texts.join(", "))],
+            texts: vec![format!(
+                "[{}]( {} )",
+                block_name(&self.callee.name),
+                texts.join(", ")
+            )],
             note,
             ..Translated::default()
         })
@@ -109,8 +131,8 @@ fn zero(ty: &Type) -> Option<&'static str> {
         "REAL" | "LREAL" => "0.0",
         "TIME" => "T#0s",
         "STRING" => "''",
-        "BYTE" | "WORD" | "DWORD" | "LWORD" | "SINT" | "INT" | "DINT" | "LINT" | "USINT" | "UINT" | "UDINT"
-        | "ULINT" => "0",
+        "BYTE" | "WORD" | "DWORD" | "LWORD" | "SINT" | "INT" | "DINT" | "LINT" | "USINT" | "UINT"
+        | "UDINT" | "ULINT" => "0",
         _ => return None,
     })
 }

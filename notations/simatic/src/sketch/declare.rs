@@ -100,14 +100,17 @@ impl Sketcher<'_> {
             let ty = match self.type_text(&known.ty, &known.spelled) {
                 Ok(ty) => ty,
                 Err(why) => {
-                    self.reading.report.refused(LineColumn::START, format!("tag {path}"), why);
+                    self.reading
+                        .report
+                        .refused(LineColumn::START, format!("tag {path}"), why);
                     continue;
                 }
             };
             let mut declaration = Declaration::new(known.spelled.clone(), ty);
             let unit = scope.unit(path).filter(|unit| unit.kind == Kind::Data);
             if unit.is_none() {
-                let why = "another file of the project declares it: its type is the one that its place asks for";
+                let why =
+                    "another file of the project declares it: its type is the one that its place asks for";
                 self.reading
                     .report
                     .approximated(LineColumn::START, format!("tag {path}"), why);
@@ -122,7 +125,9 @@ impl Sketcher<'_> {
     fn declared(&mut self, place: LineColumn, shown: String, spelled: &str, name: &str, why: Option<&str>) {
         let report = &mut self.reading.report;
         match why {
-            _ if spelled != name => report.approximated(place, shown, format!("it is spelled `{spelled}` here")),
+            _ if spelled != name => {
+                report.approximated(place, shown, format!("it is spelled `{spelled}` here"))
+            }
             Some(why) => report.approximated(place, shown, why),
             None => report.translated(place, shown),
         }
@@ -133,7 +138,11 @@ impl Sketcher<'_> {
         let ty = match self.type_text(&variable.ty, spelled) {
             Ok(ty) => ty,
             Err(why) => {
-                self.reading.report.approximated(variable.place, shown(), format!("it is not declared here: {why}"));
+                self.reading.report.approximated(
+                    variable.place,
+                    shown(),
+                    format!("it is not declared here: {why}"),
+                );
                 return None;
             }
         };
@@ -164,10 +173,16 @@ impl Sketcher<'_> {
                 if bounds.is_empty() || bounds.len() > 3 {
                     return Err("an array has one to three dimensions here".to_owned());
                 }
-                if let Some((low, high)) = bounds.iter().find(|(low, high)| !is_number(low) || !is_number(high)) {
+                if let Some((low, high)) = bounds
+                    .iter()
+                    .find(|(low, high)| !is_number(low) || !is_number(high))
+                {
                     return Err(format!("the bounds `{low}..{high}` of an array are no numbers"));
                 }
-                let bounds: Vec<String> = bounds.iter().map(|(low, high)| format!("{low}..{high}")).collect();
+                let bounds: Vec<String> = bounds
+                    .iter()
+                    .map(|(low, high)| format!("{low}..{high}"))
+                    .collect();
                 let of = self.type_text(of, like)?;
                 if of.starts_with("ARRAY") {
                     return Err("an array of arrays is one of several dimensions here".to_owned());
@@ -199,9 +214,16 @@ impl Sketcher<'_> {
     }
 
     /// A structure, which is declared under a name.
-    fn structure(&mut self, like: &str, members: &[Variable], original: Option<&str>) -> Result<String, String> {
+    fn structure(
+        &mut self,
+        like: &str,
+        members: &[Variable],
+        original: Option<&str>,
+    ) -> Result<String, String> {
         if let Some(known) = original.and_then(|name| self.types.get(&name.to_lowercase())) {
-            return known.clone().ok_or_else(|| format!("the type `{like}` contains itself, or has no counterpart"));
+            return known
+                .clone()
+                .ok_or_else(|| format!("the type `{like}` contains itself, or has no counterpart"));
         }
         let spelled = self.type_names.fresh(like);
         if let Some(name) = original {
@@ -244,7 +266,10 @@ fn with_first_name(name: &str, spelled: &str, comment: Option<&str>) -> Option<S
 fn initial_text(text: &str) -> Option<String> {
     let found = value_text(text)?;
     let section = format!("VAR\n    x : INT := {found};\nEND_VAR\n");
-    ladder_syntax::parse(&section).errors().is_empty().then_some(found)
+    ladder_syntax::parse(&section)
+        .errors()
+        .is_empty()
+        .then_some(found)
 }
 
 fn value_text(text: &str) -> Option<String> {

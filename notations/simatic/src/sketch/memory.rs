@@ -32,7 +32,10 @@ fn of_part(part: &Part, memory: &mut HashSet<String>, others: &mut HashSet<Strin
         let Value::Operand(text) = &argument.value else {
             continue;
         };
-        let is_bit = argument.pin.as_deref().is_some_and(|pin| pin.eq_ignore_ascii_case("bit"));
+        let is_bit = argument
+            .pin
+            .as_deref()
+            .is_some_and(|pin| pin.eq_ignore_ascii_case("bit"));
         let remembers = match form {
             Some(Form::Edge(_)) => true,
             Some(Form::EdgeContact(_) | Form::EdgeCoil(_)) => is_bit,

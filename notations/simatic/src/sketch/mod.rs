@@ -17,9 +17,7 @@ use declare::Sections;
 use idle::Idle;
 use ladder_analysis::Severity;
 use ladder_format::Circuit;
-use ladder_format::program::{
-    Drawing, Element, Item, Network, ProgramSketch, Section, SectionKind,
-};
+use ladder_format::program::{Drawing, Element, Item, Network, ProgramSketch, Section, SectionKind};
 use ladder_notation::{Content, Finding, LineColumn, Names, ProjectFile, Reading};
 use std::collections::{HashMap, HashSet};
 use translate::Translator;
@@ -79,13 +77,18 @@ impl Sketcher<'_> {
                 let ty = Type::Structure(unit.variables.clone());
                 let known = self.structure_alone(unit, &ty);
                 if let Err(why) = known {
-                    self.reading.report.refused(unit.place, format!("type {}", unit.name), why);
+                    self.reading
+                        .report
+                        .refused(unit.place, format!("type {}", unit.name), why);
                 }
                 Vec::new()
             }
             Kind::Data => {
                 let mut scope = Scope::of(&Unit::default(), self.library);
-                let ty = unit.returns.clone().unwrap_or_else(|| Type::Named(unit.name.clone()));
+                let ty = unit
+                    .returns
+                    .clone()
+                    .unwrap_or_else(|| Type::Named(unit.name.clone()));
                 scope.global(&unit.name, ty);
                 let mut sections = Sections::default();
                 self.globals(&scope, &mut sections);
@@ -130,7 +133,11 @@ impl Sketcher<'_> {
 
     fn structure_alone(&mut self, unit: &Unit, ty: &Type) -> Result<(), String> {
         let name = Type::Named(unit.name.clone());
-        let ty = if self.library.contains_key(&unit.name.to_lowercase()) { &name } else { ty };
+        let ty = if self.library.contains_key(&unit.name.to_lowercase()) {
+            &name
+        } else {
+            ty
+        };
         self.type_text(ty, &unit.name).map(drop)
     }
 
@@ -168,7 +175,9 @@ impl Sketcher<'_> {
         for network in &unit.networks {
             networks.extend(self.network(&mut translator, network));
         }
-        let mut sections = self.variables(unit, &scope, is_block, |name| memory.contains(&name.to_lowercase()));
+        let mut sections = self.variables(unit, &scope, is_block, |name| {
+            memory.contains(&name.to_lowercase())
+        });
         self.globals(&scope, &mut sections);
         let mut items = sections.items();
         items.extend(networks);

@@ -40,7 +40,11 @@ impl Sketcher<'_> {
             return comments.into_iter().map(Item::Comment).collect();
         }
         let networks = drawings.into_iter().enumerate().flat_map(|(number, drawing)| {
-            let comments = if number == 0 { std::mem::take(&mut comments) } else { Vec::new() };
+            let comments = if number == 0 {
+                std::mem::take(&mut comments)
+            } else {
+                Vec::new()
+            };
             [Item::Blank, Item::Network(program::Network { comments, drawing })]
         });
         networks.collect()
@@ -83,7 +87,9 @@ impl Sketcher<'_> {
                 }
                 let done = self.part(translator, &part);
                 if let Some(tag) = done.cut {
-                    strand.elements.push(Element::block(format!("( )( {tag} )"), None));
+                    strand
+                        .elements
+                        .push(Element::block(format!("( )( {tag} )"), None));
                     let needs = vec![strands.len()];
                     strands.push(Strand {
                         to: None,
@@ -97,7 +103,10 @@ impl Sketcher<'_> {
                     };
                 }
                 let origin = self.reading.origin(part.place);
-                let elements = done.texts.into_iter().map(|text| Element::block(text, Some(origin)));
+                let elements = done
+                    .texts
+                    .into_iter()
+                    .map(|text| Element::block(text, Some(origin)));
                 let goes_on = at + 1 < wire.parts.len() || wire.to.is_some();
                 if goes_on && sets(&part) {
                     // Power goes on as it came, and here it would be the tag.
@@ -128,7 +137,11 @@ impl Sketcher<'_> {
         if strands.iter().all(|strand| strand.elements.is_empty()) {
             return after;
         }
-        let tag = || translator.scope.helper("point", "BOOL", "power at a point of a network");
+        let tag = || {
+            translator
+                .scope
+                .helper("point", "BOOL", "power at a point of a network")
+        };
         let mut drawings = match drawn(&mut strands, points, tag) {
             Ok(Drawn::Whole(drawing)) => vec![drawing],
             Ok(Drawn::Pieces(pieces)) => {
@@ -142,7 +155,10 @@ impl Sketcher<'_> {
                 let parts = net.wires.iter().flat_map(|wire| &wire.parts);
                 let parts: Vec<&str> = parts.map(|part| part.text.as_str()).collect();
                 let block = self.idle_block("Network", &parts.join(" "));
-                vec![Drawing::Circuit(Circuit::Element(Element::block(block, Some(origin))))]
+                vec![Drawing::Circuit(Circuit::Element(Element::block(
+                    block,
+                    Some(origin),
+                )))]
             }
         };
         drawings.extend(after);
@@ -152,10 +168,12 @@ impl Sketcher<'_> {
     /// The wires that are but one contact on their way to a pin: its tag is an operand.
     fn merged(&mut self, net: &Net) -> Vec<usize> {
         let parts = net.wires.iter().flat_map(|wire| &wire.parts);
-        let pins = parts.flat_map(|part| &part.arguments).filter_map(|argument| match argument.value {
-            Value::Power(point) => Some(point),
-            _ => None,
-        });
+        let pins = parts
+            .flat_map(|part| &part.arguments)
+            .filter_map(|argument| match argument.value {
+                Value::Power(point) => Some(point),
+                _ => None,
+            });
         let mut merged = Vec::new();
         for (wire, _) in pins.filter_map(|point| contact_before(net, point)) {
             for part in &net.wires[wire].parts {
@@ -172,7 +190,11 @@ impl Sketcher<'_> {
             Some(row) => translator.instruction(row, part),
             None => self.call(translator, part),
         };
-        let is_drawn = |text: &str| ladder_syntax::parse(&format!("+--{text}--+\n")).errors().is_empty();
+        let is_drawn = |text: &str| {
+            ladder_syntax::parse(&format!("+--{text}--+\n"))
+                .errors()
+                .is_empty()
+        };
         let done = done.and_then(|done| {
             let mut texts = done.texts.iter().chain(done.after.iter().flatten());
             if texts.all(|text| is_drawn(text)) {
@@ -214,13 +236,24 @@ fn sets(part: &Part) -> bool {
 
 /// The wire to a point and the operand of the contact on it, if that is all that leads to the point, and one pin takes it.
 fn contact_before(net: &Net, point: usize) -> Option<(usize, &str)> {
-    let mut into = net.wires.iter().enumerate().filter(|(_, wire)| wire.to == Some(point));
+    let mut into = net
+        .wires
+        .iter()
+        .enumerate()
+        .filter(|(_, wire)| wire.to == Some(point));
     let (number, wire) = into.next()?;
-    let takes = |part: &Part| part.arguments.iter().filter(|it| it.value == Value::Power(point)).count();
+    let takes = |part: &Part| {
+        part.arguments
+            .iter()
+            .filter(|it| it.value == Value::Power(point))
+            .count()
+    };
     let taken: usize = net.wires.iter().flat_map(|wire| &wire.parts).map(takes).sum();
     let is_only = into.next().is_none() && taken == 1 && net.wires.iter().all(|wire| wire.from != point);
     match wire {
-        Wire { from: RAIL, parts, .. } if is_only && parts.len() == 1 && parts[0].name == "Contact" => {
+        Wire {
+            from: RAIL, parts, ..
+        } if is_only && parts.len() == 1 && parts[0].name == "Contact" => {
             match &parts[0].only("operand")?.value {
                 Value::Operand(text) => Some((number, text)),
                 _ => None,

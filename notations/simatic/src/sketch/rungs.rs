@@ -162,7 +162,11 @@ fn signs<'s>(way: &Way<'s>, number: usize, joins: &[Join]) -> Vec<Sign<'s>> {
             all().filter(move |(_, join)| join.upper == number && flows.contains(&join.flow))
         };
         signs.extend(down([Flow::Up, Flow::Up]).map(|(join, _)| Sign::Down(join)));
-        signs.extend(all().filter(|(_, join)| join.lower == number).map(|(join, _)| Sign::Up(join)));
+        signs.extend(
+            all()
+                .filter(|(_, join)| join.lower == number)
+                .map(|(join, _)| Sign::Up(join)),
+        );
         signs.extend(down([Flow::Down, Flow::Both]).map(|(join, _)| Sign::Down(join)));
     };
     match way.from {

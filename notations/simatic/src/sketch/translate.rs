@@ -50,7 +50,9 @@ impl Translator<'_, '_> {
                 it if it.is_literal => one(format!("{sign}( {} )", always(&it.text))),
                 it => one(format!("{sign}( {} )", it.text)),
             },
-            Form::EdgeContact(sign) | Form::Coil(sign) => one(format!("{sign}( {} )", self.bit(part, "operand")?.text)),
+            Form::EdgeContact(sign) | Form::Coil(sign) => {
+                one(format!("{sign}( {} )", self.bit(part, "operand")?.text))
+            }
             Form::EdgeCoil(sign) => one(format!("{sign}( {} )", self.bit(part, "operand")?.text)),
             Form::Edge(sign) => one(sign.to_owned()),
             Form::Not => one("[NOT]".to_owned()),
@@ -69,7 +71,9 @@ impl Translator<'_, '_> {
             }
             Form::OutRange => {
                 let [min, value, max] = self.values(part, ["min", "in", "max"])?;
-                let helper = self.scope.helper("outside", "BOOL", "whether a value is outside of its range");
+                let helper = self
+                    .scope
+                    .helper("outside", "BOOL", "whether a value is outside of its range");
                 series([
                     format!("[CALC]( {helper}, {value} < {min} OR {value} > {max} )"),
                     format!("[ ]( {helper} )"),
@@ -140,7 +144,9 @@ impl Translator<'_, '_> {
     }
 
     fn works_in(&self, part: &Part) -> &'static str {
-        let named = ["SrcType", "value_type"].iter().find_map(|name| part.template(name));
+        let named = ["SrcType", "value_type"]
+            .iter()
+            .find_map(|name| part.template(name));
         named.and_then(elementary).unwrap_or("INT")
     }
 
@@ -220,7 +226,8 @@ impl Translator<'_, '_> {
                 (Some(from), Some(to)) if !value.is_literal && !passes(from, to) => "TYP",
                 _ => "MOV",
             };
-            done.texts.push(format!("[{block}]( {}, {} )", known.text, value.text));
+            done.texts
+                .push(format!("[{block}]( {}, {} )", known.text, value.text));
         }
         if done.texts.is_empty() {
             return Err("nothing takes its value".to_owned());
@@ -271,7 +278,9 @@ impl Translator<'_, '_> {
         let mut formula = String::new();
         let mut rest = written;
         while let Some(c) = rest.chars().next() {
-            let length = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
+            let length = rest
+                .find(|c: char| !c.is_alphanumeric() && c != '_')
+                .unwrap_or(rest.len());
             let (word, after) = rest.split_at(length.max(c.len_utf8()));
             rest = after;
             let upper = word.to_ascii_uppercase();
@@ -363,7 +372,11 @@ impl Translator<'_, '_> {
 }
 
 fn always(literal: &str) -> &'static str {
-    if literal == "TRUE" || literal == "1" { "SYS.ON" } else { "SYS.OFF" }
+    if literal == "TRUE" || literal == "1" {
+        "SYS.ON"
+    } else {
+        "SYS.OFF"
+    }
 }
 
 /// A coil on several bits of an array, from one on.
@@ -377,6 +390,7 @@ fn bits(sign: &str, first: &str, count: &str) -> Result<Translated> {
             let last = index.checked_add(count - 1).filter(|last| *last >= index)?;
             Some(format!("{array}[{index}..{last}]"))
         });
-    let range: String = range.ok_or("only bits of an array, from a constant index on, can be set together here")?;
+    let range: String =
+        range.ok_or("only bits of an array, from a constant index on, can be set together here")?;
     one(format!("{sign}( {range} )"))
 }

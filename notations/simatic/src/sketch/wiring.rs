@@ -30,7 +30,11 @@ pub(crate) enum Drawn {
 /// # Errors
 ///
 /// If power would run in a circle.
-pub(crate) fn drawn(strands: &mut Vec<Strand>, points: usize, mut tag: impl FnMut() -> String) -> Result<Drawn, String> {
+pub(crate) fn drawn(
+    strands: &mut Vec<Strand>,
+    points: usize,
+    mut tag: impl FnMut() -> String,
+) -> Result<Drawn, String> {
     without_dead_ends(strands, points);
     let order = order(strands).ok_or("power would run in a circle")?;
     if let Some(circuit) = in_series_and_parallel(strands, &order, points) {
@@ -125,7 +129,11 @@ fn order(strands: &[Strand]) -> Option<Vec<usize>> {
         Open,
         Done,
     }
-    let points = strands.iter().flat_map(|strand| [strand.from, strand.to.unwrap_or(0)]).max()? + 1;
+    let points = strands
+        .iter()
+        .flat_map(|strand| [strand.from, strand.to.unwrap_or(0)])
+        .max()?
+        + 1;
     let mut into: Vec<Vec<usize>> = vec![Vec::new(); points];
     for (number, strand) in strands.iter().enumerate() {
         if let Some(to) = strand.to {
@@ -141,8 +149,14 @@ fn order(strands: &[Strand]) -> Option<Vec<usize>> {
                 continue;
             }
             let strand = &strands[number];
-            let own: &[usize] = if strand.from == RAIL { &[] } else { &into[strand.from] };
-            let before = own.get(next).or_else(|| strand.needs.get(next - own.len().min(next)));
+            let own: &[usize] = if strand.from == RAIL {
+                &[]
+            } else {
+                &into[strand.from]
+            };
+            let before = own
+                .get(next)
+                .or_else(|| strand.needs.get(next - own.len().min(next)));
             match before {
                 Some(&before) => {
                     state[number] = State::Open;

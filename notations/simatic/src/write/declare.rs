@@ -66,7 +66,10 @@ pub(super) fn section(parse: &Parse, section: &Section) -> Declarations {
                     && let Some(keyword) = header.section().filter(|_| out.keyword.is_empty())
                 {
                     out.keyword = keyword.text().to_ascii_uppercase();
-                    out.qualifier = header.qualifiers().next().map(|word| word.text().to_ascii_uppercase());
+                    out.qualifier = header
+                        .qualifiers()
+                        .next()
+                        .map(|word| word.text().to_ascii_uppercase());
                 }
             }
         }
@@ -77,7 +80,13 @@ pub(super) fn section(parse: &Parse, section: &Section) -> Declarations {
 fn declared(found: &Declaration<'_>, text: &str, at: usize) -> Declared {
     let slice = |range: ladder_syntax::TextRange| text[range].trim().to_owned();
     let comment = text.split_once(';').and_then(|(_, rest)| {
-        let said = rest.trim().strip_prefix('#')?.split('#').next()?.trim().to_owned();
+        let said = rest
+            .trim()
+            .strip_prefix('#')?
+            .split('#')
+            .next()?
+            .trim()
+            .to_owned();
         (!said.is_empty()).then_some(said)
     });
     Declared {
@@ -132,7 +141,11 @@ pub(super) fn type_text(text: &str, types: &Types, depth: usize) -> Result<Strin
         }
         let of = text[end + 1..].trim_start();
         let of = of.get(2..).ok_or("an array says OF what it is")?;
-        return Ok(format!("Array[{}] of {}", bounds.join(", "), type_text(of, types, depth + 1)?));
+        return Ok(format!(
+            "Array[{}] of {}",
+            bounds.join(", "),
+            type_text(of, types, depth + 1)?
+        ));
     }
     if let Some(rest) = upper.strip_prefix("STRING") {
         return Ok(format!("String{}", rest.replace(' ', "")));
@@ -146,6 +159,7 @@ pub(super) fn type_text(text: &str, types: &Types, depth: usize) -> Result<Strin
     }
     match types.get(&text.to_lowercase()) {
         Some((name, TypeForm::Structure(_))) => Ok(format!("\"{name}\"")),
+        Some((_, TypeForm::Alias(alias))) if alias.ty.starts_with('(') => Ok("DInt".to_owned()),
         Some((_, TypeForm::Alias(alias))) => type_text(&alias.ty, types, depth + 1),
         None => Err(format!("`{text}` has no form there")),
     }
@@ -191,6 +205,24 @@ fn state(upper: &str) -> Option<&'static str> {
     })
 }
 
+/// The values of an enumeration, if a type is one, and the first value of the type.
+pub(super) fn enumeration<'t>(ty: &str, types: &'t Types) -> Option<(Vec<(&'t str, i64)>, &'t str)> {
+    let Some((_, TypeForm::Alias(alias))) = types.get(&ty.trim().to_lowercase()) else {
+        return None;
+    };
+    let inner = alias.ty.strip_prefix('(')?.strip_suffix(')')?;
+    let mut values: Vec<(&str, i64)> = Vec::new();
+    for value in inner.split(',') {
+        let (name, number) = match value.split_once(":=") {
+            Some((name, number)) => (name.trim(), number.trim().replace(' ', "").parse().ok()?),
+            None => (value.trim(), values.last().map_or(0, |(_, before)| before + 1)),
+        };
+        values.push((name, number));
+    }
+    let first = alias.initial.as_deref().unwrap_or(values.first()?.0);
+    Some((values, first))
+}
+
 /// A first value.
 ///
 /// # Errors
@@ -217,11 +249,25 @@ pub(super) fn initial_text(text: &str) -> Result<String, String> {
 /// # Errors
 ///
 /// Why it has no form there.
-pub(super) fn declaration(name: &str, ty: &str, initial: Option<&str>, types: &Types) -> Result<String, String> {
+pub(super) fn declaration(
+    name: &str,
+    ty: &str,
+    initial: Option<&str>,
+    types: &Types,
+) -> Result<String, String> {
     let alias = match types.get(&ty.to_lowercase()) {
         Some((_, TypeForm::Alias(alias))) => alias.initial.as_deref(),
         _ => None,
     };
+    let numbered = enumeration(ty, types).and_then(|(values, first)| {
+        let name = initial.unwrap_or(first);
+        let name = name.rsplit('.').next().unwrap_or(name);
+        let (_, number) = values
+            .into_iter()
+            .find(|(own, _)| own.eq_ignore_ascii_case(name))?;
+        Some(number.to_string())
+    });
+    let initial = numbered.as_deref().or(initial);
     let ty = type_text(ty, types, 0)?;
     let initial = match initial.or(alias) {
         Some("1") if ty == "Bool" => " := TRUE".to_owned(),
@@ -238,9 +284,8 @@ pub(super) fn declaration(name: &str, ty: &str, initial: Option<&str>, types: &T
 ///
 /// Why it has no form there.
 pub(super) fn structure(name: &str, members: &[Declared], types: &Types) -> Result<String, String> {
-    let mut out = format!(
-        "\u{feff}{{\r\n    S7_Version := \"0.1\"\r\n}}\r\nTYPE \"{name}\"\r\n    STRUCT\r\n"
-    );
+    let mut out =
+        format!("\u{feff}{{\r\n    S7_Version := \"0.1\"\r\n}}\r\nTYPE \"{name}\"\r\n    STRUCT\r\n");
     for declared in members {
         for own in &declared.names {
             if member(own) != *own {

@@ -4,8 +4,9 @@ use super::Writer;
 use super::declare::elementary;
 use super::operand::{Tags, operand};
 use crate::standard::{Form, Pins, ROWS, Row};
-use ladder_analysis::program::{Argument, Block, BlockKind, Bound, ParameterKind};
+use ladder_analysis::program::{Argument, Block, BlockKind, Bound, ExprKind, ParameterKind};
 use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
 use ladder_instructions::Op;
 
 /// An instruction as it is written, with its pragma on a line before.
@@ -32,7 +33,11 @@ impl Writer<'_> {
             Op::Contact => return one("Contact", first(self)?),
             Op::NegatedContact => return one("I_Contact", first(self)?),
             Op::RisingContact | Op::FallingContact => {
-                let name = if row.op == Op::RisingContact { "P_Contact" } else { "N_Contact" };
+                let name = if row.op == Op::RisingContact {
+                    "P_Contact"
+                } else {
+                    "N_Contact"
+                };
                 let operand = first(self)?;
                 format!("{name}( operand := {operand}, bit := {} )", self.memory())
             }
@@ -50,7 +55,11 @@ impl Writer<'_> {
                 }
             }
             Op::RisingCoil | Op::FallingCoil => {
-                let name = if row.op == Op::RisingCoil { "P_Coil" } else { "N_Coil" };
+                let name = if row.op == Op::RisingCoil {
+                    "P_Coil"
+                } else {
+                    "N_Coil"
+                };
                 let operand = first(self)?;
                 format!("{name}( operand => {operand}, bit := {} )", self.memory())
             }
@@ -60,7 +69,10 @@ impl Writer<'_> {
             Op::Typ => {
                 let from = scalar_of(&arguments[1]).and_then(type_name);
                 let to = scalar_of(&arguments[0]).and_then(type_name);
-                let (from, to) = (from.ok_or("its value has no type there")?, to.ok_or("its result has no type there")?);
+                let (from, to) = (
+                    from.ok_or("its value has no type there")?,
+                    to.ok_or("its result has no type there")?,
+                );
                 let (out, value) = (self.given(&arguments[0], tags)?, self.given(&arguments[1], tags)?);
                 format!(
                     "{{ S7_Templates := \"[SrcType := {from}, DestType := {to}]\" }}\nConvert( in := {value}, out => {out} )"
@@ -85,7 +97,8 @@ impl Writer<'_> {
         };
         let row = ROWS.iter().find(is).ok_or_else(none)?;
         let name = row.sd[0];
-        let given: Result<Vec<String>, String> = arguments.iter().map(|bound| self.given(bound, tags)).collect();
+        let given: Result<Vec<String>, String> =
+            arguments.iter().map(|bound| self.given(bound, tags)).collect();
         let given = given?;
         let works_in = block.works_in.and_then(type_name);
         let template = |ty: &str| match row.template {
@@ -96,11 +109,17 @@ impl Writer<'_> {
         match row.form {
             Form::Compare("LE") if given.len() == 3 => {
                 let head = template(works_in()?);
-                Ok(format!("{head}InRange( min := {}, in := {}, max := {} )", given[0], given[1], given[2]))
+                Ok(format!(
+                    "{head}InRange( min := {}, in := {}, max := {} )",
+                    given[0], given[1], given[2]
+                ))
             }
             Form::Compare(_) if given.len() == 2 => {
                 let head = template(works_in()?);
-                Ok(format!("{head}{name}( in1 := {}, in2 := {} )", given[0], given[1]))
+                Ok(format!(
+                    "{head}{name}( in1 := {}, in2 := {} )",
+                    given[0], given[1]
+                ))
             }
             Form::State(_, pins) => {
                 let ty = if name.starts_with("CT") { "DInt" } else { "Time" };
@@ -124,7 +143,8 @@ impl Writer<'_> {
                     Pins::Named(pins) => pins.iter().map(|pin| (*pin).to_owned()).collect(),
                     Pins::Numbered => (1..=values.len()).map(|number| format!("in{number}")).collect(),
                     Pins::Selected(selector) => {
-                        let numbered = (0..values.len().saturating_sub(1)).map(|number| format!("in{number}"));
+                        let numbered =
+                            (0..values.len().saturating_sub(1)).map(|number| format!("in{number}"));
                         std::iter::once(selector.to_owned()).chain(numbered).collect()
                     }
                 };
@@ -138,8 +158,16 @@ impl Writer<'_> {
                 } else {
                     template(works_in()?)
                 };
-                let parts: Vec<String> = pins.iter().zip(values).map(|(pin, text)| format!("{pin} := {text}")).collect();
-                Ok(format!("{head}{name}( {}, out => {} )", parts.join(", "), given[0]))
+                let parts: Vec<String> = pins
+                    .iter()
+                    .zip(values)
+                    .map(|(pin, text)| format!("{pin} := {text}"))
+                    .collect();
+                Ok(format!(
+                    "{head}{name}( {}, out => {} )",
+                    parts.join(", "),
+                    given[0]
+                ))
             }
             _ => Err(none()),
         }
@@ -171,7 +199,9 @@ impl Writer<'_> {
             let upper = word.to_ascii_uppercase();
             match upper.as_str() {
                 "AND" | "OR" | "XOR" | "MOD" | "NOT" => formula.push_str(&upper),
-                "ABS" | "SQRT" | "LN" | "SIN" | "COS" | "TAN" | "ASIN" | "ACOS" | "ATAN" if rest.starts_with('(') => {
+                "ABS" | "SQRT" | "LN" | "SIN" | "COS" | "TAN" | "ASIN" | "ACOS" | "ATAN"
+                    if rest.starts_with('(') =>
+                {
                     formula.push_str(&upper);
                 }
                 "EXPE" if rest.starts_with('(') => formula.push_str("EXP"),
@@ -204,10 +234,18 @@ impl Writer<'_> {
         let range = text.strip_suffix(']').and_then(|path| path.rsplit_once('['));
         let range = range.and_then(|(array, range)| Some((array, range.split_once("..")?)));
         let (array, (first, last)) = range.ok_or("a bit field begins at an element")?;
-        let number = |bound: &str| bound.trim().parse::<i64>().map_err(|_| "a bit field has a constant length".to_owned());
+        let number = |bound: &str| {
+            bound
+                .trim()
+                .parse::<i64>()
+                .map_err(|_| "a bit field has a constant length".to_owned())
+        };
         let (first, last) = (number(first)?, number(last)?);
         let start = operand(&format!("{array}[{first}]"), tags)?;
-        Ok(format!("{name}_BitfieldCoil( operand := {start}, n := {} )", last.saturating_sub(first) + 1))
+        Ok(format!(
+            "{name}_BitfieldCoil( operand := {start}, n := {} )",
+            last.saturating_sub(first) + 1
+        ))
     }
 
     fn reset(&mut self, block: &Block, tags: &Tags) -> Result<Text, String> {
@@ -236,7 +274,9 @@ impl Writer<'_> {
             };
             let text = self.given(bound, tags)?;
             let own = self.parameters.get(&name.to_lowercase());
-            let own = own.and_then(|own| own.get(parameter)).ok_or("its parameters are not known")?;
+            let own = own
+                .and_then(|own| own.get(parameter))
+                .ok_or("its parameters are not known")?;
             let sign = match definition.parameters.get(parameter) {
                 Some((_, ParameterKind::Output)) => "=>",
                 _ => ":=",
@@ -249,6 +289,11 @@ impl Writer<'_> {
 
     /// What is given for an operand.
     fn given(&self, bound: &Bound, tags: &Tags) -> Result<String, String> {
+        if let Argument::Value(value) = &bound.argument
+            && let (Scalar::Enum(_), ExprKind::Constant(Value::Int(number))) = (value.ty, &value.kind)
+        {
+            return Ok(number.to_string());
+        }
         operand(self.source(bound), tags)
     }
 
@@ -279,7 +324,9 @@ fn word_end(text: &str) -> usize {
     let mut before = ' ';
     for (at, c) in text.char_indices() {
         let is_word = c.is_alphanumeric() || "_.#%".contains(c);
-        let is_exponent = (c == '-' || c == '+') && before.eq_ignore_ascii_case(&'e') && text.starts_with(|c: char| c.is_ascii_digit());
+        let is_exponent = (c == '-' || c == '+')
+            && before.eq_ignore_ascii_case(&'e')
+            && text.starts_with(|c: char| c.is_ascii_digit());
         match c {
             '[' => depth += 1,
             ']' => depth = depth.saturating_sub(1),
@@ -304,6 +351,7 @@ fn scalar_of(bound: &Bound) -> Option<Scalar> {
 fn type_name(ty: Scalar) -> Option<&'static str> {
     match ty {
         Scalar::String(_) => Some("String"),
+        Scalar::Enum(_) => Some("DInt"),
         other => elementary(&other.to_string().to_ascii_uppercase()),
     }
 }

@@ -74,13 +74,20 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     }
     writer.types(&units);
     writer.guards();
-    let names: HashSet<String> = units.iter().skip(1).map(|unit| unit.name.to_lowercase()).collect();
+    let names: HashSet<String> = units
+        .iter()
+        .skip(1)
+        .map(|unit| unit.name.to_lowercase())
+        .collect();
     let mut name = analysis.context.name.trim_end_matches(".clad").to_owned();
     while names.contains(&name.to_lowercase()) {
         name.push_str("_program");
     }
     for unit in units.iter().skip(1) {
-        let used = program.blocks.iter().any(|block| block.name[1..].eq_ignore_ascii_case(&unit.name));
+        let used = program
+            .blocks
+            .iter()
+            .any(|block| block.name[1..].eq_ignore_ascii_case(&unit.name));
         if used {
             let (document, resource) = writer.unit(&unit.name, unit);
             writer.companion(&unit.name, document, resource);
@@ -193,6 +200,7 @@ impl Writer<'_> {
 
     /// Whether a block does nothing without power.
     fn is_guarded(&self, user: usize) -> bool {
-        self.guarded.contains(&self.program.blocks[user].name.to_lowercase())
+        self.guarded
+            .contains(&self.program.blocks[user].name.to_lowercase())
     }
 }

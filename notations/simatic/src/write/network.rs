@@ -55,7 +55,12 @@ impl<'a> Writer<'a> {
         Some(self.source(block.arguments.first()?).to_owned())
     }
 
-    fn strands(&mut self, network: &Network, wires: &strands::Wires, tags: &Tags) -> Result<Vec<Strand>, String> {
+    fn strands(
+        &mut self,
+        network: &Network,
+        wires: &strands::Wires,
+        tags: &Tags,
+    ) -> Result<Vec<Strand>, String> {
         let mut out = Vec::new();
         for wire in &wires.wires {
             let mut elements = Vec::new();
@@ -79,7 +84,11 @@ impl<'a> Writer<'a> {
     /// Whether instructions stand where a document can have them.
     fn allowed(&self, network: &Network, wires: &strands::Wires) -> Result<(), String> {
         let mut jumps = 0;
-        let count = network.steps.iter().filter(|step| matches!(step, Step::Block { .. })).count();
+        let count = network
+            .steps
+            .iter()
+            .filter(|step| matches!(step, Step::Block { .. }))
+            .count();
         let mut done = 0;
         for step in &network.steps {
             let Step::Block { block, .. } = step else { continue };
@@ -99,7 +108,10 @@ impl<'a> Writer<'a> {
                 match network.blocks[*block].kind {
                     BlockKind::Instruction(row) => match row.op {
                         Op::SetCoil if !is_last => {
-                            return Err("after a set coil power goes on as it came there, and here it is the tag".to_owned());
+                            return Err(
+                                "after a set coil power goes on as it came there, and here it is the tag"
+                                    .to_owned(),
+                            );
                         }
                         Op::Inverter if at == 0 && wire.from == RAIL => {
                             return Err("a Not stands after a contact there".to_owned());

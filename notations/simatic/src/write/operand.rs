@@ -58,7 +58,9 @@ fn path(text: &str, tags: &Tags) -> Result<String, String> {
                 .split(',')
                 .map(|index| {
                     if index.contains("..") {
-                        return Err(format!("`{text}` is a range, which only coils on bit fields take"));
+                        return Err(format!(
+                            "`{text}` is a range, which only coils on bit fields take"
+                        ));
                     }
                     operand(index, tags)
                 })
@@ -125,7 +127,11 @@ fn member(name: &str, ty: &str, is_first: bool) -> Result<String, String> {
 pub(super) fn literal(text: &str) -> Result<Option<String>, String> {
     let upper = text.to_ascii_uppercase();
     if upper == "TRUE" || upper == "FALSE" || text.starts_with('\'') {
-        return Ok(Some(if text.starts_with('\'') { text.to_owned() } else { upper }));
+        return Ok(Some(if text.starts_with('\'') {
+            text.to_owned()
+        } else {
+            upper
+        }));
     }
     if let Some((kind, value)) = upper.split_once('#')
         && kind.chars().all(|c| c.is_alphanumeric() || c == '_')
@@ -162,7 +168,9 @@ fn duration(text: &str) -> Result<String, String> {
     while !rest.is_empty() {
         let end = rest.find(|c: char| c.is_ascii_alphabetic()).unwrap_or(rest.len());
         let (number, after) = rest.split_at(end);
-        let end = after.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(after.len());
+        let end = after
+            .find(|c: char| !c.is_ascii_alphabetic())
+            .unwrap_or(after.len());
         let (unit, after) = after.split_at(end);
         let factor = match unit {
             "d" => 86_400e9,
@@ -174,12 +182,17 @@ fn duration(text: &str) -> Result<String, String> {
             _ => 1.0,
         };
         is_plain &= !number.contains('.') && factor >= 1e6;
-        nanoseconds += number.parse::<f64>().map_err(|_| format!("`{text}` is no duration"))? * factor;
+        nanoseconds += number
+            .parse::<f64>()
+            .map_err(|_| format!("`{text}` is no duration"))?
+            * factor;
         rest = after;
     }
     let milliseconds = nanoseconds / 1e6;
     if milliseconds.fract() != 0.0 || milliseconds > f64::from(i32::MAX) {
-        return Err(format!("a Time has whole milliseconds, and at most 24 days: `{text}` has no form there"));
+        return Err(format!(
+            "a Time has whole milliseconds, and at most 24 days: `{text}` has no form there"
+        ));
     }
     if is_plain {
         return Ok(format!("T#{sign}{}", plain.trim_start_matches('-')));

@@ -39,7 +39,8 @@ pub(super) fn of(network: &Network) -> Result<Wires, String> {
             Step::Start { rail } => rail.then_some(RAIL),
             Step::Block { block, en } => {
                 let from = points[en].ok_or("no power reaches a block of it")?;
-                let is_label = matches!(network.blocks[block].kind, BlockKind::Instruction(row) if row.op == Op::Lbl);
+                let is_label =
+                    matches!(network.blocks[block].kind, BlockKind::Instruction(row) if row.op == Op::Lbl);
                 if is_label {
                     if from != RAIL || is_marked || !edges.is_empty() {
                         return Err("a label stands at the beginning of its network there".to_owned());

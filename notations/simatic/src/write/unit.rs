@@ -51,7 +51,8 @@ pub(super) fn units(parse: &Parse) -> Vec<Unit> {
                 groups.push(Vec::new());
                 let unit = &mut units[at];
                 let mut said = own;
-                let is_first = unit.networks.is_empty() && unit.sections.iter().all(|section| section.keyword == "TYPE");
+                let is_first =
+                    unit.networks.is_empty() && unit.sections.iter().all(|section| section.keyword == "TYPE");
                 if is_first {
                     unit.said.extend(before);
                 } else {
@@ -65,9 +66,11 @@ pub(super) fn units(parse: &Parse) -> Vec<Unit> {
             }
             Item::Section(number) => {
                 let unit = &mut units[at];
-                unit.said.extend(std::mem::take(&mut groups).into_iter().flatten());
+                unit.said
+                    .extend(std::mem::take(&mut groups).into_iter().flatten());
                 groups.push(Vec::new());
-                unit.sections.push(declare::section(parse, &structure.sections[number]));
+                unit.sections
+                    .push(declare::section(parse, &structure.sections[number]));
             }
             Item::BlockHeader(number) => {
                 let line = structure.blocks[number].lines.start;
@@ -100,8 +103,15 @@ pub(super) fn units(parse: &Parse) -> Vec<Unit> {
 pub(super) fn parameters(units: &[Unit]) -> HashMap<String, Vec<String>> {
     let of = |unit: &Unit| {
         let sections = unit.sections.iter();
-        let own = sections.filter(|section| matches!(section.keyword.as_str(), "VAR_INPUT" | "VAR_OUTPUT" | "VAR_IN_OUT"));
-        let names = own.flat_map(|section| &section.declared).flat_map(|declared| declared.names.clone());
+        let own = sections.filter(|section| {
+            matches!(
+                section.keyword.as_str(),
+                "VAR_INPUT" | "VAR_OUTPUT" | "VAR_IN_OUT"
+            )
+        });
+        let names = own
+            .flat_map(|section| &section.declared)
+            .flat_map(|declared| declared.names.clone());
         (unit.name.to_lowercase(), names.collect())
     };
     units.iter().map(of).collect()
@@ -115,7 +125,8 @@ impl Writer<'_> {
         self.taken.clear();
         if unit.leads_out {
             let why = "a block of this shape leaves the program that it stands in, and no block does there";
-            self.report.refused(LineColumn::START, format!("block ${name}"), why);
+            self.report
+                .refused(LineColumn::START, format!("block ${name}"), why);
         }
         let mut tags = Tags::new();
         let mut out: Vec<(String, Vec<String>)> = Vec::new();
@@ -131,7 +142,11 @@ impl Writer<'_> {
         for (number, said) in unit.networks.iter().skip(guard) {
             let Some(network) = self.network_at(*number) else {
                 let place = self.place(self.start(*number).into());
-                self.report.refused(place, "network", "it is part of a function that the program does not call");
+                self.report.refused(
+                    place,
+                    "network",
+                    "it is part of a function that the program does not call",
+                );
                 continue;
             };
             let title = self.titled(said);
@@ -150,12 +165,17 @@ impl Writer<'_> {
                     (self.label(network), lines.collect())
                 }
             };
-            let label = label.map(|label| format!("        Label( \"{label}\" )\r\n")).unwrap_or_default();
+            let label = label
+                .map(|label| format!("        Label( \"{label}\" )\r\n"))
+                .unwrap_or_default();
             networks.push_str(&format!(
                 "    {{\r\n        S7_Language := \"LAD\"{title}\r\n    }}\r\n    NETWORK\r\n{label}{rungs}    END_NETWORK\r\n"
             ));
         }
-        let statics = self.statics.iter().map(|(name, ty)| format!("\"{name}\" : {ty};"));
+        let statics = self
+            .statics
+            .iter()
+            .map(|(name, ty)| format!("\"{name}\" : {ty};"));
         let statics: Vec<String> = statics.collect();
         if !statics.is_empty() {
             push(&mut out, "VAR", statics);
@@ -210,12 +230,21 @@ impl Writer<'_> {
                 let id = self.text_id(said.clone());
                 format!("{{ S7_MLC := \"{id}\" }} ")
             });
-            push(out, &header, vec![format!("{}{line}", pragma.unwrap_or_default())]);
-            if matches!(section.keyword.as_str(), "VAR_GLOBAL" | "VAR_EXTERNAL") {
+            push(
+                out,
+                &header,
+                vec![format!("{}{line}", pragma.unwrap_or_default())],
+            );
+            if declare::enumeration(&declared.ty, &self.types).is_some() {
+                let why = "an enumeration is a DInt there, and its values are numbers";
+                self.report.approximated(place, shown, why);
+            } else if matches!(section.keyword.as_str(), "VAR_GLOBAL" | "VAR_EXTERNAL") {
                 let why = "other blocks do not see it: it is a variable of the block";
                 self.report.approximated(place, shown, why);
             } else if let Some(address) = &declared.address {
-                let why = format!("a variable of a block has no address: connect it to {address} where the block is called");
+                let why = format!(
+                    "a variable of a block has no address: connect it to {address} where the block is called"
+                );
                 self.report.approximated(place, shown, why);
             } else if header == section.keyword && section.qualifier.is_some() {
                 let why = "it is not retentive there: only variables of the block itself are";
@@ -233,7 +262,8 @@ impl Writer<'_> {
         }
         let program = self.program;
         for tag in &program.tags {
-            let is_own = tag.block.is_none() && tag.location.file == 0 && !tag.name.contains(['.', '%', '[', '$']);
+            let is_own =
+                tag.block.is_none() && tag.location.file == 0 && !tag.name.contains(['.', '%', '[', '$']);
             if !is_own || tags.contains_key(&tag.name.to_lowercase()) {
                 continue;
             }
@@ -252,7 +282,8 @@ impl Writer<'_> {
                 }
                 Err(why) => {
                     let why = format!("`{}` cannot be declared: {why}", tag.name);
-                    self.report.refused(place, format!("tag `{}`", tag.name), why.clone());
+                    self.report
+                        .refused(place, format!("tag `{}`", tag.name), why.clone());
                     tags.insert(tag.name.to_lowercase(), Err(why));
                 }
             }
@@ -291,7 +322,14 @@ impl Writer<'_> {
 }
 
 /// The sections in the order in which documents have them.
-const SECTIONS: [&str; 6] = ["VAR_INPUT", "VAR_OUTPUT", "VAR_IN_OUT", "VAR", "VAR RETAIN", "VAR CONSTANT"];
+const SECTIONS: [&str; 6] = [
+    "VAR_INPUT",
+    "VAR_OUTPUT",
+    "VAR_IN_OUT",
+    "VAR",
+    "VAR RETAIN",
+    "VAR CONSTANT",
+];
 
 fn push(out: &mut Vec<(String, Vec<String>)>, header: &str, lines: Vec<String>) {
     match out.iter_mut().find(|(own, _)| own == header) {

@@ -20,12 +20,17 @@ pub(super) fn operand(node: Node<'_, '_>, depth: usize) -> String {
             let sign = if scope.starts_with("Local") { "#" } else { "" };
             return format!("{sign}\"{name}\"");
         }
-        return constant.child("ConstantValue").map(|node| node.words()).unwrap_or_default();
+        return constant
+            .child("ConstantValue")
+            .map(|node| node.words())
+            .unwrap_or_default();
     }
     if let Some(label) = node.child("Label") {
         return label.attribute("Name").unwrap_or_default().to_owned();
     }
-    node.child("Address").map(address).unwrap_or_else(|| "?".to_owned())
+    node.child("Address")
+        .map(address)
+        .unwrap_or_else(|| "?".to_owned())
 }
 
 /// The components of a symbol, or of an instance.
@@ -46,7 +51,10 @@ pub(super) fn path(symbol: Node<'_, '_>, scope: &str, depth: usize) -> String {
         if !indices.is_empty() {
             out.push_str(&format!("[{}]", indices.join(", ")));
         }
-        if let Some(slice) = component.attribute("SliceAccessModifier").filter(|slice| *slice != "undef") {
+        if let Some(slice) = component
+            .attribute("SliceAccessModifier")
+            .filter(|slice| *slice != "undef")
+        {
             out.push_str(&format!(".%{}", slice.to_ascii_uppercase()));
         }
     }

@@ -26,7 +26,9 @@ const BLOCKS: [(&str, Kind); 6] = [
 /// Whether a text is such a file, from what it begins with.
 pub(crate) fn recognises(head: &str) -> bool {
     let head = head.trim_start_matches('\u{feff}').trim_start();
-    head.starts_with('<') && head.contains("<Document") && (head.contains("<SW.") || head.contains("<Engineering"))
+    head.starts_with('<')
+        && head.contains("<Document")
+        && (head.contains("<SW.") || head.contains("<Engineering"))
 }
 
 /// Reads a block.
@@ -42,11 +44,16 @@ pub(crate) fn unit(text: &str) -> Result<Unit> {
         kind.map(|(_, kind)| (node, *kind))
     });
     let Some((node, kind)) = blocks.next() else {
-        let message = "the file holds no block of a program: no SW.Blocks.FB, FC, OB or DB, and no SW.Types.PlcStruct";
+        let message =
+            "the file holds no block of a program: no SW.Blocks.FB, FC, OB or DB, and no SW.Types.PlcStruct";
         return Err(ReadError::at(xml.place(root), message));
     };
     let attributes = node.child("AttributeList");
-    let attribute = |name: &str| attributes.and_then(|list| list.child(name)).map(|node| node.words());
+    let attribute = |name: &str| {
+        attributes
+            .and_then(|list| list.child(name))
+            .map(|node| node.words())
+    };
     let mut unit = Unit {
         place: xml.place(node),
         kind,
@@ -70,7 +77,10 @@ pub(crate) fn unit(text: &str) -> Result<Unit> {
         interface(&xml, section, &mut unit)?;
     }
     let units = node.child("ObjectList");
-    for compile in units.iter().flat_map(|list| list.children_of("SW.Blocks.CompileUnit")) {
+    for compile in units
+        .iter()
+        .flat_map(|list| list.children_of("SW.Blocks.CompileUnit"))
+    {
         let network = network::network(&xml, compile, &mut unit);
         unit.networks.push(network);
     }
@@ -85,15 +95,22 @@ fn said(node: Node<'_, '_>) -> Vec<String> {
         let is = |text: &Node<'_, '_>| text.attribute("CompositionName") == Some(name);
         let all = texts.iter().flat_map(|list| list.children_of("MultilingualText"));
         for text in all.filter(is) {
-            let items = text.descendants().filter(|node| node.is_element() && node.is("AttributeList"));
+            let items = text
+                .descendants()
+                .filter(|node| node.is_element() && node.is("AttributeList"));
             let items = items.filter_map(|item| {
                 let text = item.child("Text")?.words();
-                let is_english = item.child("Culture").is_some_and(|culture| culture.words() == "en-US");
+                let is_english = item
+                    .child("Culture")
+                    .is_some_and(|culture| culture.words() == "en-US");
                 (!text.is_empty()).then_some((is_english, text))
             });
             let items: Vec<(bool, String)> = items.collect();
             let text = items.iter().find(|(is_english, _)| *is_english).or(items.first());
-            said.extend(text.map(|(_, text)| text.clone()).filter(|text| !said.contains(text)));
+            said.extend(
+                text.map(|(_, text)| text.clone())
+                    .filter(|text| !said.contains(text)),
+            );
         }
     }
     said
@@ -124,7 +141,10 @@ fn interface(xml: &Xml<'_>, section: Node<'_, '_>, unit: &mut Unit) -> Result<()
 fn member(xml: &Xml<'_>, node: Node<'_, '_>, role: Role, depth: usize) -> Result<Variable> {
     let place = xml.place(node);
     if depth > DEEPEST {
-        return Err(ReadError::at(place, format!("structures nest deeper than {DEEPEST}")));
+        return Err(ReadError::at(
+            place,
+            format!("structures nest deeper than {DEEPEST}"),
+        ));
     }
     let written = node.attribute("Datatype").unwrap_or_default();
     let whole = |error: ReadError| ReadError::at(place, error.message);
@@ -139,7 +159,11 @@ fn member(xml: &Xml<'_>, node: Node<'_, '_>, role: Role, depth: usize) -> Result
     } else {
         type_text(written).map_err(whole)?
     };
-    let text = |name: &str| node.child(name).map(|node| node.words()).filter(|text| !text.is_empty());
+    let text = |name: &str| {
+        node.child(name)
+            .map(|node| node.words())
+            .filter(|text| !text.is_empty())
+    };
     Ok(Variable {
         place,
         name: node.attribute("Name").unwrap_or_default().to_owned(),

@@ -34,7 +34,11 @@ pub(super) fn network(xml: &Xml<'_>, node: Node<'_, '_>, unit: &mut Unit) -> Net
         return network;
     }
     let labels = drawn.child("Labels");
-    let label = labels.and_then(|labels| labels.descendants().find(|node| node.is_element() && node.is("Label")));
+    let label = labels.and_then(|labels| {
+        labels
+            .descendants()
+            .find(|node| node.is_element() && node.is("Label"))
+    });
     network.label = label.and_then(|label| {
         let name = label.attribute("Name")?.to_owned();
         Some((xml.place(label), name))
@@ -330,7 +334,11 @@ fn shown(part: &Part) -> String {
         }
     });
     let arguments: Vec<String> = arguments.collect();
-    let instance = part.instance.as_ref().map(|name| format!("{name}.")).unwrap_or_default();
+    let instance = part
+        .instance
+        .as_ref()
+        .map(|name| format!("{name}."))
+        .unwrap_or_default();
     format!("{instance}{}( {} )", part.name, arguments.join(", "))
 }
 
@@ -351,9 +359,16 @@ fn part(place: LineColumn, node: Node<'_, '_>) -> Drawn {
         part.name = row.map_or(name, |row| row.sd[0]).to_owned();
         part.instance = instance;
     }
-    let values = node.children_of("TemplateValue").filter(|value| value.attribute("Type") == Some("Type"));
+    let values = node
+        .children_of("TemplateValue")
+        .filter(|value| value.attribute("Type") == Some("Type"));
     part.templates = values
-        .map(|value| (value.attribute("Name").unwrap_or_default().to_owned(), value.words()))
+        .map(|value| {
+            (
+                value.attribute("Name").unwrap_or_default().to_owned(),
+                value.words(),
+            )
+        })
         .collect();
     if let Some(formula) = node.child("Equation") {
         part.templates.push(("expression".to_owned(), formula.words()));

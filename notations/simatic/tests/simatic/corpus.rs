@@ -20,9 +20,17 @@ fn text(name: &str) -> Option<String> {
 fn document(stem: &str) -> Option<String> {
     let resource = format!("{stem}.s7res");
     let path = corpus()?.join(&resource);
-    let companions = std::fs::read(path).ok().map(|bytes| Companion { name: resource, bytes });
+    let companions = std::fs::read(path).ok().map(|bytes| Companion {
+        name: resource,
+        bytes,
+    });
     let converted = read(&text(&format!("{stem}.s7dcl"))?, companions.into_iter().collect());
-    assert_eq!(errors(&converted.written.text), Vec::<String>::new(), "{}", converted.written.text);
+    assert_eq!(
+        errors(&converted.written.text),
+        Vec::<String>::new(),
+        "{}",
+        converted.written.text
+    );
     let remarks = remarks(&converted);
     Some(converted.written.text + &remarks)
 }

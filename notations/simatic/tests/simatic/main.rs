@@ -29,9 +29,12 @@ fn read_xml(text: &str) -> Converted {
 /// The report in lines.
 fn remarks(converted: &Converted) -> String {
     let remarks = ladder_notation::remarks(&converted.report, &converted.findings);
-    let lines = remarks
-        .iter()
-        .map(|remark| format!("{}: {}: {}: {}\n", remark.place, remark.outcome, remark.element, remark.reason));
+    let lines = remarks.iter().map(|remark| {
+        format!(
+            "{}: {}: {}: {}\n",
+            remark.place, remark.outcome, remark.element, remark.reason
+        )
+    });
     lines.collect()
 }
 
@@ -60,7 +63,10 @@ fn networks(text: &str) -> Vec<String> {
         let words = rungs.map(|line| {
             let text = parse.text_in(parse.line_range(line));
             let words: Vec<&str> = text.split('-').filter(|word| !word.is_empty()).collect();
-            words.join("-").trim_end_matches([' ', '|', '+', '\n', '\r', '-']).to_owned()
+            words
+                .join("-")
+                .trim_end_matches([' ', '|', '+', '\n', '\r', '-'])
+                .to_owned()
         });
         words.collect::<Vec<_>>().join("\n")
     });

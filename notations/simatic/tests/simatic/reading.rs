@@ -23,7 +23,9 @@ fn check(declared: &str, inside: &str, expected: Expect) {
     let text = &converted.written.text;
     assert_eq!(errors(text), Vec::<String>::new(), "{text}");
     let frame = "    a : BOOL;\n    b : BOOL;\n    c : BOOL;\n    n : INT;\n";
-    let (before, rest) = text.split_once(&format!("VAR_INPUT\n{frame}END_VAR\n")).unwrap_or(("", text));
+    let (before, rest) = text
+        .split_once(&format!("VAR_INPUT\n{frame}END_VAR\n"))
+        .unwrap_or(("", text));
     let rest = rest.replacen("VAR_OUTPUT\n    y : BOOL;\n    z : BOOL;\nEND_VAR\n", "", 1);
     expected.assert_eq(&format!("{before}{}\n{}", rest.trim(), remarks(&converted)));
 }
@@ -203,11 +205,19 @@ fn jumps_and_returns() {
     );
     let converted = read(&text, Vec::new());
     assert_eq!(errors(&converted.written.text), Vec::<String>::new());
-    let networks = converted.written.text.split("END_VAR\n").last().unwrap_or_default().trim().to_owned();
+    let networks = converted
+        .written
+        .text
+        .split("END_VAR\n")
+        .last()
+        .unwrap_or_default()
+        .trim()
+        .to_owned();
     expect![[r#"
         +--[ ]( a )-----------------------------------------------------<JMP>( Past )--+
 
-        +--<LBL>( Past )--[ ]( b )------------------------------------( )( y )--<RET>--+"#]].assert_eq(&networks);
+        +--<LBL>( Past )--[ ]( b )------------------------------------( )( y )--<RET>--+"#]]
+    .assert_eq(&networks);
 }
 
 #[test]
@@ -313,7 +323,13 @@ fn blocks_types_and_data_of_files_next_to_it() {
 
 #[test]
 fn a_block_opened_alone_is_a_program_and_in_a_folder_a_block() {
-    let converted = read(&block("", &network("RUNG wire#powerrail Contact( #a ) Coil( #y ) END_RUNG")), Vec::new());
+    let converted = read(
+        &block(
+            "",
+            &network("RUNG wire#powerrail Contact( #a ) Coil( #y ) END_RUNG"),
+        ),
+        Vec::new(),
+    );
     let [file] = &converted.files[..] else {
         panic!("one file");
     };
@@ -337,7 +353,8 @@ fn a_block_opened_alone_is_a_program_and_in_a_folder_a_block() {
 
         +--[ ]( a )----------------------------------------------------------( )( y )--+
         END_FUNCTION_BLOCK
-    "#]].assert_eq(&format!("{}\n{text}", file.name));
+    "#]]
+    .assert_eq(&format!("{}\n{text}", file.name));
 }
 
 #[test]
@@ -360,10 +377,14 @@ fn broken_frames_are_refused_and_broken_networks_stay() {
         ]
         .join("\n"),
     );
-    let converted = read(&block("", &network("RUNG wire#powerrail Contact( #a ) Coil #y END_RUNG")), Vec::new());
+    let converted = read(
+        &block("", &network("RUNG wire#powerrail Contact( #a ) Coil #y END_RUNG")),
+        Vec::new(),
+    );
     expect![[r#"
         12:35: approximated: network: the network cannot be read: one of `({` is missing after `Coil`
-    "#]].assert_eq(&remarks(&converted));
+    "#]]
+    .assert_eq(&remarks(&converted));
 }
 
 #[test]
@@ -414,5 +435,6 @@ fn an_export_with_a_call_and_values_between_boxes() {
         |                /--[/]( %IX1.3 )--/                                           |
 
         12:30: approximated: variable s: it keeps its value from one scan to the next here
-    "#]].assert_eq(&(converted.written.text.clone() + "\n" + &remarks(&converted)));
+    "#]]
+    .assert_eq(&(converted.written.text.clone() + "\n" + &remarks(&converted)));
 }

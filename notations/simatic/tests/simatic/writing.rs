@@ -8,10 +8,17 @@ fn check(text: &str, expected: Expect) {
     let writing = write(text).unwrap_or_else(|error| panic!("{error}"));
     let mut out = String::from_utf8_lossy(&writing.bytes).replace('\r', "");
     for companion in &writing.companions {
-        out.push_str(&format!("== {}\n{}", companion.name, String::from_utf8_lossy(&companion.bytes).replace('\r', "")));
+        out.push_str(&format!(
+            "== {}\n{}",
+            companion.name,
+            String::from_utf8_lossy(&companion.bytes).replace('\r', "")
+        ));
     }
     for entry in writing.report.remarks() {
-        out.push_str(&format!("{} {}: {:?}\n", entry.place, entry.element, entry.outcome));
+        out.push_str(&format!(
+            "{} {}: {:?}\n",
+            entry.place, entry.element, entry.outcome
+        ));
     }
     expected.assert_eq(out.trim_start_matches('\u{feff}'));
 }
