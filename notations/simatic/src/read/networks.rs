@@ -147,9 +147,9 @@ impl Reader {
         match head.rsplit_once('.') {
             Some((instance, name)) if is_word(name) && is_instruction(name) => {
                 part.instance = Some(instance.trim().to_owned());
-                part.name = name.to_owned();
+                name.clone_into(&mut part.name);
             }
-            _ => part.name = head.to_owned(),
+            _ => head.clone_into(&mut part.name),
         }
         if !is_head(head) {
             return cursor.error("an instruction is expected here, with its operands in parentheses");

@@ -126,7 +126,7 @@ impl Sketcher<'_> {
         let report = &mut self.reading.report;
         match why {
             _ if spelled != name => {
-                report.approximated(place, shown, format!("it is spelled `{spelled}` here"))
+                report.approximated(place, shown, format!("it is spelled `{spelled}` here"));
             }
             Some(why) => report.approximated(place, shown, why),
             None => report.translated(place, shown),

@@ -107,10 +107,10 @@ impl Sketcher<'_> {
                 // What there is to say of it is said where it is read itself.
                 let before = (self.reading.report.clone(), self.reading.findings.clone());
                 let places = self.reading.places.len();
-                let block = self.unit(unit, true);
+                let body = self.unit(unit, true);
                 (self.reading.report, self.reading.findings) = before;
                 self.reading.places[places..].fill(LineColumn::START);
-                blocks.extend([Item::Blank, self.block(unit, block)]);
+                blocks.extend([Item::Blank, block(unit, body)]);
             }
         }
         let mut items: Vec<Item> = unit.said.iter().cloned().map(Item::Comment).collect();
@@ -123,7 +123,7 @@ impl Sketcher<'_> {
             items.push(Item::Blank);
         }
         if is_block {
-            let block = self.block(unit, body);
+            let block = block(unit, body);
             items.push(block);
         } else {
             items.extend(body);
@@ -139,18 +139,6 @@ impl Sketcher<'_> {
             ty
         };
         self.type_text(ty, &unit.name).map(drop)
-    }
-
-    /// A block of one's own. Without power it does not run there.
-    fn block(&mut self, unit: &Unit, mut items: Vec<Item>) -> Item {
-        let name = block_name(&unit.name);
-        if name[1..] != unit.name {
-            items.insert(0, Item::Comment(format!("{} in the project", unit.name)));
-        }
-        Item::Block {
-            header: format!("[{name}]"),
-            items,
-        }
     }
 
     /// Declarations and networks of a block.
@@ -205,5 +193,17 @@ impl Sketcher<'_> {
                 .any(|unit| block_name(&unit.name).eq_ignore_ascii_case(word))
         };
         self.idle.block(name, shown, is_taken)
+    }
+}
+
+/// A block of one's own. Without power it does not run there.
+fn block(unit: &Unit, mut items: Vec<Item>) -> Item {
+    let name = block_name(&unit.name);
+    if name[1..] != unit.name {
+        items.insert(0, Item::Comment(format!("{} in the project", unit.name)));
+    }
+    Item::Block {
+        header: format!("[{name}]"),
+        items,
     }
 }

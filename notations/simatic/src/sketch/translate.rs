@@ -27,15 +27,15 @@ pub(super) struct Translator<'s, 'l> {
 
 type Result<T> = std::result::Result<T, String>;
 
-fn one(text: String) -> Result<Translated> {
+fn one(text: String) -> Translated {
     series([text])
 }
 
-fn series<const N: usize>(texts: [String; N]) -> Result<Translated> {
-    Ok(Translated {
+fn series<const N: usize>(texts: [String; N]) -> Translated {
+    Translated {
         texts: texts.into(),
         ..Translated::default()
-    })
+    }
 }
 
 impl Translator<'_, '_> {
@@ -47,42 +47,45 @@ impl Translator<'_, '_> {
     pub(super) fn instruction(&mut self, row: &Row, part: &Part) -> Result<Translated> {
         match row.form {
             Form::Contact(sign) => match self.bit(part, "operand")? {
-                it if it.is_literal => one(format!("{sign}( {} )", always(&it.text))),
-                it => one(format!("{sign}( {} )", it.text)),
+                it if it.is_literal => Ok(one(format!("{sign}( {} )", always(&it.text)))),
+                it => Ok(one(format!("{sign}( {} )", it.text))),
             },
             Form::EdgeContact(sign) | Form::Coil(sign) => {
-                one(format!("{sign}( {} )", self.bit(part, "operand")?.text))
+                Ok(one(format!("{sign}( {} )", self.bit(part, "operand")?.text)))
             }
-            Form::EdgeCoil(sign) => one(format!("{sign}( {} )", self.bit(part, "operand")?.text)),
-            Form::Edge(sign) => one(sign.to_owned()),
-            Form::Not => one("[NOT]".to_owned()),
+            Form::EdgeCoil(sign) => Ok(one(format!("{sign}( {} )", self.bit(part, "operand")?.text))),
+            Form::Edge(sign) => Ok(one(sign.to_owned())),
+            Form::Not => Ok(one("[NOT]".to_owned())),
             Form::Compare(name) => {
                 let (a, b) = (self.value(part, "in1")?, self.value(part, "in2")?);
-                one(format!("[{name}]( {}, {} )", a.text, b.text))
+                Ok(one(format!("[{name}]( {}, {} )", a.text, b.text)))
             }
             Form::CompareBox(sign) => {
                 let (a, b) = (self.value(part, "in1")?, self.value(part, "in2")?);
                 let out = self.out(part, "out", "BOOL")?;
-                one(format!("[CALC]( {}, {} {sign} {} )", out.text, a.text, b.text))
+                Ok(one(format!(
+                    "[CALC]( {}, {} {sign} {} )",
+                    out.text, a.text, b.text
+                )))
             }
             Form::InRange => {
                 let [min, value, max] = self.values(part, ["min", "in", "max"])?;
-                one(format!("[LE]( {min}, {value}, {max} )"))
+                Ok(one(format!("[LE]( {min}, {value}, {max} )")))
             }
             Form::OutRange => {
                 let [min, value, max] = self.values(part, ["min", "in", "max"])?;
                 let helper = self
                     .scope
                     .helper("outside", "BOOL", "whether a value is outside of its range");
-                series([
+                Ok(series([
                     format!("[CALC]( {helper}, {value} < {min} OR {value} > {max} )"),
                     format!("[ ]( {helper} )"),
-                ])
+                ]))
             }
             Form::Valid | Form::Invalid => {
                 let value = self.only(part, "operand", "REAL")?;
                 let name = if row.form == Form::Valid { "EQ" } else { "NE" };
-                one(format!("[{name}]( {0}, {0} )", value.text))
+                Ok(one(format!("[{name}]( {0}, {0} )", value.text)))
             }
             Form::Bits(sign) => {
                 let first = self.bit(part, "operand")?;
@@ -94,27 +97,27 @@ impl Translator<'_, '_> {
             Form::TimerCoil(name) => {
                 let timer = self.only(part, "timer", name)?;
                 let time = self.pin(part, "pt", "TIME")?;
-                one(format!("[{name}]( {}, {} )", timer.text, time.text))
+                Ok(one(format!("[{name}]( {}, {} )", timer.text, time.text)))
             }
-            Form::ResetTimer => one(format!("(RES)( {} )", self.only(part, "timer", "TON")?.text)),
+            Form::ResetTimer => Ok(one(format!("(RES)( {} )", self.only(part, "timer", "TON")?.text))),
             Form::Move => self.moves(part),
             Form::Value(name, pins) => self.computed(part, name, pins),
             Form::Square => {
-                let ty = self.works_in(part);
+                let ty = works_in(part);
                 let value = self.pin(part, "in", ty)?;
                 self.result(part, ty, |out| format!("[MUL]( {out}, {0}, {0} )", value.text))
             }
             Form::Step(name) => {
-                let ty = self.works_in(part);
+                let ty = works_in(part);
                 let it = self.only(part, "operand", ty)?;
-                one(format!("[{name}]( {0}, {0}, 1 )", it.text))
+                Ok(one(format!("[{name}]( {0}, {0}, 1 )", it.text)))
             }
             Form::Convert => {
                 let from = part.template("SrcType").and_then(elementary).unwrap_or("INT");
                 let to = part.template("DestType").and_then(elementary).unwrap_or("INT");
                 let value = self.pin(part, "in", from)?;
                 let out = self.out(part, "out", to)?;
-                one(format!("[TYP]( {}, {} )", out.text, value.text))
+                Ok(one(format!("[TYP]( {}, {} )", out.text, value.text)))
             }
             Form::Calculate => self.calculated(part),
             Form::Jump { negated } => {
@@ -124,12 +127,12 @@ impl Translator<'_, '_> {
                 };
                 let jump = format!("<JMP>( {} )", self.label(label));
                 if negated {
-                    return series(["[NOT]".to_owned(), jump]);
+                    return Ok(series(["[NOT]".to_owned(), jump]));
                 }
-                one(jump)
+                Ok(one(jump))
             }
             Form::Return { .. } => {
-                let mut done = one("<RET>".to_owned())?;
+                let mut done = one("<RET>".to_owned());
                 if !part.arguments.is_empty() || part.name != "Return" {
                     done.note = Some("the power that the block leaves is not set".to_owned());
                 }
@@ -141,13 +144,6 @@ impl Translator<'_, '_> {
     /// A label as it is spelled here.
     pub(super) fn label(&mut self, name: &str) -> String {
         self.labels.spell(name)
-    }
-
-    fn works_in(&self, part: &Part) -> &'static str {
-        let named = ["SrcType", "value_type"]
-            .iter()
-            .find_map(|name| part.template(name));
-        named.and_then(elementary).unwrap_or("INT")
     }
 
     /// The operand at a pin.
@@ -170,7 +166,7 @@ impl Translator<'_, '_> {
     }
 
     fn value(&mut self, part: &Part, pin: &str) -> Result<Operand> {
-        let ty = self.works_in(part);
+        let ty = works_in(part);
         self.pin(part, pin, ty)
     }
 
@@ -201,9 +197,12 @@ impl Translator<'_, '_> {
         match out.plain() {
             Some(to) if !passes(ty, to) => {
                 let helper = self.scope.helper("result", ty, "a result before it is converted");
-                series([text(&helper), format!("[TYP]( {}, {helper} )", out.text)])
+                Ok(series([
+                    text(&helper),
+                    format!("[TYP]( {}, {helper} )", out.text),
+                ]))
             }
-            _ => one(text(&out.text)),
+            _ => Ok(one(text(&out.text))),
         }
     }
 
@@ -236,7 +235,7 @@ impl Translator<'_, '_> {
     }
 
     fn computed(&mut self, part: &Part, name: &str, pins: Pins) -> Result<Translated> {
-        let ty = self.works_in(part);
+        let ty = works_in(part);
         let mut texts = Vec::new();
         let numbered = |first: usize| (first..).map(|number| format!("in{number}"));
         match pins {
@@ -267,13 +266,13 @@ impl Translator<'_, '_> {
         if name == "TRUNC" {
             let to = part.template("DestType").and_then(elementary).unwrap_or("INT");
             let out = self.out(part, "out", to)?;
-            return one(format!("[TRUNC]( {}, {} )", out.text, texts.join(", ")));
+            return Ok(one(format!("[TRUNC]( {}, {} )", out.text, texts.join(", "))));
         }
         self.result(part, ty, |out| format!("[{name}]( {out}, {} )", texts.join(", ")))
     }
 
     fn calculated(&mut self, part: &Part) -> Result<Translated> {
-        let ty = self.works_in(part);
+        let ty = works_in(part);
         let written = part.template("expression").ok_or("its formula is missing")?;
         let mut formula = String::new();
         let mut rest = written;
@@ -318,7 +317,7 @@ impl Translator<'_, '_> {
         } else {
             format!("{bit} AND NOT {helper} OR {other}")
         };
-        let mut done = series([format!("[CALC]( {bit}, {formula} )"), format!("[ ]( {bit} )")])?;
+        let mut done = series([format!("[CALC]( {bit}, {formula} )"), format!("[ ]( {bit} )")]);
         done.cut = Some(helper);
         Ok(done)
     }
@@ -347,7 +346,7 @@ impl Translator<'_, '_> {
                 None => {}
             }
         }
-        let mut done = one(format!("[{name}]( {} )", texts.join(", ")))?;
+        let mut done = one(format!("[{name}]( {} )", texts.join(", ")));
         for argument in part.arguments.iter().filter(|argument| argument.is_output) {
             let (Some(pin), Value::Operand(text)) = (&argument.pin, &argument.value) else {
                 continue;
@@ -371,6 +370,14 @@ impl Translator<'_, '_> {
     }
 }
 
+/// The type that an instruction works in.
+fn works_in(part: &Part) -> &'static str {
+    let named = ["SrcType", "value_type"]
+        .iter()
+        .find_map(|name| part.template(name));
+    named.and_then(elementary).unwrap_or("INT")
+}
+
 fn always(literal: &str) -> &'static str {
     if literal == "TRUE" || literal == "1" {
         "SYS.ON"
@@ -392,5 +399,5 @@ fn bits(sign: &str, first: &str, count: &str) -> Result<Translated> {
         });
     let range: String =
         range.ok_or("only bits of an array, from a constant index on, can be set together here")?;
-    one(format!("{sign}( {range} )"))
+    Ok(one(format!("{sign}( {range} )")))
 }

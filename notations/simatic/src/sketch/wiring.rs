@@ -31,7 +31,7 @@ pub(crate) enum Drawn {
 ///
 /// If power would run in a circle.
 pub(crate) fn drawn(
-    strands: &mut Vec<Strand>,
+    strands: &mut [Strand],
     points: usize,
     mut tag: impl FnMut() -> String,
 ) -> Result<Drawn, String> {

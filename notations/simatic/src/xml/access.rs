@@ -28,9 +28,7 @@ pub(super) fn operand(node: Node<'_, '_>, depth: usize) -> String {
     if let Some(label) = node.child("Label") {
         return label.attribute("Name").unwrap_or_default().to_owned();
     }
-    node.child("Address")
-        .map(address)
-        .unwrap_or_else(|| "?".to_owned())
+    node.child("Address").map_or_else(|| "?".to_owned(), address)
 }
 
 /// The components of a symbol, or of an instance.
