@@ -24,6 +24,7 @@ pub mod markdown;
 pub mod project;
 pub mod rule_index;
 pub mod settings_reference;
+pub mod structured_text;
 pub mod typed_programs;
 
 pub use ladder_invariants::{features, generator, reference, trace};

@@ -45,6 +45,8 @@ pub const NOTATIONS: &[&dyn Notation] = &[
     &ladder_notation_simatic::SimaticMl,
     #[cfg(feature = "c")]
     &ladder_notation_c::C,
+    #[cfg(feature = "st")]
+    &ladder_notation_st::St,
     // Last: what looks drawn may be one of the others.
     #[cfg(feature = "ascii")]
     &ladder_notation_ascii::Ascii,

@@ -22,12 +22,12 @@ impl Unit<'_, '_> {
         match row.op {
             Op::Contact | Op::NegatedContact => self.contact(block, en, step, row.op == Op::Contact)?,
             Op::RisingContact | Op::FallingContact => {
-                self.edge_contact(block, en, step, row.op == Op::RisingContact)?
+                self.edge_contact(block, en, step, row.op == Op::RisingContact)?;
             }
             Op::Inverter => {
                 self.powers[step] = match &self.powers[en] {
                     Power::Dead => Power::rail(),
-                    live => match live.term() {
+                    live @ Power::Live(_) => match live.term() {
                         None => Power::Dead,
                         Some(term) => {
                             let term = term.not();
@@ -217,12 +217,11 @@ impl Unit<'_, '_> {
     }
 
     fn edge_instance(&mut self, base: &str, rises: bool) -> String {
-        let (word, ty) = match rises {
-            true => ("rises", "R_TRIG"),
-            false => {
-                self.project.pieces.insert("LADDER_F_TRIG");
-                ("falls", "LADDER_F_TRIG")
-            }
+        let (word, ty) = if rises {
+            ("rises", "R_TRIG")
+        } else {
+            self.project.pieces.insert("LADDER_F_TRIG");
+            ("falls", "LADDER_F_TRIG")
         };
         match base {
             "rung" => self.numbered(word, ty),
@@ -381,7 +380,9 @@ impl Unit<'_, '_> {
         self.keep(Some(&written));
         let mut lines: Vec<String> = targets.iter().flat_map(|target| target.assign(&edge)).collect();
         if checks.is_empty() {
-            lines.iter().for_each(|line| self.line(line));
+            for line in &lines {
+                self.line(line);
+            }
             return Ok(());
         }
         let done = self.done(step);

@@ -94,7 +94,9 @@ impl Unit<'_, '_> {
                         depth += 1;
                         is_fault = false;
                     }
-                    all.iter().for_each(|line| self.line(line));
+                    for line in &all {
+                        self.line(line);
+                    }
                 }
             }
         }
@@ -103,7 +105,9 @@ impl Unit<'_, '_> {
             else_of.push(is_fault);
             depth += 1;
         }
-        lines.iter().for_each(|line| self.line(line));
+        for line in lines {
+            self.line(line);
+        }
         if let Some(done) = done {
             self.line(format!("{done} := TRUE;"));
         }

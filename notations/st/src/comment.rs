@@ -65,9 +65,9 @@ fn line_at(parse: &Parse, at: TextSize) -> usize {
     while low + 1 < high {
         let middle = low.midpoint(high);
         if parse.line_start(middle) <= at {
-            low = middle
+            low = middle;
         } else {
-            high = middle
+            high = middle;
         }
     }
     low

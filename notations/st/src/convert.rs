@@ -78,9 +78,7 @@ impl Unit<'_, '_> {
                 checks.extend(is_within(&number, 0, 1, Scalar::Lint).map(Check::Holds));
                 Ok(Term::binary(&number, "=", &Term::whole("1"), Binding::Equality))
             }
-            (Scalar::Dt, Scalar::Date) | (Scalar::Dt, Scalar::Tod) => {
-                Ok(Term::call(&conversion(from, to), &[&value]))
-            }
+            (Scalar::Dt, Scalar::Date | Scalar::Tod) => Ok(Term::call(&conversion(from, to), &[&value])),
             (Scalar::Time, _) if to.is_integer() => {
                 self.project.pieces.insert("LADDER_MILLISECONDS");
                 let number = Term::call("LADDER_MILLISECONDS", &[&value]);
@@ -99,6 +97,19 @@ impl Unit<'_, '_> {
                     }
                 }
                 Ok(Term::binary(&Term::whole("T#1ms"), "*", &value, Binding::Product))
+            }
+            (Scalar::Time, _) if to.is_real() => {
+                self.project.pieces.insert("LADDER_NANOSECONDS");
+                let number = Term::call("LADDER_NANOSECONDS", &[&value]);
+                let number = Term::call(&conversion(Scalar::Lint, Scalar::Lreal), &[&number]);
+                let number = Term::binary(&number, "/", &Term::whole("1000000.0"), Binding::Product);
+                Ok(pass(number, Scalar::Lreal, to))
+            }
+            (_, Scalar::Time) if from.is_real() => {
+                let value = pass(value, from, Scalar::Lreal);
+                let number = Term::binary(&value, "*", &Term::whole("1000000.0"), Binding::Product);
+                let number = self.held(&number, Scalar::Lreal, checks);
+                Ok(self.time_of(&number, checks))
             }
             _ if !is_plain(from) || !is_plain(to) => {
                 self.stop(format!("{from} as {to}, for which systems differ"))
@@ -122,6 +133,13 @@ impl Unit<'_, '_> {
         }
     }
 
+    /// So many nanoseconds as a TIME.
+    pub(crate) fn time_of(&mut self, nanoseconds: &Term, checks: &mut Checks) -> Term {
+        let number = self.rounded(nanoseconds.clone(), Scalar::Lreal, checks);
+        self.project.pieces.insert("LADDER_TIME");
+        Term::call("LADDER_TIME", &[&number])
+    }
+
     /// `TRUNC`
     pub(crate) fn truncated(
         &mut self,
@@ -131,9 +149,10 @@ impl Unit<'_, '_> {
         checks: &mut Checks,
     ) -> Result<Term> {
         if !from.is_real() {
-            return match to.is_real() {
-                true => Ok(Term::call(&conversion(from, to), &[&value])),
-                false => self.fitted(value, from, to, checks),
+            return if to.is_real() {
+                Ok(Term::call(&conversion(from, to), &[&value]))
+            } else {
+                self.fitted(value, from, to, checks)
             };
         }
         if to.width() == 64 && !to.is_signed() {
@@ -145,7 +164,7 @@ impl Unit<'_, '_> {
             return self
                 .stop("a real number without its fraction as a real number: write it into a LINT first");
         }
-        self.in_lint(&value, checks);
+        in_lint(&value, checks);
         let number = Term::call("LADDER_TRUNC", &[&value]);
         self.fitted(number, Scalar::Lint, to, checks)
     }
@@ -153,16 +172,10 @@ impl Unit<'_, '_> {
     /// The nearest whole number, the even one of two, in a LINT.
     fn rounded(&mut self, value: Term, from: Scalar, checks: &mut Checks) -> Term {
         let value = self.named(pass(value, from, Scalar::Lreal), Scalar::Lreal, checks);
-        self.in_lint(&value, checks);
+        in_lint(&value, checks);
         self.project.pieces.insert("LADDER_ROUND");
         let number = Term::call("LADDER_ROUND", &[&value]);
         self.held(&number, Scalar::Lint, checks)
-    }
-
-    fn in_lint(&mut self, value: &Term, checks: &mut Checks) {
-        let size = Term::call("ABS", &[value]);
-        let most = Term::whole("9.2E18");
-        checks.push(Check::Holds(Term::binary(&size, "<", &most, Binding::Order)));
     }
 
     /// A whole number in another type, which must have room for it.
@@ -182,4 +195,11 @@ impl Unit<'_, '_> {
 /// Numbers, whose conversions all systems agree about.
 fn is_plain(ty: Scalar) -> bool {
     ty.is_number() || ty.is_bits()
+}
+
+/// What a LINT has room for.
+fn in_lint(value: &Term, checks: &mut Checks) {
+    let size = Term::call("ABS", &[value]);
+    let most = Term::whole("9.2E18");
+    checks.push(Check::Holds(Term::binary(&size, "<", &most, Binding::Order)));
 }

@@ -190,7 +190,7 @@ impl Project<'_> {
         parts: &HashMap<&str, &Tag>,
         place: &mut Vec<(i64, i64)>,
     ) -> Option<String> {
-        dimensions.iter().for_each(|_| path.push_str("[]"));
+        path.push_str(&"[]".repeat(dimensions.len()));
         let count: i64 = dimensions.iter().map(|(first, last)| last - first + 1).product();
         let mut values: Vec<(Option<String>, i64)> = Vec::new();
         for number in 0..count {
@@ -239,16 +239,13 @@ impl Project<'_> {
                         .product();
                     Some(format!("[{count}({})]", self.zero(array.element)?))
                 }
-                Compound::Structure(structure) => {
-                    let member = structure.members.iter().find_map(|member| {
-                        Some(format!(
-                            "({} := {})",
-                            names::member(&member.name),
-                            self.zero(member.ty)?
-                        ))
-                    });
-                    member
-                }
+                Compound::Structure(structure) => structure.members.iter().find_map(|member| {
+                    Some(format!(
+                        "({} := {})",
+                        names::member(&member.name),
+                        self.zero(member.ty)?
+                    ))
+                }),
             },
         }
     }

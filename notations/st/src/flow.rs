@@ -57,7 +57,7 @@ impl Unit<'_, '_> {
                 .filter(|jump| passing(*jump))
                 .map(|(_, (flag, _))| flag.clone())
                 .collect();
-            let begins = self.flags_that_begin(&flow, index);
+            let begins = Self::beginning(&flow, index);
             let is_loop = flow.loops.contains_key(&index);
             if guards != wanted || !begins.is_empty() || is_loop {
                 self.unguard(&mut guards);
@@ -70,12 +70,17 @@ impl Unit<'_, '_> {
                     line => self.line(line),
                 }
             }
-            begins.iter().for_each(|line| self.line(line));
+            for line in &begins {
+                self.line(line);
+            }
             self.guard(&mut guards, &wanted);
             self.flow = flow;
             let opened = self.network(network)?;
             flow = std::mem::take(&mut self.flow);
             (0..opened).for_each(|_| self.close("END_IF;"));
+            if network.blocks.iter().any(|block| is(block, Op::Jmp)) {
+                self.unguard(&mut guards);
+            }
             let closes = flow.loops.values().any(|(last, _)| *last == index);
             if closes {
                 self.unguard(&mut guards);
@@ -105,8 +110,8 @@ impl Unit<'_, '_> {
         }
     }
 
-    /// The variables that are to be FALSE before a network.
-    fn flags_that_begin(&self, flow: &Flow, index: usize) -> Vec<String> {
+    /// What is set before a network.
+    fn beginning(flow: &Flow, index: usize) -> Vec<String> {
         let mut begins = Vec::new();
         for (target, (flag, sources)) in &flow.jumps {
             let Some(first) = sources.iter().min() else {
@@ -179,13 +184,11 @@ impl Unit<'_, '_> {
                         .to_owned(),
                     _ => "there".into(),
                 };
-                if !flow.jumps.contains_key(&target) {
-                    let flag = self.instance(&format!("to_{}", crate::names::identifier(&label)), "BOOL");
-                    flow.jumps.insert(target, (flag, Vec::new()));
-                }
-                if let Some((_, sources)) = flow.jumps.get_mut(&target) {
-                    sources.push(index);
-                }
+                let jump = flow.jumps.entry(target).or_insert_with(|| {
+                    let name = format!("to_{}", crate::names::identifier(&label));
+                    (self.instance(&name, "BOOL"), Vec::new())
+                });
+                jump.1.push(index);
             }
         }
         Ok(flow)
@@ -195,34 +198,56 @@ impl Unit<'_, '_> {
     pub(crate) fn jump(&mut self, block: &Block, en: usize, step: usize) -> Result<bool> {
         let power = self.entering(en, en);
         self.powers[step] = Power::Dead;
-        let Some(Argument::Label(Some(target))) = by_place(block).first() else {
-            return self.stop("a jump to nowhere");
-        };
-        let Some((flag, sources)) = self.flow.jumps.get(target).cloned() else {
-            return self.stop("a jump to nowhere");
-        };
-        if matches!(power, Power::Dead) {
-            return Ok(false);
+        let (flag, lines, leaves) = self.jump_lines(block)?;
+        let is_start = format!("{flag} := FALSE;");
+        match power.term() {
+            Some(_) if matches!(power, Power::Dead) => return Ok(false),
+            Some(term)
+                if lines.len() == 1 && self.lines.last().is_some_and(|line| line.trim() == is_start) =>
+            {
+                self.lines.pop();
+                self.line(format!("{flag} := {};", term.text));
+            }
+            _ => self.when(&power, &lines),
         }
+        Ok(self.behind_jump(Some((flag, leaves))))
+    }
+
+    /// What a jump does: its variable, the statements, and whether they leave the loop.
+    pub(crate) fn jump_lines(&mut self, block: &Block) -> Result<(String, Vec<String>, bool)> {
+        self.here = block.location;
+        let found = match by_place(block).first() {
+            Some(Argument::Label(Some(target))) => self
+                .flow
+                .jumps
+                .get(target)
+                .map(|(flag, _)| (*target, flag.clone())),
+            _ => None,
+        };
+        let Some((target, flag)) = found else {
+            return self.stop("a jump to nowhere");
+        };
         let now = self.flow.now;
         let mut lines = vec![format!("{flag} := TRUE;")];
         if let Some((_, turns)) = self.flow.loops.get(&now) {
             lines.push(format!("{turns} := 0;"));
         }
-        let leaves_loop = self.flow.loop_around(now).is_some_and(|(_, last)| *target > last);
-        if leaves_loop {
+        let leaves = self.flow.loop_around(now).is_some_and(|(_, last)| target > last);
+        if leaves {
             lines.push("EXIT;".into());
-            self.when(&power, &lines);
-            return Ok(false);
         }
-        let is_first =
-            sources.first() == Some(&now) && sources.iter().filter(|source| **source == now).count() == 1;
-        match power.term() {
-            Some(term) if is_first && lines.len() == 1 => self.line(format!("{flag} := {};", term.text)),
-            _ => self.when(&power, &lines),
+        Ok((flag, lines, leaves))
+    }
+
+    /// Begins what a jump passes over, in its own network.
+    pub(crate) fn behind_jump(&mut self, jump: Option<(String, bool)>) -> bool {
+        match jump {
+            Some((flag, false)) => {
+                self.open(format!("IF NOT {flag} THEN"));
+                true
+            }
+            _ => false,
         }
-        self.open(format!("IF NOT {flag} THEN"));
-        Ok(true)
     }
 
     /// `<RET>` and `<END>`

@@ -13,10 +13,12 @@
 #![forbid(unsafe_code)]
 
 mod arguments;
+mod arithmetic;
 mod block;
 mod checks;
 mod comment;
 mod convert;
+mod curve;
 mod declare;
 mod expression;
 mod flow;
@@ -30,6 +32,7 @@ mod project;
 mod range;
 mod states;
 mod term;
+mod texts;
 mod unit;
 mod user;
 mod write;

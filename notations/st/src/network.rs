@@ -49,9 +49,9 @@ impl Unit<'_, '_> {
                 }
                 Step::Block { block, en } => {
                     self.left[en] -= 1;
-                    let last = self.chain(network, step)?;
-                    if let Some(last) = last {
+                    if let Some((last, is_open)) = self.chain(network, step)? {
                         step = last;
+                        opened += usize::from(is_open);
                     } else {
                         let block = &network.blocks[block];
                         self.here = block.location;
@@ -78,9 +78,9 @@ impl Unit<'_, '_> {
         self.is_held(number, &name);
     }
 
-    /// Blocks in a row that act on the power that enters the first, in one IF: the last step of them. None: there is no such block
-    /// here.
-    fn chain(&mut self, network: &Network, first: usize) -> Result<Option<usize>> {
+    /// Blocks in a row that act on the power that enters the first, in one IF, with the jump behind them: the last step of them, and
+    /// whether the rest of the network stands in an IF that is still open. None: there is no such block here.
+    fn chain(&mut self, network: &Network, first: usize) -> Result<Option<(usize, bool)>> {
         let mut lines = Vec::new();
         let mut written = std::collections::BTreeSet::new();
         let mut last = None;
@@ -108,12 +108,27 @@ impl Unit<'_, '_> {
             last = Some(step);
             step += 1;
         }
-        let Some(last) = last else { return Ok(None) };
-        let power = self.entering(entered, last);
-        self.powers[last] = power.clone();
+        let Some(mut last) = last else { return Ok(None) };
+        let mut jump = None;
+        if let Some(Step::Block { block, en }) = network.steps.get(step).copied()
+            && en == last
+            && self.left[en] == 1
+            && is(&network.blocks[block], Op::Jmp)
+        {
+            let (flag, all, leaves) = self.jump_lines(&network.blocks[block])?;
+            lines.extend(all);
+            self.left[en] = 0;
+            last = step;
+            jump = Some((flag, leaves));
+        }
+        let power = self.entering(entered, if jump.is_some() { entered } else { last });
+        if jump.is_none() {
+            self.powers[last] = power.clone();
+        }
         self.keep(Some(&written));
         self.when(&power, &lines);
-        Ok(Some(last))
+        let is_open = self.behind_jump(jump);
+        Ok(Some((last, is_open)))
     }
 
     /// Statements that are run with this power.
@@ -123,7 +138,9 @@ impl Unit<'_, '_> {
             Some(_) if matches!(power, Power::Dead) => {}
             Some(term) => {
                 self.open(format!("IF {} THEN", term.text));
-                lines.iter().for_each(|line| self.line(line));
+                for line in lines {
+                    self.line(line);
+                }
                 self.close("END_IF;");
             }
         }

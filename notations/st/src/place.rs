@@ -26,6 +26,16 @@ enum Form {
 }
 
 impl Target {
+    /// An element that is checked.
+    pub(crate) fn element(variable: String, text: String) -> Target {
+        Target {
+            variable,
+            text,
+            form: Form::Plain,
+            is_risky: true,
+        }
+    }
+
     /// The statements that write a value there.
     pub(crate) fn assign(&self, value: &Term) -> Vec<String> {
         let to = &self.text;
@@ -254,7 +264,11 @@ impl Unit<'_, '_> {
         {
             return Ok(term.text);
         }
-        let term = self.named(term, index.ty, checks);
+        let term = if self.holds_indices {
+            self.held(&term, index.ty, checks)
+        } else {
+            self.named(term, index.ty, checks)
+        };
         if let Some(holds) = is_within(&term, first.into(), last.into(), index.ty) {
             checks.push(Check::Holds(holds));
         }

@@ -550,9 +550,9 @@ fn tags_of(expr: &Expr, give: &mut impl FnMut(TagId)) {
             }
         }
         ExprKind::Offset(subscripts) => {
-            subscripts
-                .iter()
-                .for_each(|subscript| tags_of(&subscript.index, give));
+            for subscript in subscripts {
+                tags_of(&subscript.index, give);
+            }
         }
         ExprKind::Constant(_) => {}
     }

@@ -1,12 +1,12 @@
 //! Ranges of arrays, and whole structures and arrays.
 
 use crate::arguments::{by_place, values};
-use crate::checks::Checks;
+use crate::checks::{Check, Checks};
 use crate::place::Target;
 use crate::project::Result;
 use crate::term::{Binding, Term};
 use crate::unit::Unit;
-use ladder_analysis::program::{Argument, Block, Expr, ExprKind, Place, RangeRef};
+use ladder_analysis::program::{Argument, Block, Expr, ExprKind, Place, RangeRef, Subscript};
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::values::value::Value;
 use ladder_instructions::Op;
@@ -56,8 +56,54 @@ impl Unit<'_, '_> {
 
     /// The elements of a range, to be written.
     pub(crate) fn element_targets(&mut self, range: &RangeRef, checks: &mut Checks) -> Result<Vec<Target>> {
+        if let Some(all) = self.row(range, checks)? {
+            return Ok(all);
+        }
         let ends = self.ends(range)?;
         self.each(range, ends, checks)
+    }
+
+    /// The elements of a range in the last dimensions of an array, of which the others have the same computed index.
+    fn row(&mut self, range: &RangeRef, checks: &mut Checks) -> Result<Option<Vec<Target>>> {
+        let (ExprKind::Offset(first), Some(ExprKind::Offset(last))) =
+            (&range.first.kind, range.last.as_deref().map(|last| &last.kind))
+        else {
+            return Ok(None);
+        };
+        let computed = |subscript: &Subscript| !matches!(subscript.index.kind, ExprKind::Constant(_));
+        let Some(fixed) = first.iter().rposition(computed).map(|at| at + 1) else {
+            return Ok(None);
+        };
+        let is_same = |(a, b): (&Subscript, &Subscript)| a.index.kind == b.index.kind;
+        if !first[..fixed].iter().zip(last).all(is_same) || last[fixed..].iter().any(computed) {
+            return Ok(None);
+        }
+        let mut indices = Vec::new();
+        for subscript in &first[..fixed] {
+            indices.push(self.index(&subscript.index, subscript.first, subscript.last, checks)?);
+        }
+        let place = |subscripts: &[Subscript]| -> i64 {
+            let offset = |subscript: &Subscript| match subscript.index.kind {
+                ExprKind::Constant(Value::Int(number)) => (number - subscript.first) * subscript.stride,
+                _ => 0,
+            };
+            subscripts[fixed..].iter().map(offset).sum()
+        };
+        let (from, to) = (place(first), place(last));
+        if to - from >= LONGEST {
+            return self.stop("a range of that many elements: use a loop");
+        }
+        let all = (from..=to).map(|number| {
+            let mut rest = number;
+            let mut texts = indices.clone();
+            for subscript in &first[fixed..] {
+                texts.push((subscript.first + rest / subscript.stride).to_string());
+                rest %= subscript.stride;
+            }
+            let (variable, text) = self.path(range.tag, &texts);
+            Target::element(variable, text)
+        });
+        Ok(Some(all.collect()))
     }
 
     /// The elements of a range.
@@ -113,6 +159,32 @@ impl Unit<'_, '_> {
         let Some(Argument::Range(from)) = arguments.get(1) else {
             return self.stop("a range that is none");
         };
+        let (targets, sources) = self.moved(to, from, checks)?;
+        let variable = targets
+            .first()
+            .map(|target| target.variable.clone())
+            .unwrap_or_default();
+        let lines = targets
+            .iter()
+            .zip(&sources)
+            .flat_map(|(to, from)| to.assign(from))
+            .collect();
+        Ok((lines, variable))
+    }
+
+    /// The elements that a range is copied to, and those that it is copied from, in an order that keeps what is still to be copied.
+    fn moved(
+        &mut self,
+        to: &RangeRef,
+        from: &RangeRef,
+        checks: &mut Checks,
+    ) -> Result<(Vec<Target>, Vec<Term>)> {
+        if let (Some(targets), Some(sources)) = (self.row(to, checks)?, self.row(from, checks)?) {
+            if targets.len() != sources.len() || to.tag == from.tag {
+                return self.stop("ranges in one array, or of different lengths: use a loop");
+            }
+            return Ok((targets, sources.iter().map(term_of).collect()));
+        }
         let ends = |unit: &Self, one: &RangeRef, other: &RangeRef| {
             let number = |expr: &Expr| match expr.kind {
                 ExprKind::Constant(Value::Int(number)) => Some(number),
@@ -134,7 +206,7 @@ impl Unit<'_, '_> {
         }
         let beyond = |range: &RangeRef, (first, last): (i64, i64)| {
             let tag = &self.project.program.tags[range.tag.0 as usize];
-            matches!(tag.ty, Type::Array { first: low, last: high, .. } if tag.column.is_none() && (first < low || last > high))
+            matches!(tag.ty, Type::Array { first: low, last: high, .. } if first < low || last > high)
         };
         if beyond(to, to_ends) || beyond(from, from_ends) {
             return self.stop("a range that reaches beyond its array");
@@ -143,20 +215,12 @@ impl Unit<'_, '_> {
             self.each(to, to_ends, checks)?,
             self.each(from, from_ends, checks)?,
         );
-        let variable = targets
-            .first()
-            .map(|target| target.variable.clone())
-            .unwrap_or_default();
-        let mut pairs: Vec<(&Target, &Target)> = targets.iter().zip(&sources).collect();
+        let mut pairs: Vec<(Target, Term)> = targets.into_iter().zip(sources.iter().map(term_of)).collect();
         // As if through a buffer: within one array from the end that is not written first.
         if to.tag == from.tag && to_ends.0 > from_ends.0 {
             pairs.reverse();
         }
-        let lines = pairs
-            .into_iter()
-            .flat_map(|(to, from)| to.assign(&term_of(from)))
-            .collect();
-        Ok((lines, variable))
+        Ok(pairs.into_iter().unzip())
     }
 
     /// `[SHIFT]`
@@ -192,9 +256,7 @@ impl Unit<'_, '_> {
         }
         lines.extend(first.assign(&entering));
         self.keep(Some(&BTreeSet::from([variable])));
-        let is_checked = checks
-            .iter()
-            .any(|check| matches!(check, crate::checks::Check::Holds(_)));
+        let is_checked = checks.iter().any(|check| matches!(check, Check::Holds(_)));
         if is_checked && self.left[step] > 0 {
             return self.stop("a shift of a value that may be a fault, with something after it");
         }
@@ -237,8 +299,73 @@ impl Unit<'_, '_> {
                 ];
                 Ok((lines, variable))
             }
+            Op::Mux => {
+                let Some(Argument::Value(k)) = bounds.get(1).map(|bound| &bound.argument) else {
+                    return self.stop("a selector that is no value");
+                };
+                let chosen = self.value(k, checks)?;
+                let chosen = self.named(chosen, k.ty, checks);
+                let (to, variable) = whole(self, 0, checks)?;
+                let mut lines = Vec::new();
+                for number in 0..bounds.len() - 2 {
+                    let (from, _) = whole(self, number + 2, checks)?;
+                    let word = if number == 0 { "IF" } else { "ELSIF" };
+                    lines.push(format!("{word} {} = {number} THEN", chosen.text));
+                    lines.push(format!("    {to} := {from};"));
+                }
+                lines.push("END_IF;".into());
+                let last = bounds.len() as i128 - 3;
+                checks.extend(crate::checks::is_within(&chosen, 0, last, k.ty).map(Check::Holds));
+                Ok((lines, variable))
+            }
+            Op::Fill | Op::Bmov => self.whole_ranges(op, block, checks),
             _ => self.stop("this instruction on whole structures: write it for their members"),
         }
+    }
+
+    /// `[FILL]` and `[BMOV]` of ranges of structures: each of their elementary parts.
+    fn whole_ranges(&mut self, op: Op, block: &Block, checks: &mut Checks) -> Result<(Vec<String>, String)> {
+        let (Some(Argument::Parts(to)), Some(Argument::Parts(from))) = (
+            block.arguments.first().map(|bound| &bound.argument),
+            block.arguments.get(1).map(|bound| &bound.argument),
+        ) else {
+            return self.stop("ranges of different kinds");
+        };
+        let (mut lines, mut variable) = (Vec::new(), String::new());
+        for (to, from) in to.iter().zip(from) {
+            let Argument::Range(to) = to else {
+                return self.stop("a range that is none");
+            };
+            let (targets, sources) = match (op, from) {
+                (Op::Bmov, Argument::Range(from)) => self.moved(to, from, checks)?,
+                (Op::Fill, Argument::Place(place, _)) => {
+                    let value = self.read(place, checks)?;
+                    let targets = self.element_targets(to, checks)?;
+                    let sources = vec![value; targets.len()];
+                    (targets, sources)
+                }
+                (Op::Fill, Argument::Range(from)) => {
+                    let (targets, values) = (self.element_targets(to, checks)?, self.elements(from, checks)?);
+                    let sources = values.iter().cycle().take(targets.len()).cloned().collect();
+                    (targets, sources)
+                }
+                _ => return self.stop("ranges of different kinds"),
+            };
+            variable = targets
+                .first()
+                .map(|target| target.variable.clone())
+                .unwrap_or_default();
+            if op == Op::Fill && sources.iter().any(|source| source.reads.contains(&variable)) {
+                return self.stop("an array that is filled with one of its own elements: copy that first");
+            }
+            lines.extend(
+                targets
+                    .iter()
+                    .zip(&sources)
+                    .flat_map(|(to, from)| to.assign(from)),
+            );
+        }
+        Ok((lines, variable))
     }
 
     /// A whole structure or array as a variable or part of one; and the variable.
@@ -320,7 +447,7 @@ fn steps(path: &str) -> Vec<String> {
     for c in path.chars() {
         match c {
             '[' if depth == 0 && !steps.last().is_some_and(|step| step.ends_with(']')) => {
-                steps.push(c.to_string())
+                steps.push(c.to_string());
             }
             '.' if depth == 0 => steps.push(c.to_string()),
             _ => {

@@ -12,6 +12,9 @@ use ladder_analysis::values::value::Value;
 use ladder_instructions::{Op, StateType};
 use std::collections::BTreeSet;
 
+/// A TIME has so many milliseconds at most.
+const MOST: i64 = i64::MAX / 1_000_000;
+
 /// A timer, counter or bistable that a block is about.
 struct State {
     kind: StateType,
@@ -55,7 +58,8 @@ impl Unit<'_, '_> {
             let now = self.service(Service::Now);
             inputs.push(("NOW", Term::variable(&now)));
         }
-        self.evaluated(&state, ("IN", "Q"), inputs, checks, (en, step))
+        self.evaluated(&state, ("IN", "Q"), inputs, checks, (en, step));
+        Ok(())
     }
 
     /// A TIME, or a plain integer in milliseconds.
@@ -63,7 +67,6 @@ impl Unit<'_, '_> {
         if preset.ty == Scalar::Time {
             return self.value(preset, checks);
         }
-        const MOST: i64 = i64::MAX / 1_000_000;
         if let ExprKind::Constant(Value::Int(number)) = preset.kind {
             let nanoseconds = number.clamp(-MOST, MOST) * 1_000_000;
             return Ok(Term::whole(crate::literal::duration(nanoseconds)));
@@ -71,9 +74,10 @@ impl Unit<'_, '_> {
         let mut value = self.settled(preset, checks)?;
         if preset.ty.width() == 64 {
             let value_of = |number: i64| Term::whole(number.to_string());
-            value = match preset.ty.is_signed() {
-                true => Term::call("LIMIT", &[&value_of(-MOST), &value, &value_of(MOST)]),
-                false => Term::call("MIN", &[&value, &value_of(MOST)]),
+            value = if preset.ty.is_signed() {
+                Term::call("LIMIT", &[&value_of(-MOST), &value, &value_of(MOST)])
+            } else {
+                Term::call("MIN", &[&value, &value_of(MOST)])
             };
         }
         Ok(Term::binary(&Term::whole("T#1ms"), "*", &value, Binding::Product))
@@ -100,7 +104,8 @@ impl Unit<'_, '_> {
             inputs.push((member, given.unwrap_or_else(|| Term::whole("FALSE"))));
         }
         inputs.push(("PV", self.settled(preset, &mut checks)?));
-        self.evaluated(&state, ("CU", "Q"), inputs, checks, (en, step))
+        self.evaluated(&state, ("CU", "Q"), inputs, checks, (en, step));
+        Ok(())
     }
 
     pub(crate) fn bistable(&mut self, op: Op, block: &Block, en: usize, step: usize) -> Result<()> {
@@ -110,7 +115,8 @@ impl Unit<'_, '_> {
             .named_bit(block, "R", &mut checks)?
             .unwrap_or_else(|| Term::whole("FALSE"));
         let (set, reset_name) = if op == Op::Sr { ("S1", "R") } else { ("S", "R1") };
-        self.evaluated(&state, (set, "Q1"), vec![(reset_name, reset)], checks, (en, step))
+        self.evaluated(&state, (set, "Q1"), vec![(reset_name, reset)], checks, (en, step));
+        Ok(())
     }
 
     /// The call of a block, and the power after it.
@@ -121,7 +127,7 @@ impl Unit<'_, '_> {
         inputs: Vec<(&str, Term)>,
         checks: Checks,
         (en, step): (usize, usize),
-    ) -> Result<()> {
+    ) {
         if !self.project.is_standard(state.kind) {
             self.project.pieces.insert(piece_of(state.kind));
         }
@@ -144,7 +150,7 @@ impl Unit<'_, '_> {
         if checks.is_empty() {
             self.line(call);
             self.powers[step] = Power::of(number, q);
-            return Ok(());
+            return;
         }
         let done = self.done(step);
         let mut lines = vec![call];
@@ -154,7 +160,6 @@ impl Unit<'_, '_> {
         }
         self.guarded(None, checks, &lines, None);
         self.is_done(step, done);
-        Ok(())
     }
 
     /// `(RES)`, and `(R)` on a timer or counter: the block that is written along clears itself.

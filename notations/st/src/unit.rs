@@ -39,7 +39,11 @@ pub(crate) struct Unit<'a, 'p> {
     /// The variable that holds the power of the rails, if they can be switched off.
     pub(crate) rail: Option<String>,
     called: HashMap<usize, String>,
+    /// The parameters that stand for variables of the caller.
+    pub(crate) in_outs: BTreeSet<String>,
     pub(crate) flow: Flow,
+    /// Whether what an index is computed from may change before its place is used.
+    pub(crate) holds_indices: bool,
 }
 
 impl<'a, 'p> Unit<'a, 'p> {
@@ -61,7 +65,9 @@ impl<'a, 'p> Unit<'a, 'p> {
             left: Vec::new(),
             rail: None,
             called: HashMap::new(),
+            in_outs: BTreeSet::new(),
             flow: Flow::default(),
+            holds_indices: false,
         }
     }
 
@@ -85,7 +91,13 @@ impl<'a, 'p> Unit<'a, 'p> {
 
     pub(crate) fn close(&mut self, end: &str) {
         self.indent -= 1;
-        self.line(end);
+        // An IF around nothing says nothing.
+        let is_empty = |line: &String| line.trim_start().starts_with("IF ") && line.ends_with(" THEN");
+        if end == "END_IF;" && self.lines.last().is_some_and(is_empty) {
+            self.lines.pop();
+        } else {
+            self.line(end);
+        }
     }
 
     /// `ELSE`
@@ -218,9 +230,11 @@ impl<'a, 'p> Unit<'a, 'p> {
     /// Before something of these is written: what is still to be read of it as it was is kept. `None` is anything that others
     /// can see.
     pub(crate) fn keep(&mut self, written: Option<&BTreeSet<String>>) {
-        let is_own = |name: &String| {
-            let mut own = self.temporaries.iter().chain(&self.instances);
-            own.any(|own| own.name == *name)
+        let is_open = |name: &String| self.externals.contains_key(name) || self.in_outs.contains(name);
+        // In-outs may be one another, or what others see.
+        let any_open = match written {
+            Some(written) => !self.in_outs.is_empty() && written.iter().any(is_open),
+            None => true,
         };
         let mut kept: BTreeMap<usize, Term> = BTreeMap::new();
         for (power, left) in self.powers.iter().zip(&self.left) {
@@ -229,11 +243,10 @@ impl<'a, 'p> Unit<'a, 'p> {
                 continue;
             }
             for factor in factors {
-                let is_touched = match written {
-                    Some(written) => factor.term.reads.iter().any(|read| written.contains(read)),
-                    None => factor.term.reads.iter().any(|read| !is_own(read)),
+                let is_touched = |read: &String| {
+                    (any_open && is_open(read)) || written.is_some_and(|written| written.contains(read))
                 };
-                if is_touched {
+                if factor.term.reads.iter().any(is_touched) {
                     kept.insert(factor.number, factor.term.clone());
                 }
             }

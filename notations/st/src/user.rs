@@ -22,7 +22,12 @@ impl Unit<'_, '_> {
         let ty = self.project.blocks[index].clone();
         let instance = match state.map(|bound| &bound.argument) {
             Some(Argument::State(tag)) => self.path(*tag, &[]).1,
-            Some(Argument::ChosenState(chosen)) => self.chosen(chosen, &mut checks)?.1,
+            Some(Argument::ChosenState(chosen)) => {
+                self.holds_indices = true;
+                let found = self.chosen(chosen, &mut checks);
+                self.holds_indices = false;
+                found?.1
+            }
             Some(_) => return self.stop("a block whose state is no tag"),
             None => {
                 let base = ty.to_lowercase();
@@ -61,10 +66,10 @@ impl Unit<'_, '_> {
                 }
                 (ParameterKind::Output, None) => {}
                 (ParameterKind::Output, Some(Argument::Place(place, to))) => {
-                    let target = self.place(place, &mut checks)?;
-                    if target.is_risky {
-                        return self.stop("an output into an element that a computed index chooses: give it a tag, and move that");
-                    }
+                    self.holds_indices = true;
+                    let target = self.place(place, &mut checks);
+                    self.holds_indices = false;
+                    let target = target?;
                     let from = tag.ty.scalar().unwrap_or(*to);
                     let value =
                         crate::expression::pass(Term::whole(format!("{instance}.{parameter}")), from, *to);
@@ -106,7 +111,9 @@ impl Unit<'_, '_> {
         out.reads.insert(root);
         let number = self.number();
         if checks.is_empty() {
-            lines.iter().for_each(|line| self.line(line));
+            for line in &lines {
+                self.line(line);
+            }
             self.powers[step] = Power::of(number, out);
         } else {
             let done = self.done(step);

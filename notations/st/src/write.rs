@@ -5,15 +5,18 @@ use crate::declare::{self, Variable};
 use crate::names;
 use crate::pieces;
 use crate::project::{Project, Service, Stop, UnitKind};
+use crate::states::piece_of;
 use crate::term::{Binding, Term};
 use crate::unit::{Local, Unit};
-use ladder_analysis::Analysis;
 use ladder_analysis::program::{Clock, Location, ParameterKind, Program, Role, TagId};
+use ladder_analysis::values::types::Type;
+use ladder_analysis::{Analysis, link};
 use ladder_instructions::Profile;
 use ladder_notation::{LineColumn, Lines, Report, WriteError, Writing};
 use ladder_syntax::{Parse, TextRange};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::Arc;
 
 /// A unit that is written, but for its declarations.
 struct Body {
@@ -21,6 +24,8 @@ struct Body {
     lines: Vec<String>,
     variables: BTreeMap<String, String>,
     externals: BTreeMap<String, String>,
+    /// Of the program: the tags that others use, too.
+    shared: BTreeMap<String, String>,
     instances: Vec<Local>,
     temporaries: Vec<Local>,
 }
@@ -28,9 +33,9 @@ struct Body {
 /// Writes the text.
 pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     let text = analysis.context.parse.to_string();
-    let program = analysis
-        .program()
-        .ok_or_else(|| WriteError::new("the program has errors, or needs another file of its workspace"))?;
+    let program = link(&Arc::new(analysis.clone()), &|_| None)
+        .map_err(|_| WriteError::new("the program has errors, or needs another file of its workspace"))?;
+    let program = &*program;
     let lines = Lines::of(&text);
     let place = |location: Location| match location.file {
         0 => lines.place(&text, location.range.start().into()),
@@ -76,6 +81,19 @@ pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
         bodies.push(body(&mut project, unit, &analysis.context.parse).map_err(refused)?);
     }
     let prelude = prelude(&mut project, &mut bodies[0]);
+    for variable in declare::variables(program, None) {
+        if project.is_shared(variable.root) {
+            let name = project.shared_name(variable.root);
+            let ty = project.type_name(variable.ty);
+            bodies[0].shared.insert(name, ty);
+        }
+    }
+    let states = program.tags.iter().filter_map(|tag| match tag.ty {
+        Type::State(state) if !project.is_standard(state) => Some(piece_of(state)),
+        _ => None,
+    });
+    let states: Vec<&str> = states.collect();
+    project.pieces.extend(states);
     let mut report = Report::default();
     for network in program
         .networks
@@ -106,9 +124,12 @@ fn body(project: &mut Project<'_>, kind: UnitKind, parse: &Parse) -> Result<Body
             for name in ["power_in", "power_out"] {
                 unit.names.name(name, "");
             }
-            for (tag, _) in &program.blocks[block].parameters {
+            for (tag, kind) in &program.blocks[block].parameters {
                 let name = crate::project::root(&program.tags[tag.0 as usize]);
                 unit.names.name(name, "");
+                if *kind == ParameterKind::InOut {
+                    unit.in_outs.insert(names::member(name));
+                }
             }
             Some(block)
         }
@@ -134,6 +155,7 @@ fn body(project: &mut Project<'_>, kind: UnitKind, parse: &Parse) -> Result<Body
         lines: unit.lines,
         variables: unit.variables,
         externals: unit.externals,
+        shared: BTreeMap::new(),
         instances: unit.instances,
         temporaries: unit.temporaries,
     })
@@ -215,16 +237,7 @@ fn assembled(project: &Project<'_>, name: &str, prelude: &[String], bodies: &[Bo
     for body in bodies.iter().filter(|body| body.kind != UnitKind::Program) {
         shared.extend(&body.externals);
     }
-    let tags: BTreeSet<&String> = project.shared_names.values().collect();
-    for (name, ty) in &bodies[0].externals {
-        let is_instance = project
-            .shared_names
-            .iter()
-            .any(|(root, own)| own == name && root.starts_with("the function "));
-        if tags.contains(name) && !is_instance {
-            shared.insert(name, ty);
-        }
-    }
+    shared.extend(&bodies[0].shared);
     let mut out = format!("(* The ladder program {name}. *)\n\n");
     out.push_str(&project.types());
     let pieces = pieces::text(&project.pieces);

@@ -25,6 +25,7 @@ mod rule_index;
 mod safe_fixes;
 mod scenarios;
 mod settings_reference;
+mod structured_text;
 mod structures;
 mod tested;
 mod texts;
