@@ -1,6 +1,7 @@
 //! Generated programs to each notation and back: nothing is remarked on, the networks are the same, and they do the same
 //! in every scan under the profile of the notation.
 
+use expect_test::expect;
 use ladder_analysis::analyze;
 use ladder_analysis::values::value::Value;
 use ladder_format::program::{
@@ -9,7 +10,7 @@ use ladder_format::program::{
 use ladder_format::{Circuit, Options};
 use ladder_invariants::generator::{Dice, Mode, program};
 use ladder_invariants::trace::{Stimulus, compile, next_to};
-use ladder_notations::{Notation, Source, Writing, by_name, convert};
+use ladder_notations::{Notation, Outcome, Source, Writing, by_name, convert};
 use ladder_simulator::{Options as Run, Point, Simulation};
 use ladder_syntax::parse;
 use std::sync::Arc;
@@ -1062,4 +1063,84 @@ fn plcopen() {
         }
     }
     assert!(same > 10 && through_tags > 10, "{same} {through_tags}");
+}
+
+/// Each example as a project, and what is read of that.
+#[test]
+fn examples_as_plcopen() {
+    let notation: &dyn Notation = by_name("plcopen").expect("the notation is registered");
+    let mut account = String::new();
+    let folder = ladder_tests::project::root().join("examples");
+    let mut examples: Vec<_> = std::fs::read_dir(folder)
+        .expect("there is a folder of examples")
+        .map(|entry| entry.expect("it can be read").path())
+        .filter(|path| path.extension().is_some_and(|end| end == "clad"))
+        .collect();
+    examples.sort();
+    for path in examples {
+        let text = ladder_tests::project::read(&path);
+        let name = path
+            .file_name()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned();
+        let analysis = analyze(&Arc::new(parse(&text)), &name);
+        let writing = notation.write(&analysis).expect("an example has no errors");
+        let source = Source::alone("test", &writing.bytes);
+        let back = convert(notation, &source, &Options::default()).expect("what is written is read");
+        let read = back.report.remarks().count();
+        // What is of the same blocks in the same order; names may have changed, comments and wires are drawn otherwise.
+        let ops = |text: &str| {
+            let analysis = analyze(&Arc::new(parse(text)), &name);
+            let blocks = analysis
+                .context
+                .networks
+                .iter()
+                .flat_map(|network| network.blocks());
+            blocks.map(|block| block.head_text()).collect::<Vec<_>>()
+        };
+        let is_same = ops(&text) == ops(&back.written.text);
+        account.push_str(&format!(
+            "{name}: {} again, {read} remarks on that\n",
+            if is_same { "the same" } else { "not the same" }
+        ));
+        for entry in writing.report.remarks() {
+            if let Outcome::Refused(why) = &entry.outcome {
+                account.push_str(&format!("    {}: {why}\n", entry.place));
+            }
+        }
+    }
+    expect![[r#"
+        conveyor.clad: not the same again, 0 remarks on that
+        garage_door.clad: not the same again, 0 remarks on that
+            64:1: the standard has no <CALL>
+            68:1: the standard has no functions without parameters
+        level_control.clad: not the same again, 0 remarks on that
+            1:1: times, dates and names are converted otherwise there
+            19:1: the standard has no SYS.SCAN_TIME
+            45:1: a network of $Tank is not written
+            46:1: a network of $PID is not written
+        mixer.clad: the same again, 0 remarks on that
+        motor.clad: the same again, 0 remarks on that
+        pump_alternation.clad: not the same again, 0 remarks on that
+            31:5: the standard has no RTO
+            31:14: the standard has no RTO
+            41:1: the type of `hours_1` has no counterpart
+            42:1: the type of `hours_1` has no counterpart
+            53:1: the standard has no [RTO]
+            54:1: the standard has no [RTO]
+        pump_group.clad: not the same again, 0 remarks on that
+            37:1: the standard has no loops of networks
+            38:1: the standard has no loops of networks
+            40:1: the standard has no loops of networks
+            41:1: the standard has no loops of networks
+            43:1: the standard has no loops of networks
+            45:1: the standard has no loops of networks
+        tank.clad: the same again, 0 remarks on that
+        tank_level.clad: not the same again, 0 remarks on that
+            1:1: times, dates and names are converted otherwise there
+            56:1: a network of $PID is not written
+        traffic_light.clad: not the same again, 0 remarks on that
+            48:1: the standard has no SYS.CLOCK_1S
+    "#]].assert_eq(&account);
 }
