@@ -1142,5 +1142,6 @@ fn examples_as_plcopen() {
             56:1: a network of $PID is not written
         traffic_light.clad: not the same again, 0 remarks on that
             48:1: the standard has no SYS.CLOCK_1S
-    "#]].assert_eq(&account);
+    "#]]
+    .assert_eq(&account);
 }

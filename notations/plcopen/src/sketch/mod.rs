@@ -46,7 +46,16 @@ pub fn reading(project: Project) -> Reading {
     let mut sections = Vec::new();
     for (unit, _) in &order {
         let own = shared.program(unit, Some(&scope));
+        let is_again = programs
+            .iter()
+            .any(|(other, _): &(&Unit, _)| std::ptr::eq(*other, *unit));
+        let told = (reading.report.entries.len(), reading.findings.len());
         let inside = unit_items(&shared, project, unit, own, place, &mut reading);
+        if is_again {
+            // What there is to say of another instance was said of the first.
+            reading.report.entries.truncate(told.0);
+            reading.findings.truncate(told.1);
+        }
         scope = inside.scope;
         if !is_alone && !inside.sections.is_empty() {
             if !sections.is_empty() {
@@ -69,6 +78,7 @@ pub fn reading(project: Project) -> Reading {
         reading.files = files(
             &shared,
             project,
+            &order,
             [("types", types), ("globals", globals), ("blocks", blocks)],
         );
     }
@@ -149,12 +159,15 @@ fn order<'p>(project: &'p Project, report: &mut Report) -> Vec<(&'p Unit, bool)>
                 report.refused(*place, shown, "there is no such program");
                 continue;
             };
-            if order.iter().any(|(other, _)| std::ptr::eq(*other, unit)) {
-                report.refused(
-                    *place,
-                    shown,
-                    "the program runs once here, with one set of variables",
+            let again = order
+                .iter()
+                .filter(|(other, _)| std::ptr::eq(*other, unit))
+                .count();
+            if again >= MOST_INSTANCES || (again > 0 && order.len() > MOST_PROGRAMS) {
+                let why = format!(
+                    "a program runs {MOST_INSTANCES} times at most here, each with its own variables"
                 );
+                report.refused(*place, shown, why);
                 continue;
             }
             report.translated(*place, shown);
@@ -173,6 +186,12 @@ fn order<'p>(project: &'p Project, report: &mut Report) -> Vec<(&'p Unit, bool)>
     }
     order
 }
+
+/// A program has no more instances.
+const MOST_INSTANCES: usize = 8;
+
+/// Programs have no second instances where there are more than these.
+const MOST_PROGRAMS: usize = 100;
 
 /// The length of a scan: the shortest interval of a task, in nanoseconds.
 fn shortest(project: &Project) -> Option<u64> {
@@ -214,7 +233,12 @@ fn together(
 }
 
 /// The project as files: what is shared, each program, and the settings.
-fn files(shared: &Shared<'_>, project: &Project, parts: [(&str, Vec<Item>); 3]) -> Vec<ProjectFile> {
+fn files(
+    shared: &Shared<'_>,
+    project: &Project,
+    order: &[(&Unit, bool)],
+    parts: [(&str, Vec<Item>); 3],
+) -> Vec<ProjectFile> {
     let mut names = Names::default();
     let mut file = |name: &str, content| {
         let plain: String = name
@@ -232,7 +256,7 @@ fn files(shared: &Shared<'_>, project: &Project, parts: [(&str, Vec<Item>); 3]) 
             files.push(file(name, Content::Program(ProgramSketch { items })));
         }
     }
-    for unit in project.units.iter().filter(|unit| unit.kind == UnitKind::Program) {
+    for (unit, _) in order {
         let scope: Scope = shared.program(unit, None);
         let inside = unit_items(shared, project, unit, scope, Place::Program, &mut again);
         let mut items: Vec<Item> = unit.comment.iter().cloned().map(Item::Comment).collect();

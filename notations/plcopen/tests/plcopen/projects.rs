@@ -95,6 +95,12 @@ fn several_programs_in_one() {
                 hold : BOOL;
             END_VAR
 
+            # of Second #
+            VAR
+                Second_out  : BOOL;  # out in the project #
+                Second_hold : BOOL;  # hold in the project #
+            END_VAR
+
             # of First #
             VAR RETAIN
                 total : DINT;
@@ -120,12 +126,19 @@ fn several_programs_in_one() {
 
             +------------------------------------------------------------<CALL>( Second )--+
 
+            +----------------------------------------------------------<CALL>( Second_2 )--+
+
             +-------------------------------------------------------------<CALL>( First )--+
 
             +--<FUN>( Second )-------------------------------------------------------------+
 
             +--[ ]( hold )--\-----------------------------------------------( )( out )--\--+
             |               /----------------------------------------------------<RET>--/  |
+
+            +--<FUN>( Second_2 )-----------------------------------------------------------+
+
+            +--[ ]( Second_hold )--\---------------------------------( )( Second_out )--\--+
+            |                      /---------------------------------------------<RET>--/  |
 
             +--<FUN>( First )--------------------------------------------------------------+
 
@@ -151,7 +164,6 @@ fn several_programs_in_one() {
             approximated program Idle: no task runs it: it is a function that nothing calls
             approximated body of Idle: a body in ST is not run here: its text is a comment
             approximated task slow: it runs every T#1s there, and in every scan here
-            refused instance of Second: the program runs once here, with one set of variables
             refused instance of Nothing: there is no such program
         "#]],
     );
@@ -188,6 +200,22 @@ fn several_programs_as_files() {
         VAR_GLOBAL
             level : INT;
         END_VAR
+        == Second.clad
+        VAR
+            out  : BOOL;
+            hold : BOOL;
+        END_VAR
+
+        +--[ ]( hold )--\-----------------------------------------------( )( out )--\--+
+        |               /----------------------------------------------------<RET>--/  |
+        == Second_2.clad
+        VAR
+            out  : BOOL;
+            hold : BOOL;
+        END_VAR
+
+        +--[ ]( hold )--\-----------------------------------------------( )( out )--\--+
+        |               /----------------------------------------------------<RET>--/  |
         == First.clad
         VAR RETAIN
             total : DINT;
@@ -212,14 +240,6 @@ fn several_programs_as_files() {
         +-----------------------------------------------[ADD]( level, level, mix[2] )--+
 
         +--[ ]( out )-----------------------------------------------------( )( hold )--+
-        == Second.clad
-        VAR
-            out  : BOOL;
-            hold : BOOL;
-        END_VAR
-
-        +--[ ]( hold )--\-----------------------------------------------( )( out )--\--+
-        |               /----------------------------------------------------<RET>--/  |
         == Idle.clad
         VAR
             x : INT;
@@ -300,4 +320,122 @@ fn what_is_no_project() {
     expect!["1:1: nothing is in the project: no program, no type, no variable"].assert_eq(&text(&deep));
     let wide = format!("<project>{}</project>", "<a/>".repeat(600_000));
     expect!["1:1: the file has more than 500000 elements; projects do not"].assert_eq(&text(&wide));
+}
+
+#[test]
+fn a_program_with_two_instances() {
+    let blink = unit(
+        "program",
+        "Blink",
+        "a : BOOL\nt : TON",
+        &format!(
+            "<LD>{}</LD>",
+            short(
+                "leftPowerRail 1
+                 contact 2 from=1 negated=true a
+                 inVariable 3 T#1s
+                 block 4 TON t IN=2 PT=3 / Q ET
+                 coil 5 from=4.Q a"
+            )
+        ),
+    );
+    let instances = "<configuration name=\"c\"><resource name=\"r\"><task name=\"fast\" interval=\"T#20ms\" priority=\"1\"><pouInstance name=\"one\" typeName=\"Blink\"/></task><task name=\"slow\" interval=\"T#20ms\" priority=\"2\"><pouInstance name=\"two\" typeName=\"Blink\"/></task></resource></configuration>";
+    check(&project("", &blink, instances), expect![[r#"
+        # ladder: cycle 20ms #
+
+        # of Blink #
+        VAR
+            a : BOOL;
+            t : TON;
+        END_VAR
+
+        # of Blink #
+        VAR
+            Blink_a : BOOL;  # a in the project #
+            Blink_t : TON;  # t in the project #
+        END_VAR
+
+        +-------------------------------------------------------------<CALL>( Blink )--+
+
+        +-----------------------------------------------------------<CALL>( Blink_2 )--+
+
+        +--<FUN>( Blink )--------------------------------------------------------------+
+
+        +--[/]( a )----------------------------------------[TON]( t, T#1s )--( )( a )--+
+
+        +--<FUN>( Blink_2 )------------------------------------------------------------+
+
+        +--[/]( Blink_a )----------------------[TON]( Blink_t, T#1s )--( )( Blink_a )--+
+    "#]]);
+}
+
+/// In the dialect of CODESYS: lists of globals in its own data, one rail for all networks, titles, a box without positions.
+#[test]
+fn codesys_and_its_lists_of_globals() {
+    let text = r#"<?xml version="1.0" encoding="utf-8"?>
+<project xmlns="http://www.plcopen.org/xml/tc6_0200">
+  <fileHeader companyName="" productName="CODESYS" productVersion="CODESYS V3.5 SP20" creationDateTime="2026-01-02T03:04:05"/>
+  <contentHeader name="Plant.project"/>
+  <types><dataTypes/><pous>
+    <pou name="PLC_PRG" pouType="program">
+      <interface><localVars>
+        <variable name="delay"><type><derived name="TON"/></type></variable>
+      </localVars></interface>
+      <body><LD>
+        <leftPowerRail localId="0"><position x="0" y="0"/><connectionPointOut formalParameter="none"/></leftPowerRail>
+        <comment localId="1" height="0" width="0"><position x="0" y="0"/><content><xhtml xmlns="http://www.w3.org/1999/xhtml">Waits for the tank</xhtml></content></comment>
+        <vendorElement localId="2"><position x="0" y="0"/><alternativeText><xhtml xmlns="http://www.w3.org/1999/xhtml">Pump</xhtml></alternativeText>
+          <addData><data name="http://www.3s-software.com/plcopenxml/fbdelementtype" handleUnknown="implementation"><ElementType xmlns="">networktitle</ElementType></data></addData></vendorElement>
+        <contact localId="3"><position x="0" y="0"/><connectionPointIn><connection refLocalId="0"/></connectionPointIn><connectionPointOut/><variable>GVL.full</variable></contact>
+        <inVariable localId="4"><position x="0" y="0"/><connectionPointOut/><expression>GVL.WAIT</expression></inVariable>
+        <block localId="5" typeName="TON" instanceName="delay"><position x="0" y="0"/>
+          <inputVariables>
+            <variable formalParameter="IN"><connectionPointIn><connection refLocalId="3"/></connectionPointIn></variable>
+            <variable formalParameter="PT"><connectionPointIn><connection refLocalId="4"/></connectionPointIn></variable>
+          </inputVariables><inOutVariables/>
+          <outputVariables><variable formalParameter="Q"><connectionPointOut/></variable><variable formalParameter="ET"><connectionPointOut/></variable></outputVariables></block>
+        <coil localId="6"><position x="0" y="0"/><connectionPointIn><connection refLocalId="5" formalParameter="Q"/></connectionPointIn><connectionPointOut/><variable>GVL.pump</variable></coil>
+        <coil localId="7"><position x="0" y="0"/><connectionPointIn><connection refLocalId="6"/></connectionPointIn><connectionPointOut/><variable>lamp</variable></coil>
+        <rightPowerRail localId="2147483647"><position x="0" y="0"/><connectionPointIn/></rightPowerRail>
+      </LD></body>
+    </pou>
+  </pous></types>
+  <instances><configurations/></instances>
+  <addData>
+    <data name="http://www.3s-software.com/plcopenxml/globalvars" handleUnknown="implementation">
+      <globalVars name="GVL">
+        <variable name="full" address="%IX0.0"><type><BOOL/></type></variable>
+        <variable name="pump"><type><BOOL/></type><documentation><xhtml xmlns="http://www.w3.org/1999/xhtml">contactor</xhtml></documentation></variable>
+        <variable name="lamp"><type><BOOL/></type></variable>
+      </globalVars>
+    </data>
+    <data name="http://www.3s-software.com/plcopenxml/globalvars" handleUnknown="implementation">
+      <globalVars name="Limits" constant="true">
+        <variable name="WAIT"><type><TIME/></type><initialValue><simpleValue value="TIME#2s0ms"/></initialValue></variable>
+      </globalVars>
+    </data>
+    <data name="http://www.3s-software.com/plcopenxml/projectstructure" handleUnknown="discard"><ProjectStructure><Object Name="GVL" ObjectId="1"/></ProjectStructure></data>
+  </addData>
+</project>
+"#;
+    check(text, expect![[r#"
+        # Plant.project, from CODESYS #
+
+        VAR_GLOBAL
+            full AT %IX0.0 : BOOL;
+            pump           : BOOL;  # contactor #
+            lamp           : BOOL;
+        END_VAR
+        VAR_GLOBAL CONSTANT
+            WAIT : TIME := TIME#2s0ms;
+        END_VAR
+
+        VAR
+            delay : TON;
+        END_VAR
+
+        # Waits for the tank #
+        # Pump #
+        +--[ ]( full )-----------------[TON]( delay, WAIT )--( )( pump )--( )( lamp )--+
+    "#]]);
 }
