@@ -136,7 +136,10 @@ impl Mutation {
                 if all.is_empty() {
                     return;
                 }
-                let new = json.pointer(&all[one.index(all.len())]).cloned().unwrap_or(Value::Null);
+                let new = json
+                    .pointer(&all[one.index(all.len())])
+                    .cloned()
+                    .unwrap_or(Value::Null);
                 if let Some(value) = json.pointer_mut(&all[other.index(all.len())]) {
                     *value = new;
                 }

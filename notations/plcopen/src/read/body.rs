@@ -335,7 +335,7 @@ impl<'x> Reader<'x, '_> {
     }
 }
 
-fn text(language: &'static str, text: &str) -> Body {
+pub(super) fn text(language: &'static str, text: &str) -> Body {
     if text.is_empty() {
         Body::Empty
     } else {
@@ -372,7 +372,7 @@ fn pin(variable: Node<'_, '_>, in_out: bool) -> Pin {
     }
 }
 
-fn modifier(node: Node<'_, '_>) -> Modifier {
+pub(super) fn modifier(node: Node<'_, '_>) -> Modifier {
     Modifier {
         negated: node.flag("negated"),
         edge: match node.attribute("edge") {
@@ -383,8 +383,9 @@ fn modifier(node: Node<'_, '_>) -> Modifier {
     }
 }
 
-fn storage(node: Node<'_, '_>) -> Storage {
-    match node.attribute("storage") {
+/// IEC 61131-10 calls it a latch.
+pub(super) fn storage(node: Node<'_, '_>) -> Storage {
+    match node.attribute("storage").or_else(|| node.attribute("latch")) {
         Some("set") => Storage::Set,
         Some("reset") => Storage::Reset,
         _ => Storage::None,

@@ -122,13 +122,13 @@ impl<'x> Reader<'x, '_> {
     }
 }
 
-fn comment(node: Node<'_, '_>) -> Option<String> {
+pub(super) fn comment(node: Node<'_, '_>) -> Option<String> {
     let said = node.child("documentation")?.words();
     (!said.is_empty()).then_some(said)
 }
 
 /// The initial value of a variable, a type or a member.
-fn initial(node: Node<'_, '_>, depth: usize) -> Option<Initial> {
+pub(super) fn initial(node: Node<'_, '_>, depth: usize) -> Option<Initial> {
     let value = node.child("initialValue")?;
     let mut left = MOST_VALUES;
     value_in(value, depth, &mut left)

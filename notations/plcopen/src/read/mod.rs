@@ -1,7 +1,8 @@
-//! From XML to the model: TC6 2.0 and 2.01, and what CODESYS puts into `addData`.
+//! From XML to the model: TC6 2.0 and 2.01, what CODESYS puts into `addData`, and the form of IEC 61131-10.
 
 mod body;
 mod interface;
+mod ten;
 
 use super::model::{Body, Evaluation, Part, Project, Role, Task, Unit, UnitKind};
 use super::xml::{Element, Xml};
@@ -22,10 +23,10 @@ pub(super) fn recognises(bytes: &[u8]) -> bool {
     let head = &bytes[..bytes.len().min(HEAD)];
     let head = String::from_utf8_lossy(head);
     let head = head.trim_start_matches('\u{feff}').trim_start();
-    let Some(start) = head
-        .starts_with('<')
-        .then(|| head.find("<project").or_else(|| head.find("<Project")))
-    else {
+    let Some(start) = head.starts_with('<').then(|| {
+        let names = ["<project", "<Project", ":project", ":Project"];
+        names.iter().find_map(|name| head.find(name))
+    }) else {
         return false;
     };
     start.is_some_and(|start| {
@@ -44,10 +45,6 @@ pub(super) fn project(text: &str) -> Result<Project, ReadError> {
     let xml = Xml::parse(text)?;
     let root = xml.document.root_element();
     let place = xml.place(root);
-    if root.tag_name().name() == "Project" {
-        let message = "this is a project in the form of IEC 61131-10, which is not read yet: export it as PLCopen XML (TC6 2.01)";
-        return Err(ReadError::at(place, message));
-    }
     if !root.is("project") {
         let message = format!(
             "a PLCopen project begins with `<project>`, not with `<{}>`",
@@ -104,6 +101,9 @@ impl<'x> Reader<'x, '_> {
         }
         if let Some(comment) = root.child("contentHeader").and_then(|head| head.child("Comment")) {
             self.project.comments.push(comment.words());
+        }
+        if root.tag_name().name() == "Project" {
+            return self.ten(root);
         }
         let types = root.child("types");
         for node in types

@@ -205,6 +205,7 @@ fn sound() -> Vec<String> {
     let instances = "<configuration name=\"c\"><resource name=\"r\"><task name=\"t\" interval=\"T#20ms\" priority=\"1\"><pouInstance name=\"i\" typeName=\"Main\"/></task><globalVars><variable name=\"g\"><type><INT/></type></variable></globalVars></resource></configuration>";
     let types = "<dataType name=\"Phase\"><baseType><enum><values><value name=\"IDLE\"/><value name=\"RUN\" value=\"2\"/></values></enum></baseType></dataType><dataType name=\"Rec\"><baseType><struct><variable name=\"x\"><type><INT/></type><initialValue><simpleValue value=\"3\"/></initialValue></variable></struct></baseType></dataType>";
     all.push(project(types, &(motor + &sum + &main), instances));
+    all.push(crate::ten::PROJECT.to_owned());
     all
 }
 

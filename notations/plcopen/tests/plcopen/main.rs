@@ -5,5 +5,6 @@ mod corpus;
 mod elements;
 mod harness;
 mod projects;
+mod ten;
 mod traces;
 mod written;

@@ -311,7 +311,8 @@ fn what_is_no_project() {
         .assert_eq(&text(
             "<!DOCTYPE project [<!ENTITY a \"b\">]><project>&a;</project>",
         ));
-    expect!["1:1: this is a project in the form of IEC 61131-10, which is not read yet: export it as PLCopen XML (TC6 2.01)"].assert_eq(&text("<Project xmlns=\"www.iec.ch/public/TC65SC65BWG7TF10\"/>"));
+    expect!["1:1: nothing is in the project: no program, no type, no variable"]
+        .assert_eq(&text("<Project xmlns=\"www.iec.ch/public/TC65SC65BWG7TF10\"/>"));
     let deep = format!(
         "<project>{}{}</project>",
         "<a>".repeat(100_000),
@@ -340,7 +341,9 @@ fn a_program_with_two_instances() {
         ),
     );
     let instances = "<configuration name=\"c\"><resource name=\"r\"><task name=\"fast\" interval=\"T#20ms\" priority=\"1\"><pouInstance name=\"one\" typeName=\"Blink\"/></task><task name=\"slow\" interval=\"T#20ms\" priority=\"2\"><pouInstance name=\"two\" typeName=\"Blink\"/></task></resource></configuration>";
-    check(&project("", &blink, instances), expect![[r#"
+    check(
+        &project("", &blink, instances),
+        expect![[r#"
         # ladder: cycle 20ms #
 
         # of Blink #
@@ -366,7 +369,8 @@ fn a_program_with_two_instances() {
         +--<FUN>( Blink_2 )------------------------------------------------------------+
 
         +--[/]( Blink_a )----------------------[TON]( Blink_t, T#1s )--( )( Blink_a )--+
-    "#]]);
+    "#]],
+    );
 }
 
 /// In the dialect of CODESYS: lists of globals in its own data, one rail for all networks, titles, a box without positions.
@@ -418,7 +422,9 @@ fn codesys_and_its_lists_of_globals() {
   </addData>
 </project>
 "#;
-    check(text, expect![[r#"
+    check(
+        text,
+        expect![[r#"
         # Plant.project, from CODESYS #
 
         VAR_GLOBAL
@@ -437,5 +443,6 @@ fn codesys_and_its_lists_of_globals() {
         # Waits for the tank #
         # Pump #
         +--[ ]( full )-----------------[TON]( delay, WAIT )--( )( pump )--( )( lamp )--+
-    "#]]);
+    "#]],
+    );
 }
