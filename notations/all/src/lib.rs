@@ -43,6 +43,8 @@ pub const NOTATIONS: &[&dyn Notation] = &[
     &ladder_notation_simatic::Simatic,
     #[cfg(feature = "simatic")]
     &ladder_notation_simatic::SimaticMl,
+    #[cfg(feature = "twincat")]
+    &ladder_notation_twincat::TwinCat,
     #[cfg(feature = "c")]
     &ladder_notation_c::C,
     #[cfg(feature = "st")]

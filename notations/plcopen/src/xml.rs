@@ -8,13 +8,13 @@ const MOST_NODES: u32 = 500_000;
 
 /// A file, with the places of its elements.
 pub struct Xml<'t> {
-    /// What is in it.
+    /// Its elements.
     pub document: Document<'t>,
     lines: Lines,
 }
 
 impl<'t> Xml<'t> {
-    /// Reads it.
+    /// Reads a file.
     ///
     /// # Errors
     ///

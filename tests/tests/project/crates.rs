@@ -87,8 +87,8 @@ fn may_use(name: &str, used: &str) -> bool {
         "notation-ascii" if used == "picture" => true,
         // It translates what the simulator runs.
         "notation-c" if used == "simulator" => true,
-        // The same networks in another file.
-        "notation-openplc" if used == "notation-plcopen" => true,
+        // The same networks in other files.
+        "notation-openplc" | "notation-twincat" if used == "notation-plcopen" => true,
         // XML within bounds is read in one way.
         "notation-simatic" if used == "notation-plcopen" => true,
         _ if name.starts_with("notation-") => LANGUAGE.contains(&used) || used == "notation",

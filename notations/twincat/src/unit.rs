@@ -1,0 +1,119 @@
+//! A unit: what it declares, its body, and what else the file has.
+
+use crate::archive::Object;
+use crate::network;
+use ladder_notation::{LineColumn, ReadError};
+use ladder_notation_plcopen::declarations;
+use ladder_notation_plcopen::model::{Body, Evaluation, Project};
+use ladder_notation_plcopen::xml::{Element, Xml};
+use roxmltree::Node;
+
+/// The project that a file is: one unit.
+///
+/// # Errors
+///
+/// If it is not XML, or no unit.
+pub(crate) fn project(text: &str) -> Result<Project, ReadError> {
+    let xml = Xml::parse(text)?;
+    let root = xml.document.root_element();
+    let Some(node) = root.child("POU") else {
+        let what = root
+            .elements()
+            .next()
+            .map_or("nothing", |inside| Element::name(&inside));
+        let message = format!("only units (`<POU>`) are read, and this file has `<{what}>`");
+        return Err(ReadError::at(xml.place(root), message));
+    };
+    let mut project = Project {
+        evaluation: Evaluation::Once,
+        ..Project::default()
+    };
+    let declaration = node.child("Declaration");
+    let Some(declaration) = declaration else {
+        return Err(ReadError::at(xml.place(node), "the unit has no declaration"));
+    };
+    let said = declaration.text().unwrap_or_default();
+    // A pragma says nothing of what runs.
+    let plain = without_pragmas(&declarations::without_comments(said));
+    let start = text[declaration.range().start..]
+        .find(said)
+        .map(|at| at + declaration.range().start);
+    let lines = ladder_notation::Lines::of(text);
+    let place = |offset: usize| match start {
+        Some(start) => lines.place(text, start + offset),
+        None => xml.place(declaration),
+    };
+    let mut unit = declarations::unit(&plain, &place, &mut project.report)?;
+    if unit.name.is_empty() {
+        unit.name = node.attribute("Name").unwrap_or_default().to_owned();
+    }
+    unit.body = match node.child("Implementation") {
+        Some(implementation) => body(&xml, implementation, &mut project),
+        None => Body::Empty,
+    };
+    for part in node.elements() {
+        let what = Element::name(&part);
+        if matches!(
+            what,
+            "Action" | "Method" | "Property" | "Transition" | "Get" | "Set"
+        ) {
+            let shown = format!(
+                "{} {}",
+                what.to_lowercase(),
+                part.attribute("Name").unwrap_or_default()
+            );
+            let why = "only the body of the unit itself is read: draw it as a block or function of its own";
+            project.report.refused(xml.place(part), shown, why);
+        }
+    }
+    project.units.push(unit);
+    Ok(project)
+}
+
+/// Blanks in the place of `{attribute 'hide'}`.
+fn without_pragmas(text: &str) -> String {
+    let mut depth = 0_u32;
+    let blank = |c: char| {
+        match c {
+            '{' => depth += 1,
+            '}' if depth > 0 => {
+                depth -= 1;
+                return " ".to_owned();
+            }
+            _ => {}
+        }
+        if depth == 0 || c == '\n' {
+            c.to_string()
+        } else {
+            " ".repeat(c.len_utf8())
+        }
+    };
+    text.chars().map(blank).collect()
+}
+
+fn body(xml: &Xml<'_>, implementation: Node<'_, '_>, project: &mut Project) -> Body {
+    let Some(language) = implementation.elements().next() else {
+        return Body::Empty;
+    };
+    let place: LineColumn = xml.place(language);
+    match Element::name(&language) {
+        "NWL" => {
+            let mut all = language.descendants().filter(Node::is_element);
+            let archive = all.find(|node| node.attribute("t") == Some("NWLImplementationObject"));
+            match archive {
+                Some(archive) => Body::Graph(network::graph(xml, Object::of(archive), &mut project.report)),
+                None => {
+                    let why = "the body has no networks in it";
+                    project.report.refused(place, "body", why);
+                    Body::Empty
+                }
+            }
+        }
+        "ST" => Body::Text("ST", language.words()),
+        other => {
+            let why = format!("a body in {other} is not read: what the unit declares is");
+            project.report.refused(place, "body", why);
+            Body::Empty
+        }
+    }
+}
