@@ -11,6 +11,7 @@ macro_rules! texts {
 }
 
 const TEXTS: &[(&str, &str)] = texts![
+    "AVE",
     "BSL",
     "BSR",
     "CTD",
@@ -20,6 +21,8 @@ const TEXTS: &[(&str, &str)] = texts![
     "CounterRES",
     "FFL",
     "FFU",
+    "FOR",
+    "FSC",
     "LFL",
     "LFU",
     "ONS",
@@ -29,6 +32,8 @@ const TEXTS: &[(&str, &str)] = texts![
     "SQI",
     "SQL",
     "SQO",
+    "SRT",
+    "STD",
     "TOF",
     "TON",
     "TimerRES",

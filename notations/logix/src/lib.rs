@@ -30,6 +30,7 @@ mod translate;
 mod types;
 mod unit;
 mod values;
+mod words;
 mod write;
 
 use ladder_analysis::Analysis;

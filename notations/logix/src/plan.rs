@@ -83,7 +83,7 @@ fn begun(project: &Project, units: &[Unit<'_>], program: usize) -> Vec<usize> {
     for (_, unit) in own() {
         for parts in unit.rungs.iter().filter_map(|rung| rung.as_ref().ok()) {
             instructions(parts, &mut |it| {
-                if instruction(it.name, it.operands.len()) == Some(Op::Jsr) {
+                if matches!(instruction(it.name, it.operands.len()), Some(Op::Jsr | Op::For)) {
                     called.extend(it.operands.first().map(|name| name.to_ascii_uppercase()));
                 }
             });

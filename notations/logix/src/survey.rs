@@ -144,6 +144,19 @@ impl Surveyor<'_> {
                 self.presets(first, "LEN", "POS", &it.operands[1..3]);
                 self.put(first, &["EN"], 0);
             }
+            // What they have of the rung is made ready: it counts as not seen yet.
+            Op::Fsc => {
+                self.presets(first, "LEN", "POS", &it.operands[1..3]);
+                self.put(first, &["EN"], 0);
+            }
+            Op::Statistic(_) => {
+                self.presets(control(3), "LEN", "POS", &it.operands[4..]);
+                self.put(control(3), &["EN"], 0);
+            }
+            Op::Srt => {
+                self.presets(control(2), "LEN", "POS", &it.operands[3..]);
+                self.put(control(2), &["EN"], 0);
+            }
             Op::Sqi => self.presets(control(3), "LEN", "POS", &it.operands[4..]),
             Op::Sql => {
                 self.presets(control(2), "LEN", "POS", &it.operands[3..]);

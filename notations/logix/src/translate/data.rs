@@ -326,6 +326,34 @@ impl Translator<'_> {
         self.compute_at(&to, &binary("OR", kept, binary("AND", moved, mask)))
     }
 
+    /// `SWPB`
+    pub(super) fn swap(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
+        let (to, elem) = self.number(operands[2])?;
+        let from = self.expr(operands[0])?;
+        let (from, own) = self.value(&from, elem)?;
+        let bits = own.unwrap_or(elem).bits();
+        let formula = crate::words::swapped(&from, bits, operands[1]).filter(|_| elem.is_integer());
+        let formula =
+            formula.ok_or_else(|| format!("`{}` is no way to swap bytes of {bits} bits", operands[1]))?;
+        Ok(self.block(format!("[CALC]( {}, {formula} )", to.text)))
+    }
+
+    /// `TOD` and `FRD`: between a number and its decimal digits.
+    pub(super) fn digits(
+        &mut self,
+        operands: &[&str],
+        formula: fn(&str, u32) -> String,
+    ) -> Result<Circuit<Element>> {
+        let (to, elem) = self.number(operands[1])?;
+        let from = self.expr(operands[0])?;
+        let (from, own) = self.value(&from, elem)?;
+        let bits = elem.bits().max(own.map_or(0, Elem::bits));
+        if !elem.is_integer() || bits > 32 {
+            return Err(format!("the digits of `{}` have no counterpart here", to.text));
+        }
+        Ok(self.block(format!("[CALC]( {}, {} )", to.text, formula(&from, bits))))
+    }
+
     pub(super) fn clear(&mut self, text: &str) -> Result<Circuit<Element>> {
         let to = self.target(text, Role::Value)?;
         if !matches!(to.ty, Ty::Elem(elem) if elem.is_integer() || elem.is_real()) {

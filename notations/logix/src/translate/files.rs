@@ -67,7 +67,7 @@ impl Translator<'_> {
         let (from, to) = (self.stretch(operands[0])?, self.stretch(operands[1])?);
         if let (Some(from), Some(to)) = (&from, &to) {
             if from.ty != to.ty {
-                return Err(different(&from.array, &to.array));
+                return self.copy_bytes(from, to, length);
             }
             let length = length.min(to.left).min(from.left);
             let range = |it: &Stretch| match length {
@@ -85,6 +85,45 @@ impl Translator<'_> {
             return Err(different(&from.text, &to.text));
         }
         Ok(self.block(format!("[MOV]( {}, {} )", to.text, from.text)))
+    }
+
+    /// `COP` between arrays of words of other widths: bytes stay in their order.
+    fn copy_bytes(&mut self, from: &Stretch, to: &Stretch, length: u32) -> Result<Circuit<Element>> {
+        /// A rung has no more elements for one copy.
+        const MOST: u32 = 64;
+        let width = |ty: &Ty| match ty {
+            Ty::Elem(elem) if elem.is_integer() && elem.bits() <= 32 => Some(elem.bits()),
+            _ => None,
+        };
+        let (Some(own), Some(width)) = (width(&from.ty), width(&to.ty)) else {
+            return Err(different(&from.array, &to.array));
+        };
+        let length = length.min(to.left).min((from.left * own) / width);
+        if length == 0 || length > MOST {
+            return Err(different(&from.array, &to.array));
+        }
+        let element = |number: u32| {
+            let formula = crate::words::element(number, width, (&from.array, from.first), own);
+            let index = to.first + i64::from(number);
+            self.block(format!("[CALC]( {}[{index}], {formula} )", to.array))
+        };
+        Ok(Circuit::Series((0..length).map(element).collect()))
+    }
+
+    /// `SIZE`: how many elements a dimension has.
+    pub(super) fn size(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
+        let place = self.place(operands[0].trim_end_matches("[0]"), Role::Array)?;
+        let Ty::Array(_, sizes) = &place.ty else {
+            return Err(format!("`{}` is no array", place.text));
+        };
+        let size = match self.expr(operands[1])? {
+            Expr::Int(dimension) => usize::try_from(dimension)
+                .ok()
+                .and_then(|at| sizes.get(at).copied()),
+            _ => None,
+        };
+        let size = size.ok_or_else(|| format!("`{}` has no such dimension", place.text))?;
+        self.move_value(&size.to_string(), operands[2])
     }
 
     /// `FLL`
@@ -141,7 +180,7 @@ impl Translator<'_> {
                 "`{text}` is not the beginning of an array of one dimension"
             ));
         };
-        let is_bits = !matches!(name, "FFL" | "FFU" | "LFL" | "LFU");
+        let is_bits = !matches!(name, "FFL" | "FFU" | "LFL" | "LFU" | "AVE" | "STD" | "SRT");
         match ty {
             Ty::Elem(elem) if elem.is_integer() || (!is_bits && elem != Elem::Bool) => {
                 Ok((array, left, elem))
@@ -150,7 +189,7 @@ impl Translator<'_> {
         }
     }
 
-    fn file_operand(&mut self, text: &str, kind: u8, elem: Elem) -> Result<String> {
+    pub(super) fn file_operand(&mut self, text: &str, kind: u8, elem: Elem) -> Result<String> {
         Ok(match kind {
             b'V' => {
                 let expr = self.expr(text)?;
@@ -180,39 +219,6 @@ impl Translator<'_> {
                 place.text
             }
         })
-    }
-
-    /// `FAL`: the rung says how many elements, and a loop after it goes through them.
-    pub(super) fn file_arithmetic(&mut self, operands: &[&str]) -> Result<Circuit<Element>> {
-        let one = match operands[3].to_ascii_uppercase().as_str() {
-            "ALL" => "FALSE",
-            "INC" => "TRUE",
-            mode => {
-                return Err(format!(
-                    "the mode {mode}, so many elements in a scan, has no counterpart here"
-                ));
-            }
-        };
-        let control = self.file_operand(operands[0], b'I', Elem::Dint)?;
-        let formula = self.expr(operands[5])?;
-        let each = self.compute(operands[4], &formula)?;
-        let turns = self.helper("turns", Elem::Dint, "how many elements FAL goes through");
-        let block = self.blocks.plain("FAL");
-        let next = self.block(format!("[ADD]( {control}.POS, {control}.POS, 1 )"));
-        let done = [
-            format!("[ ]( {control}.EN )"),
-            format!("[GE]( {control}.POS, {control}.LEN )"),
-            format!("(S)( {control}.DN )"),
-        ];
-        let after = [
-            self.block(format!("<FOR>( {turns} )")),
-            Circuit::Series(vec![each, next]),
-            self.block("<NEXT>"),
-            self.blocks(done),
-        ];
-        self.after.extend(after);
-        self.note("its elements are computed right after the rung");
-        Ok(self.block(format!("[{block}]( {control}, {one}, {turns} )")))
     }
 
     /// `PID`: the library's controller takes its place.

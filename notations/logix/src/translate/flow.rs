@@ -25,6 +25,8 @@ struct Subroutine {
     inputs: Vec<String>,
     /// The tags that hold what it returns.
     returned: Vec<(String, Elem)>,
+    /// The bit with which it ends the loop that calls it.
+    leaves: Option<String>,
 }
 
 impl Routines {
@@ -42,11 +44,13 @@ impl Routines {
                 ..Subroutine::default()
             };
             let mut returned: Vec<&str> = Vec::new();
+            let mut breaks = false;
             for parts in unit.rungs.iter().filter_map(|rung| rung.as_ref().ok()) {
                 instructions(parts, &mut |it| match instruction(it.name, it.operands.len()) {
                     Some(Op::Sbr) => {
                         subroutine.inputs = it.operands.iter().map(|text| (*text).to_owned()).collect();
                     }
+                    Some(Op::Brk) => breaks = true,
                     Some(Op::Ret) if it.operands.len() > returned.len() => {
                         returned.clone_from(&it.operands);
                     }
@@ -70,6 +74,11 @@ impl Routines {
                     &format!("helper: what {function} returns"),
                 );
                 subroutine.returned.push((helper, elem));
+            }
+            if breaks {
+                let what = format!("helper: {function} ends the loop that calls it");
+                let helper = tags.helper(unit.scope, &format!("{function}_BRK"), Elem::Bool, &what);
+                subroutine.leaves = Some(helper);
             }
             let key = (unit.scope, unit.routine.name.to_ascii_uppercase());
             routines.known.entry(key).or_insert(subroutine);
@@ -139,6 +148,17 @@ impl Translator<'_> {
             circuit.push(self.block(text));
         }
         Ok(Circuit::Series(circuit))
+    }
+
+    /// The function that a routine is, and the bit with which it ends the loop that calls it.
+    pub(super) fn called(&self, routine: &str) -> Result<(String, Option<String>)> {
+        let key = (self.scope, routine.to_ascii_uppercase());
+        match self.routines.known.get(&key) {
+            Some(found) => Ok((found.function.clone(), found.leaves.clone())),
+            None => Err(format!(
+                "there is no routine `{routine}` of ladder logic in the program"
+            )),
+        }
     }
 
     /// A value that becomes a parameter.

@@ -4,6 +4,7 @@ mod aoi;
 mod data;
 mod files;
 mod flow;
+mod loops;
 mod states;
 
 use crate::blocks::Blocks;
@@ -14,6 +15,7 @@ use crate::operand::{Expr, Step};
 use crate::scope::{Place, Tags};
 use crate::types::Elem;
 use crate::unit::operand;
+use crate::words;
 pub(crate) use flow::Routines;
 use ladder_format::Circuit;
 use ladder_format::program::Element;
@@ -146,7 +148,15 @@ impl<'p> Translator<'p> {
             Op::Sqo => self.on_file("SQO", operands[0], &operands[1..4], "VPI"),
             Op::Sql => self.on_file("SQL", operands[0], &operands[1..3], "VI"),
             Op::Fal => self.file_arithmetic(operands),
-            Op::Fsc => Err("a search through a file has no counterpart here".to_owned()),
+            Op::Fsc => self.file_search(operands),
+            Op::Statistic(name) => self.on_file(name, operands[0], &operands[2..4], "PI"),
+            Op::Srt => self.on_file("SRT", operands[0], &operands[2..3], "I"),
+            Op::Size => self.size(operands),
+            Op::Swpb => self.swap(operands),
+            Op::ToBcd => self.digits(operands, words::to_bcd),
+            Op::FromBcd => self.digits(operands, words::from_bcd),
+            Op::For => self.repeat(operands),
+            Op::Brk => self.leave_loop(),
             Op::Jmp => self.label("<JMP>", operands[0]),
             Op::Lbl => self.label("<LBL>", operands[0]),
             Op::Jsr => self.call(operands),

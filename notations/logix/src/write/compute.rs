@@ -159,7 +159,11 @@ impl Writer<'_> {
 
     /// `[CALC]`
     pub(super) fn compute(&mut self, to: &str, ty: Scalar, formula: &Expr) -> Result<Series> {
-        if let Some(found) = self.bits_moved(to, formula)? {
+        let found = match self.bits_moved(to, formula)? {
+            Some(found) => Some(found),
+            None => self.of_words(to, formula)?,
+        };
+        if let Some(found) = found {
             return Ok(vec![found]);
         }
         self.compute_with(to, ty, formula, false)

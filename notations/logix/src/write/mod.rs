@@ -12,6 +12,7 @@ mod block;
 mod body;
 mod compute;
 mod data;
+mod loops;
 mod names;
 mod native;
 mod network;
@@ -20,6 +21,7 @@ mod pattern;
 mod routines;
 mod rung;
 mod state;
+mod words;
 mod xml;
 
 use crate::model::Tag;
@@ -29,7 +31,7 @@ use ladder_analysis::names::scope::TagFacts;
 use ladder_analysis::program::{Program, TagId};
 use ladder_instructions::Profile;
 use ladder_notation::{LineColumn, Lines, Report, WriteError, Writing, stand_in};
-use ladder_syntax::Name;
+use ladder_syntax::{Name, TextSize};
 use names::{Kind, Names};
 use native::Known;
 use rung::Series;
@@ -70,6 +72,12 @@ struct Writer<'a> {
     /// Those that are not needed, and what stands for them.
     absorbed: HashMap<TagId, Option<String>>,
     absorbed_names: HashSet<Name>,
+    /// The bits with which routines end the loop that calls them.
+    leaves: HashSet<TagId>,
+    /// For each instruction with a loop the first network of that, by where it is.
+    loops: HashMap<TextSize, usize>,
+    /// The networks of loops.
+    skipped: HashSet<usize>,
     known: HashMap<usize, Known>,
     /// For each user-defined block its definition in the text.
     body_of: HashMap<usize, usize>,
@@ -112,6 +120,9 @@ pub(crate) fn write(analysis: &Analysis) -> std::result::Result<Writing, WriteEr
         helpers: HashSet::new(),
         absorbed: HashMap::new(),
         absorbed_names: HashSet::new(),
+        leaves: HashSet::new(),
+        loops: HashMap::new(),
+        skipped: HashSet::new(),
         known: HashMap::new(),
         body_of: HashMap::new(),
         body_comments: HashMap::new(),

@@ -169,7 +169,11 @@ impl Writer<'_> {
     fn native(&mut self, own: &'static str, block: &Block) -> Result<Series> {
         let mut texts = Vec::new();
         for bound in &block.arguments {
-            texts.push(self.argument(bound)?);
+            texts.push(match own {
+                // How often is none of it.
+                "FAL" | "FSC" | "FOR" if matches!(bound.argument, Argument::Place(..)) => String::new(),
+                _ => self.argument(bound)?,
+            });
         }
         let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
         Ok(vec![match (own, &texts[..]) {
@@ -186,7 +190,12 @@ impl Writer<'_> {
                 it(own, &[&begin(array), mask, value, control, "?", "?"])
             }
             ("SQL", [array, value, control]) => it(own, &[&begin(array), value, control, "?", "?"]),
-            _ => return Err("it has no counterpart in the middle of other rungs".to_owned()),
+            ("AVE" | "STD", [array, value, control]) => {
+                it(own, &[&begin(array), "0", value, control, "?", "?"])
+            }
+            ("SRT", [array, control]) => it(own, &[&begin(array), "0", control, "?", "?"]),
+            ("FAL" | "FSC" | "FOR", all) => self.looped(own, block, all)?,
+            _ => return Err("it has no counterpart there".to_owned()),
         }])
     }
 

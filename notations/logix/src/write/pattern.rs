@@ -70,8 +70,19 @@ impl Writer<'_> {
             self.absorb(helper, Some(value));
             return Ok(Some((Vec::new(), 1)));
         }
+        if op_of(first) == Some(Op::SetCoil)
+            && let Some(Argument::Place(Place::Tag(tag), _)) =
+                first.arguments.first().map(|bound| &bound.argument)
+            && self.leaves.contains(tag)
+            && block(1).and_then(op_of) == Some(Op::Ret)
+        {
+            return Ok(Some((only(it("BRK", &[])), 2)));
+        }
         if op_of(first) != Some(Op::Calc) {
             return Ok(None);
+        }
+        if let Some((copy, taken)) = self.bytes(network, series)? {
+            return Ok(Some((only(copy), taken)));
         }
         let (Some(helper), Some(formula), Some(next)) = (self.helper(first), value_at(first, 1), block(1))
         else {

@@ -19,6 +19,7 @@ impl Writer<'_> {
         self.know_blocks();
         self.spell_tags();
         self.count_uses();
+        self.find_loops();
         let mut project = Project {
             rate: self.analysis.context.cycle.map(rate),
             ..Project::default()
@@ -34,10 +35,8 @@ impl Writer<'_> {
         let mut said_of_all: Vec<String> = Vec::new();
         let mut has_begun = false;
         let program = self.program;
-        let mut networks = program
-            .networks
-            .iter()
-            .filter(|network| network.location.file == 0);
+        let networks = program.networks.iter().enumerate();
+        let mut networks = networks.filter(|(_, network)| network.location.file == 0);
         let parse = self.analysis.context.parse.clone();
         let mut within = None;
         for item in &parse.structure().items {
@@ -68,7 +67,13 @@ impl Writer<'_> {
                 }
                 Item::Network(number) => {
                     has_begun = true;
-                    let Some(network) = networks.next() else { continue };
+                    let Some((index, network)) = networks.next() else {
+                        continue;
+                    };
+                    if self.skipped.contains(&index) {
+                        self.translated(network);
+                        continue;
+                    }
                     let drawn = &parse.structure().networks[number];
                     for line in drawn.lines.clone() {
                         waiting.extend(
@@ -223,6 +228,13 @@ impl Writer<'_> {
                 .block
                 .map(|block| self.program.blocks[block].name.to_ascii_uppercase());
             let key = (block.unwrap_or_default(), Name::new(&tag.name));
+            if said
+                .get(&key)
+                .is_some_and(|said| said.ends_with("ends the loop that calls it"))
+            {
+                self.leaves.insert(ladder_analysis::program::TagId(number as u32));
+                self.absorbed_names.insert(Name::new(&tag.name));
+            }
             let is_helper = said.get(&key).is_some_and(|said| said.starts_with("helper: "));
             if is_helper && count.get(&(number as u32)) == Some(&2) {
                 self.helpers

@@ -7,7 +7,7 @@ use ladder_notation_logix::L5x;
 use std::fs;
 
 /// A ladder text as L5X, and that as ladder text again. None: it has errors.
-fn back(text: &str) -> Option<(String, String)> {
+pub(crate) fn back(text: &str) -> Option<(String, String)> {
     let analysis = ladder_analysis::analyze(&ladder_syntax::parse(text).into(), "prog.clad");
     analysis.program()?;
     let writing = L5x
@@ -25,6 +25,19 @@ fn bare(text: &str) -> String {
         .lines()
         .filter(|line| !line.starts_with("# ladder: allow-file") && !line.starts_with("# Controller "));
     kept.collect::<Vec<_>>().join("\n").replace("#\n\n\n", "#\n\n")
+}
+
+/// Writes what was read, and reads that.
+#[track_caller]
+pub(crate) fn comes_back(text: &str) {
+    let (file, again) = back(text).expect("it has no errors");
+    let (text, again) = (bare(text), bare(&again));
+    let mut lines = text.lines().zip(again.lines());
+    let rungs: Vec<&str> = file.lines().filter(|line| line.contains(");]]>")).collect();
+    if let Some((one, other)) = lines.find(|(one, other)| one != other) {
+        panic!("{one}\n{other}\n{}", rungs.join("\n"));
+    }
+    assert_eq!(again.len(), text.len(), "{}", rungs.join("\n"));
 }
 
 /// Files that do not come back as they were, and why.

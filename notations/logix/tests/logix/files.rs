@@ -107,7 +107,7 @@ fn rungs_contacts_coils_and_legs() {
         alex-optim.BOOLS_2_DINT: 32/32/32/0, 0 approximated, 0 refused
         alex-optim.DINT_2_BOOLS: 32/32/32/0, 0 approximated, 0 refused
         alex-optim.DUTY_CYCLE: 76/86/71/14, 0 approximated, 0 refused
-        fanno.Plc_emulator: 181/64/72/31, 71 approximated, 9 refused
+        fanno.Plc_emulator: 191/64/72/31, 62 approximated, 9 refused
         hutcheb.ACDTestsWithAOI: 4/2/2/0, 6 approximated, 3 refused
         invalid.EC013_duplicate_jmp_label: 2/0/0/0, 0 approximated, 0 refused
         invalid.ER009_wrong_operand_count: 1/0/1/0, 0 approximated, 1 refused

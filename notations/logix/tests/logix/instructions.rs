@@ -1,5 +1,6 @@
 //! What instructions do, scan by scan.
 
+use crate::back::comes_back;
 use crate::exports::{controller, routine, whole};
 use crate::run::{converted, trace};
 use expect_test::{Expect, expect};
@@ -16,6 +17,7 @@ fn check(
     expected: Expect,
 ) {
     let text = converted(&L5x, controller(tags, rungs).as_bytes()).written.text;
+    comes_back(&text);
     expected.assert_eq(&trace(&text, inputs, scans, watched));
 }
 
@@ -156,7 +158,7 @@ fn comparisons() {
             ("r", "REAL", "1.5"),
             ("low", "DINT", "8"),
             ("high", "DINT", "3"),
-            ("out", "BOOL[8]", ""),
+            ("out", "BOOL[32]", ""),
         ],
         &[
             "LIM(2,x,4)OTE(out[0]);",
@@ -494,7 +496,7 @@ fn what_has_no_counterpart_is_a_block_that_does_nothing() {
         &L5x,
         controller(
             &[("a", "BOOL", ""), ("y", "BOOL", ""), ("m", "MESSAGE", "")],
-            &["XIC(a)MSG(m)OTE(y);", "XIC(a)SWPB(w,HIGH/LOW,w);"],
+            &["XIC(a)MSG(m)OTE(y);", "XIC(a)GSV(Program,THIS,Name,w);"],
         )
         .as_bytes(),
     );
@@ -510,6 +512,6 @@ fn what_has_no_counterpart_is_a_block_that_does_nothing() {
     expect![[r#"
         7:1 info: its type MESSAGE is not declared in the file; the tag is not there
         17:16 info: MSG has no counterpart here: it does nothing, and power passes
-        22:16 info: SWPB has no counterpart here: it does nothing, and power passes"#]]
+        22:16 info: GSV has no counterpart here: it does nothing, and power passes"#]]
     .assert_eq(&findings.collect::<Vec<_>>().join("\n"));
 }

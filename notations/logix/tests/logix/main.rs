@@ -6,6 +6,7 @@ mod cases;
 mod exports;
 mod files;
 mod instructions;
+mod loops;
 mod oracle;
 mod projects;
 mod run;

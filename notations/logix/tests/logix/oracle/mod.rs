@@ -8,6 +8,7 @@ mod parts;
 mod program;
 mod timers;
 
+use crate::back::back;
 use crate::exports::whole;
 use crate::run::{converted, errors};
 use interpreter::Controller;
@@ -45,48 +46,54 @@ fn check(seed: u64) {
     let remarks: Vec<_> = converted.report.remarks().collect();
     assert!(remarks.is_empty(), "{remarks:?}");
     let text = converted.written.text;
-    let analysis = ladder_analysis::analyze(&ladder_syntax::parse(&text).into(), "prog.clad");
-    let ladder = analysis
-        .program()
-        .unwrap_or_else(|| panic!("{:?}\n{text}", errors(&text)));
-    let mut simulation = Simulation::new(Arc::clone(ladder), Options::default()).expect("it can be run");
+    // The same program, and what is read of the file that is written of it.
+    let (_, again) = back(&text).expect("it has no errors");
+    let mut simulations = [simulation(&text), simulation(&again)];
     let mut controller = Controller::new(&program.tags, &[("Main", &program.main), ("Sub", &program.sub)]);
     controller.prescan();
     let watched = controller.names();
-    let points: Vec<_> = watched
-        .iter()
-        .map(|name| {
-            simulation
-                .resolve(name)
-                .unwrap_or_else(|error| panic!("{error}\n{text}"))
-        })
-        .collect();
     let mut dice = Dice(seed + 77);
     for scan in 0..40 {
         for input in ["a", "b", "c"] {
             if dice.below(3) == 0 {
                 let high = dice.below(2) == 1;
                 controller.set(input, f64::from(u8::from(high)));
-                let point = simulation.resolve(input).expect("it is declared");
-                simulation
-                    .set(&point, Value::Bool(high))
-                    .expect("it takes a value");
+                for simulation in &mut simulations {
+                    let point = simulation.resolve(input).expect("it is declared");
+                    simulation
+                        .set(&point, Value::Bool(high))
+                        .expect("it takes a value");
+                }
             }
         }
         controller.scan(10);
-        assert!(simulation.scan(), "the scan ends");
-        let faults = simulation.take_faults();
-        assert!(faults.is_empty(), "{faults:?}\n{text}");
-        for (name, point) in watched.iter().zip(&points) {
-            let (one, other) = (controller.get(name), number(&simulation.value(point)));
-            assert!(
-                (one - other).abs() < 1e-6,
-                "seed {seed}, scan {scan}: {name} is {one}, and {other} here\n{}\n--\n{}\n{text}",
-                program.main.join("\n"),
-                program.sub.join("\n"),
-            );
+        for simulation in &mut simulations {
+            assert!(simulation.scan(), "the scan ends");
+            let faults = simulation.take_faults();
+            assert!(faults.is_empty(), "{faults:?}\n{text}");
+            for name in &watched {
+                let point = simulation
+                    .resolve(name)
+                    .unwrap_or_else(|error| panic!("{error}\n{text}"));
+                let (one, other) = (controller.get(name), number(&simulation.value(&point)));
+                assert!(
+                    (one - other).abs() <= 1e-6 * one.abs().max(1.0),
+                    "seed {seed}, scan {scan}: {name} is {one}, and {other} here\n{}\n--\n{}\n{text}",
+                    program.main.join("\n"),
+                    program.sub.join("\n"),
+                );
+            }
         }
     }
+}
+
+#[track_caller]
+fn simulation(text: &str) -> Simulation {
+    let analysis = ladder_analysis::analyze(&ladder_syntax::parse(text).into(), "prog.clad");
+    let ladder = analysis
+        .program()
+        .unwrap_or_else(|| panic!("{:?}\n{text}", errors(text)));
+    Simulation::new(Arc::clone(ladder), Options::default()).expect("it can be run")
 }
 
 #[test]
