@@ -3,6 +3,8 @@
 
 use expect_test::expect;
 use ladder_analysis::analyze;
+use ladder_analysis::program::Role;
+use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
 use ladder_format::program::{
     Declaration, Drawing, Element, Item, Network, ProgramSketch, Section, SectionKind,
@@ -872,6 +874,68 @@ fn programs_of_the_language_do_the_same_in_logix() {
         }
     }
     assert!(whole > 100, "only {whole}");
+}
+
+#[test]
+fn examples_do_the_same_in_logix() {
+    let notation = by_name("l5x").expect("the notation is registered");
+    let mut whole = Vec::new();
+    for path in ladder_tests::project::files(&ladder_tests::project::root().join("examples"), "clad") {
+        let text = std::fs::read_to_string(&path).expect("an example can be read");
+        let analysis = analyze(&Arc::new(parse(&text)), "example.clad");
+        let Ok(writing) = notation.write(&analysis) else {
+            continue;
+        };
+        if writing.report.tally().refused > 0 {
+            continue;
+        }
+        let back = convert(
+            notation,
+            &Source::alone("example", &writing.bytes),
+            &Options::default(),
+        );
+        let ladder = back.expect("what is written is read").written.text;
+        let start =
+            |text: &str| Simulation::new(compile(text).expect("a program"), Run::default()).expect("it runs");
+        let (mut one, mut other) = (start(&text), start(&ladder));
+        // Bits, which have their names in both.
+        let points: Vec<(Point, Point)> = one
+            .points()
+            .iter()
+            .filter(|point| point.ty == Scalar::Bool && !point.name.contains('.'))
+            .filter_map(|point| Some((point.clone(), other.resolve(&point.name).ok()?)))
+            .collect();
+        assert!(points.len() > 3, "{}", path.display());
+        let mut dice = Dice::new(7);
+        for scan in 0..4_000 {
+            for (point, same) in points.iter().filter(|(point, _)| point.role == Role::Input) {
+                if dice.one_in(200) {
+                    let value = Value::Bool(dice.one_in(2));
+                    one.set(point, value.clone()).expect("an input takes a value");
+                    other.set(same, value).expect("an input takes a value");
+                }
+            }
+            one.scan();
+            other.scan();
+            for (point, same) in &points {
+                let (value, there) = (one.value(point), other.value(same));
+                assert_eq!(value, there, "{}: {} in scan {scan}", path.display(), point.name);
+            }
+        }
+        whole.push(path.file_stem().expect("a name").to_string_lossy().into_owned());
+    }
+    whole.sort();
+    assert_eq!(
+        whole,
+        [
+            "conveyor",
+            "garage_door",
+            "mixer",
+            "motor",
+            "pump_alternation",
+            "tank"
+        ]
+    );
 }
 
 #[test]

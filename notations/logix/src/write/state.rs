@@ -6,7 +6,7 @@
 use super::operand::milliseconds;
 use super::rung::{Piece, Series, it};
 use super::{Lowered, Result, Writer};
-use ladder_analysis::program::{Argument, Block, Expr, ExprKind};
+use ladder_analysis::program::{Argument, Block, Expr, ExprKind, Place};
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
 use ladder_instructions::Op;
@@ -79,19 +79,37 @@ impl Writer<'_> {
         }
     }
 
+    /// A number that never changes.
+    fn constant_of(&self, expr: &Expr) -> Option<i64> {
+        match &expr.kind {
+            ExprKind::Constant(Value::Int(number)) => Some(*number),
+            ExprKind::Pass(inner) => self.constant_of(inner),
+            ExprKind::Read(Place::Tag(tag)) => {
+                let tag = &self.program.tags[tag.0 as usize];
+                match tag.initial.first() {
+                    _ if !tag.constant => None,
+                    Some(Value::Int(number)) => Some(*number),
+                    _ => Some(0),
+                }
+            }
+            _ => None,
+        }
+    }
+
     fn timer(&mut self, op: Op, given: &Given<'_>, needs_output: bool) -> Result<Lowered> {
         let own = &given.own;
         let mut pieces = Vec::new();
-        let number = match given.preset.map(|preset| (&preset.kind, preset)) {
-            Some((ExprKind::Constant(Value::Int(span)), preset)) => {
+        let constant = given.preset.and_then(|preset| self.constant_of(preset));
+        let number = match (given.preset, constant) {
+            (Some(preset), Some(span)) => {
                 let number = if preset.ty == Scalar::Time {
-                    milliseconds(*span)?
+                    milliseconds(span)?
                 } else {
-                    *span
+                    span
                 };
                 number.max(0).to_string()
             }
-            Some((_, preset)) if matches!(op, Op::Ton | Op::Rto) => {
+            (Some(preset), None) if matches!(op, Op::Ton | Op::Rto) => {
                 let preset = self.value(preset)?;
                 pieces.push(it("MOV", &[&preset, &format!("{own}.PRE")]));
                 "?".to_owned()
@@ -158,10 +176,8 @@ impl Writer<'_> {
 
     fn counter(&mut self, op: Op, given: &Given<'_>, needs_output: bool) -> Result<Lowered> {
         let own = &given.own;
-        let preset = match given.preset.map(|preset| &preset.kind) {
-            Some(ExprKind::Constant(Value::Int(number))) => *number,
-            _ => return Err("there its preset is a constant".to_owned()),
-        };
+        let preset = given.preset.and_then(|preset| self.constant_of(preset));
+        let preset = preset.ok_or("there its preset is a constant")?;
         if op == Op::Ctu && preset < 1 && !self.is_own {
             return Err("with a preset below 1 its output there comes only with its first count".to_owned());
         }
