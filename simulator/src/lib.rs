@@ -50,6 +50,7 @@ mod controller;
 mod counters;
 pub mod coverage;
 mod diagram;
+pub mod expression;
 mod fault;
 mod fuse;
 mod groups;
@@ -88,6 +89,7 @@ pub mod compiled {
     pub use crate::operation::{Conversion, IntegerOp, RealFunction, RealOp, Test, Width};
     pub use crate::retain::Retained;
     pub use crate::routine::{Routine, TYPES};
+    pub use crate::tags::PointSlot;
     pub use crate::work::CALL_DEPTH;
 }
 

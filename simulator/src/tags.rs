@@ -61,6 +61,11 @@ impl Point {
         !self.read_only && self.within == Within::None
     }
 
+    /// Where it lives, for those who translate the compiled form.
+    pub fn slot(&self) -> PointSlot {
+        self.slot
+    }
+
     /// Whether it is a system tag.
     pub(crate) fn is_system(&self) -> bool {
         self.name.starts_with("SYS.")
@@ -97,7 +102,8 @@ impl Point {
 
 /// Where a point lives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum PointSlot {
+#[allow(missing_docs, reason = "operands and members are said at what has them")]
+pub enum PointSlot {
     Bit(Bit),
     Word(Word),
     Text(TextSlot),

@@ -11,10 +11,10 @@ use serde_json::{Map, Value as Json};
 use super::configuration::{Configuration, GivenInputs, is_scenario_file};
 use super::play::Play;
 use super::sources::{Source, is_on_another_computer};
-use super::watch::Scope;
 use crate::host::World;
 use crate::simulation::Keeping;
 use crate::simulation::value::from_json;
+use ladder_simulator::expression::Scope;
 
 /// What a configuration asks for.
 pub(super) struct Asked {

@@ -7,7 +7,7 @@ use serde_json::{Value as Json, json};
 use super::adapter::Adapter;
 use super::messages::{Completions, Evaluate, Force, SetExpression, SetVariable};
 use super::variables::{self, Container};
-use super::watch::{Problem, Watch};
+use ladder_simulator::expression::{Expression, Problem};
 
 const HELP: &str = "\
 count > 5          an expression: tags, members, elements, operators, functions
@@ -95,7 +95,7 @@ impl Adapter {
             let shown = variables::open_json(simulation, container, &mut self.handles);
             return Ok(result(shown));
         }
-        let mut watch = Watch::new(text, scope)?;
+        let mut watch = Expression::new(text, scope)?;
         if let Some(point) = watch.point() {
             return Ok(result(variables::point_json(simulation, point)));
         }
@@ -218,7 +218,7 @@ impl Adapter {
 }
 
 /// All that can be named, with its type.
-fn names(scope: super::watch::Scope<'_>) -> Vec<(String, String)> {
+fn names(scope: ladder_simulator::expression::Scope<'_>) -> Vec<(String, String)> {
     let program = scope.simulation.program();
     let mut names = Vec::new();
     let mut push = |name: String, ty: Type| {

@@ -8,13 +8,13 @@ use ladder_simulator::Breakpoint;
 use super::condition::{HitCondition, Piece, pieces};
 use super::messages::SourceBreakpoint;
 use super::target::Target;
-use super::watch::{Problem, Scope, Typed, Watch};
+use ladder_simulator::expression::{Expression, Problem, Scope, Typed};
 
 /// An expression next to a breakpoint. In a body it means the tags of the place that runs, so it is compiled for each.
 #[derive(Debug)]
 struct Attached {
     text: String,
-    compiled: HashMap<Option<String>, Watch>,
+    compiled: HashMap<Option<String>, Expression>,
 }
 
 impl Attached {
@@ -23,7 +23,7 @@ impl Attached {
         let block = location.and_then(|location| body_of(target, location));
         let simulation = target.simulation();
         let instance = block.and_then(|block| simulation.instances().iter().find(|it| it.block == block));
-        let watch = Watch::new(text, Scope { simulation, instance })?;
+        let watch = Expression::new(text, Scope { simulation, instance })?;
         Ok(Attached {
             text: text.to_owned(),
             compiled: HashMap::from([(instance.map(|instance| instance.name.clone()), watch)]),
@@ -31,18 +31,18 @@ impl Attached {
     }
 
     /// The expression for the place that runs.
-    fn watch(&mut self, target: &Target) -> Result<&mut Watch, Problem> {
+    fn watch(&mut self, target: &Target) -> Result<&mut Expression, Problem> {
         let scope = target.scope(None);
         let place = scope.instance.map(|instance| instance.name.clone());
         match self.compiled.entry(place) {
             std::collections::hash_map::Entry::Occupied(known) => Ok(known.into_mut()),
             std::collections::hash_map::Entry::Vacant(free) => {
-                Ok(free.insert(Watch::new(&self.text, scope)?))
+                Ok(free.insert(Expression::new(&self.text, scope)?))
             }
         }
     }
 
-    fn watch_any(&mut self) -> Option<&mut Watch> {
+    fn watch_any(&mut self) -> Option<&mut Expression> {
         self.compiled.values_mut().next()
     }
 

@@ -34,7 +34,6 @@ mod outlet;
 mod play;
 mod running;
 mod safely;
-mod small_program;
 mod sources;
 mod stack;
 mod stepping;
@@ -42,7 +41,6 @@ mod target;
 #[cfg(test)]
 mod tests;
 mod variables;
-mod watch;
 
 pub use adapter::Adapter;
 pub(crate) use attached::{Launch, answer_of_none, is_urgent};

@@ -10,8 +10,8 @@ use super::asked::GivenByFiles;
 use super::once::Once;
 use super::play::Play;
 use super::sources::Source;
-use super::watch::Scope;
 use crate::host::World;
+use ladder_simulator::expression::Scope;
 
 /// A program that is debugged.
 #[derive(Debug)]

@@ -8,7 +8,7 @@ use ladder_simulator::{Entry, Instance, Point, Simulation, members_of, value_tex
 use serde_json::{Value as Json, json};
 
 use super::target::Target;
-use super::watch::{Problem, Scope, Watch};
+use ladder_simulator::expression::{Expression, Problem, Scope};
 
 /// What a value in a list ends with while it is held.
 const FORCED: &str = " (forced)";
@@ -454,7 +454,7 @@ pub(super) fn read(text: &str, ty: Scalar, scope: Scope<'_>) -> Result<Value, Pr
         Ok(value) => return Ok(value),
         Err(problem) => problem,
     };
-    let Ok(mut watch) = Watch::new(text, scope) else {
+    let Ok(mut watch) = Expression::new(text, scope) else {
         return Err(problem);
     };
     let found = watch.evaluate(scope.simulation)?;

@@ -9,14 +9,19 @@
 //! line. [`bind()`] asks a compiled program for the tags and reads the values in their types. [`run()`] plays one
 //! case from a cold start, and [`draw()`] shows the rows that came out differently. [`layout()`] puts a file's columns
 //! straight.
+//! [`bind_properties()`] makes monitors of properties, which watch runs.
 
 mod bind;
 mod draw;
 mod error;
 mod layout;
+mod monitor;
 mod parse;
 mod play;
 mod played;
+mod property;
+#[cfg(test)]
+mod property_tests;
 mod record;
 mod recorded_text;
 mod run;
@@ -30,8 +35,10 @@ pub use bind::{Case, bind};
 pub use draw::{Line, LineKind, draw, sentence};
 pub use error::ScenarioError;
 pub use layout::layout;
+pub use monitor::{Monitor, Watched, bind_properties};
 pub use parse::{Cell, Direction, HEADINGS, Row, Scenario, Suite, TIME, TimeRow, parse};
 pub use play::Unmet;
+pub use property::{FORMS, Form, PROPERTY, Property, Span, Written};
 pub use record::{Recordable, Recorded, Wanted, passes, record, recordable, recorded_file};
 pub use run::{Difference, Ran, run};
 pub use tolerance::Tolerance;

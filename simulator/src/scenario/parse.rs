@@ -1,6 +1,7 @@
 //! What the lines of a scenario file say, before anything is known of the program.
 
 use super::error::ScenarioError;
+use super::property::{self, PROPERTY, Property, Written, is_of_property};
 use super::tolerance::Tolerance;
 use super::words::{Word, lines, range};
 use crate::value_text;
@@ -23,6 +24,10 @@ pub struct Suite {
     pub tolerance: Option<Tolerance>,
     /// In the order of the file.
     pub scenarios: Vec<Scenario>,
+    /// What is assumed of everything that goes into the program.
+    pub assumptions: Vec<Written>,
+    /// What must hold in every run, in the order of the file.
+    pub properties: Vec<Property>,
     /// What could not be read.
     pub errors: Vec<ScenarioError>,
 }
@@ -109,15 +114,23 @@ pub fn parse(text: &str) -> Suite {
             interval: None,
             tolerance: None,
             scenarios: Vec::new(),
+            assumptions: Vec::new(),
+            properties: Vec::new(),
             errors: Vec::new(),
         },
+        named: None,
+        has_properties: false,
         names: HashMap::new(),
         tolerance_given: false,
         first: 0,
     };
     for line in lines(text) {
         if let [first, rest @ ..] = line.words.as_slice() {
-            reader.line(*first, rest);
+            if reader.named.is_some() || is_of_property(*first, rest) {
+                reader.property(*first, rest, line.before_comment());
+            } else {
+                reader.line(*first, rest);
+            }
         }
     }
     reader.finish(text)
@@ -134,6 +147,10 @@ struct Reader {
     /// The scenarios' names, to find the second of a kind.
     names: HashMap<String, TextRange>,
     tolerance_given: bool,
+    /// The name of the property whose form is next.
+    named: Option<(String, TextRange)>,
+    /// There are properties, with errors or without.
+    has_properties: bool,
     /// The step of the cells that are first in their rows.
     first: usize,
 }
@@ -176,6 +193,72 @@ impl Reader {
                     help,
                 );
             }
+        }
+    }
+
+    /// A line of a property or an assumption: its text is that of the line before the comment.
+    fn property(&mut self, first: Word, rest: &[Word], (text, start): (&str, usize)) {
+        self.has_properties = true;
+        if first.text == PROPERTY && rest.first().is_some_and(|name| name.text.starts_with('"')) {
+            self.check_named();
+            let name = rest[0];
+            if name.unclosed {
+                let example = "write it as in: property \"the contactors exclude each other\"";
+                return self.error(name.range(), "the quote after the name is missing", example);
+            }
+            self.named = Some((name.text.trim_matches('"').trim().to_owned(), name.range()));
+            if let Some(form) = rest.get(1) {
+                self.form(property::Reader::new(&text[form.start - start..], form.start));
+            }
+            return;
+        }
+        let form = property::Reader::new(&text[first.start - start..], first.start);
+        if first.text == "assume" && self.named.is_none() {
+            let after = first.end() - start;
+            let mut rest = property::Reader::new(&text[after..], first.end());
+            match rest.expression().and_then(|written| rest.end().map(|()| written)) {
+                Ok(written) => self.suite.assumptions.push(written),
+                Err(error) => self.suite.errors.push(error),
+            }
+            return;
+        }
+        self.form(form);
+    }
+
+    fn form(&mut self, reader: property::Reader<'_>) {
+        let place = reader.whole();
+        let named = self.named.take();
+        match reader.form() {
+            Ok(form) => {
+                let (name, range) = named.unwrap_or_else(|| (reader.text().to_owned(), place));
+                if self.suite.properties.iter().any(|other| other.name == name) {
+                    let twice = format!("another property is called \"{name}\" too");
+                    self.error(
+                        range,
+                        twice,
+                        "give each its own name: reports tell them apart by it",
+                    );
+                }
+                self.suite.properties.push(Property {
+                    name,
+                    range,
+                    place,
+                    form,
+                });
+            }
+            Err(error) => self.suite.errors.push(error),
+        }
+    }
+
+    /// A name of a property is followed by its form.
+    fn check_named(&mut self) {
+        if let Some((name, range)) = self.named.take() {
+            let message = format!("the property \"{name}\" says nothing");
+            self.error(
+                range,
+                message,
+                "say below it what must hold, as in: never up and down",
+            );
         }
     }
 
@@ -479,6 +562,7 @@ impl Reader {
 
     fn finish(mut self, text: &str) -> Suite {
         self.check_last_time();
+        self.check_named();
         let end = TextSize::of(text);
         let start = TextSize::new(if text.starts_with('\u{feff}') { 3 } else { 0 });
         if self.suite.program.is_none() && !self.suite.errors.iter().any(|m| m.message.contains("program")) {
@@ -488,7 +572,7 @@ impl Reader {
                 "name it in the first line, as in: program motor.clad",
             );
         }
-        if self.suite.scenarios.is_empty() {
+        if self.suite.scenarios.is_empty() && !self.has_properties {
             self.error(
                 TextRange::empty(end),
                 "there is no scenario in this file",

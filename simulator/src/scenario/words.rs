@@ -58,6 +58,11 @@ impl<'t> Line<'t> {
         }
     }
 
+    /// What it says before the comment, and where that begins in the file.
+    pub(super) fn before_comment(&self) -> (&'t str, usize) {
+        (&self.text[..self.comment.unwrap_or(self.text.len())], self.start)
+    }
+
     /// The comment with its `#`, if there is one.
     pub(crate) fn comment(&self) -> Option<&'t str> {
         Some(self.text[self.comment?..].trim_end())

@@ -149,6 +149,11 @@ impl Simulation {
         &self.program
     }
 
+    /// Its compiled form.
+    pub fn compiled(&self) -> &Compiled {
+        &self.compiled
+    }
+
     /// How it runs.
     pub fn options(&self) -> Options {
         self.options

@@ -14,7 +14,7 @@ const LANGUAGE: [&str; 6] = [
 ];
 
 /// What a crate may use: those of the language only what is here, the others also all of the language.
-const RULES: [(&str, &[&str]); 15] = [
+const RULES: [(&str, &[&str]); 16] = [
     ("syntax", &[]),
     ("instructions", &[]),
     ("library", &[]),
@@ -25,6 +25,7 @@ const RULES: [(&str, &[&str]); 15] = [
         &["syntax", "instructions", "format", "drawings", "library"],
     ),
     ("simulator", &[]),
+    ("prover", &["simulator"]),
     ("picture", &[]),
     ("notation", &[]),
     ("ide", &["simulator"]),
@@ -37,7 +38,15 @@ const RULES: [(&str, &[&str]); 15] = [
     ("playground", &["service", "workspace"]),
     (
         "cli",
-        &["simulator", "ide", "picture", "notations", "workspace", "server"],
+        &[
+            "simulator",
+            "prover",
+            "ide",
+            "picture",
+            "notations",
+            "workspace",
+            "server",
+        ],
     ),
 ];
 

@@ -1,19 +1,32 @@
 //! The small program that computes an expression over tags, while it is written.
 
-use std::sync::Arc;
-
+use super::past::{Past, PastKind};
+use super::{Expression, Kind, Problem, Scope, Source};
+use crate::simulation::{Options, Simulation};
+use crate::tags::Point;
 use ladder_analysis::analyze;
 use ladder_analysis::program::Program;
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_instructions::Profile;
-use ladder_simulator::{Options, Point, Simulation};
 use ladder_syntax::{SyntaxKind, SyntaxNode, TextRange, TextSize, parse};
-
-use super::watch::{Kind, Problem, Scope, Watch};
+use std::sync::Arc;
 
 /// What is before the expression in the small program.
 const BEFORE: &str = "+--[CALC]( result, ";
-const BEHIND: &str = " )--+\n";
+const AFTER: &str = " )--+\n";
+
+/// Where the expression ends that a text begins with: what comes after it may be anything.
+pub(crate) fn expression_end(text: &str) -> Option<usize> {
+    let whole = format!("{BEFORE}{text}{AFTER}");
+    let tree = parse(&whole).syntax();
+    let list = tree
+        .descendants()
+        .find(|node| node.kind() == SyntaxKind::OPERAND_LIST)?;
+    let range = list.children().nth(1)?.text_range();
+    let end = usize::from(range.end()).checked_sub(BEFORE.len())?;
+    let is_first = text[..text.len().min(end)].trim_start().len() == usize::from(range.len());
+    (is_first && end <= text.len()).then_some(end)
+}
 
 /// No expression reads more elements of arrays than this.
 const MOST_ELEMENTS: i64 = 100_000;
@@ -24,17 +37,19 @@ pub(super) struct Small<'s> {
     /// The expression with the names of the small program.
     expression: String,
     declarations: String,
-    inputs: Vec<(Point, String)>,
+    inputs: Vec<(Source, String)>,
     /// How many tags it has.
     tags: usize,
     /// The types that the result may have, the likelier first.
     types: Vec<Scalar>,
+    /// Whether it may name the past.
+    with_past: bool,
     /// The names of its tags, and what stands for them in the expression.
     names: Vec<(String, String)>,
 }
 
 impl<'s> Small<'s> {
-    pub(super) fn of(text: &str, scope: Scope<'s>) -> Result<Small<'s>, Problem> {
+    pub(super) fn of(text: &str, scope: Scope<'s>, with_past: bool) -> Result<Small<'s>, Problem> {
         let mut small = Small {
             scope,
             expression: String::new(),
@@ -42,10 +57,11 @@ impl<'s> Small<'s> {
             inputs: Vec::new(),
             tags: 0,
             types: vec![Scalar::Bool],
+            with_past,
             names: Vec::new(),
         };
         let text = small.without_instances(text)?;
-        let whole = format!("{BEFORE}{text}{BEHIND}");
+        let whole = format!("{BEFORE}{text}{AFTER}");
         let tree = parse(&whole).syntax();
         let range = TextRange::at(TextSize::of(BEFORE), TextSize::of(text.as_str()));
         let is_list = |node: &SyntaxNode| node.kind() == SyntaxKind::OPERAND_LIST;
@@ -135,6 +151,11 @@ impl<'s> Small<'s> {
                     Err(problem) => Err(problem),
                 }
             }
+            CALL_EXPR if self.with_past && past_of(node).is_some() => {
+                let name = self.past(node)?;
+                replaced.push((node.text_range(), name));
+                Ok(())
+            }
             CALL_EXPR => {
                 // The first part is the function's name.
                 for argument in node.children().skip(1) {
@@ -149,6 +170,24 @@ impl<'s> Small<'s> {
                 Ok(())
             }
         }
+    }
+
+    /// What another expression was.
+    fn past(&mut self, node: &SyntaxNode) -> Result<String, Problem> {
+        let text = node.text().to_string();
+        let Some((kind, Some(of))) = past_of(node) else {
+            return Err(format!("`{text}` takes one expression, as in: was(level > 5)"));
+        };
+        let of = of.text().to_string();
+        let inner = match kind {
+            PastKind::Was => Expression::with_past(&of, self.scope)?,
+            PastKind::Rises | PastKind::Falls => Expression::condition(&of, self.scope.simulation)?,
+        };
+        let past = Past::new(kind, inner);
+        let name = self.name(&text, past.ty());
+        self.declarations.push_str(&format!("{name} : {};\n", past.ty()));
+        self.inputs.push((Source::Past(Box::new(past)), name.clone()));
+        Ok(name)
     }
 
     /// An array with an index that is a tag, or with a range.
@@ -173,7 +212,8 @@ impl<'s> Small<'s> {
         for index in first..=last {
             let point = self.scope.simulation.resolve(&format!("{whole}[{index}]"));
             let point = point.map_err(|unknown| unknown.message)?;
-            self.inputs.push((point, format!("{name}[{index}]")));
+            self.inputs
+                .push((Source::Point(point), format!("{name}[{index}]")));
         }
         if let Some(array) = node.children().next() {
             replaced.push((array.text_range(), name));
@@ -187,7 +227,7 @@ impl<'s> Small<'s> {
     fn scalar(&mut self, point: Point) -> String {
         let name = self.name(&point.name, point.ty);
         self.declarations.push_str(&format!("{name} : {};\n", point.ty));
-        self.inputs.push((point, name.clone()));
+        self.inputs.push((Source::Point(point), name.clone()));
         name
     }
 
@@ -202,7 +242,7 @@ impl<'s> Small<'s> {
     }
 
     /// The first type in which the expression makes sense is its own.
-    pub(super) fn compile(self, text: &str) -> Result<Watch, Problem> {
+    pub(super) fn compile(self, text: &str) -> Result<Expression, Problem> {
         let mut problem = None;
         let profile = self.scope.simulation.program().profiles.first().copied();
         for &ty in &self.types {
@@ -217,7 +257,11 @@ impl<'s> Small<'s> {
     }
 
     fn likeliest(&self) -> Scalar {
-        self.inputs.first().map_or(Scalar::Bool, |(point, _)| point.ty)
+        let first = self.inputs.first();
+        first.map_or(Scalar::Bool, |(source, _)| match source {
+            Source::Point(point) => point.ty,
+            Source::Past(past) => past.ty(),
+        })
     }
 
     fn program(&self, ty: Scalar, profile: Profile) -> Result<Arc<Program>, Problem> {
@@ -231,7 +275,7 @@ impl<'s> Small<'s> {
             other => format!("# ladder: profile {} #\n", other.name()),
         };
         let text =
-            format!("{directive}VAR\n{declarations}result : {ty};\nEND_VAR\n{BEFORE}{expression}{BEHIND}");
+            format!("{directive}VAR\n{declarations}result : {ty};\nEND_VAR\n{BEFORE}{expression}{AFTER}");
         let analysis = analyze(&Arc::new(parse(&text)), "expression");
         if let Some(error) = analysis.errors().next() {
             let mut message = error.message.clone();
@@ -246,16 +290,16 @@ impl<'s> Small<'s> {
             .ok_or_else(|| "the expression cannot be evaluated".to_owned())
     }
 
-    fn finish(self, program: Arc<Program>) -> Result<Watch, Problem> {
+    fn finish(self, program: Arc<Program>) -> Result<Expression, Problem> {
         let small = Simulation::new(program, Options::default()).map_err(|error| error.message)?;
         let resolve = |name: &str| small.resolve(name).map_err(|unknown| unknown.message);
         let inputs = self
             .inputs
             .into_iter()
-            .map(|(point, name)| Ok((point, resolve(&name)?)))
+            .map(|(source, name)| Ok((source, resolve(&name)?)))
             .collect::<Result<_, Problem>>()?;
         let result = Box::new(resolve("result")?);
-        Ok(Watch {
+        Ok(Expression {
             kind: Kind::Computed {
                 small: Box::new(small),
                 inputs,
@@ -263,4 +307,17 @@ impl<'s> Small<'s> {
             },
         })
     }
+}
+
+/// The function of the past that a call names, and its only argument.
+fn past_of(call: &SyntaxNode) -> Option<(PastKind, Option<SyntaxNode>)> {
+    let mut parts = call.children();
+    let name = parts.next()?.text().to_string();
+    let kind = PastKind::from_name(name.trim())?;
+    let arguments: Vec<SyntaxNode> = parts.collect();
+    let only = match &*arguments {
+        [one] => Some(one.clone()),
+        _ => None,
+    };
+    Some((kind, only))
 }

@@ -1,0 +1,142 @@
+//! Properties with a program: their expressions become values of its tags, and a run is watched for what violates them.
+
+use super::error::ScenarioError;
+use super::parse::Suite;
+use super::property::{Form, Written};
+use crate::expression::Expression;
+use crate::simulation::Simulation;
+use ladder_syntax::TextRange;
+
+/// The properties of a file, and what is assumed for them.
+#[derive(Debug)]
+pub struct Watched {
+    /// What goes into the program has this in every scan.
+    pub assumptions: Vec<Expression>,
+    /// In the order of the file.
+    pub properties: Vec<Monitor>,
+}
+
+/// A property that is watched in a run.
+#[derive(Debug)]
+pub struct Monitor {
+    /// What it is called.
+    pub name: String,
+    /// Where its name is.
+    pub range: TextRange,
+    /// What must hold.
+    pub form: Form<Expression>,
+    interval: i64,
+    /// The condition was high in the scan before.
+    armed: bool,
+    /// For how many scans the earliest unanswered one waits.
+    waits: Option<u64>,
+}
+
+/// Binds the properties of a file. With errors, those of the file itself included, none of them is to be watched.
+pub fn bind_properties(suite: &Suite, simulation: &Simulation) -> (Watched, Vec<ScenarioError>) {
+    let mut errors = Vec::new();
+    let mut expression = |written: &Written| {
+        let found = Expression::condition(&written.text, simulation);
+        found.map_err(|message| {
+            errors.push(ScenarioError {
+                range: written.range,
+                message,
+                help: None,
+            });
+        })
+    };
+    let assumptions = suite.assumptions.iter().flat_map(&mut expression).collect();
+    let mut properties = Vec::new();
+    for property in &suite.properties {
+        if let Ok(form) = property.form.try_map(&mut expression) {
+            properties.push(Monitor {
+                name: property.name.clone(),
+                range: property.range,
+                form,
+                interval: simulation.options().interval,
+                armed: false,
+                waits: None,
+            });
+        }
+    }
+    let watched = Watched {
+        assumptions,
+        properties,
+    };
+    (watched, errors)
+}
+
+impl Monitor {
+    /// Watches from a cold start.
+    pub fn restart(&mut self) {
+        (self.armed, self.waits) = (false, None);
+        self.for_each(&mut |expression| expression.forget());
+    }
+
+    fn for_each(&mut self, each: &mut dyn FnMut(&mut Expression)) {
+        match &mut self.form {
+            Form::Always(e) | Form::Never(e) | Form::Possible { what: e, .. } => each(e),
+            Form::When {
+                condition,
+                then,
+                until,
+            } => {
+                each(condition);
+                each(then);
+                until.as_mut().map(each);
+            }
+            Form::After { condition, then } | Form::Within { condition, then, .. } => {
+                each(condition);
+                each(then);
+            }
+            Form::NoFaults => {}
+        }
+    }
+
+    /// Looks at what is there after a scan; returns whether that violates the property, and of one that is to be possible
+    /// whether it is so. `faulted`: a block has recorded a fault in this scan.
+    pub fn violates(&mut self, simulation: &Simulation, faulted: bool) -> bool {
+        // A fault in an expression makes it FALSE.
+        let holds = |expression: &mut Expression| expression.holds(simulation).unwrap_or(false);
+        match &mut self.form {
+            Form::Always(e) => !holds(e),
+            Form::Never(e) | Form::Possible { what: e, .. } => holds(e),
+            Form::When {
+                condition,
+                then,
+                until,
+            } => {
+                let (condition, then) = (holds(condition), holds(then));
+                let active = match until {
+                    None => condition,
+                    Some(until) => {
+                        let ends = holds(until);
+                        self.armed = (self.armed || condition) && !ends;
+                        self.armed
+                    }
+                };
+                active && !then
+            }
+            Form::After { condition, then } => {
+                let (condition, then) = (holds(condition), holds(then));
+                std::mem::replace(&mut self.armed, condition) && !then
+            }
+            Form::Within {
+                span,
+                condition,
+                then,
+            } => {
+                let (condition, then) = (holds(condition), holds(then));
+                let most = span.scans(self.interval);
+                self.waits = match self.waits {
+                    _ if then => None,
+                    Some(scans) => Some(scans + 1),
+                    None if condition => Some(0),
+                    None => None,
+                };
+                self.waits.is_some_and(|scans| scans >= most)
+            }
+            Form::NoFaults => faulted,
+        }
+    }
+}
