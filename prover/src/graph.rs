@@ -7,37 +7,37 @@ use rustc_hash::FxHashMap;
 
 /// A node or its negation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Lit(u32);
+pub(crate) struct Lit(u32);
 
 impl Lit {
     /// Always low.
-    pub const FALSE: Lit = Lit(0);
+    pub(crate) const FALSE: Lit = Lit(0);
     /// Always high.
-    pub const TRUE: Lit = Lit(1);
+    pub(crate) const TRUE: Lit = Lit(1);
 
     /// One of the two.
-    pub const fn constant(high: bool) -> Lit {
+    pub(crate) const fn constant(high: bool) -> Lit {
         if high { Lit::TRUE } else { Lit::FALSE }
     }
 
     /// Its value, if it has always the same.
-    pub fn known(self) -> Option<bool> {
+    pub(crate) fn known(self) -> Option<bool> {
         (self.0 < 2).then_some(self == Lit::TRUE)
     }
 
     /// The number of its node.
-    pub const fn node(self) -> usize {
+    pub(crate) const fn node(self) -> usize {
         (self.0 >> 1) as usize
     }
 
     /// Whether it is the negation of its node.
-    pub const fn is_negated(self) -> bool {
+    pub(crate) const fn is_negated(self) -> bool {
         self.0 & 1 == 1
     }
 
     /// This, or its negation.
     #[must_use]
-    pub const fn negated_if(self, negated: bool) -> Lit {
+    pub(crate) const fn negated_if(self, negated: bool) -> Lit {
         Lit(self.0 ^ negated as u32)
     }
 }
@@ -52,7 +52,7 @@ impl std::ops::Not for Lit {
 
 /// What a node is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Node {
+pub(crate) enum Node {
     /// The number 0: always low.
     False,
     /// Anything.
@@ -63,7 +63,7 @@ pub enum Node {
 
 /// A graph. Each node uses only nodes before it.
 #[derive(Debug, Clone)]
-pub struct Graph {
+pub(crate) struct Graph {
     nodes: Vec<Node>,
     known: FxHashMap<(Lit, Lit), Lit>,
 }
@@ -79,22 +79,17 @@ impl Default for Graph {
 
 impl Graph {
     /// How many nodes there are.
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.nodes.len()
     }
 
-    /// Whether there is nothing but the constants.
-    pub fn is_empty(&self) -> bool {
-        self.nodes.len() == 1
-    }
-
     /// What a node is.
-    pub fn node(&self, number: usize) -> Node {
+    pub(crate) fn node(&self, number: usize) -> Node {
         self.nodes[number]
     }
 
     /// A literal that may be anything.
-    pub fn leaf(&mut self) -> Lit {
+    pub(crate) fn leaf(&mut self) -> Lit {
         self.push(Node::Leaf)
     }
 
@@ -112,7 +107,7 @@ impl Graph {
     }
 
     /// Both are high.
-    pub fn and(&mut self, a: Lit, b: Lit) -> Lit {
+    pub(crate) fn and(&mut self, a: Lit, b: Lit) -> Lit {
         let (a, b) = if a <= b { (a, b) } else { (b, a) };
         if a == Lit::FALSE || a == !b {
             return Lit::FALSE;
@@ -188,12 +183,12 @@ impl Graph {
     }
 
     /// One of them is high.
-    pub fn or(&mut self, a: Lit, b: Lit) -> Lit {
+    pub(crate) fn or(&mut self, a: Lit, b: Lit) -> Lit {
         !self.and(!a, !b)
     }
 
     /// They differ.
-    pub fn xor(&mut self, a: Lit, b: Lit) -> Lit {
+    pub(crate) fn xor(&mut self, a: Lit, b: Lit) -> Lit {
         if let Some(a) = a.known() {
             return b.negated_if(a);
         }
@@ -208,12 +203,12 @@ impl Graph {
     }
 
     /// They are the same.
-    pub fn same(&mut self, a: Lit, b: Lit) -> Lit {
+    pub(crate) fn same(&mut self, a: Lit, b: Lit) -> Lit {
         !self.xor(a, b)
     }
 
     /// The one where the first is high, else the other.
-    pub fn choose(&mut self, which: Lit, high: Lit, low: Lit) -> Lit {
+    pub(crate) fn choose(&mut self, which: Lit, high: Lit, low: Lit) -> Lit {
         if high == low || which == Lit::TRUE {
             return high;
         }
@@ -228,12 +223,12 @@ impl Graph {
     }
 
     /// All are high.
-    pub fn all(&mut self, lits: impl IntoIterator<Item = Lit>) -> Lit {
+    pub(crate) fn all(&mut self, lits: impl IntoIterator<Item = Lit>) -> Lit {
         lits.into_iter().fold(Lit::TRUE, |all, lit| self.and(all, lit))
     }
 
     /// One of them is high.
-    pub fn any(&mut self, lits: impl IntoIterator<Item = Lit>) -> Lit {
+    pub(crate) fn any(&mut self, lits: impl IntoIterator<Item = Lit>) -> Lit {
         lits.into_iter().fold(Lit::FALSE, |any, lit| self.or(any, lit))
     }
 }

@@ -1,3 +1,20 @@
 //! Properties of ladder programs, decided for all inputs and all runs from a cold start.
-pub mod graph;
-pub mod number;
+//!
+//! ```text
+//! Simulation --encode--> one scan over a graph of bits --model--> with the properties of a scenario file
+//!     --decide--> induction, and a search for a run that violates them --replay--> in the simulator --answer
+//! ```
+
+mod answer;
+mod concrete;
+mod decide;
+mod encode;
+mod graph;
+mod model;
+mod number;
+mod replay;
+mod system;
+mod unrolled;
+
+pub use answer::{Answer, Options, Refuted, Shown, Times, Verdict, prove};
+pub use concrete::Concrete;

@@ -8,7 +8,7 @@ use ladder_simulator::compiled::Width;
 
 /// A number.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Number {
+pub(crate) struct Number {
     /// From the lowest on; never empty.
     bits: Vec<Lit>,
 }
@@ -18,7 +18,7 @@ const WORD: usize = 64;
 
 impl Number {
     /// Of these bits, the last one the sign.
-    pub fn of_bits(mut bits: Vec<Lit>) -> Number {
+    pub(crate) fn of_bits(mut bits: Vec<Lit>) -> Number {
         if bits.is_empty() {
             bits.push(Lit::FALSE);
         }
@@ -31,24 +31,24 @@ impl Number {
     }
 
     /// Of these bits and never negative.
-    pub fn unsigned(mut bits: Vec<Lit>) -> Number {
+    pub(crate) fn unsigned(mut bits: Vec<Lit>) -> Number {
         bits.push(Lit::FALSE);
         Number::of_bits(bits)
     }
 
     /// One that is known.
-    pub fn constant(value: i64) -> Number {
+    pub(crate) fn constant(value: i64) -> Number {
         let bits = (0..WORD).map(|bit| Lit::constant(value >> bit & 1 != 0));
         Number::of_bits(bits.collect())
     }
 
     /// 0 or 1.
-    pub fn of_bit(bit: Lit) -> Number {
+    pub(crate) fn of_bit(bit: Lit) -> Number {
         Number::unsigned(vec![bit])
     }
 
     /// Its value, if that is known.
-    pub fn known(&self) -> Option<i64> {
+    pub(crate) fn known(&self) -> Option<i64> {
         let mut value = if self.sign() == Lit::TRUE { -1i64 } else { 0 };
         for (n, bit) in self.bits.iter().enumerate() {
             let bit = i64::from(bit.known()?);
@@ -58,28 +58,28 @@ impl Number {
     }
 
     /// How many bits it has, the sign included.
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.bits.len()
     }
 
     /// The bit of a number: the sign, beyond its last.
-    pub fn bit(&self, n: usize) -> Lit {
+    pub(crate) fn bit(&self, n: usize) -> Lit {
         self.bits.get(n).copied().unwrap_or(self.sign())
     }
 
     /// Whether it is below 0.
-    pub fn sign(&self) -> Lit {
+    pub(crate) fn sign(&self) -> Lit {
         self.bits[self.bits.len() - 1]
     }
 
     /// Its lowest bits, as many as are asked for.
-    pub fn low(&self, count: usize) -> Vec<Lit> {
+    pub(crate) fn low(&self, count: usize) -> Vec<Lit> {
         (0..count).map(|n| self.bit(n)).collect()
     }
 
     /// The value that a type holds of it: two's complement.
     #[must_use]
-    pub fn wrapped(&self, width: Width) -> Number {
+    pub(crate) fn wrapped(&self, width: Width) -> Number {
         let bits = width.bits() as usize;
         let is_unsigned = matches!(width, Width::U8 | Width::U16 | Width::U32);
         let low = self.low(bits);
@@ -92,7 +92,7 @@ impl Number {
 
     /// The bits of a word as the number that a type sees in them: 64 unsigned bits are not negative.
     #[must_use]
-    pub fn seen_as(&self, width: Width) -> Number {
+    pub(crate) fn seen_as(&self, width: Width) -> Number {
         match width {
             Width::U64 => Number::unsigned(self.low(WORD)),
             _ => self.clone(),
@@ -101,7 +101,7 @@ impl Number {
 
     /// The word that holds it.
     #[must_use]
-    pub fn as_word(&self) -> Number {
+    pub(crate) fn as_word(&self) -> Number {
         Number::of_bits(self.low(WORD))
     }
 }
@@ -120,20 +120,20 @@ impl Graph {
     }
 
     /// a + b
-    pub fn add(&mut self, a: &Number, b: &Number) -> Number {
+    pub(crate) fn add(&mut self, a: &Number, b: &Number) -> Number {
         let len = a.len().max(b.len()) + 1;
         Number::of_bits(self.sum(&a.low(len), &b.low(len), Lit::FALSE))
     }
 
     /// a - b
-    pub fn sub(&mut self, a: &Number, b: &Number) -> Number {
+    pub(crate) fn sub(&mut self, a: &Number, b: &Number) -> Number {
         let len = a.len().max(b.len()) + 1;
         let b: Vec<Lit> = b.low(len).into_iter().map(|bit| !bit).collect();
         Number::of_bits(self.sum(&a.low(len), &b, Lit::TRUE))
     }
 
     /// a × b, its lowest bits right.
-    pub fn mul(&mut self, a: &Number, b: &Number, most: usize) -> Number {
+    pub(crate) fn mul(&mut self, a: &Number, b: &Number, most: usize) -> Number {
         let (a, b) = if a.known().is_some() || a.bits < b.bits {
             (b, a)
         } else {
@@ -169,13 +169,13 @@ impl Graph {
     }
 
     /// The absolute value.
-    pub fn abs(&mut self, a: &Number) -> Number {
+    pub(crate) fn abs(&mut self, a: &Number) -> Number {
         let negative = self.sub(&Number::constant(0), a);
         self.choose_number(a.sign(), &negative, a)
     }
 
     /// a divided by b, cut towards 0, and the rest. Where b is 0 both are something.
-    pub fn div(&mut self, a: &Number, b: &Number) -> (Number, Number) {
+    pub(crate) fn div(&mut self, a: &Number, b: &Number) -> (Number, Number) {
         let (top, bottom) = (self.abs(a), self.abs(b));
         let (count, len) = (top.len() - 1, bottom.len() + 1);
         let divisor = bottom.low(len);
@@ -205,7 +205,7 @@ impl Graph {
     }
 
     /// a = b
-    pub fn equal(&mut self, a: &Number, b: &Number) -> Lit {
+    pub(crate) fn equal(&mut self, a: &Number, b: &Number) -> Lit {
         let len = a.len().max(b.len());
         let mut equal = Lit::TRUE;
         for n in 0..len {
@@ -216,7 +216,7 @@ impl Graph {
     }
 
     /// a < b
-    pub fn less(&mut self, a: &Number, b: &Number) -> Lit {
+    pub(crate) fn less(&mut self, a: &Number, b: &Number) -> Lit {
         let len = a.len().max(b.len());
         let mut less = Lit::FALSE;
         for n in 0..len {
@@ -235,20 +235,20 @@ impl Graph {
     }
 
     /// The one where `which` is high, else the other.
-    pub fn choose_number(&mut self, which: Lit, high: &Number, low: &Number) -> Number {
+    pub(crate) fn choose_number(&mut self, which: Lit, high: &Number, low: &Number) -> Number {
         let len = high.len().max(low.len());
         let bits = (0..len).map(|n| self.choose(which, high.bit(n), low.bit(n)));
         Number::of_bits(bits.collect())
     }
 
     /// The smaller.
-    pub fn min(&mut self, a: &Number, b: &Number) -> Number {
+    pub(crate) fn min(&mut self, a: &Number, b: &Number) -> Number {
         let less = self.less(b, a);
         self.choose_number(less, b, a)
     }
 
     /// The larger.
-    pub fn max(&mut self, a: &Number, b: &Number) -> Number {
+    pub(crate) fn max(&mut self, a: &Number, b: &Number) -> Number {
         let less = self.less(a, b);
         self.choose_number(less, b, a)
     }

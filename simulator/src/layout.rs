@@ -80,23 +80,23 @@ pub mod timer {
 }
 
 /// Where parts of a counter's state lie after its first bit and word.
-pub(crate) mod counter {
-    pub(crate) const CU: u32 = 0;
-    pub(crate) const CD: u32 = 1;
-    pub(crate) const R: u32 = 2;
-    pub(crate) const LD: u32 = 3;
+pub mod counter {
+    pub const CU: u32 = 0;
+    pub const CD: u32 = 1;
+    pub const R: u32 = 2;
+    pub const LD: u32 = 3;
     /// Also QU.
-    pub(crate) const Q: u32 = 4;
-    pub(crate) const QD: u32 = 5;
-    pub(crate) const CHANGED: u32 = 6;
+    pub const Q: u32 = 4;
+    pub const QD: u32 = 5;
+    pub const CHANGED: u32 = 6;
     /// CU and CD at the last evaluation.
-    pub(crate) const UP_BEFORE: u32 = 7;
-    pub(crate) const DOWN_BEFORE: u32 = 8;
-    pub(crate) const BITS: u32 = 9;
+    pub const UP_BEFORE: u32 = 7;
+    pub const DOWN_BEFORE: u32 = 8;
+    pub const BITS: u32 = 9;
 
-    pub(crate) const PV: u32 = 0;
-    pub(crate) const CV: u32 = 1;
-    pub(crate) const WORDS: u32 = 2;
+    pub const PV: u32 = 0;
+    pub const CV: u32 = 1;
+    pub const WORDS: u32 = 2;
 }
 
 /// How many bits and words the state of a type takes.

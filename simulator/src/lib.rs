@@ -84,9 +84,11 @@ mod work;
 pub mod compiled {
     pub use crate::code::{ArrayPlace, BlockPlace, Code, Instr, NOTHING_SAVED, NetworkPlace};
     pub use crate::compile::{CHANNELS, Compiled, Ports, compile};
-    pub use crate::layout::{Home, state_size, timer};
+    pub use crate::layout::{Borrowed, Home, counter, state_size, timer};
     pub use crate::memory::{Bit, Memory, Text, TextSlot, Word};
-    pub use crate::operation::{Conversion, IntegerOp, RealFunction, RealOp, Test, Width};
+    pub use crate::operation::{
+        Conversion, IntegerOp, RealFunction, RealOp, Test, Width, converted, real_function_of, real_of,
+    };
     pub use crate::retain::Retained;
     pub use crate::routine::{Routine, TYPES};
     pub use crate::tags::PointSlot;

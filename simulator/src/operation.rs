@@ -75,7 +75,7 @@ impl Width {
     }
 
     /// The smallest and the largest number, of signed widths and those below 64 bits.
-    const fn ends(self) -> (i64, i64) {
+    pub const fn ends(self) -> (i64, i64) {
         match self {
             Width::I8 => (i8::MIN as i64, i8::MAX as i64),
             Width::I16 => (i16::MIN as i64, i16::MAX as i64),
@@ -345,6 +345,21 @@ pub(crate) fn real_function(function: RealFunction, single: bool, a: f64) -> Res
         RealFunction::Deg => a * (180.0 / PI),
     };
     finite(value, single)
+}
+
+/// What two reals become, for those who translate the compiled form; none is a fault.
+pub fn real_of(op: RealOp, single: bool, a: f64, b: f64) -> Option<f64> {
+    real(op, single, a, b).ok()
+}
+
+/// What a function of a real returns, likewise.
+pub fn real_function_of(function: RealFunction, single: bool, a: f64) -> Option<f64> {
+    real_function(function, single, a).ok()
+}
+
+/// What a word is converted to, likewise.
+pub fn converted(conversion: Conversion, value: i64) -> Option<i64> {
+    convert(conversion, value).ok()
 }
 
 #[inline]

@@ -1,0 +1,291 @@
+//! Which properties hold in every run: by induction, and by looking for a run that violates them.
+//!
+//! *Base* has the scans from the cold start, *step* as many from any state. Where step cannot reach a violation after k
+//! scans without one, and base has none in the first k, there is none at all.
+
+use crate::encode::Input;
+use crate::graph::{Lit, Node};
+use crate::model::Model;
+use crate::unrolled::{Found, From, Unrolled};
+use rustc_hash::FxHashSet;
+use std::time::{Duration, Instant};
+
+/// How far is looked.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Depth {
+    /// Scans from the cold start.
+    pub(crate) base: usize,
+    /// Scans of the induction.
+    pub(crate) step: usize,
+    /// When it must be done.
+    pub(crate) end: Instant,
+}
+
+/// What is known of a property.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Known {
+    /// No run violates it: by an induction over so many scans.
+    Never(usize),
+    /// This run does.
+    Found(Run),
+    /// There is no violation in so many scans.
+    NotIn(usize),
+    /// Nothing that is assumed can hold at the start.
+    Vacuous,
+}
+
+/// The inputs of a run: for each input of the model its bits in each scan; of one that does not matter none.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Run {
+    pub(crate) scans: usize,
+    /// In the order of the model's inputs.
+    pub(crate) inputs: Vec<Vec<Vec<bool>>>,
+}
+
+/// Conflicts that one question may have.
+const CONFLICTS: u64 = 200_000;
+/// The same for a question of the induction, after which the next scan may help.
+const STEP_CONFLICTS: u64 = 20_000;
+
+/// The properties whose literals are given, each of which is to be low in every scan.
+pub(crate) fn decide(model: &Model, targets: &[Lit], depth: Depth) -> (Vec<Known>, u64) {
+    let mut base = Unrolled::new(model, From::Start, depth.end);
+    let mut step = Unrolled::new(model, From::Anywhere, depth.end);
+    let mut known: Vec<Option<Known>> = vec![None; targets.len()];
+    let selectors: Vec<Lit> = targets.iter().map(|_| step.selector()).collect();
+    let states: Vec<Lit> = cone(model, targets).into_iter().collect();
+    let mut reached = vec![0; targets.len()];
+    let mut given_up: FxHashSet<usize> = FxHashSet::default();
+    for scan in 0..depth.base {
+        if known.iter().all(Option::is_some) || Instant::now() >= depth.end {
+            break;
+        }
+        let goes_on = base.add_scan() && (model.assumed.is_empty() || base.ask(&[], CONFLICTS) != Found::No);
+        if !goes_on {
+            if scan == 0 {
+                return (vec![Known::Vacuous; targets.len()], base.clauses());
+            }
+            // No run that is assumed goes on: nothing more can be violated.
+            for (n, known) in known.iter_mut().enumerate() {
+                if known.is_none() && !given_up.contains(&n) {
+                    *known = Some(Known::Never(scan));
+                }
+            }
+            break;
+        }
+        for (n, &target) in targets.iter().enumerate() {
+            if known[n].is_some() || given_up.contains(&n) {
+                continue;
+            }
+            let bad = base.lit(scan, target);
+            match base.ask(&[bad], CONFLICTS) {
+                Found::Yes => known[n] = Some(Known::Found(readable(&mut base, model, scan, bad, depth.end))),
+                Found::No => {
+                    base.require(!bad);
+                    reached[n] = scan + 1;
+                }
+                Found::Unknown => {
+                    given_up.insert(n);
+                }
+            }
+        }
+        if scan < depth.step {
+            let open: Vec<usize> = (0..targets.len())
+                .filter(|n| known[*n].is_none() && !given_up.contains(n))
+                .collect();
+            for n in induce(&mut step, targets, &selectors, &states, open, scan) {
+                known[n] = Some(Known::Never(scan));
+                step.require(selectors[n]);
+            }
+        }
+    }
+    let answers = known.into_iter().zip(reached);
+    let answers = answers.map(|(known, reached)| known.unwrap_or(Known::NotIn(reached)));
+    (answers.collect(), base.clauses() + step.clauses())
+}
+
+/// Those of the open properties that cannot be violated in this scan if none of them was in the scans before.
+fn induce(
+    step: &mut Unrolled<'_>,
+    targets: &[Lit],
+    selectors: &[Lit],
+    states: &[Lit],
+    mut open: Vec<usize>,
+    scan: usize,
+) -> Vec<usize> {
+    if !step.add_scan() {
+        return open;
+    }
+    if let Some(before) = scan.checked_sub(1) {
+        for (&target, &selector) in targets.iter().zip(selectors) {
+            let bad = step.lit(before, target);
+            step.require_one(&[!selector, !bad]);
+        }
+    }
+    loop {
+        let before = open.clone();
+        for n in before.iter().copied() {
+            let bad = step.lit(scan, targets[n]);
+            let mut question: Vec<Lit> = open.iter().map(|n| selectors[*n]).collect();
+            question.push(bad);
+            let mut repeats = 0;
+            loop {
+                match step.ask(&question, STEP_CONFLICTS) {
+                    Found::No => break,
+                    // A run that comes back to where it was is none that must be looked at.
+                    Found::Yes if repeats < MOST_REPEATS && forbid_repeat(step, states, scan) => repeats += 1,
+                    _ => {
+                        open.retain(|other| *other != n);
+                        break;
+                    }
+                }
+            }
+        }
+        if open.len() == before.len() {
+            return open;
+        }
+    }
+}
+
+/// Excludes two scans of the run that was found to begin in the same state, if two do.
+fn forbid_repeat(step: &mut Unrolled<'_>, states: &[Lit], last: usize) -> bool {
+    if states.is_empty() || last == 0 || states.len() > MOST_COMPARED {
+        return false;
+    }
+    // All must be known to the solver, or their values mean nothing: then the question is put once more.
+    let mut is_new = false;
+    for scan in 0..=last {
+        for state in states {
+            is_new |= step.make_known(scan, *state);
+        }
+    }
+    if is_new {
+        return true;
+    }
+    let of = |scan: usize| -> Vec<bool> { states.iter().map(|state| step.value(scan, *state)).collect() };
+    let seen: Vec<Vec<bool>> = (0..=last).map(of).collect();
+    for one in 0..last {
+        for other in one + 1..=last {
+            if seen[one] == seen[other] {
+                let pairs: Vec<(Lit, Lit)> = states
+                    .iter()
+                    .map(|state| (step.lit(one, *state), step.lit(other, *state)))
+                    .collect();
+                let differ = step.differ(&pairs);
+                step.require(differ);
+                return true;
+            }
+        }
+    }
+    false
+}
+
+/// The leaves of what is remembered, on which these and what is assumed depend in any scan.
+fn cone(model: &Model, targets: &[Lit]) -> FxHashSet<Lit> {
+    let nodes = reach(model, targets.iter().chain(&model.assumed).copied());
+    let states = model.world.states.iter();
+    let states = states.filter(|state| nodes.contains(&state.leaf.node()));
+    states.map(|state| state.leaf).collect()
+}
+
+/// The nodes on which literals depend in any scan.
+pub(crate) fn reach(model: &Model, from: impl Iterator<Item = Lit>) -> FxHashSet<usize> {
+    let states: rustc_hash::FxHashMap<usize, Lit> = (model.world.states.iter())
+        .map(|state| (state.leaf.node(), state.next))
+        .collect();
+    let mut nodes = FxHashSet::default();
+    let mut stack: Vec<usize> = from.map(Lit::node).collect();
+    while let Some(node) = stack.pop() {
+        if !nodes.insert(node) {
+            continue;
+        }
+        match model.world.graph.node(node) {
+            Node::And(a, b) => stack.extend([a.node(), b.node()]),
+            Node::Leaf => stack.extend(states.get(&node).map(|next| next.node())),
+            Node::False => {}
+        }
+    }
+    nodes
+}
+
+/// How often a question of the induction is put again without a run that repeats itself.
+const MOST_REPEATS: usize = 100;
+/// Runs of more bits that are remembered are not asked for repetitions.
+const MOST_COMPARED: usize = 4_000;
+
+/// How long a run is made more readable.
+const READABLE: Duration = Duration::from_secs(2);
+const READABLE_CONFLICTS: u64 = 1_000;
+
+/// The run that was found, with as few changes of its inputs as can be had by asking for each whether it may be as before.
+fn readable(base: &mut Unrolled<'_>, model: &Model, last: usize, bad: Lit, end: Instant) -> Run {
+    let mut run = read(base, model, last);
+    let end = end.min(Instant::now() + READABLE);
+    let mut fixed = vec![bad];
+    for (number, input) in model.world.inputs.iter().enumerate() {
+        for scan in 0..=last {
+            if Instant::now() >= end {
+                return run;
+            }
+            let Some(as_before) = as_before(base, input, scan) else {
+                continue;
+            };
+            let bits = |run: &Run, scan: usize| run.inputs[number].get(scan).cloned();
+            let is_so = match scan {
+                0 => bits(&run, 0).is_some_and(|bits| bits.iter().all(|bit| !bit)),
+                scan => bits(&run, scan) == bits(&run, scan - 1),
+            };
+            fixed.push(as_before);
+            if is_so {
+                continue;
+            }
+            if base.ask(&fixed, READABLE_CONFLICTS) == Found::Yes {
+                run = read(base, model, last);
+            } else {
+                fixed.pop();
+            }
+        }
+    }
+    run
+}
+
+/// That an input is as in the scan before, and low before the first. None: it does not matter in this scan.
+fn as_before(base: &mut Unrolled<'_>, input: &Input, scan: usize) -> Option<Lit> {
+    let matters = input.bits.iter().any(|bit| base.knows(scan, *bit).is_some());
+    if !matters {
+        return None;
+    }
+    let pairs: Vec<(Lit, Lit)> = (input.bits.iter())
+        .map(|&bit| {
+            let before = match scan.checked_sub(1) {
+                None => Lit::FALSE,
+                Some(before) => base.lit(before, bit),
+            };
+            (base.lit(scan, bit), before)
+        })
+        .collect();
+    Some(!base.differ(&pairs))
+}
+
+fn read(base: &Unrolled<'_>, model: &Model, last: usize) -> Run {
+    let of = |input: &Input| {
+        let matters = (0..=last).any(|scan| input.bits.iter().any(|bit| base.knows(scan, *bit).is_some()));
+        if !matters {
+            return Vec::new();
+        }
+        let mut scans: Vec<Vec<bool>> = Vec::with_capacity(last + 1);
+        for scan in 0..=last {
+            let matters = input.bits.iter().any(|bit| base.knows(scan, *bit).is_some());
+            let bits = match (matters, scans.last()) {
+                (false, Some(before)) => before.clone(),
+                _ => input.bits.iter().map(|bit| base.value(scan, *bit)).collect(),
+            };
+            scans.push(bits);
+        }
+        scans
+    };
+    Run {
+        scans: last + 1,
+        inputs: model.world.inputs.iter().map(of).collect(),
+    }
+}

@@ -1,0 +1,186 @@
+//! Whole numbers, and elements whose index is computed.
+
+use super::Scan;
+use crate::graph::Lit;
+use crate::number::Number;
+use ladder_simulator::compiled::{Bit, IntegerOp, Width, Word};
+
+/// An array with more elements than this is not followed element by element.
+const MOST_ELEMENTS: u32 = 1024;
+
+impl Scan<'_, '_> {
+    pub(super) fn integer(
+        &mut self,
+        at: u32,
+        op: IntegerOp,
+        width: Width,
+        [to, a, b]: [Word; 3],
+        when: Option<[Bit; 2]>,
+    ) {
+        let power = match when {
+            Some([out, en]) => {
+                let power = self.bit(en);
+                self.write_bit(out, power);
+                power
+            }
+            None => Lit::TRUE,
+        };
+        let (a, b) = (self.word(a), self.word(b));
+        let (value, fault) = self.integer_value(at, op, width, &a, &b);
+        let fault = self.world.graph.and(power, fault);
+        self.fault(at, fault);
+        let value = value.wrapped(width);
+        if when.is_some() {
+            self.write_word_if(power, to, &value);
+        } else {
+            self.write_word(to, value);
+        }
+    }
+
+    /// The value before it is brought into its width, and whether there is none.
+    fn integer_value(&mut self, at: u32, op: IntegerOp, width: Width, a: &Number, b: &Number) -> (Number, Lit) {
+        let none = Lit::FALSE;
+        let zero = Number::constant(0);
+        let bits = width.bits() as usize;
+        let (x, y) = (a.seen_as(width), b.seen_as(width));
+        let bitwise = |graph: &mut crate::graph::Graph, each: &dyn Fn(&mut crate::graph::Graph, Lit, Lit) -> Lit| {
+            let len = a.len().max(b.len());
+            let value = (0..len).map(|n| each(graph, a.bit(n), b.bit(n))).collect();
+            Number::of_bits(value)
+        };
+        let graph = &mut self.world.graph;
+        match op {
+            IntegerOp::Add => (graph.add(a, b), none),
+            IntegerOp::Sub => (graph.sub(a, b), none),
+            IntegerOp::Mul => (graph.mul(a, b, bits), none),
+            IntegerOp::Div => (graph.div(&x, &y).0, graph.equal(b, &zero)),
+            IntegerOp::Mod => (graph.div(&x, &y).1, graph.equal(b, &zero)),
+            IntegerOp::And => (bitwise(graph, &|graph, a, b| graph.and(a, b)), none),
+            IntegerOp::Or => (bitwise(graph, &|graph, a, b| graph.or(a, b)), none),
+            IntegerOp::Xor => (bitwise(graph, &|graph, a, b| graph.xor(a, b)), none),
+            IntegerOp::Min => (graph.min(&x, &y), none),
+            IntegerOp::Max => (graph.max(&x, &y), none),
+            IntegerOp::Abs => (graph.abs(&x), none),
+            IntegerOp::Power => self.power_of(at, width, a, b),
+            IntegerOp::Shl | IntegerOp::Shr | IntegerOp::Rol | IntegerOp::Ror => {
+                (self.shifted(op, bits, a, b), b.sign())
+            }
+        }
+    }
+
+    /// By an exponent that is known and small; any other is left open.
+    fn power_of(&mut self, at: u32, width: Width, a: &Number, b: &Number) -> (Number, Lit) {
+        let unsigned = width == Width::U64;
+        if let Some(exponent @ 0..=16) = b.known() {
+            let mut value = Number::constant(1);
+            for _ in 0..exponent {
+                value = self.world.graph.mul(&value, a, 64);
+            }
+            return (value, Lit::FALSE);
+        }
+        let value = self.open_bits("powers with an exponent that is a tag are not tracked", at, 64);
+        let fault = if unsigned { Lit::FALSE } else { b.sign() };
+        (Number::of_bits(value), fault)
+    }
+
+    /// Bits moved by a number of places that is not negative.
+    fn shifted(&mut self, op: IntegerOp, bits: usize, a: &Number, places: &Number) -> Number {
+        let mut value = a.low(bits);
+        let turns = matches!(op, IntegerOp::Rol | IntegerOp::Ror);
+        let up = matches!(op, IntegerOp::Shl | IntegerOp::Rol);
+        let stages = bits.trailing_zeros() as usize;
+        let graph = &mut self.world.graph;
+        for stage in 0..stages {
+            let (which, by) = (places.bit(stage), 1 << stage);
+            let moved = |n: usize| -> Lit {
+                match (up, turns) {
+                    (true, true) => value[(n + bits - by) % bits],
+                    (false, true) => value[(n + by) % bits],
+                    (true, false) => n.checked_sub(by).map_or(Lit::FALSE, |from| value[from]),
+                    (false, false) => value.get(n + by).copied().unwrap_or(Lit::FALSE),
+                }
+            };
+            value = (0..bits).map(|n| graph.choose(which, moved(n), value[n])).collect();
+        }
+        if !turns {
+            let rest: Vec<Lit> = (stages..places.len()).map(|n| places.bit(n)).collect();
+            let far = graph.any(rest);
+            value = value.into_iter().map(|bit| graph.and(bit, !far)).collect();
+        }
+        // What stays as it is, stays with its sign.
+        let moved = Number::unsigned(value);
+        if !turns {
+            return moved;
+        }
+        let none = graph.any(places.low(stages));
+        graph.choose_number(none, &moved, a)
+    }
+
+    /// The slot of an element.
+    pub(super) fn index(&mut self, at: u32, to: Word, index: Word, array: u32) {
+        let place = self.code.arrays[array as usize];
+        let index = self.word(index);
+        let graph = &mut self.world.graph;
+        let below = graph.less(&index, &Number::constant(place.first));
+        let above = graph.less(&Number::constant(place.last), &index);
+        let outside = graph.or(below, above);
+        self.fault(at, outside);
+        let base = Number::constant(i64::from(place.base) - place.first);
+        let slot = self.world.graph.add(&index, &base);
+        let count = (place.last - place.first + 1) as u32;
+        self.addresses.insert(to, (place.base, count));
+        self.write_word(to, slot.as_word());
+    }
+
+    /// The slots that a word may mean, each with whether it does.
+    fn slots(&mut self, at: u32, slot: Word) -> Vec<(u32, Lit)> {
+        let number = self.word(slot);
+        if let Some(known) = number.known() {
+            return vec![(known as u32, Lit::TRUE)];
+        }
+        let Some(&(base, count)) = self.addresses.get(&slot).filter(|(_, count)| *count <= MOST_ELEMENTS) else {
+            self.block("an index reaches into an array that is not known here, or is very large", at);
+            return Vec::new();
+        };
+        let each = (base..base + count).map(|element| {
+            let is_it = self.world.graph.equal(&number, &Number::constant(i64::from(element)));
+            (element, is_it)
+        });
+        each.collect()
+    }
+
+    pub(super) fn load_bit(&mut self, at: u32, to: Bit, slot: Word) {
+        let mut value = Lit::FALSE;
+        for (element, is_it) in self.slots(at, slot) {
+            let bit = self.bit(Bit(element));
+            value = self.world.graph.choose(is_it, bit, value);
+        }
+        self.write_bit(to, value);
+    }
+
+    pub(super) fn load_word(&mut self, at: u32, to: Word, slot: Word) {
+        let mut value = Number::constant(0);
+        for (n, (element, is_it)) in self.slots(at, slot).into_iter().enumerate() {
+            let word = self.word(Word(element));
+            value = match n {
+                0 => word,
+                _ => self.world.graph.choose_number(is_it, &word, &value),
+            };
+        }
+        self.write_word(to, value);
+    }
+
+    pub(super) fn store_bit(&mut self, at: u32, slot: Word, from: Bit) {
+        let value = self.bit(from);
+        for (element, is_it) in self.slots(at, slot) {
+            self.write_bit_if(is_it, Bit(element), value);
+        }
+    }
+
+    pub(super) fn store_word(&mut self, at: u32, slot: Word, from: Word) {
+        let value = self.word(from);
+        for (element, is_it) in self.slots(at, slot) {
+            self.write_word_if(is_it, Word(element), &value);
+        }
+    }
+}

@@ -1,0 +1,207 @@
+//! The order in which code is followed: what is passed over, functions, bodies, loops (LANGUAGE §5.5).
+
+use super::{Region, Scan};
+use crate::graph::Lit;
+use ladder_simulator::compiled::{CALL_DEPTH, Instr};
+
+/// What a call, or the body of a user-defined block, has of its own.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Frame {
+    /// The rail is live.
+    rail: Lit,
+    /// Who makes turns at the end of the network, and how many.
+    noted: (Lit, i64),
+    /// The number of the turn.
+    turn: i64,
+}
+
+impl Default for Frame {
+    fn default() -> Frame {
+        Frame {
+            rail: Lit::TRUE,
+            noted: (Lit::FALSE, 0),
+            turn: 0,
+        }
+    }
+}
+
+impl Scan<'_, '_> {
+    /// Follows code from an instruction on: to the end of the main program or the function, or of a turn, whose last
+    /// instruction is returned.
+    pub(super) fn stretch(&mut self, start: u32) -> Option<u32> {
+        let mut pc = start;
+        loop {
+            self.arrive(pc);
+            let instr = *self.code.instrs.get(pc as usize)?;
+            if self.world.blocked.is_some() {
+                return None;
+            }
+            let Some(budget) = self.budget.checked_sub(1) else {
+                self.block("the loops of the program make too many turns to be followed", pc);
+                return None;
+            };
+            self.budget = budget;
+            pc += 1;
+            match instr {
+                Instr::Finish => return None,
+                Instr::Again => return Some(pc - 1),
+                Instr::Network { .. } | Instr::Left { .. } => {}
+                Instr::Powered { out, en, end } => {
+                    let power = self.bit(en);
+                    self.write_bit(out, power);
+                    let without = self.world.graph.and(self.act, !power);
+                    self.regions.push(Region {
+                        end,
+                        act: self.act,
+                        without,
+                        leaks: false,
+                        frame: self.frame,
+                        frames: self.frames.clone(),
+                    });
+                    self.act = self.world.graph.and(self.act, power);
+                }
+                Instr::Rail { out } => self.write_bit(out, self.frame.rail),
+                Instr::Mcr { en } => {
+                    let power = self.bit(en);
+                    self.frame.rail = self.world.graph.choose(self.act, power, self.frame.rail);
+                }
+                Instr::Jump { en, to, .. } => {
+                    let taken = self.taken(en);
+                    self.jump(taken, pc - 1, to);
+                }
+                Instr::Return { en, .. } => {
+                    let taken = self.taken(en);
+                    self.leave(taken, u32::MAX);
+                }
+                Instr::End { en, .. } => {
+                    let taken = self.taken(en);
+                    self.ended = self.world.graph.or(self.ended, taken);
+                    self.leave(taken, u32::MAX);
+                }
+                Instr::Call { en, to, .. } => self.call(en, to, pc - 1),
+                Instr::For { en, turns } => {
+                    let (power, turns) = (self.taken(en), self.word(turns));
+                    match turns.known() {
+                        Some(turns) => self.frame.noted = (power, turns),
+                        None if power == Lit::FALSE => self.frame.noted = (power, 0),
+                        None => self.block("a loop makes as many turns as a tag says", pc - 1),
+                    }
+                }
+                Instr::Enter { body, after } => pc = self.enter(body, after)?,
+                Instr::Turn { to, width } => {
+                    let turn = width.wrap(self.frame.turn);
+                    self.write_word(to, crate::number::Number::constant(turn));
+                }
+                Instr::EnterBody => {
+                    self.frames.push(self.frame);
+                    self.frame = Frame::default();
+                }
+                Instr::LeaveBody => self.frame = self.frames.pop().unwrap_or_default(),
+                other if self.act != Lit::FALSE => self.instr(pc - 1, other),
+                _ => {}
+            }
+        }
+    }
+
+    /// Who goes on at this instruction joins.
+    fn arrive(&mut self, pc: u32) {
+        while let Some(region) = self.regions.pop_if(|region| region.end <= pc) {
+            self.act = match region.leaks {
+                true => self.world.graph.or(self.act, region.without),
+                false => region.act,
+            };
+            // Who had no power has not left the bodies that were left in it.
+            if self.frames.len() != region.frames.len() {
+                (self.frame, self.frames) = (region.frame, region.frames);
+            }
+        }
+        if let Some(waiting) = self.pending.remove(&pc) {
+            self.act = self.world.graph.or(self.act, waiting);
+        }
+    }
+
+    fn taken(&mut self, en: ladder_simulator::compiled::Bit) -> Lit {
+        let power = self.bit(en);
+        self.world.graph.and(self.act, power)
+    }
+
+    /// These go on at another instruction further down.
+    pub(super) fn leave(&mut self, who: Lit, to: u32) {
+        self.act = self.world.graph.and(self.act, !who);
+        if who == Lit::FALSE {
+            return;
+        }
+        for region in &mut self.regions {
+            region.leaks |= region.end < to;
+        }
+        if to != u32::MAX {
+            let waiting = self.pending.get(&to).copied().unwrap_or(Lit::FALSE);
+            let all = self.world.graph.or(waiting, who);
+            self.pending.insert(to, all);
+        }
+    }
+
+    fn jump(&mut self, taken: Lit, from: u32, to: u32) {
+        if taken == Lit::FALSE {
+            return;
+        }
+        if to <= from {
+            return self.block("a jump goes back", from);
+        }
+        let enters = |&(body, after): &(u32, u32)| {
+            (body + 1..after).contains(&to) && !(body..after).contains(&from)
+        };
+        if self.loops.iter().any(enters) {
+            return self.block("a jump goes into a loop", from);
+        }
+        self.leave(taken, to);
+    }
+
+    /// A function is followed where it is called. It calls nobody that is open: that would have no end here.
+    fn call(&mut self, en: ladder_simulator::compiled::Bit, to: u32, at: u32) {
+        let taken = self.taken(en);
+        if taken == Lit::FALSE {
+            return;
+        }
+        if self.open.contains(&to) || self.open.len() == CALL_DEPTH {
+            return self.block("a function calls itself", at);
+        }
+        self.open.push(to);
+        let act = std::mem::replace(&mut self.act, taken);
+        let pending = std::mem::take(&mut self.pending);
+        let regions = std::mem::take(&mut self.regions);
+        let frame = std::mem::take(&mut self.frame);
+        let frames = std::mem::take(&mut self.frames);
+        let ended = std::mem::replace(&mut self.ended, Lit::FALSE);
+        self.stretch(to);
+        let ends_here = self.ended;
+        self.open.pop();
+        (self.pending, self.regions, self.frame, self.frames) = (pending, regions, frame, frames);
+        self.ended = self.world.graph.or(ended, ends_here);
+        self.act = self.world.graph.and(act, !ends_here);
+    }
+
+    /// The turns of a loop, one after the other. Returns where it goes on.
+    fn enter(&mut self, body: u32, after: u32) -> Option<u32> {
+        let (who, turns) = std::mem::replace(&mut self.frame.noted, (Lit::FALSE, 0));
+        let turning = self.world.graph.and(self.act, who);
+        if turns <= 0 || turning == Lit::FALSE {
+            return Some(after);
+        }
+        let passing = self.world.graph.and(self.act, !who);
+        self.leave(passing, after);
+        self.act = turning;
+        let outer = self.frame.turn;
+        let mut last = None;
+        for turn in 1..=turns {
+            self.frame.turn = turn;
+            self.frame.noted = (Lit::FALSE, 0);
+            last = Some(self.stretch(body)?);
+            if self.act == Lit::FALSE {
+                break;
+            }
+        }
+        self.frame.turn = outer;
+        last.map(|again| again + 1)
+    }
+}

@@ -1,0 +1,188 @@
+//! The memory of a scan that is followed: what each cell holds, as far as it was touched.
+
+use super::cells::Cells;
+use super::world::World;
+use crate::graph::Lit;
+use crate::number::Number;
+use ladder_simulator::compiled::{Bit, Memory as Banks, Width, Word, timer};
+use rustc_hash::FxHashMap;
+
+/// A cell that is remembered, and the numbers of its bits among those that are.
+#[derive(Debug)]
+enum Remembered {
+    Bit(u32, usize),
+    Word(u32, Vec<usize>),
+    Phase(u32, Vec<usize>),
+    /// Of a timer the scans since it began, and how many there can be.
+    Age(u32, Vec<usize>, u64),
+}
+
+/// See the module.
+#[derive(Debug)]
+pub(crate) struct Memory<'c> {
+    initial: &'c Banks,
+    /// None: nothing but what was put in changes, as in the small program of an expression.
+    cells: Option<&'c Cells>,
+    bits: FxHashMap<u32, Lit>,
+    words: FxHashMap<u32, Number>,
+    phases: FxHashMap<u32, Vec<Lit>>,
+    ages: FxHashMap<u32, Number>,
+    remembered: Vec<Remembered>,
+}
+
+impl<'c> Memory<'c> {
+    pub(crate) fn new(initial: &'c Banks, cells: Option<&'c Cells>) -> Memory<'c> {
+        Memory {
+            initial,
+            cells,
+            bits: FxHashMap::default(),
+            words: FxHashMap::default(),
+            phases: FxHashMap::default(),
+            ages: FxHashMap::default(),
+            remembered: Vec::new(),
+        }
+    }
+
+    pub(crate) fn set_bit(&mut self, Bit(at): Bit, value: Lit) {
+        self.bits.insert(at, value);
+    }
+
+    pub(crate) fn set_word(&mut self, Word(at): Word, value: Number) {
+        self.words.insert(at, value);
+    }
+
+    pub(crate) fn bit(&mut self, world: &mut World, bit: Bit) -> Lit {
+        let at = bit.0;
+        if let Some(&value) = self.bits.get(&at) {
+            return value;
+        }
+        let initial = self.initial.bits.get(at as usize) == Some(&1);
+        let value = match self.cells {
+            Some(cells) if cells.inputs_at_bits.contains_key(&at) => {
+                world.input(&cells.inputs_at_bits[&at]).bit(0)
+            }
+            Some(cells) if cells.bit_changes(bit) => {
+                let (leaf, number) = world.remember(initial);
+                self.remembered.push(Remembered::Bit(at, number));
+                leaf
+            }
+            _ => Lit::constant(initial),
+        };
+        self.bits.insert(at, value);
+        value
+    }
+
+    pub(crate) fn word(&mut self, world: &mut World, word: Word) -> Number {
+        let at = word.0;
+        if let Some(value) = self.words.get(&at) {
+            return value.clone();
+        }
+        let initial = self.initial.words.get(at as usize).copied().unwrap_or(0);
+        let value = match self.cells {
+            Some(cells) if cells.inputs_at_words.contains_key(&at) => world.input(&cells.inputs_at_words[&at]),
+            Some(cells) if cells.word_changes(word) => {
+                let width = cells.type_of(word).map_or(Width::I64, Width::of);
+                self.remember_word(world, at, width, initial)
+            }
+            _ => Number::constant(initial),
+        };
+        self.words.insert(at, value.clone());
+        value
+    }
+
+    fn remember_word(&mut self, world: &mut World, at: u32, width: Width, initial: i64) -> Number {
+        let (leaves, numbers) = remember(world, width.bits() as usize, initial);
+        self.remembered.push(Remembered::Word(at, numbers));
+        Number::of_bits(leaves).wrapped(width)
+    }
+
+    /// The word of a timer's ET whose presets are at most this: no longer than it takes.
+    pub(crate) fn elapsed(&mut self, world: &mut World, word: Word, most: i64) -> Number {
+        let is_own = self.cells.is_some_and(|cells| cells.elapsed.contains(&word.0));
+        if !is_own || self.words.contains_key(&word.0) {
+            return self.word(world, word);
+        }
+        let count = (64 - most.max(0).leading_zeros()) as usize;
+        let (leaves, numbers) = remember(world, count, 0);
+        self.remembered.push(Remembered::Word(word.0, numbers));
+        let value = Number::unsigned(leaves);
+        self.words.insert(word.0, value.clone());
+        value
+    }
+
+    /// What a timer is doing: three bits, by its first bit.
+    pub(crate) fn phase(&mut self, world: &mut World, timer: Bit) -> Vec<Lit> {
+        if let Some(phase) = self.phases.get(&timer.0) {
+            return phase.clone();
+        }
+        let initial = self.initial.bits.get((timer.0 + timer::PHASE) as usize);
+        let (leaves, numbers) = remember(world, 3, i64::from(initial.copied().unwrap_or(0)));
+        self.remembered.push(Remembered::Phase(timer.0, numbers));
+        self.phases.insert(timer.0, leaves.clone());
+        leaves
+    }
+
+    pub(crate) fn set_phase(&mut self, timer: Bit, phase: Vec<Lit>) {
+        self.phases.insert(timer.0, phase);
+    }
+
+    /// How many scans ago a timer began, held at the number given.
+    pub(crate) fn age(&mut self, world: &mut World, timer: Bit, most: u64) -> Number {
+        if let Some(age) = self.ages.get(&timer.0) {
+            return age.clone();
+        }
+        let count = (64 - most.max(1).leading_zeros()) as usize;
+        // It counts only once the timer has begun: what it is before does not matter, and 1 is what it mostly is.
+        let (leaves, numbers) = remember(world, count, 1);
+        self.remembered.push(Remembered::Age(timer.0, numbers, most.max(1)));
+        let age = Number::unsigned(leaves);
+        self.ages.insert(timer.0, age.clone());
+        age
+    }
+
+    pub(crate) fn set_age(&mut self, timer: Bit, age: Number) {
+        self.ages.insert(timer.0, age);
+    }
+
+    /// Whether a bit is written by one block alone, which reads it later.
+    pub(crate) fn is_temporary_bit(&self, bit: Bit) -> bool {
+        self.cells.is_none_or(|cells| cells.temporary_bits.contains(&bit.0))
+    }
+
+    /// The same of a word.
+    pub(crate) fn is_temporary_word(&self, word: Word) -> bool {
+        self.cells.is_none_or(|cells| cells.temporary_words.contains(&word.0))
+    }
+
+    /// The scan is over: what is remembered is what cells hold now.
+    pub(crate) fn finish(&mut self, world: &mut World) {
+        for remembered in std::mem::take(&mut self.remembered) {
+            match remembered {
+                Remembered::Bit(at, number) => world.states[number].next = self.bits[&at],
+                Remembered::Word(at, numbers) => next(world, &numbers, &self.words[&at]),
+                Remembered::Phase(timer, numbers) => {
+                    for (number, bit) in numbers.iter().zip(&self.phases[&timer]) {
+                        world.states[*number].next = *bit;
+                    }
+                }
+                Remembered::Age(timer, numbers, most) => {
+                    let age = &self.ages[&timer];
+                    let more = world.graph.add(age, &Number::constant(1));
+                    let is_less = world.graph.less(age, &Number::constant(most as i64));
+                    let age = world.graph.choose_number(is_less, &more, age);
+                    next(world, &numbers, &age);
+                }
+            }
+        }
+    }
+}
+
+fn remember(world: &mut World, count: usize, initial: i64) -> (Vec<Lit>, Vec<usize>) {
+    (0..count).map(|bit| world.remember(initial >> bit & 1 != 0)).unzip()
+}
+
+fn next(world: &mut World, numbers: &[usize], value: &Number) {
+    for (n, number) in numbers.iter().enumerate() {
+        world.states[*number].next = value.bit(n);
+    }
+}

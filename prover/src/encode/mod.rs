@@ -1,0 +1,134 @@
+//! One scan of a program as functions of bits: of what goes in, and of what the scan before left.
+//!
+//! ```text
+//! Compiled --Cells--> which cells change --Scan--> the value of each cell after a scan, over the graph of a World
+//! ```
+//!
+//! Each instruction of the simulator's flat code has one meaning here as there. It is followed once, from the first to the
+//! last: where a part of it may be passed over, `act` is high if it is not, and what is written is chosen by it.
+
+mod arithmetic;
+mod cells;
+mod flow;
+mod instr;
+mod memory;
+mod real;
+mod routine;
+mod state;
+mod timers;
+mod world;
+
+pub(crate) use cells::Cells;
+pub(crate) use memory::Memory;
+pub(crate) use world::{Input, World};
+
+use crate::graph::Lit;
+use flow::Frame;
+use ladder_simulator::compiled::{Code, Instr, Word};
+use rustc_hash::FxHashMap;
+use std::collections::BTreeMap;
+
+/// How times are told.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Times {
+    /// In scans of the interval.
+    Exact,
+    /// Any: a timer runs out whenever it may.
+    Open,
+}
+
+/// Code that is followed.
+pub(crate) struct Scan<'w, 'c> {
+    pub(crate) world: &'w mut World,
+    pub(crate) code: &'c Code,
+    pub(crate) memory: Memory<'c>,
+    /// Execution is here.
+    act: Lit,
+    /// A fault was recorded.
+    pub(crate) faulted: Lit,
+    /// An `<END>` was reached.
+    pub(crate) ended: Lit,
+    /// Who goes on at an instruction that is still ahead.
+    pending: BTreeMap<u32, Lit>,
+    /// The blocks that are passed over without power, the innermost last.
+    regions: Vec<Region>,
+    frame: Frame,
+    frames: Vec<Frame>,
+    /// The functions that are open, by their first instructions.
+    open: Vec<u32>,
+    /// Where loops are: the first instruction of the body, and the one after.
+    loops: Vec<(u32, u32)>,
+    /// How many instructions may still be followed.
+    budget: usize,
+    /// The words that hold a slot, and the slots that may be meant: the first, and how many.
+    addresses: FxHashMap<Word, (u32, u32)>,
+    pub(crate) times: Times,
+    interval: i64,
+    /// Its blocks are places in the program, not those of the small program of an expression.
+    located: bool,
+}
+
+/// A block that is passed over without power.
+#[derive(Debug)]
+struct Region {
+    end: u32,
+    /// Who reaches its end if none leaves it.
+    act: Lit,
+    /// Who has no power for it.
+    without: Lit,
+    /// Something in it goes on past its end.
+    leaks: bool,
+    frame: Frame,
+    frames: Vec<Frame>,
+}
+
+/// More instructions than this, loops written out, are too many.
+const MOST_FOLLOWED: usize = 2_000_000;
+
+impl<'w, 'c> Scan<'w, 'c> {
+    /// Before the first instruction.
+    pub(crate) fn new(
+        world: &'w mut World,
+        code: &'c Code,
+        memory: Memory<'c>,
+        (times, interval): (Times, i64),
+        act: Lit,
+    ) -> Scan<'w, 'c> {
+        Scan {
+            world,
+            code,
+            memory,
+            act,
+            faulted: Lit::FALSE,
+            ended: Lit::FALSE,
+            pending: BTreeMap::new(),
+            regions: Vec::new(),
+            frame: Frame::default(),
+            frames: Vec::new(),
+            open: Vec::new(),
+            loops: (code.instrs.iter())
+                .filter_map(|instr| match *instr {
+                    Instr::Enter { body, after } => Some((body, after)),
+                    _ => None,
+                })
+                .collect(),
+            budget: MOST_FOLLOWED,
+            addresses: FxHashMap::default(),
+            times,
+            interval,
+            located: true,
+        }
+    }
+
+    /// The code of an expression's small program.
+    pub(crate) fn of_expression(world: &'w mut World, code: &'c Code, memory: Memory<'c>) -> Scan<'w, 'c> {
+        let mut scan = Scan::new(world, code, memory, (Times::Exact, 1), Lit::TRUE);
+        scan.located = false;
+        scan
+    }
+
+    /// Follows the code to its end.
+    pub(crate) fn run(&mut self) {
+        self.stretch(0);
+    }
+}

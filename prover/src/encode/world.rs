@@ -1,0 +1,136 @@
+//! What the functions of a scan are over: its graph, what goes in, what is remembered, and what was left open.
+
+use super::cells::InputTag;
+use crate::graph::{Graph, Lit};
+use crate::number::Number;
+use ladder_analysis::program::Location;
+use ladder_analysis::values::types::Scalar;
+use rustc_hash::FxHashMap;
+
+/// What goes into the program.
+#[derive(Debug, Clone)]
+pub(crate) struct Input {
+    pub(crate) tag: InputTag,
+    /// Its bits, from the lowest on; of a real those of the 64-bit number that a word holds.
+    pub(crate) bits: Vec<Lit>,
+}
+
+/// A bit that is remembered from scan to scan.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct State {
+    pub(crate) leaf: Lit,
+    pub(crate) initial: bool,
+    pub(crate) next: Lit,
+}
+
+/// What was left open, in words, and the block that it is about.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub(crate) struct Gap {
+    pub(crate) what: String,
+    pub(crate) location: Option<Location>,
+}
+
+/// See the module.
+#[derive(Debug, Default)]
+pub(crate) struct World {
+    pub(crate) graph: Graph,
+    pub(crate) inputs: Vec<Input>,
+    pub(crate) states: Vec<State>,
+    /// Leaves that stand for what was left open: by their nodes the gap.
+    pub(crate) open: FxHashMap<usize, usize>,
+    pub(crate) gaps: Vec<Gap>,
+    /// Leaves that are in the place of times.
+    pub(crate) times: Vec<Lit>,
+    /// What inputs cannot be is excluded: all are high in each scan.
+    pub(crate) valid: Vec<Lit>,
+    /// Why nothing can be said of the program at all.
+    pub(crate) blocked: Option<Gap>,
+    /// Of each timer the largest preset in scans that it was given, by its first bit; none where that is not known.
+    pub(crate) presets: FxHashMap<u32, Option<u64>>,
+}
+
+impl World {
+    /// Bits that may be anything, since what they would be is not followed.
+    pub(crate) fn open_bits(&mut self, gap: Gap, count: usize) -> Vec<Lit> {
+        let number = match self.gaps.iter().position(|known| *known == gap) {
+            Some(number) => number,
+            None => {
+                self.gaps.push(gap);
+                self.gaps.len() - 1
+            }
+        };
+        let bits: Vec<Lit> = (0..count).map(|_| self.graph.leaf()).collect();
+        self.open.extend(bits.iter().map(|bit| (bit.node(), number)));
+        bits
+    }
+
+    /// Nothing can be said of the program.
+    pub(crate) fn block(&mut self, what: impl Into<String>, location: Option<Location>) {
+        self.blocked.get_or_insert(Gap {
+            what: what.into(),
+            location,
+        });
+    }
+
+    /// A bit that is remembered; what it is next is said later. Returns its leaf and its number.
+    pub(crate) fn remember(&mut self, initial: bool) -> (Lit, usize) {
+        let leaf = self.graph.leaf();
+        self.states.push(State {
+            leaf,
+            initial,
+            next: leaf,
+        });
+        (leaf, self.states.len() - 1)
+    }
+
+    /// A value that goes in.
+    pub(crate) fn input(&mut self, tag: &InputTag) -> Number {
+        let (number, bits) = match tag.ty {
+            Scalar::Bool => {
+                let bit = self.graph.leaf();
+                (Number::of_bit(bit), vec![bit])
+            }
+            Scalar::Real | Scalar::Lreal => self.real_input(tag.ty == Scalar::Real),
+            Scalar::Enum(id) => {
+                let bits: Vec<Lit> = (0..32).map(|_| self.graph.leaf()).collect();
+                let number = Number::of_bits(bits.clone());
+                let values = &id.get().values;
+                let is_one: Vec<Lit> = (values.iter())
+                    .map(|(_, value)| {
+                        let value = Number::constant(i64::from(*value));
+                        self.graph.equal(&number, &value)
+                    })
+                    .collect();
+                let is_valid = self.graph.any(is_one);
+                self.valid.push(is_valid);
+                (number, bits)
+            }
+            ty => {
+                let width = ladder_simulator::compiled::Width::of(ty);
+                let bits: Vec<Lit> = (0..width.bits()).map(|_| self.graph.leaf()).collect();
+                (Number::of_bits(bits.clone()).wrapped(width), bits)
+            }
+        };
+        self.inputs.push(Input {
+            tag: tag.clone(),
+            bits,
+        });
+        number
+    }
+
+    /// A finite real: of 32 bits 0 and what is not too small or too large, which are the same bits in a word.
+    fn real_input(&mut self, single: bool) -> (Number, Vec<Lit>) {
+        let mut bits: Vec<Lit> = (0..64).map(|_| self.graph.leaf()).collect();
+        let exponent = Number::unsigned(bits[52..63].to_vec());
+        let (least, most) = if single { (897, 1150) } else { (1, 2046) };
+        let too_small = self.graph.less(&exponent, &Number::constant(least));
+        let too_large = self.graph.less(&Number::constant(most), &exponent);
+        if single {
+            bits[..29].fill(Lit::FALSE);
+        }
+        let something = self.graph.any(bits[..63].to_vec());
+        let small_is_zero = self.graph.and(too_small, something);
+        self.valid.extend([!small_is_zero, !too_large]);
+        (Number::of_bits(bits.clone()), bits)
+    }
+}

@@ -1,0 +1,109 @@
+//! Runs that were found, in the simulator: only what happens there too is shown.
+
+use crate::decide::Run;
+use crate::encode::Input;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
+use ladder_simulator::expression::Expression;
+use ladder_simulator::scenario::{Form, Monitor, Watched};
+use ladder_simulator::{Point, Simulation, Status};
+
+/// A run as it went in the simulator: for each scan the values of the tags that are shown.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shown {
+    /// The tags that go in, with their values in each scan.
+    pub given: Vec<(Point, Vec<Value>)>,
+    /// The tags that the property names and that do not go in, likewise.
+    pub seen: Vec<(Point, Vec<Value>)>,
+    /// In which scans a block recorded a fault.
+    pub faults: Vec<bool>,
+}
+
+impl Shown {
+    /// How many scans it has.
+    pub fn scans(&self) -> usize {
+        self.faults.len()
+    }
+}
+
+/// Plays a run. None: the property is not violated in its last scan, or what is assumed does not hold.
+pub(crate) fn replay(
+    simulation: &mut Simulation,
+    watched: &mut Watched,
+    property: usize,
+    (run, inputs): (&Run, &[Input]),
+) -> Option<Shown> {
+    simulation.unforce_all();
+    simulation.reset();
+    simulation.take_faults();
+    for assumption in &mut watched.assumptions {
+        assumption.forget();
+    }
+    let monitor = &mut watched.properties[property];
+    monitor.restart();
+    let mut shown = Shown {
+        given: Vec::new(),
+        seen: named_by(monitor).into_iter().map(|point| (point, Vec::new())).collect(),
+        faults: Vec::new(),
+    };
+    for (input, scans) in inputs.iter().zip(&run.inputs) {
+        if scans.is_empty() {
+            continue;
+        }
+        let point = simulation.resolve(&input.tag.name).ok()?;
+        let values = scans.iter().map(|bits| value(point.ty, bits)).collect();
+        shown.given.push((point, values));
+    }
+    // What the property names and was not asked for is shown as it is.
+    shown.seen.retain(|(point, _)| !shown.given.iter().any(|(given, _)| given.name == point.name));
+    let mut is_violated = false;
+    for scan in 0..run.scans {
+        for (point, values) in &shown.given {
+            simulation.set(point, values[scan].clone()).ok()?;
+        }
+        if simulation.status() != Status::Ready || !simulation.scan() {
+            return None;
+        }
+        let faulted = !simulation.take_faults().is_empty();
+        for assumption in &mut watched.assumptions {
+            if !assumption.holds(simulation).unwrap_or(false) {
+                return None;
+            }
+        }
+        is_violated = watched.properties[property].violates(simulation, faulted);
+        shown.faults.push(faulted);
+        for (point, values) in &mut shown.seen {
+            values.push(simulation.value(point));
+        }
+    }
+    is_violated.then_some(shown)
+}
+
+/// The tags that a property names.
+fn named_by(monitor: &Monitor) -> Vec<Point> {
+    let mut points: Vec<Point> = Vec::new();
+    let mut add = |expression: &Expression| {
+        expression.for_each_point(&mut |point| {
+            if !points.iter().any(|known| known.name == point.name) {
+                points.push(point.clone());
+            }
+        });
+        Ok::<(), ()>(())
+    };
+    let _: Result<Form<()>, ()> = monitor.form.try_map(&mut add);
+    points
+}
+
+/// The value of an input from its bits.
+fn value(ty: Scalar, bits: &[bool]) -> Value {
+    let mut number = 0i64;
+    for (n, bit) in bits.iter().enumerate().take(64) {
+        number |= i64::from(*bit) << n;
+    }
+    match ty {
+        Scalar::Bool => Value::Bool(number & 1 == 1),
+        Scalar::Real | Scalar::Lreal => Value::Real(f64::from_bits(number as u64)),
+        Scalar::Enum(_) => Value::Int(i64::from(number as i32)),
+        ty => Value::Int(ladder_analysis::values::value::wrap(number, ty)),
+    }
+}

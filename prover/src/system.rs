@@ -1,0 +1,73 @@
+//! The system tags of a scan (LANGUAGE §4): clocks, counts, and whether the scan before had a fault.
+
+use crate::encode::{Memory, World};
+use crate::graph::Lit;
+use crate::number::Number;
+use ladder_analysis::program::Clock;
+use ladder_simulator::compiled::{Bit, Word};
+
+/// A number that is remembered, of this many bits.
+fn counter(world: &mut World, bits: usize, initial: i64) -> (Number, Vec<usize>) {
+    let (leaves, numbers) = (0..bits)
+        .map(|bit| world.remember(initial >> bit & 1 != 0))
+        .unzip();
+    (Number::unsigned(leaves), numbers)
+}
+
+fn becomes(world: &mut World, numbers: &[usize], next: &Number) {
+    for (n, number) in numbers.iter().enumerate() {
+        world.states[*number].next = next.bit(n);
+    }
+}
+
+/// Sets the system tags. Returns the number of the state that says whether the scan before had a fault.
+pub(crate) fn set(world: &mut World, memory: &mut Memory<'_>, interval: i64) -> usize {
+    let (first, number) = world.remember(true);
+    world.states[number].next = Lit::FALSE;
+    memory.set_bit(Bit::FIRST_SCAN, first);
+    let (fault, faulted) = world.remember(false);
+    memory.set_bit(Bit::FAULT, fault);
+    for clock in Clock::ALL {
+        let high = clock_bit(world, clock.period(), interval);
+        memory.set_bit(Bit::CLOCKS.offset(clock as u32), high);
+    }
+    // SYS.SCAN is a DINT and wraps.
+    let (leaves, numbers): (Vec<Lit>, Vec<usize>) = (0..32).map(|_| world.remember(false)).unzip();
+    let scan = Number::of_bits(leaves);
+    let next = world.graph.add(&scan, &Number::constant(1));
+    becomes(world, &numbers, &next);
+    memory.set_word(Word::SCAN, scan);
+    let (time, numbers) = counter(world, 63, 0);
+    let next = world.graph.add(&time, &Number::constant(interval));
+    let next = world.graph.min(&next, &Number::constant(i64::MAX));
+    becomes(world, &numbers, &next);
+    memory.set_word(Word::TIME, time);
+    let scan_time = Number::constant(interval);
+    let scan_time = world.graph.choose_number(first, &Number::constant(0), &scan_time);
+    memory.set_word(Word::SCAN_TIME, scan_time);
+    faulted
+}
+
+/// A clock: low in the first half of its period. It counts in steps of what period and interval have in common.
+fn clock_bit(world: &mut World, period: i64, interval: i64) -> Lit {
+    let unit = common(period, interval);
+    let (steps, step) = (period / unit, (interval / unit) % (period / unit));
+    let half = (period / 2 + unit - 1) / unit;
+    let bits = (64 - steps.leading_zeros()) as usize;
+    let (now, numbers) = counter(world, bits, 0);
+    let graph = &mut world.graph;
+    let more = graph.add(&now, &Number::constant(step));
+    let less = graph.sub(&more, &Number::constant(steps));
+    let is_within = graph.less(&more, &Number::constant(steps));
+    let next = graph.choose_number(is_within, &more, &less);
+    let high = !graph.less(&now, &Number::constant(half));
+    becomes(world, &numbers, &next);
+    high
+}
+
+fn common(mut a: i64, mut b: i64) -> i64 {
+    while b != 0 {
+        (a, b) = (b, a % b);
+    }
+    a.max(1)
+}
