@@ -20,13 +20,16 @@ pub struct Concrete {
 }
 
 impl Concrete {
-    /// Before its first scan. None: it cannot be followed.
-    pub fn new(simulation: &Simulation) -> Option<Concrete> {
+    /// Before its first scan.
+    ///
+    /// # Errors
+    /// It cannot be followed: why.
+    pub fn new(simulation: &Simulation) -> Result<Concrete, String> {
         let (model, points) = build_with_points(simulation, Times::Exact);
-        if model.world.blocked.is_some() {
-            return None;
+        if let Some(gap) = model.world.blocked {
+            return Err(gap.what);
         }
-        Some(Concrete {
+        Ok(Concrete {
             points,
             nodes: vec![(false, false); model.world.graph.len()],
             states: model.world.states.iter().map(|state| (state.initial, false)).collect(),

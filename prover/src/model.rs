@@ -32,12 +32,24 @@ pub(crate) struct Target {
 
 /// Builds the model of a program; one that cannot be followed is blocked, and its properties mean nothing.
 pub(crate) fn build(simulation: &Simulation, watched: &Watched, times: Times) -> Model {
-    follow(simulation, times, |builder| builder.properties(watched))
+    let mut seen = Vec::new();
+    let mut see = |expression: &Expression| {
+        expression.for_each_point(&mut |point| seen.push(point.slot()));
+        Ok::<(), ()>(())
+    };
+    for property in &watched.properties {
+        let _: Result<Form<()>, ()> = property.form.try_map(&mut see);
+    }
+    watched.assumptions.iter().for_each(|assumption| {
+        let _: Result<(), ()> = see(assumption);
+    });
+    follow(simulation, &seen, times, |builder| builder.properties(watched))
 }
 
 /// The model of a program without properties, with the bits of each point after the scan.
 pub(crate) fn build_with_points(simulation: &Simulation, times: Times) -> (Model, Vec<(Point, Vec<Lit>)>) {
-    follow(simulation, times, |builder| {
+    let seen: Vec<PointSlot> = simulation.points().iter().map(Point::slot).collect();
+    follow(simulation, &seen, times, |builder| {
         let points = simulation.points().iter();
         let points = points.filter(|point| !matches!(point.slot(), PointSlot::Text(_)));
         let points = points.map(|point| {
@@ -54,9 +66,14 @@ pub(crate) fn build_with_points(simulation: &Simulation, times: Times) -> (Model
 }
 
 /// Follows a scan, and then what else is to be done with it.
-fn follow<T>(simulation: &Simulation, times: Times, then: impl FnOnce(&mut Builder<'_, '_>) -> T) -> T {
+fn follow<T>(
+    simulation: &Simulation,
+    seen: &[PointSlot],
+    times: Times,
+    then: impl FnOnce(&mut Builder<'_, '_>) -> T,
+) -> T {
     let compiled = simulation.compiled();
-    let cells = Cells::of(simulation.program(), compiled);
+    let cells = Cells::of(simulation.program(), compiled, seen);
     let interval = simulation.options().interval;
     // The longest presets must be known before ages have their room.
     let mut first = World::default();

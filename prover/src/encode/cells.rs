@@ -1,8 +1,11 @@
 //! The cells of memory: which of them the code writes, and how many bits their values take.
 
+use super::ranges::range_of;
 use ladder_analysis::program::{Program, Role};
 use ladder_analysis::values::types::{Scalar, Type};
-use ladder_simulator::compiled::{Bit, Code, Compiled, Home, Instr, Routine, Word, counter, timer};
+use ladder_simulator::compiled::{
+    Bit, Compiled, Home, Instr, Memory as Banks, PointSlot, Routine, Word, counter, timer,
+};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// A value that goes into the program from outside.
@@ -22,7 +25,7 @@ pub(crate) struct Cells {
     types: FxHashMap<u32, Scalar>,
     written_bits: FxHashSet<u32>,
     written_words: FxHashSet<u32>,
-    /// Cells that only one block uses, and writes before it reads them.
+    /// Cells that only one block uses, and writes once, before it reads them.
     pub(crate) temporary_bits: FxHashSet<u32>,
     pub(crate) temporary_words: FxHashSet<u32>,
     /// The words of ET that only their timer writes.
@@ -30,8 +33,10 @@ pub(crate) struct Cells {
 }
 
 impl Cells {
-    pub(crate) fn of(program: &Program, compiled: &Compiled) -> Cells {
+    /// What is known of a program's cells; those of `seen` are looked at from outside.
+    pub(crate) fn of(program: &Program, compiled: &Compiled, seen: &[PointSlot]) -> Cells {
         let mut cells = Cells::default();
+        let mut tag_bits = FxHashSet::default();
         for (tag, home) in program.tags.iter().zip(&compiled.homes) {
             let is_input = tag.role == Role::Input && !tag.constant && tag.block.is_none();
             let name = |index: i64| match tag.ty {
@@ -39,8 +44,9 @@ impl Cells {
                 _ => tag.name.clone(),
             };
             match *home {
-                Home::Bits { at, first, len } if is_input => {
-                    for n in 0..len {
+                Home::Bits { at, first, len } => {
+                    tag_bits.extend(at.0..at.0 + len);
+                    for n in 0..if is_input { len } else { 0 } {
                         let (name, ty) = (name(first + i64::from(n)), Scalar::Bool);
                         cells.inputs_at_bits.insert(at.0 + n, InputTag { name, ty });
                     }
@@ -66,7 +72,17 @@ impl Cells {
                 cells.inputs_at_words.insert(at + n, InputTag { name, ty });
             }
         }
-        cells.uses(&compiled.code);
+        cells.uses(compiled);
+        cells.temporary_bits.retain(|at| !tag_bits.contains(at));
+        for slot in seen {
+            match slot {
+                PointSlot::Bit(Bit(at)) => cells.temporary_bits.remove(at),
+                PointSlot::Word(Word(at)) | PointSlot::BitOf { word: Word(at), .. } => {
+                    cells.temporary_words.remove(at)
+                }
+                PointSlot::Timing { .. } | PointSlot::Text(_) => false,
+            };
+        }
         cells
     }
 
@@ -85,7 +101,8 @@ impl Cells {
         self.types.get(&at).copied()
     }
 
-    fn uses(&mut self, code: &Code) {
+    fn uses(&mut self, compiled: &Compiled) {
+        let code = &compiled.code;
         let mut bits: FxHashMap<u32, Uses> = FxHashMap::default();
         let mut words: FxHashMap<u32, Uses> = FxHashMap::default();
         let mut routines: Vec<u32> = (code.instrs.iter())
@@ -126,7 +143,7 @@ impl Cells {
                     let next = routines.partition_point(|&other| other <= operands);
                     let end = routines.get(next).map_or(code.operands.len(), |&end| end as usize);
                     let pool = &code.operands[operands as usize..end];
-                    routine_uses(routine, pool, &mut |cell, access| {
+                    routine_uses(routine, pool, &compiled.initial, &mut |cell, access| {
                         let uses = match cell {
                             Cell::Bit(Bit(at)) => bits.entry(at),
                             Cell::Word(Word(at)) => words.entry(at),
@@ -149,7 +166,7 @@ impl Cells {
             }
         }
         // What `for_each_use` says of a timer does not hold its ET: another use that writes it is someone else's.
-        elapsed.retain(|at| words.get(at).is_none_or(|uses| !uses.written));
+        elapsed.retain(|at| words.get(at).is_none_or(|uses| uses.writes == 0));
         self.elapsed = elapsed;
         self.temporary_bits = temporary(&bits);
         self.temporary_words = temporary(&words).into_iter().filter(|at| !self.types.contains_key(at)).collect();
@@ -183,7 +200,7 @@ struct Uses {
     block: Option<u32>,
     spread: bool,
     read_first: bool,
-    written: bool,
+    writes: usize,
 }
 
 impl Uses {
@@ -195,17 +212,17 @@ impl Uses {
             }
             Some(other) => self.spread |= other != block,
         }
-        self.written |= access != Access::Read;
+        self.writes += usize::from(access != Access::Read);
     }
 }
 
 fn temporary(uses: &FxHashMap<u32, Uses>) -> FxHashSet<u32> {
-    let own = uses.iter().filter(|(_, uses)| !uses.spread && !uses.read_first);
+    let own = uses.iter().filter(|(_, uses)| !uses.spread && !uses.read_first && uses.writes == 1);
     own.map(|(at, _)| *at).collect()
 }
 
 fn written(uses: &FxHashMap<u32, Uses>) -> FxHashSet<u32> {
-    let written = uses.iter().filter(|(_, uses)| uses.written);
+    let written = uses.iter().filter(|(_, uses)| uses.writes > 0);
     written.map(|(at, _)| *at).collect()
 }
 
@@ -354,26 +371,75 @@ fn for_each_use(instr: &Instr, each: &mut dyn FnMut(Cell, Access)) {
 }
 
 /// The cells of a routine. Of one that is not encoded each number may be a bit or a word that it writes.
-fn routine_uses(routine: Routine, pool: &[u32], each: &mut dyn FnMut(Cell, Access)) {
+fn routine_uses(routine: Routine, pool: &[u32], initial: &Banks, each: &mut dyn FnMut(Cell, Access)) {
+    let bit = |at: u32| Cell::Bit(Bit(at));
+    let word = |at: u32| Cell::Word(Word(at));
+    // A range that is known only while the program runs blocks it, so what is noted here of one does not matter.
+    let mut range = |words: [u32; 2], cell: &dyn Fn(u32) -> Cell, access: Access| {
+        words.into_iter().for_each(|at| each(word(at), Access::Read));
+        for slot in range_of(initial, None, words).unwrap_or_default() {
+            each(cell(slot), access);
+        }
+    };
     match (routine, pool) {
+        (Routine::AllHigh | Routine::AllLow, [to, start, count, ..]) => {
+            range([*start, *count], &bit, Access::Read);
+            each(bit(*to), Access::Change);
+        }
+        (Routine::FillBits | Routine::ShiftBits, [start, count, from, ..]) => {
+            range([*start, *count], &bit, Access::Change);
+            each(bit(*from), Access::Read);
+        }
+        (Routine::FillWords | Routine::ShiftWords, [start, count, from, ..]) => {
+            range([*start, *count], &word, Access::Change);
+            each(word(*from), Access::Read);
+        }
+        (Routine::SetBits | Routine::ResetBits, [en, start, count, ..]) => {
+            range([*start, *count], &bit, Access::Change);
+            each(bit(*en), Access::Read);
+        }
+        (Routine::CopyBits, [to, to_count, from, from_count, ..]) => {
+            range([*to, *to_count], &bit, Access::Change);
+            range([*from, *from_count], &bit, Access::Read);
+        }
+        (Routine::CopyWords, [to, to_count, from, from_count, ..]) => {
+            range([*to, *to_count], &word, Access::Change);
+            range([*from, *from_count], &word, Access::Read);
+        }
+        (Routine::PackBits, [to, _, start, count, ..]) => {
+            range([*start, *count], &bit, Access::Read);
+            each(word(*to), Access::Change);
+        }
+        (Routine::UnpackBits, [start, count, from, ..]) => {
+            range([*start, *count], &bit, Access::Change);
+            each(word(*from), Access::Read);
+        }
+        (Routine::Sum, [to, _, start, count, ..]) => {
+            range([*start, *count], &word, Access::Read);
+            each(word(*to), Access::Change);
+        }
+        (Routine::Enumerate, [to, _, from, ..]) => {
+            each(word(*from), Access::Read);
+            each(word(*to), Access::Change);
+        }
         (Routine::SelectBit, [to, selector, count, list @ ..]) => {
-            each(Cell::Word(Word(*selector)), Access::Read);
+            each(word(*selector), Access::Read);
             for from in &list[..(*count as usize).min(list.len())] {
-                each(Cell::Bit(Bit(*from)), Access::Read);
+                each(bit(*from), Access::Read);
             }
-            each(Cell::Bit(Bit(*to)), Access::Change);
+            each(bit(*to), Access::Change);
         }
         (Routine::SelectWord, [to, selector, count, list @ ..]) => {
-            each(Cell::Word(Word(*selector)), Access::Read);
+            each(word(*selector), Access::Read);
             for from in &list[..(*count as usize).min(list.len())] {
-                each(Cell::Word(Word(*from)), Access::Read);
+                each(word(*from), Access::Read);
             }
-            each(Cell::Word(Word(*to)), Access::Change);
+            each(word(*to), Access::Change);
         }
         _ => {
             for &number in pool {
-                each(Cell::Bit(Bit(number)), Access::Change);
-                each(Cell::Word(Word(number)), Access::Change);
+                each(bit(number), Access::Change);
+                each(word(number), Access::Change);
             }
         }
     }

@@ -1,6 +1,7 @@
 //! The memory of a scan that is followed: what each cell holds, as far as it was touched.
 
 use super::cells::Cells;
+use super::ranges::range_of;
 use super::world::World;
 use crate::graph::Lit;
 use crate::number::Number;
@@ -41,6 +42,11 @@ impl<'c> Memory<'c> {
             ages: FxHashMap::default(),
             remembered: Vec::new(),
         }
+    }
+
+    /// A range whose ends are known.
+    pub(super) fn range(&self, words: [u32; 2]) -> Option<std::ops::Range<u32>> {
+        range_of(self.initial, self.cells, words)
     }
 
     pub(crate) fn set_bit(&mut self, Bit(at): Bit, value: Lit) {
@@ -146,12 +152,12 @@ impl<'c> Memory<'c> {
 
     /// Whether a bit is written by one block alone, which reads it later.
     pub(crate) fn is_temporary_bit(&self, bit: Bit) -> bool {
-        self.cells.is_none_or(|cells| cells.temporary_bits.contains(&bit.0))
+        self.cells.is_some_and(|cells| cells.temporary_bits.contains(&bit.0))
     }
 
     /// The same of a word.
     pub(crate) fn is_temporary_word(&self, word: Word) -> bool {
-        self.cells.is_none_or(|cells| cells.temporary_words.contains(&word.0))
+        self.cells.is_some_and(|cells| cells.temporary_words.contains(&word.0))
     }
 
     /// The scan is over: what is remembered is what cells hold now.

@@ -12,6 +12,7 @@ mod cells;
 mod flow;
 mod instr;
 mod memory;
+mod ranges;
 mod real;
 mod routine;
 mod state;

@@ -8,6 +8,9 @@ use ladder_simulator::compiled::{Bit, Routine, Word};
 impl Scan<'_, '_> {
     pub(super) fn routine(&mut self, at: u32, routine: Routine, operands: u32) {
         let pool = &self.code.operands[operands as usize..];
+        if self.on_ranges(at, routine, pool) {
+            return;
+        }
         match (routine, pool) {
             (Routine::SelectBit, [to, selector, count, list @ ..]) => {
                 let list = &list[..*count as usize];
@@ -49,6 +52,12 @@ impl Scan<'_, '_> {
             (Routine::Length | Routine::Find, [to, ..]) => {
                 let bits = self.open_bits("texts are not tracked", at, 16);
                 self.write_word(Word(*to), Number::unsigned(bits));
+            }
+            (Routine::Curve, [to, ..]) => {
+                let mut bits = self.open_bits("points on curves are not tracked", at, 65);
+                let fault = bits.pop().unwrap_or(Lit::FALSE);
+                self.fault(at, fault);
+                self.write_word(Word(*to), Number::of_bits(bits));
             }
             (other, _) => {
                 let name = format!("{other:?}");

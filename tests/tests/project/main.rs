@@ -8,6 +8,7 @@ mod click_programs;
 mod click_traces;
 mod crates;
 mod every_feature;
+mod followed;
 mod fuzz_words;
 mod incremental;
 mod instruction_reference;

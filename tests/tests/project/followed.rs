@@ -1,0 +1,129 @@
+//! The prover's functions of bits next to the simulator: every tag in every scan, on generated programs.
+
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::{Value, wrap};
+use ladder_invariants::generator::{Dice, Mode, program};
+use ladder_invariants::trace::compile;
+use ladder_prover::Concrete;
+use ladder_simulator::{Options, Simulation, Status, value_text};
+use std::collections::BTreeMap;
+
+/// What was compared.
+#[derive(Debug, Default)]
+struct Tally {
+    equal: usize,
+    open: usize,
+    /// Programs that cannot be followed, by why.
+    blocked: BTreeMap<String, usize>,
+}
+
+/// How many programs of a kind there are: LADDER_PROVED says another number.
+fn programs() -> u64 {
+    let asked = std::env::var("LADDER_PROVED").ok();
+    asked.and_then(|asked| asked.parse().ok()).unwrap_or(20)
+}
+
+fn value(dice: &mut Dice, ty: Scalar) -> Value {
+    let small = dice.one_in(2);
+    match ty {
+        Scalar::Bool => Value::Bool(dice.one_in(2)),
+        Scalar::Real | Scalar::Lreal => Value::Real(f64::from(dice.between(-50, 50) as f32) / 4.0),
+        Scalar::Enum(id) => {
+            let values = &id.get().values;
+            Value::Int(values[dice.below(values.len())].1.into())
+        }
+        ty if ty.is_string() => Value::Text(Box::default()),
+        ty if small => Value::Int(wrap(dice.between(-3, 12), ty)),
+        ty => Value::Int(wrap(dice.any() as i64, ty)),
+    }
+}
+
+/// Compares one program; the difference, if there is one.
+fn compare(text: &str, seed: u64, tally: &mut Tally) -> Option<String> {
+    let program = compile(text)?;
+    let options = Options {
+        watchdog: 20_000,
+        ..Options::default()
+    };
+    let mut simulation = Simulation::new(program, options).ok()?;
+    let mut followed = match Concrete::new(&simulation) {
+        Ok(followed) => followed,
+        Err(why) => {
+            *tally.blocked.entry(why).or_default() += 1;
+            return None;
+        }
+    };
+    let mut dice = Dice::new(seed);
+    let names: Vec<String> = followed.inputs().map(str::to_owned).collect();
+    let mut given: BTreeMap<String, Value> = BTreeMap::new();
+    for scan in 0..20 {
+        for name in &names {
+            if scan == 0 || dice.one_in(3) {
+                let point = simulation.resolve(name).expect("inputs are tags");
+                let value = value(&mut dice, point.ty);
+                simulation.set(&point, value.clone()).expect("it fits");
+                given.insert(name.clone(), value);
+            }
+        }
+        // What the program writes over it is given once more.
+        for (name, value) in &given {
+            let point = simulation.resolve(name).expect("inputs are tags");
+            simulation.set(&point, value.clone()).expect("it fits");
+        }
+        if !simulation.scan() {
+            return None;
+        }
+        followed.scan(|name| given[name].clone());
+        for (point, found) in followed.values() {
+            let wanted = simulation.value(point);
+            match found {
+                None => tally.open += 1,
+                Some(found) if found == wanted => tally.equal += 1,
+                Some(found) => {
+                    let shown = |value: &Value| value_text::display(value, point.ty);
+                    return Some(format!(
+                        "{} is {} in scan {scan}, and {} to the prover\n{text}",
+                        point.name,
+                        shown(&wanted),
+                        shown(&found)
+                    ));
+                }
+            }
+        }
+        if simulation.status() != Status::Ready {
+            return None;
+        }
+    }
+    None
+}
+
+fn check(mode: Mode, least: usize) {
+    let mut tally = Tally::default();
+    for seed in 0..programs() {
+        if let Some(difference) = compare(&program(seed, mode), seed, &mut tally) {
+            panic!("seed {seed}: {difference}");
+        }
+    }
+    println!("{mode:?}: {tally:?}");
+    assert!(tally.equal >= least, "{tally:?}");
+}
+
+#[test]
+fn contacts_and_coils_are_followed() {
+    check(Mode::Boolean, 1_000);
+}
+
+#[test]
+fn sensible_programs_are_followed() {
+    check(Mode::Sensible, 2_000);
+}
+
+#[test]
+fn wild_programs_are_followed() {
+    check(Mode::Wild, 0);
+}
+
+#[test]
+fn programs_with_types_are_followed() {
+    check(Mode::Typed, 0);
+}
