@@ -1,6 +1,6 @@
 //! What is on the command line.
 
-use crate::commands::{check, convert, dap, explain, fmt, lsp, new, render, sim, tags, test, tree};
+use crate::commands::{check, convert, dap, explain, fmt, lsp, new, prove, render, sim, tags, test, tree};
 #[cfg(feature = "pages")]
 use crate::commands::{completions, man, pages};
 #[cfg(not(feature = "pages"))]
@@ -20,6 +20,7 @@ Examples:
   ladder sim motor.clad --scans 100 --set start=1
                                   run 100 scans with `start` high
   ladder test .                   run all scenarios in this folder
+  ladder prove .                  prove what must hold in every run
   ladder convert old.cplc -o motor.clad
                                   programs of other systems
   ladder explain TON              how the on-delay timer works
@@ -45,6 +46,7 @@ enum Command {
     Fmt(fmt::Arguments),
     Sim(sim::Arguments),
     Test(test::Arguments),
+    Prove(prove::Arguments),
     Render(render::Arguments),
     Tags(tags::Arguments),
     Convert(convert::Arguments),
@@ -75,6 +77,7 @@ impl Ladder {
             Command::Fmt(arguments) => fmt::run(&arguments),
             Command::Sim(arguments) => sim::run(&arguments),
             Command::Test(arguments) => test::run(&arguments),
+            Command::Prove(arguments) => prove::run(&arguments),
             Command::Render(arguments) => render::run(&arguments),
             Command::Tags(arguments) => tags::run(&arguments),
             Command::Convert(arguments) => convert::run(&arguments),

@@ -17,6 +17,7 @@
 //! - `form` is what a program is written in.
 //! - `json` writes what machines read.
 //! - `settings` has what the `ladder.toml` of a program's workspace asks for.
+//! - `ready` is a scenario file with its program.
 //! - `run` is a program on its way through its scans, with what the world outside gives to it.
 //! - `diff` shows what would change.
 //! - `output` is a file that is there whole or not at all, or stdout.
@@ -49,6 +50,7 @@ mod form;
 mod json;
 mod outcome;
 mod output;
+mod ready;
 mod run;
 #[cfg(feature = "screen")]
 mod screen;

@@ -32,14 +32,23 @@ impl Concrete {
         Ok(Concrete {
             points,
             nodes: vec![(false, false); model.world.graph.len()],
-            states: model.world.states.iter().map(|state| (state.initial, false)).collect(),
+            states: model
+                .world
+                .states
+                .iter()
+                .map(|state| (state.initial, false))
+                .collect(),
             model,
         })
     }
 
     /// The tags that go in.
     pub fn inputs(&self) -> impl Iterator<Item = &str> {
-        self.model.world.inputs.iter().map(|input| input.tag.name.as_str())
+        self.model
+            .world
+            .inputs
+            .iter()
+            .map(|input| input.tag.name.as_str())
     }
 
     /// One scan, in which each input has the value that is given for its name.

@@ -13,8 +13,10 @@ mod graph;
 mod model;
 mod number;
 mod replay;
+mod scenario_text;
 mod system;
 mod unrolled;
 
 pub use answer::{Answer, Options, Refuted, Shown, Times, Verdict, prove};
 pub use concrete::Concrete;
+pub use scenario_text::{scenario_file, scenario_of};

@@ -106,7 +106,11 @@ impl<'w, 'c> Builder<'w, 'c> {
     ) -> Builder<'w, 'c> {
         let mut memory = Memory::new(&compiled.initial, Some(cells));
         let had_fault = system::set(world, &mut memory, interval);
-        let may_end = compiled.code.instrs.iter().any(|instr| matches!(instr, Instr::End { .. }));
+        let may_end = compiled
+            .code
+            .instrs
+            .iter()
+            .any(|instr| matches!(instr, Instr::End { .. }));
         let over = may_end.then(|| world.remember(false));
         let is_over = over.map_or(Lit::FALSE, |(leaf, _)| leaf);
         let mut scan = Scan::new(world, &compiled.code, memory, (times, interval), !is_over);
@@ -269,7 +273,9 @@ impl<'w, 'c> Builder<'w, 'c> {
             PointSlot::Word(word) => memory.word(self.world, word),
             _ => Number::constant(0),
         };
-        self.world.graph.choose_number(faulted, &Number::constant(0), &value)
+        self.world
+            .graph
+            .choose_number(faulted, &Number::constant(0), &value)
     }
 
     /// What an expression was, with what it is now.
@@ -296,7 +302,10 @@ impl<'w, 'c> Builder<'w, 'c> {
                 Number::of_bit(word.bit(usize::from(bit)))
             }
             PointSlot::Timing { input, done } => {
-                let (input, done) = (self.memory.bit(self.world, input), self.memory.bit(self.world, done));
+                let (input, done) = (
+                    self.memory.bit(self.world, input),
+                    self.memory.bit(self.world, done),
+                );
                 Number::of_bit(self.world.graph.and(input, !done))
             }
             PointSlot::Text(_) => Number::constant(0),

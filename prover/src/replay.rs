@@ -43,7 +43,10 @@ pub(crate) fn replay(
     monitor.restart();
     let mut shown = Shown {
         given: Vec::new(),
-        seen: named_by(monitor).into_iter().map(|point| (point, Vec::new())).collect(),
+        seen: named_by(monitor)
+            .into_iter()
+            .map(|point| (point, Vec::new()))
+            .collect(),
         faults: Vec::new(),
     };
     for (input, scans) in inputs.iter().zip(&run.inputs) {
@@ -55,7 +58,9 @@ pub(crate) fn replay(
         shown.given.push((point, values));
     }
     // What the property names and was not asked for is shown as it is.
-    shown.seen.retain(|(point, _)| !shown.given.iter().any(|(given, _)| given.name == point.name));
+    shown
+        .seen
+        .retain(|(point, _)| !shown.given.iter().any(|(given, _)| given.name == point.name));
     let mut is_violated = false;
     for scan in 0..run.scans {
         for (point, values) in &shown.given {

@@ -81,7 +81,9 @@ impl<'m> Unrolled<'m> {
             from,
             graph: Graph::default(),
             scans: Vec::new(),
-            states: states.map(|(number, state)| (state.leaf.node(), number)).collect(),
+            states: states
+                .map(|(number, state)| (state.leaf.node(), number))
+                .collect(),
             solver: Solver::new(SolverOpts::default(), limits),
             variables: FxHashMap::default(),
         }
@@ -165,7 +167,9 @@ impl<'m> Unrolled<'m> {
             }
             if let Node::And(a, b) = self.graph.node(node) {
                 let missing = [a, b].map(Lit::node).into_iter();
-                let missing: Vec<usize> = missing.filter(|node| !self.variables.contains_key(node)).collect();
+                let missing: Vec<usize> = missing
+                    .filter(|node| !self.variables.contains_key(node))
+                    .collect();
                 if !missing.is_empty() {
                     stack.extend(missing);
                     continue;

@@ -13,6 +13,7 @@ pub(crate) mod man;
 pub(crate) mod new;
 #[cfg(feature = "pages")]
 pub(crate) mod pages;
+pub(crate) mod prove;
 pub(crate) mod render;
 pub(crate) mod sim;
 pub(crate) mod tags;

@@ -38,12 +38,20 @@ impl Scan<'_, '_> {
     }
 
     /// The value before it is brought into its width, and whether there is none.
-    fn integer_value(&mut self, at: u32, op: IntegerOp, width: Width, a: &Number, b: &Number) -> (Number, Lit) {
+    fn integer_value(
+        &mut self,
+        at: u32,
+        op: IntegerOp,
+        width: Width,
+        a: &Number,
+        b: &Number,
+    ) -> (Number, Lit) {
         let none = Lit::FALSE;
         let zero = Number::constant(0);
         let bits = width.bits() as usize;
         let (x, y) = (a.seen_as(width), b.seen_as(width));
-        let bitwise = |graph: &mut crate::graph::Graph, each: &dyn Fn(&mut crate::graph::Graph, Lit, Lit) -> Lit| {
+        let bitwise = |graph: &mut crate::graph::Graph,
+                       each: &dyn Fn(&mut crate::graph::Graph, Lit, Lit) -> Lit| {
             let len = a.len().max(b.len());
             let value = (0..len).map(|n| each(graph, a.bit(n), b.bit(n))).collect();
             Number::of_bits(value)
@@ -100,7 +108,9 @@ impl Scan<'_, '_> {
                     (false, false) => value.get(n + by).copied().unwrap_or(Lit::FALSE),
                 }
             };
-            value = (0..bits).map(|n| graph.choose(which, moved(n), value[n])).collect();
+            value = (0..bits)
+                .map(|n| graph.choose(which, moved(n), value[n]))
+                .collect();
         }
         if !turns {
             let rest: Vec<Lit> = (stages..places.len()).map(|n| places.bit(n)).collect();
@@ -138,12 +148,22 @@ impl Scan<'_, '_> {
         if let Some(known) = number.known() {
             return vec![(known as u32, Lit::TRUE)];
         }
-        let Some(&(base, count)) = self.addresses.get(&slot).filter(|(_, count)| *count <= MOST_ELEMENTS) else {
-            self.block("an index reaches into an array that is not known here, or is very large", at);
+        let Some(&(base, count)) = self
+            .addresses
+            .get(&slot)
+            .filter(|(_, count)| *count <= MOST_ELEMENTS)
+        else {
+            self.block(
+                "an index reaches into an array that is not known here, or is very large",
+                at,
+            );
             return Vec::new();
         };
         let each = (base..base + count).map(|element| {
-            let is_it = self.world.graph.equal(&number, &Number::constant(i64::from(element)));
+            let is_it = self
+                .world
+                .graph
+                .equal(&number, &Number::constant(i64::from(element)));
             (element, is_it)
         });
         each.collect()

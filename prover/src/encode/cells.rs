@@ -141,7 +141,9 @@ impl Cells {
                 }
                 Instr::Routine { routine, operands } => {
                     let next = routines.partition_point(|&other| other <= operands);
-                    let end = routines.get(next).map_or(code.operands.len(), |&end| end as usize);
+                    let end = routines
+                        .get(next)
+                        .map_or(code.operands.len(), |&end| end as usize);
                     let pool = &code.operands[operands as usize..end];
                     routine_uses(routine, pool, &compiled.initial, &mut |cell, access| {
                         let uses = match cell {
@@ -169,7 +171,10 @@ impl Cells {
         elapsed.retain(|at| words.get(at).is_none_or(|uses| uses.writes == 0));
         self.elapsed = elapsed;
         self.temporary_bits = temporary(&bits);
-        self.temporary_words = temporary(&words).into_iter().filter(|at| !self.types.contains_key(at)).collect();
+        self.temporary_words = temporary(&words)
+            .into_iter()
+            .filter(|at| !self.types.contains_key(at))
+            .collect();
         self.written_bits = written(&bits);
         self.written_words = written(&words);
         for instr in &code.instrs {
@@ -217,7 +222,9 @@ impl Uses {
 }
 
 fn temporary(uses: &FxHashMap<u32, Uses>) -> FxHashSet<u32> {
-    let own = uses.iter().filter(|(_, uses)| !uses.spread && !uses.read_first && uses.writes == 1);
+    let own = uses
+        .iter()
+        .filter(|(_, uses)| !uses.spread && !uses.read_first && uses.writes == 1);
     own.map(|(at, _)| *at).collect()
 }
 
@@ -289,7 +296,10 @@ fn for_each_use(instr: &Instr, each: &mut dyn FnMut(Cell, Access)) {
             word(pt, Read);
             word(words.offset(timer::PT), Change);
         }
-        I::Ctu { pv, words, .. } | I::Ctd { pv, words, .. } | I::Ctud { pv, words, .. } | I::Ctc { pv, words, .. } => {
+        I::Ctu { pv, words, .. }
+        | I::Ctd { pv, words, .. }
+        | I::Ctud { pv, words, .. }
+        | I::Ctc { pv, words, .. } => {
             word(pv, Read);
             word(words.offset(counter::PV), Change);
             word(words.offset(counter::CV), Change);
@@ -340,7 +350,10 @@ fn for_each_use(instr: &Instr, each: &mut dyn FnMut(Cell, Access)) {
             bit(bits.offset(timer::Q), Change);
             bit(out, Write);
         }
-        I::Ctu { out, bits, .. } | I::Ctd { out, bits, .. } | I::Ctud { out, bits, .. } | I::Ctc { out, bits, .. } => {
+        I::Ctu { out, bits, .. }
+        | I::Ctd { out, bits, .. }
+        | I::Ctud { out, bits, .. }
+        | I::Ctc { out, bits, .. } => {
             for member in [counter::CD, counter::R, counter::LD] {
                 bit(bits.offset(member), Read);
             }

@@ -148,9 +148,8 @@ impl Scan<'_, '_> {
         if to <= from {
             return self.block("a jump goes back", from);
         }
-        let enters = |&(body, after): &(u32, u32)| {
-            (body + 1..after).contains(&to) && !(body..after).contains(&from)
-        };
+        let enters =
+            |&(body, after): &(u32, u32)| (body + 1..after).contains(&to) && !(body..after).contains(&from);
         if self.loops.iter().any(enters) {
             return self.block("a jump goes into a loop", from);
         }

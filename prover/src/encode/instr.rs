@@ -129,7 +129,10 @@ impl Scan<'_, '_> {
     fn edge(&mut self, out: Bit, en: Bit, [tag, before]: [Bit; 2], rising: bool) {
         let (high, was) = (self.bit(tag), self.bit(before));
         self.write_bit(before, high);
-        let is_edge = self.world.graph.and(high.negated_if(!rising), was.negated_if(rising));
+        let is_edge = self
+            .world
+            .graph
+            .and(high.negated_if(!rising), was.negated_if(rising));
         self.power(out, en, is_edge);
     }
 
@@ -145,12 +148,19 @@ impl Scan<'_, '_> {
                 let tag = self.bit(tag);
                 self.power(out, en, !tag);
             }
-            I::Join { out: to, upper: a, lower: b } | I::OrBit { to, a, b } => {
+            I::Join {
+                out: to,
+                upper: a,
+                lower: b,
+            }
+            | I::OrBit { to, a, b } => {
                 let (a, b) = (self.bit(a), self.bit(b));
                 let value = self.world.graph.or(a, b);
                 self.write_bit(to, value);
             }
-            I::Invert { out: to, en: from } | I::NotBit { to, a: from } | I::NegatedCoil { tag: to, en: from } => {
+            I::Invert { out: to, en: from }
+            | I::NotBit { to, a: from }
+            | I::NegatedCoil { tag: to, en: from } => {
                 let value = !self.bit(from);
                 self.write_bit(to, value);
             }
@@ -174,9 +184,8 @@ impl Scan<'_, '_> {
                 a,
                 b,
             } => {
-                let seen = |number: Number, unsigned| {
-                    number.seen_as(if unsigned { Width::U64 } else { Width::I64 })
-                };
+                let seen =
+                    |number: Number, unsigned| number.seen_as(if unsigned { Width::U64 } else { Width::I64 });
                 let (a, b) = (seen(self.word(a), a_unsigned), seen(self.word(b), b_unsigned));
                 let holds = self.compare(test, &a, &b);
                 self.power(out, en, holds);
@@ -218,7 +227,12 @@ impl Scan<'_, '_> {
                 let value = self.word(word).bit(usize::from(bit));
                 self.write_bit(to, value);
             }
-            I::StoreBitOf { word, bit, width, from } => {
+            I::StoreBitOf {
+                word,
+                bit,
+                width,
+                from,
+            } => {
                 let mut bits = self.word(word).low(64);
                 bits[usize::from(bit)] = self.bit(from);
                 self.write_word(word, Number::of_bits(bits).wrapped(width));
@@ -237,14 +251,35 @@ impl Scan<'_, '_> {
                 self.write_word(to, value);
             }
             I::Integer { op, width, to, a, b } => self.integer(at, op, width, [to, a, b], None),
-            I::IntegerWhen { op, width, out, en, to, a, b } => {
+            I::IntegerWhen {
+                op,
+                width,
+                out,
+                en,
+                to,
+                a,
+                b,
+            } => {
                 self.integer(at, op, width, [to, a, b], Some([out, en]));
             }
             I::Real { op, single, to, a, b } => self.real(at, (op, single), [to, a, b], None),
-            I::RealWhen { op, single, out, en, to, a, b } => {
+            I::RealWhen {
+                op,
+                single,
+                out,
+                en,
+                to,
+                a,
+                b,
+            } => {
                 self.real(at, (op, single), [to, a, b], Some([out, en]));
             }
-            I::RealFunction { function, single, to, a } => self.real_function(at, function, single, [to, a]),
+            I::RealFunction {
+                function,
+                single,
+                to,
+                a,
+            } => self.real_function(at, function, single, [to, a]),
             I::Convert { conversion, to, from } => self.convert(at, conversion, to, from),
             // Texts are not tracked: who asks for one gets anything.
             I::MoveText { .. } | I::LoadText { .. } | I::StoreText { .. } => {}
@@ -253,15 +288,69 @@ impl Scan<'_, '_> {
             I::StoreBit { at: slot, from } => self.store_bit(at, slot, from),
             I::LoadWord { to, at: slot } => self.load_word(at, to, slot),
             I::StoreWord { at: slot, from } => self.store_word(at, slot, from),
-            I::Ton { out, en, pt, bits, words } => self.ton([out, en, bits], [pt, words], at),
-            I::Tof { out, en, pt, bits, words } => self.tof([out, en, bits], [pt, words], at),
-            I::Tp { out, en, pt, bits, words } => self.tp([out, en, bits], [pt, words], at),
-            I::Rto { out, en, pt, bits, words } => self.rto([out, en, bits], [pt, words], at),
-            I::Rtof { out, en, pt, bits, words } => self.rtof([out, en, bits], [pt, words], at),
-            I::Ctu { out, en, pv, bits, words } => self.ctu([out, en, bits], [pv, words]),
-            I::Ctd { out, en, pv, bits, words } => self.ctd([out, en, bits], [pv, words]),
-            I::Ctud { out, en, pv, bits, words } => self.ctud([out, en, bits], [pv, words]),
-            I::Ctc { out, en, pv, bits, words } => self.ctc([out, en, bits], [pv, words]),
+            I::Ton {
+                out,
+                en,
+                pt,
+                bits,
+                words,
+            } => self.ton([out, en, bits], [pt, words], at),
+            I::Tof {
+                out,
+                en,
+                pt,
+                bits,
+                words,
+            } => self.tof([out, en, bits], [pt, words], at),
+            I::Tp {
+                out,
+                en,
+                pt,
+                bits,
+                words,
+            } => self.tp([out, en, bits], [pt, words], at),
+            I::Rto {
+                out,
+                en,
+                pt,
+                bits,
+                words,
+            } => self.rto([out, en, bits], [pt, words], at),
+            I::Rtof {
+                out,
+                en,
+                pt,
+                bits,
+                words,
+            } => self.rtof([out, en, bits], [pt, words], at),
+            I::Ctu {
+                out,
+                en,
+                pv,
+                bits,
+                words,
+            } => self.ctu([out, en, bits], [pv, words]),
+            I::Ctd {
+                out,
+                en,
+                pv,
+                bits,
+                words,
+            } => self.ctd([out, en, bits], [pv, words]),
+            I::Ctud {
+                out,
+                en,
+                pv,
+                bits,
+                words,
+            } => self.ctud([out, en, bits], [pv, words]),
+            I::Ctc {
+                out,
+                en,
+                pv,
+                bits,
+                words,
+            } => self.ctc([out, en, bits], [pv, words]),
             I::Sr { out, en, reset, bits } => {
                 let (set, reset, q) = (self.bit(en), self.bit(reset), self.bit(bits));
                 let kept = self.world.graph.and(q, !reset);
@@ -276,7 +365,12 @@ impl Scan<'_, '_> {
                 self.write_bit(bits, value);
                 self.write_bit(out, value);
             }
-            I::Clear { en, state, bits, words } => self.clear(en, state, bits, words),
+            I::Clear {
+                en,
+                state,
+                bits,
+                words,
+            } => self.clear(en, state, bits, words),
             I::StateAt { .. } | I::ClearAt { .. } => {
                 self.block("an index chooses a timer, counter or bistable", at);
             }

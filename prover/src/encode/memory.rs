@@ -85,7 +85,9 @@ impl<'c> Memory<'c> {
         }
         let initial = self.initial.words.get(at as usize).copied().unwrap_or(0);
         let value = match self.cells {
-            Some(cells) if cells.inputs_at_words.contains_key(&at) => world.input(&cells.inputs_at_words[&at]),
+            Some(cells) if cells.inputs_at_words.contains_key(&at) => {
+                world.input(&cells.inputs_at_words[&at])
+            }
             Some(cells) if cells.word_changes(word) => {
                 let width = cells.type_of(word).map_or(Width::I64, Width::of);
                 self.remember_word(world, at, width, initial)
@@ -140,7 +142,8 @@ impl<'c> Memory<'c> {
         let count = (64 - most.max(1).leading_zeros()) as usize;
         // It counts only once the timer has begun: what it is before does not matter, and 1 is what it mostly is.
         let (leaves, numbers) = remember(world, count, 1);
-        self.remembered.push(Remembered::Age(timer.0, numbers, most.max(1)));
+        self.remembered
+            .push(Remembered::Age(timer.0, numbers, most.max(1)));
         let age = Number::unsigned(leaves);
         self.ages.insert(timer.0, age.clone());
         age
@@ -152,12 +155,14 @@ impl<'c> Memory<'c> {
 
     /// Whether a bit is written by one block alone, which reads it later.
     pub(crate) fn is_temporary_bit(&self, bit: Bit) -> bool {
-        self.cells.is_some_and(|cells| cells.temporary_bits.contains(&bit.0))
+        self.cells
+            .is_some_and(|cells| cells.temporary_bits.contains(&bit.0))
     }
 
     /// The same of a word.
     pub(crate) fn is_temporary_word(&self, word: Word) -> bool {
-        self.cells.is_some_and(|cells| cells.temporary_words.contains(&word.0))
+        self.cells
+            .is_some_and(|cells| cells.temporary_words.contains(&word.0))
     }
 
     /// The scan is over: what is remembered is what cells hold now.
@@ -184,7 +189,9 @@ impl<'c> Memory<'c> {
 }
 
 fn remember(world: &mut World, count: usize, initial: i64) -> (Vec<Lit>, Vec<usize>) {
-    (0..count).map(|bit| world.remember(initial >> bit & 1 != 0)).unzip()
+    (0..count)
+        .map(|bit| world.remember(initial >> bit & 1 != 0))
+        .unzip()
 }
 
 fn next(world: &mut World, numbers: &[usize], value: &Number) {

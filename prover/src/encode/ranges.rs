@@ -11,7 +11,11 @@ use std::ops::Range;
 
 /// A range as a routine has it: the words that hold its first slot and how many there are. None: it is known only while the
 /// program runs.
-pub(super) fn range_of(initial: &Banks, cells: Option<&Cells>, [start, count]: [u32; 2]) -> Option<Range<u32>> {
+pub(super) fn range_of(
+    initial: &Banks,
+    cells: Option<&Cells>,
+    [start, count]: [u32; 2],
+) -> Option<Range<u32>> {
     let changes = |word: u32| cells.is_some_and(|cells| cells.word_changes(Word(word)));
     if changes(start) || changes(count) {
         return None;
@@ -25,7 +29,10 @@ impl Scan<'_, '_> {
     fn range(&mut self, at: u32, words: [u32; 2]) -> Option<Range<u32>> {
         let range = self.memory.range(words);
         if range.is_none() {
-            self.block("the ends of a range of an array are known only while the program runs", at);
+            self.block(
+                "the ends of a range of an array are known only while the program runs",
+                at,
+            );
         }
         range
     }
@@ -34,7 +41,9 @@ impl Scan<'_, '_> {
     pub(super) fn on_ranges(&mut self, at: u32, routine: Routine, pool: &[u32]) -> bool {
         match (routine, pool) {
             (Routine::AllHigh | Routine::AllLow, [to, start, count, ..]) => {
-                let Some(range) = self.range(at, [*start, *count]) else { return true };
+                let Some(range) = self.range(at, [*start, *count]) else {
+                    return true;
+                };
                 let mut all = Lit::TRUE;
                 for slot in range {
                     let bit = self.bit(Bit(slot)).negated_if(routine == Routine::AllLow);
@@ -43,29 +52,40 @@ impl Scan<'_, '_> {
                 self.write_bit(Bit(*to), all);
             }
             (Routine::FillBits, [start, count, from, ..]) => {
-                let Some(range) = self.range(at, [*start, *count]) else { return true };
+                let Some(range) = self.range(at, [*start, *count]) else {
+                    return true;
+                };
                 let value = self.bit(Bit(*from));
                 for slot in range {
                     self.write_bit(Bit(slot), value);
                 }
             }
             (Routine::FillWords, [start, count, from, ..]) => {
-                let Some(range) = self.range(at, [*start, *count]) else { return true };
+                let Some(range) = self.range(at, [*start, *count]) else {
+                    return true;
+                };
                 let value = self.word(Word(*from));
                 for slot in range {
                     self.write_word(Word(slot), value.clone());
                 }
             }
             (Routine::SetBits | Routine::ResetBits, [en, start, count, ..]) => {
-                let Some(range) = self.range(at, [*start, *count]) else { return true };
+                let Some(range) = self.range(at, [*start, *count]) else {
+                    return true;
+                };
                 let en = self.bit(Bit(*en));
                 for slot in range {
                     self.write_bit_if(en, Bit(slot), Lit::constant(routine == Routine::SetBits));
                 }
             }
             (Routine::CopyBits | Routine::CopyWords, [to, to_count, from, from_count, ..]) => {
-                let (to, from) = (self.range(at, [*to, *to_count]), self.range(at, [*from, *from_count]));
-                let (Some(to), Some(from)) = (to, from) else { return true };
+                let (to, from) = (
+                    self.range(at, [*to, *to_count]),
+                    self.range(at, [*from, *from_count]),
+                );
+                let (Some(to), Some(from)) = (to, from) else {
+                    return true;
+                };
                 if to.len() != from.len() {
                     self.fault(at, Lit::TRUE);
                     return true;
@@ -73,27 +93,39 @@ impl Scan<'_, '_> {
                 // As if through a buffer.
                 if routine == Routine::CopyBits {
                     let values: Vec<Lit> = from.map(|slot| self.bit(Bit(slot))).collect();
-                    to.zip(values).for_each(|(slot, value)| self.write_bit(Bit(slot), value));
+                    to.zip(values)
+                        .for_each(|(slot, value)| self.write_bit(Bit(slot), value));
                 } else {
                     let values: Vec<Number> = from.map(|slot| self.word(Word(slot))).collect();
-                    to.zip(values).for_each(|(slot, value)| self.write_word(Word(slot), value));
+                    to.zip(values)
+                        .for_each(|(slot, value)| self.write_word(Word(slot), value));
                 }
             }
             (Routine::ShiftBits, [start, count, entering, ..]) => {
-                let Some(range) = self.range(at, [*start, *count]) else { return true };
+                let Some(range) = self.range(at, [*start, *count]) else {
+                    return true;
+                };
                 let mut values = vec![self.bit(Bit(*entering))];
                 values.extend(range.clone().map(|slot| self.bit(Bit(slot))));
-                range.zip(values).for_each(|(slot, value)| self.write_bit(Bit(slot), value));
+                range
+                    .zip(values)
+                    .for_each(|(slot, value)| self.write_bit(Bit(slot), value));
             }
             (Routine::ShiftWords, [start, count, entering, ..]) => {
-                let Some(range) = self.range(at, [*start, *count]) else { return true };
+                let Some(range) = self.range(at, [*start, *count]) else {
+                    return true;
+                };
                 let mut values = vec![self.word(Word(*entering))];
                 values.extend(range.clone().map(|slot| self.word(Word(slot))));
-                range.zip(values).for_each(|(slot, value)| self.write_word(Word(slot), value));
+                range
+                    .zip(values)
+                    .for_each(|(slot, value)| self.write_word(Word(slot), value));
             }
             (Routine::PackBits, [to, ty, start, count, ..]) if is_whole(*ty) => {
                 let width = width(*ty);
-                let Some(range) = self.range(at, [*start, *count]) else { return true };
+                let Some(range) = self.range(at, [*start, *count]) else {
+                    return true;
+                };
                 if range.len() > width.bits() as usize {
                     self.fault(at, Lit::TRUE);
                     return true;
@@ -103,7 +135,9 @@ impl Scan<'_, '_> {
             }
             (Routine::UnpackBits, [start, count, from, ty, ..]) if is_whole(*ty) => {
                 let width = width(*ty).bits() as usize;
-                let Some(range) = self.range(at, [*start, *count]) else { return true };
+                let Some(range) = self.range(at, [*start, *count]) else {
+                    return true;
+                };
                 let value = self.word(Word(*from));
                 for (n, slot) in range.enumerate() {
                     let bit = if n < width { value.bit(n) } else { Lit::FALSE };
@@ -111,7 +145,9 @@ impl Scan<'_, '_> {
                 }
             }
             (Routine::Sum, [to, ty, start, count, ..]) if is_whole(*ty) => {
-                let Some(range) = self.range(at, [*start, *count]) else { return true };
+                let Some(range) = self.range(at, [*start, *count]) else {
+                    return true;
+                };
                 let mut total = Number::constant(0);
                 for slot in range {
                     let value = self.word(Word(slot));
@@ -124,7 +160,11 @@ impl Scan<'_, '_> {
                 if let Some(id) = ty.checked_sub(TYPES.len() as u32).and_then(EnumId::from_number) {
                     let values = &id.get().values;
                     let is_one: Vec<Lit> = (values.iter())
-                        .map(|(_, named)| self.world.graph.equal(&value, &Number::constant(i64::from(*named))))
+                        .map(|(_, named)| {
+                            self.world
+                                .graph
+                                .equal(&value, &Number::constant(i64::from(*named)))
+                        })
                         .collect();
                     let is_valid = self.world.graph.any(is_one);
                     self.fault(at, !is_valid);

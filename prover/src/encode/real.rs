@@ -25,7 +25,13 @@ impl Scan<'_, '_> {
         self.compare(test, &a, &b)
     }
 
-    pub(super) fn real(&mut self, at: u32, (op, single): (RealOp, bool), [to, a, b]: [Word; 3], when: Option<[Bit; 2]>) {
+    pub(super) fn real(
+        &mut self,
+        at: u32,
+        (op, single): (RealOp, bool),
+        [to, a, b]: [Word; 3],
+        when: Option<[Bit; 2]>,
+    ) {
         let power = match when {
             Some([out, en]) => {
                 let power = self.bit(en);
@@ -65,7 +71,13 @@ impl Scan<'_, '_> {
         (Number::of_bits(bits), fault)
     }
 
-    pub(super) fn real_function(&mut self, at: u32, function: RealFunction, single: bool, [to, a]: [Word; 2]) {
+    pub(super) fn real_function(
+        &mut self,
+        at: u32,
+        function: RealFunction,
+        single: bool,
+        [to, a]: [Word; 2],
+    ) {
         let a = self.word(a);
         let (value, fault) = match (function, a.known()) {
             (_, Some(a)) => known(real_function_of(function, single, real_in(a))),
@@ -115,15 +127,26 @@ impl Scan<'_, '_> {
                 (graph.max(&number, &Number::constant(i64::MIN)), Lit::FALSE)
             }
             Conversion::Round(width) | Conversion::Truncate(width) => {
-                let mut bits = self.open_bits("reals that become whole numbers are not tracked", at, width.bits() as usize + 1);
+                let mut bits = self.open_bits(
+                    "reals that become whole numbers are not tracked",
+                    at,
+                    width.bits() as usize + 1,
+                );
                 let fault = bits.pop().unwrap_or(Lit::FALSE);
                 (Number::of_bits(bits).wrapped(width), fault)
             }
             Conversion::Saturate(width) => {
-                let bits = self.open_bits("reals that become whole numbers are not tracked", at, width.bits() as usize);
+                let bits = self.open_bits(
+                    "reals that become whole numbers are not tracked",
+                    at,
+                    width.bits() as usize,
+                );
                 (Number::of_bits(bits).wrapped(width), Lit::FALSE)
             }
-            Conversion::ToMilliseconds(_) | Conversion::RealToTime | Conversion::DayOf | Conversion::TimeOfDayOf => {
+            Conversion::ToMilliseconds(_)
+            | Conversion::RealToTime
+            | Conversion::DayOf
+            | Conversion::TimeOfDayOf => {
                 let mut bits = self.open_bits("conversions of times are not tracked", at, 65);
                 let fault = bits.pop().unwrap_or(Lit::FALSE);
                 let value = match conversion {

@@ -45,7 +45,15 @@ impl Scan<'_, '_> {
                 | Routine::SendText,
                 _,
             ) => {}
-            (Routine::Left | Routine::Right | Routine::Middle | Routine::Insert | Routine::Delete | Routine::Replace, _) => {
+            (
+                Routine::Left
+                | Routine::Right
+                | Routine::Middle
+                | Routine::Insert
+                | Routine::Delete
+                | Routine::Replace,
+                _,
+            ) => {
                 let fault = self.open_bits("texts are not tracked", at, 1)[0];
                 self.fault(at, fault);
             }

@@ -48,12 +48,16 @@ impl Scan<'_, '_> {
     /// One more, held at the end of DINT.
     fn one_up(&mut self, count: &Number) -> Number {
         let more = self.world.graph.add(count, &Number::constant(1));
-        self.world.graph.min(&more, &Number::constant(i64::from(i32::MAX)))
+        self.world
+            .graph
+            .min(&more, &Number::constant(i64::from(i32::MAX)))
     }
 
     fn one_down(&mut self, count: &Number) -> Number {
         let less = self.world.graph.sub(count, &Number::constant(1));
-        self.world.graph.max(&less, &Number::constant(i64::from(i32::MIN)))
+        self.world
+            .graph
+            .max(&less, &Number::constant(i64::from(i32::MIN)))
     }
 
     fn set_count(&mut self, bits: Bit, words: Word, count: &Number, before: &Number) {

@@ -52,7 +52,10 @@ impl Scan<'_, '_> {
 
     /// It begins now, where this holds.
     fn begin(&mut self, timer: &mut Timer, where_: Lit) {
-        timer.age = self.world.graph.choose_number(where_, &Number::constant(0), &timer.age);
+        timer.age = self
+            .world
+            .graph
+            .choose_number(where_, &Number::constant(0), &timer.age);
     }
 
     /// Whether as much time has passed as its preset says. Where times are open it may have, but for a timer that begins now
@@ -107,7 +110,8 @@ impl Scan<'_, '_> {
             Some(Some(scans)) => (*scans as i64).saturating_mul(self.interval),
             _ => i64::MAX,
         };
-        self.memory.elapsed(self.world, timer.words.offset(timer::ET), most)
+        self.memory
+            .elapsed(self.world, timer.words.offset(timer::ET), most)
     }
 
     fn finish_timer(&mut self, out: Bit, timer: Timer, phase: Vec<Lit>, q: Lit, et: Number) {
@@ -157,7 +161,11 @@ impl Scan<'_, '_> {
         let begins = graph.and(armed, low);
         self.begin(&mut timer, begins);
         let over = self.has_run_out(&timer, begins);
-        let (elapsed, limit, last) = (self.elapsed(&timer), self.limit(&timer), self.last_elapsed(&timer));
+        let (elapsed, limit, last) = (
+            self.elapsed(&timer),
+            self.limit(&timer),
+            self.last_elapsed(&timer),
+        );
         let graph = &mut self.world.graph;
         let runs = graph.or(armed, was_running);
         let running = graph.and(runs, !over);
@@ -211,7 +219,11 @@ impl Scan<'_, '_> {
     pub(super) fn rto(&mut self, [out, en, bits]: [Bit; 3], words: [Word; 2], at: u32) {
         let mut timer = self.timer([en, bits], words);
         let counting = timer.phase[0];
-        let (elapsed, limit, last) = (self.elapsed(&timer), self.limit(&timer), self.last_elapsed(&timer));
+        let (elapsed, limit, last) = (
+            self.elapsed(&timer),
+            self.limit(&timer),
+            self.last_elapsed(&timer),
+        );
         let graph = &mut self.world.graph;
         let adds = graph.and(timer.input, counting);
         let more = graph.add(&last, &elapsed);
@@ -233,7 +245,11 @@ impl Scan<'_, '_> {
     pub(super) fn rtof(&mut self, [out, en, bits]: [Bit; 3], words: [Word; 2], at: u32) {
         let mut timer = self.timer([en, bits], words);
         let (counting, fell, on) = (timer.phase[0], timer.phase[1], timer.phase[2]);
-        let (elapsed, limit, last) = (self.elapsed(&timer), self.limit(&timer), self.last_elapsed(&timer));
+        let (elapsed, limit, last) = (
+            self.elapsed(&timer),
+            self.limit(&timer),
+            self.last_elapsed(&timer),
+        );
         let graph = &mut self.world.graph;
         let counts = graph.all([!timer.input, fell, counting]);
         let more = graph.add(&last, &elapsed);

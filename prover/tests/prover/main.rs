@@ -31,7 +31,10 @@ fn answers(program: &str, properties: &str) -> Option<Vec<(String, Answer)>> {
         ..Options::default()
     };
     let answers = prove(&mut simulation, &mut watched, options).unwrap_or_else(|refuted| {
-        panic!("{}: a run was found that does not happen\n{program}", refuted.name)
+        panic!(
+            "{}: a run was found that does not happen\n{program}",
+            refuted.name
+        )
     });
     let names = watched.properties.into_iter().map(|property| property.name);
     Some(names.zip(answers).collect())

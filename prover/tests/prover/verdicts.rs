@@ -28,7 +28,10 @@ fn the_corpus_has_its_verdicts() {
         }
         let read = |name: &str| fs::read_to_string(folder.join(name)).expect(name);
         let expected = read("expected.txt");
-        let expected: Vec<&str> = expected.lines().take_while(|line| !line.starts_with("same as")).collect();
+        let expected: Vec<&str> = expected
+            .lines()
+            .take_while(|line| !line.starts_with("same as"))
+            .collect();
         let found = answers(&read("program.clad"), &read("properties.txt"));
         let found: Vec<&str> = match &found {
             None => vec!["refused"],

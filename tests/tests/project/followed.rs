@@ -18,12 +18,12 @@ struct Tally {
 }
 
 /// How many programs of a kind there are: LADDER_PROVED says another number.
-fn programs() -> u64 {
+pub(crate) fn programs() -> u64 {
     let asked = std::env::var("LADDER_PROVED").ok();
     asked.and_then(|asked| asked.parse().ok()).unwrap_or(20)
 }
 
-fn value(dice: &mut Dice, ty: Scalar) -> Value {
+pub(crate) fn value(dice: &mut Dice, ty: Scalar) -> Value {
     let small = dice.one_in(2);
     match ty {
         Scalar::Bool => Value::Bool(dice.one_in(2)),

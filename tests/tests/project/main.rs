@@ -19,6 +19,7 @@ mod library;
 mod notations_back;
 mod pictures_wiring;
 mod power;
+mod proved;
 mod refactorings;
 mod rename;
 mod rooms;

@@ -93,7 +93,7 @@ impl Writer for People {
             writeln!(out, "{}\n", problem.shown)?;
             self.separated = true;
         }
-        if report.cases.is_empty() {
+        if report.cases.is_empty() && report.properties == 0 {
             return Ok(());
         }
         self.separated = false;
@@ -102,7 +102,14 @@ impl Writer for People {
             "{}",
             self.paint(Style::new().bold(), &shown::line(&report.file))
         )?;
-        report.cases.iter().try_for_each(|case| self.case(case, out))
+        report.cases.iter().try_for_each(|case| self.case(case, out))?;
+        let has_them = match report.properties {
+            0 => return Ok(()),
+            1 => "1 property".to_owned(),
+            count => format!("{count} properties"),
+        };
+        let line = format!("{has_them}: ladder prove {}", shown::line(&report.file));
+        writeln!(out, "        {}", self.paint(FAINT, &line))
     }
 
     /// `12 scenarios in 3 files: 11 passed, 1 failed, in 0.02 s.`

@@ -20,6 +20,8 @@ pub(super) struct FileReport {
     pub(super) seconds: f64,
     /// What the scenarios exercised, if that was asked for.
     pub(super) coverage: Option<Coverage>,
+    /// How many properties it has, which are for another command.
+    pub(super) properties: usize,
 }
 
 impl FileReport {

@@ -1,19 +1,13 @@
 //! One scenario file: its program is read, and its scenarios are run.
 
 use super::report::{CaseReport, DifferenceReport, FaultReport, FileReport};
-use crate::findings::{FileRange, NotRead, Problem, Source, Workspaces, full};
-use crate::outcome::Outcome;
+use crate::findings::{FileRange, Problem, Source, Workspaces};
+use crate::ready::{Ready, place_of};
 use annotate_snippets::Renderer;
-use ladder_analysis::program::Location;
-use ladder_analysis::{NotWhole, Severity};
 use ladder_simulator::coverage::Coverage;
-use ladder_simulator::scenario::{self, Case, ScenarioError, Suite};
-use ladder_simulator::{Options, Simulation};
-use ladder_syntax::TextRange;
-use ladder_workspace::{FileError, Named, Settings};
-use std::borrow::Cow;
+use ladder_simulator::scenario;
 use std::path::Path;
-use std::sync::{Arc, Mutex};
+use std::sync::Mutex;
 use std::time::Instant;
 
 /// What is asked of each file.
@@ -29,22 +23,6 @@ pub(super) struct Wishes {
     pub(super) workspaces: Mutex<Workspaces>,
 }
 
-impl Wishes {
-    /// A program among the others of its workspace, which many files of scenarios share.
-    fn source(&self, program: &Path, bytes: Vec<u8>) -> Result<Source, NotRead> {
-        let source = Source::of_bytes(program, bytes, None)?;
-        // Settings that cannot be used are reported where they are read.
-        let workspace = match self.workspaces.lock() {
-            Ok(mut workspaces) => workspaces.of(program).ok().flatten(),
-            Err(_) => None,
-        };
-        Ok(match workspace {
-            Some(workspace) => source.within(workspace),
-            None => source,
-        })
-    }
-}
-
 /// Runs the scenarios of a file.
 pub(super) fn run(path: &Path, wishes: &Wishes) -> FileReport {
     let began = Instant::now();
@@ -55,6 +33,7 @@ pub(super) fn run(path: &Path, wishes: &Wishes) -> FileReport {
         cases: Vec::new(),
         seconds: 0.0,
         coverage: None,
+        properties: 0,
     };
     match ladder_workspace::read(path) {
         Ok(text) => {
@@ -73,85 +52,20 @@ pub(super) fn run(path: &Path, wishes: &Wishes) -> FileReport {
 
 /// The errors of a scenario file, as far as they can be found.
 pub(super) fn check(path: &Path, source: &Source, renderer: &Renderer) -> Vec<Problem> {
-    let wishes = Wishes {
-        filter: None,
-        coverage: false,
-        width: 0,
-        renderer: renderer.clone(),
-        workspaces: Mutex::default(),
-    };
-    match Ready::new(path, source, &wishes) {
+    match Ready::new(path, source, renderer, &Mutex::default()) {
         Ok(_) => Vec::new(),
         Err((problems, _)) => problems,
     }
 }
 
-/// A file whose scenarios can be run.
-struct Ready {
-    cases: Vec<Case>,
-    simulation: Simulation,
-    program: Arc<Source>,
-}
-
-impl Ready {
-    /// Reads the program and binds the scenarios to it. If that cannot be, the program is given as far as it was
-    /// read.
-    fn new(
-        path: &Path,
-        source: &Source,
-        wishes: &Wishes,
-    ) -> Result<Ready, (Vec<Problem>, Option<Arc<Source>>)> {
-        let suite = scenario::parse(&source.text);
-        let errors = |found: &[ScenarioError]| -> Vec<Problem> {
-            let mut found: Vec<&ScenarioError> = suite.errors.iter().chain(found).collect();
-            found.sort_by_key(|error| error.range.start());
-            found
-                .into_iter()
-                .map(|found| Problem::of(source, found, &wishes.renderer))
-                .collect()
-        };
-        let Some((name, range)) = &suite.program else {
-            return Err((errors(&[]), None));
-        };
-        let named = Named::in_file(path, name);
-        let program = named.path();
-        let with_errors = |problem: Problem| {
-            let mut problems = errors(&[]);
-            problems.insert(0, problem);
-            (problems, None)
-        };
-        let bytes = named
-            .read_bytes()
-            .map_err(|error| with_errors(missing_program(source, *range, &error, &wishes.renderer)))?;
-        let program_source = wishes.source(&program, bytes);
-        let program_source = program_source.map_err(|error| with_errors(broken_program(&program, &error)))?;
-        let program_source = Arc::new(program_source);
-        let mut simulation =
-            compile(&program, &program_source, &suite, &wishes.renderer).map_err(|problems| {
-                let mut all = errors(&[]);
-                all.extend(problems);
-                (all, Some(Arc::clone(&program_source)))
-            })?;
-        let (cases, found) = scenario::bind(&suite, &simulation);
-        let problems = errors(&found);
-        if !problems.is_empty() {
-            return Err((problems, Some(program_source)));
-        }
-        simulation.take_faults();
-        Ok(Ready {
-            cases,
-            simulation,
-            program: program_source,
-        })
-    }
-}
-
 fn play(path: &Path, source: &Source, wishes: &Wishes, report: &mut FileReport) -> Result<(), Vec<Problem>> {
     let Ready {
+        suite,
         cases,
         mut simulation,
         program,
-    } = Ready::new(path, source, wishes).map_err(|(problems, program)| {
+        ..
+    } = Ready::new(path, source, &wishes.renderer, &wishes.workspaces).map_err(|(problems, program)| {
         report.program = program;
         problems
     })?;
@@ -212,93 +126,8 @@ fn play(path: &Path, source: &Source, wishes: &Wishes, report: &mut FileReport) 
     if let Some(coverage) = &mut coverage {
         coverage.finish(&simulation);
     }
+    report.properties = suite.properties.len();
     report.coverage = coverage;
     report.program = Some(program);
     Ok(())
-}
-
-/// The program, ready to run, at the interval that the scenarios or the workspace ask for.
-fn compile(
-    path: &Path,
-    source: &Source,
-    suite: &Suite,
-    renderer: &Renderer,
-) -> Result<Simulation, Vec<Problem>> {
-    let settings = Settings::of(path)
-        .map_err(|error| vec![Problem::unusable(FileRange::start(&source.file), &error)])?;
-    let program = source.program().map_err(|why| match why {
-        NotWhole::Missing(file) => {
-            let message = format!("{file}, which this program uses, cannot be read any more");
-            vec![Problem::unusable(FileRange::start(&source.file), &message)]
-        }
-        NotWhole::Errors(file) => match source.other(&file) {
-            Some(other) if source.analyze().context.name != file => errors(&other, renderer),
-            _ => errors(source, renderer),
-        },
-    })?;
-    let mut options: Options = settings.simulate.options(&program);
-    if let Some((interval, _)) = suite.interval {
-        options.interval = interval;
-    }
-    Simulation::new(program, options).map_err(|error| {
-        let found = ScenarioError {
-            range: source.range_in_file(error.location.range),
-            message: error.message,
-            help: None,
-        };
-        vec![Problem::of(source, &found, renderer)]
-    })
-}
-
-/// The errors in a program.
-fn errors(source: &Source, renderer: &Renderer) -> Vec<Problem> {
-    let remarks = source.remarks().into_iter();
-    let remarks = remarks.filter(|remark| remark.severity == Severity::Error);
-    let remarks = remarks.map(|remark| Problem::remark(source, remark, renderer));
-    let found = source.errors().into_iter().map(|error| Problem {
-        place: FileRange::of(source, error.range),
-        rule: error.rule.name(),
-        severity: error.severity,
-        shown: full::render(source, &error, renderer),
-        message: error.message,
-        help: error.help.map(Cow::into_owned),
-        outcome: Outcome::Findings,
-    });
-    remarks.chain(found).collect()
-}
-
-/// A place of a program, in whichever file it lies.
-fn place_of(source: &Source, files: &[String], location: Location) -> FileRange {
-    let other = match location.file {
-        0 => None,
-        file => source.other(&files[file as usize]),
-    };
-    let source = other.as_ref().unwrap_or(source);
-    FileRange::of(source, source.range_in_file(location.range))
-}
-
-/// The program that a file names is in another system's notation, and broken.
-fn broken_program(program: &Path, error: &NotRead) -> Problem {
-    let file = program.display().to_string();
-    let place = error.place.map(|place| FileRange {
-        file: file.clone(),
-        line: place.line,
-        column: place.column,
-        end_line: place.line,
-        end_column: place.column,
-    });
-    Problem::unusable(place.unwrap_or_else(|| FileRange::start(&file)), &error.failure)
-}
-
-/// The program that a file names cannot be read: reported where it is named.
-fn missing_program(source: &Source, range: TextRange, error: &FileError, renderer: &Renderer) -> Problem {
-    let found = ScenarioError {
-        range,
-        message: error.to_string(),
-        help: Some("a program is named as it is seen from the folder of the scenario file".to_owned()),
-    };
-    Problem {
-        outcome: Outcome::Failed,
-        ..Problem::of(source, &found, renderer)
-    }
 }

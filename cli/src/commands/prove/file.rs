@@ -1,0 +1,168 @@
+//! One file of scenarios: its properties are decided.
+
+use crate::findings::{FileRange, Problem, Source, Workspaces};
+use crate::outcome::Outcome;
+use crate::ready::{Ready, place_of};
+use annotate_snippets::Renderer;
+use ladder_prover::{Answer, Options, Verdict, prove, scenario_of};
+use ladder_simulator::scenario::Form;
+use std::path::Path;
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
+
+/// What is asked of each file.
+pub(super) struct Wishes {
+    pub(super) time: Duration,
+    pub(super) renderer: Renderer,
+    /// Those of the programs.
+    pub(super) workspaces: Mutex<Workspaces>,
+}
+
+/// What came of a file.
+pub(super) struct FileAnswers {
+    /// As it was named.
+    pub(super) file: String,
+    /// The program as the file names it.
+    pub(super) program: String,
+    /// Why nothing was decided.
+    pub(super) problems: Vec<Problem>,
+    pub(super) properties: Vec<PropertyAnswer>,
+    /// Between two scans, in nanoseconds.
+    pub(super) interval: i64,
+    pub(super) seconds: f64,
+}
+
+/// What came of a property.
+pub(super) struct PropertyAnswer {
+    pub(super) name: String,
+    pub(super) place: FileRange,
+    pub(super) answer: Answer,
+    /// Why it is not decided, or what was left open, each with its place in the program.
+    pub(super) open: Vec<(String, Option<FileRange>)>,
+    /// The run that was found.
+    pub(super) scenario: Option<String>,
+}
+
+impl PropertyAnswer {
+    pub(super) fn outcome(&self, allow_unknown: bool) -> Outcome {
+        match self.answer.verdict {
+            Verdict::Proved(_) | Verdict::Possible(_) => Outcome::Fine,
+            Verdict::Unknown(_) if allow_unknown => Outcome::Fine,
+            _ => Outcome::Findings,
+        }
+    }
+
+    /// The scan that violates or has it, from 0.
+    pub(super) fn scan(&self) -> Option<usize> {
+        match &self.answer.verdict {
+            Verdict::Violated(shown) | Verdict::Possible(shown) => shown.scans().checked_sub(1),
+            _ => None,
+        }
+    }
+}
+
+impl FileAnswers {
+    pub(super) fn outcome(&self, allow_unknown: bool) -> Outcome {
+        let problems = self.problems.iter().map(|problem| problem.outcome);
+        let properties = self
+            .properties
+            .iter()
+            .map(|property| property.outcome(allow_unknown));
+        problems.chain(properties).max().unwrap_or(Outcome::Fine)
+    }
+
+    /// The runs that were found.
+    pub(super) fn scenarios(&self) -> Vec<String> {
+        self.properties
+            .iter()
+            .filter_map(|property| property.scenario.clone())
+            .collect()
+    }
+}
+
+/// Decides the properties of a file.
+pub(super) fn answers(path: &Path, wishes: &Wishes) -> FileAnswers {
+    let began = Instant::now();
+    let mut answers = FileAnswers {
+        file: path.display().to_string(),
+        program: String::new(),
+        problems: Vec::new(),
+        properties: Vec::new(),
+        interval: 0,
+        seconds: 0.0,
+    };
+    match ladder_workspace::read(path) {
+        Ok(text) => {
+            let source = Source::new(answers.file.clone(), text);
+            if let Err(problems) = decide(path, &source, wishes, &mut answers) {
+                answers.problems = problems;
+            }
+        }
+        Err(error) => {
+            let place = FileRange::start(&answers.file);
+            answers.problems.push(Problem::unusable(place, &error));
+        }
+    }
+    answers.seconds = began.elapsed().as_secs_f64();
+    answers
+}
+
+fn decide(
+    path: &Path,
+    source: &Source,
+    wishes: &Wishes,
+    answers: &mut FileAnswers,
+) -> Result<(), Vec<Problem>> {
+    let suite = ladder_simulator::scenario::parse(&source.text);
+    if suite.properties.is_empty() && suite.errors.is_empty() {
+        return Ok(());
+    }
+    let ready = Ready::new(path, source, &wishes.renderer, &wishes.workspaces);
+    let Ready {
+        suite,
+        mut watched,
+        mut simulation,
+        program,
+        ..
+    } = ready.map_err(|(problems, _)| problems)?;
+    answers.program = suite.program.map(|(name, _)| name).unwrap_or_default();
+    answers.interval = simulation.options().interval;
+    let options = Options {
+        time: wishes.time,
+        ..Options::default()
+    };
+    let found = prove(&mut simulation, &mut watched, options).map_err(|refuted| {
+        let message = format!(
+            "the prover found a run for \"{}\" that does not happen in the simulator: this is an error in the prover, \
+             please report it with the program",
+            refuted.name
+        );
+        vec![Problem::unusable(FileRange::start(&answers.file), &message)]
+    })?;
+    let files = simulation.program().files.clone();
+    for (property, answer) in watched.properties.into_iter().zip(found) {
+        let scenario = match &answer.verdict {
+            Verdict::Violated(shown) | Verdict::Possible(shown) => {
+                let is_about_faults = matches!(property.form, Form::NoFaults);
+                let name = match &answer.verdict {
+                    Verdict::Possible(_) => format!("{} is possible", property.name),
+                    _ => format!("{} is violated", property.name),
+                };
+                Some(scenario_of(&name, shown, is_about_faults))
+            }
+            _ => None,
+        };
+        let open = answer.open.iter().map(|(what, location)| {
+            let place = location.map(|location| place_of(&program, &files, location));
+            (what.clone(), place)
+        });
+        answers.properties.push(PropertyAnswer {
+            name: property.name,
+            place: FileRange::of(source, property.range),
+            open: open.collect(),
+            scenario,
+            answer,
+        });
+    }
+    Ok(())
+}

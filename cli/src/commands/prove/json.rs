@@ -1,0 +1,135 @@
+//! Answers for machines: one object. Its members are documented; nothing may be renamed.
+
+use super::file::{FileAnswers, PropertyAnswer};
+use super::people::word;
+use crate::findings::Problem;
+use crate::json::to_writer;
+use ladder_analysis::values::value::Value;
+use ladder_prover::{Shown, Times, Verdict};
+use ladder_simulator::{Point, value_text};
+use serde::Serialize;
+use std::io::{self, Write};
+
+#[derive(Serialize)]
+struct All<'a> {
+    files: Vec<File<'a>>,
+    seconds: f64,
+}
+
+#[derive(Serialize)]
+struct File<'a> {
+    file: &'a str,
+    program: &'a str,
+    seconds: f64,
+    interval_ns: i64,
+    /// With the members of the findings of `ladder check`.
+    #[serde(rename = "mistakes")]
+    errors: &'a [Problem],
+    properties: Vec<Property<'a>>,
+}
+
+#[derive(Serialize)]
+struct Property<'a> {
+    name: &'a str,
+    line: u32,
+    column: u32,
+    verdict: &'static str,
+    /// `any` or `exact`: for which times it is proved.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    times: Option<&'static str>,
+    /// In which scan, from 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    scan: Option<usize>,
+    /// How many scans were looked at, where it is not decided.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    scans: Option<usize>,
+    never_triggered: bool,
+    open: Vec<Open<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    trace: Option<Vec<Row<'a>>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    scenario: Option<&'a str>,
+}
+
+#[derive(Serialize)]
+struct Open<'a> {
+    what: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    file: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    line: Option<u32>,
+}
+
+#[derive(Serialize)]
+struct Row<'a> {
+    tag: &'a str,
+    given: bool,
+    /// One for each scan.
+    values: Vec<String>,
+}
+
+fn row((point, values): &(Point, Vec<Value>), given: bool) -> Row<'_> {
+    Row {
+        tag: &point.name,
+        given,
+        values: values
+            .iter()
+            .map(|value| value_text::display(value, point.ty))
+            .collect(),
+    }
+}
+
+fn property(of: &PropertyAnswer) -> Property<'_> {
+    let shown: Option<&Shown> = match &of.answer.verdict {
+        Verdict::Violated(shown) | Verdict::Possible(shown) => Some(shown),
+        _ => None,
+    };
+    let trace = shown.map(|shown| {
+        let given = shown.given.iter().map(|values| row(values, true));
+        let seen = shown.seen.iter().map(|values| row(values, false));
+        given.chain(seen).collect()
+    });
+    Property {
+        name: &of.name,
+        line: of.place.line,
+        column: of.place.column,
+        verdict: word(&of.answer.verdict).0,
+        times: match of.answer.verdict {
+            Verdict::Proved(Times::Any) | Verdict::Impossible(Times::Any) => Some("any"),
+            Verdict::Proved(Times::Exact) | Verdict::Impossible(Times::Exact) => Some("exact"),
+            _ => None,
+        },
+        scan: of.scan(),
+        scans: match of.answer.verdict {
+            Verdict::Unknown(scans) => Some(scans),
+            _ => None,
+        },
+        never_triggered: of.answer.never_triggered,
+        open: (of.open.iter())
+            .map(|(what, place)| Open {
+                what,
+                file: place.as_ref().map(|place| place.file.as_str()),
+                line: place.as_ref().map(|place| place.line),
+            })
+            .collect(),
+        trace,
+        scenario: of.scenario.as_deref(),
+    }
+}
+
+pub(super) fn write(all: &[FileAnswers], seconds: f64, out: &mut dyn Write) -> io::Result<()> {
+    let files = all.iter().map(|answers| File {
+        file: &answers.file,
+        program: &answers.program,
+        seconds: answers.seconds,
+        interval_ns: answers.interval,
+        errors: &answers.problems,
+        properties: answers.properties.iter().map(property).collect(),
+    });
+    let all = All {
+        files: files.collect(),
+        seconds,
+    };
+    to_writer(out, &all)?;
+    writeln!(out)
+}
