@@ -3,6 +3,7 @@
 use crate::decide::{Depth, Known, decide, reach};
 use crate::encode;
 use crate::graph::Lit;
+use crate::lemmas;
 use crate::model::{Model, build};
 pub use crate::replay::Shown;
 use crate::replay::replay;
@@ -110,9 +111,10 @@ pub fn prove(
         }
     }
     let rest: Vec<usize> = (0..answers.len()).filter(|n| answers[*n].is_none()).collect();
-    let exact = build(simulation, watched, encode::Times::Exact);
+    let mut exact = build(simulation, watched, encode::Times::Exact);
     if !rest.is_empty() {
         let targets: Vec<Lit> = rest.iter().map(|n| exact.properties[*n].bad).collect();
+        lemmas::add(&mut exact, &targets, end);
         let depth = Depth {
             base: options.scans,
             step: 20,

@@ -5,6 +5,7 @@
 
 use crate::encode::Input;
 use crate::graph::{Lit, Node};
+use crate::lanes::Lanes;
 use crate::model::Model;
 use crate::unrolled::{Found, From, Unrolled};
 use rustc_hash::FxHashSet;
@@ -42,6 +43,11 @@ pub(crate) struct Run {
     pub(crate) inputs: Vec<Vec<Vec<bool>>>,
 }
 
+/// After so many scans runs are tried before the solver goes on: they reach further.
+const TRIED_AT: usize = 30;
+const TRIED_SCANS: usize = 3_000;
+const TRIED_TIME: Duration = Duration::from_millis(1_500);
+
 /// Conflicts that one question may have.
 const CONFLICTS: u64 = 200_000;
 /// The same for a question of the induction, after which the next scan may help.
@@ -57,6 +63,9 @@ pub(crate) fn decide(model: &Model, targets: &[Lit], depth: Depth) -> (Vec<Known
     let mut reached = vec![0; targets.len()];
     let mut given_up: FxHashSet<usize> = FxHashSet::default();
     for scan in 0..depth.base {
+        if scan == TRIED_AT {
+            try_runs(model, targets, &mut known, depth.end);
+        }
         if known.iter().all(Option::is_some) || Instant::now() >= depth.end {
             break;
         }
@@ -102,6 +111,31 @@ pub(crate) fn decide(model: &Model, targets: &[Lit], depth: Depth) -> (Vec<Known
     let answers = known.into_iter().zip(reached);
     let answers = answers.map(|(known, reached)| known.unwrap_or(Known::NotIn(reached)));
     (answers.collect(), base.clauses() + step.clauses())
+}
+
+/// Runs with inputs that are held for a while: many scans, and some of what is far away happens in them.
+fn try_runs(model: &Model, targets: &[Lit], known: &mut [Option<Known>], end: Instant) {
+    let open: Vec<usize> = (0..targets.len()).filter(|n| known[*n].is_none()).collect();
+    let wanted: Vec<Lit> = open.iter().map(|n| targets[*n]).collect();
+    if wanted.is_empty() {
+        return;
+    }
+    let end = end.min(Instant::now() + TRIED_TIME);
+    for (round, hold) in [(1u64, 64u64), (2, 512), (3, 8)] {
+        let mut lanes = Lanes::new(model, &wanted, round * 0x1234_5677, hold);
+        for _ in 0..TRIED_SCANS {
+            if Instant::now() >= end || open.iter().all(|n| known[*n].is_some()) {
+                return;
+            }
+            lanes.scan();
+            for &n in &open {
+                let found = lanes.value(targets[n]) & lanes.alive;
+                if found != 0 && known[n].is_none() {
+                    known[n] = Some(Known::Found(lanes.run(found.trailing_zeros())));
+                }
+            }
+        }
+    }
 }
 
 /// Those of the open properties that cannot be violated in this scan if none of them was in the scans before.

@@ -10,6 +10,8 @@ mod concrete;
 mod decide;
 mod encode;
 mod graph;
+mod lanes;
+mod lemmas;
 mod model;
 mod number;
 mod replay;

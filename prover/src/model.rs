@@ -19,6 +19,8 @@ pub(crate) struct Model {
     pub(crate) properties: Vec<Target>,
     /// What is assumed of each scan, and what inputs cannot be is excluded.
     pub(crate) assumed: Vec<Lit>,
+    /// What always holds before a scan.
+    pub(crate) lemmas: Vec<Lit>,
 }
 
 /// A property.
@@ -152,6 +154,7 @@ impl<'w, 'c> Builder<'w, 'c> {
             world,
             properties,
             assumed,
+            lemmas: Vec::new(),
         }
     }
 
@@ -205,6 +208,7 @@ impl<'w, 'c> Builder<'w, 'c> {
                 // 0: nothing waits; else one more than the scans that it waits.
                 let most = Number::constant(span.scans(self.interval) as i64 + 1);
                 let (waits, numbers) = self.counter(&most);
+                self.world.waits.push(numbers.clone());
                 let zero = Number::constant(0);
                 let graph = &mut self.world.graph;
                 let waiting = graph.less(&zero, &waits);

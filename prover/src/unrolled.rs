@@ -93,10 +93,21 @@ impl<'m> Unrolled<'m> {
     pub(crate) fn add_scan(&mut self) -> bool {
         self.scans.push(FxHashMap::default());
         let scan = self.scans.len() - 1;
+        if self.from == From::Anywhere {
+            for n in 0..self.model.lemmas.len() {
+                let lemma = self.lit(scan, self.model.lemmas[n]);
+                self.require(lemma);
+            }
+        }
         (0..self.model.assumed.len()).all(|n| {
             let assumed = self.lit(scan, self.model.assumed[n]);
             self.require(assumed)
         })
+    }
+
+    /// Adds a scan of which only what it begins with is looked at.
+    pub(crate) fn add_next(&mut self) {
+        self.scans.push(FxHashMap::default());
     }
 
     /// What a literal of the model is in a scan.
@@ -250,7 +261,8 @@ impl<'m> Unrolled<'m> {
         self.value_of(*of_scan) ^ lit.is_negated()
     }
 
-    fn value_of(&self, lit: Lit) -> bool {
+    /// What a literal is in what was found.
+    pub(crate) fn value_of(&self, lit: Lit) -> bool {
         if let Some(known) = lit.known() {
             return known;
         }

@@ -41,6 +41,10 @@ pub(crate) struct World {
     pub(crate) gaps: Vec<Gap>,
     /// Leaves that are in the place of times.
     pub(crate) times: Vec<Lit>,
+    /// The numbers that say how long a property waits, by their bits among the states.
+    pub(crate) waits: Vec<Vec<usize>>,
+    /// The ages of timers likewise.
+    pub(crate) ages: Vec<Vec<usize>>,
     /// What inputs cannot be is excluded: all are high in each scan.
     pub(crate) valid: Vec<Lit>,
     /// Why nothing can be said of the program at all.
