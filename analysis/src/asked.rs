@@ -3,9 +3,11 @@
 
 /// A word, and what is after it without the blanks around it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Asked<'c> {
-    pub(crate) word: &'c str,
-    pub(crate) after: &'c str,
+pub struct Asked<'c> {
+    /// The word.
+    pub word: &'c str,
+    /// What is after it.
+    pub after: &'c str,
 }
 
 /// What is before the word.
@@ -17,7 +19,7 @@ pub(crate) fn may_ask(text: &str) -> bool {
 }
 
 /// Reads a comment with its signs. None: it is not a directive.
-pub(crate) fn asked(comment: &str) -> Option<Asked<'_>> {
+pub fn asked(comment: &str) -> Option<Asked<'_>> {
     let words = comment.trim_matches('#').trim().strip_prefix(PREFIX)?.trim();
     let end = words.find(|c: char| !is_word(c)).unwrap_or(words.len());
     let (word, after) = words.split_at(end);

@@ -26,7 +26,7 @@
 //! read; [`Program`](program::Program) is what runs. A file with errors has no program.
 
 mod analyze;
-mod asked;
+pub mod asked;
 mod boolean;
 mod checking;
 pub mod context;

@@ -14,7 +14,7 @@ const LANGUAGE: [&str; 6] = [
 ];
 
 /// What a crate may use: those of the language only what is here, the others also all of the language.
-const RULES: [(&str, &[&str]); 16] = [
+const RULES: [(&str, &[&str]); 17] = [
     ("syntax", &[]),
     ("instructions", &[]),
     ("library", &[]),
@@ -27,6 +27,7 @@ const RULES: [(&str, &[&str]); 16] = [
     ("simulator", &[]),
     ("prover", &["simulator"]),
     ("picture", &[]),
+    ("review", &["picture"]),
     ("notation", &[]),
     ("ide", &["simulator"]),
     ("workspace", &["simulator", "notation"]),
@@ -43,6 +44,7 @@ const RULES: [(&str, &[&str]); 16] = [
             "prover",
             "ide",
             "picture",
+            "review",
             "notations",
             "workspace",
             "server",

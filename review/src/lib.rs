@@ -1,0 +1,24 @@
+//! What changed between two ladder programs.
+//!
+//! ```text
+//! Context --outline--> entries: networks, declarations, types, blocks, settings, each with its comments
+//!         --canonical--> what an entry says, without its layout and its comments
+//! two outlines --matching--> which entry of the one is which of the other
+//!              --comparison--> changes: the same, moved, drawn differently, edited, new, gone
+//!                              --drawing--> both rungs, with marks at what changed
+//!                                           --report--> for a terminal, a pull request
+//! ```
+//!
+//! Nothing here reads a file or asks what a program does: a change is one of what is written.
+
+mod canonical;
+pub mod comparison;
+pub mod drawing;
+mod matching;
+pub mod outline;
+pub mod report;
+pub mod verdict;
+
+pub use comparison::{Change, Comparison, compare};
+pub use outline::Outline;
+pub use verdict::Verdict;

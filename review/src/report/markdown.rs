@@ -1,0 +1,69 @@
+//! A comparison for a pull request.
+
+use super::{Compared, heading, summary, text};
+
+/// The report of some files.
+pub fn report(files: &[Compared<'_>]) -> String {
+    let mut out = String::new();
+    let changed = files.iter().filter(|file| file.comparison.differs());
+    for file in changed {
+        let renamed = match (file.old, file.new) {
+            (Some(old), Some(new)) if old != new => format!(" (was {})", code(old)),
+            (None, _) => " (new file)".to_owned(),
+            (_, None) => " (gone)".to_owned(),
+            _ => String::new(),
+        };
+        out.push_str(&format!(
+            "### {}{renamed}\n\n{}\n",
+            code(file.name()),
+            summary(&file.comparison)
+        ));
+        for change in file.comparison.changes.iter().filter(|change| change.is_change()) {
+            out.push_str(&format!("\n{}\n", escaped(&heading(&file.comparison, change))));
+            let mut lines = Vec::new();
+            text::drawn(&file.comparison, change, &mut lines);
+            if lines.is_empty() {
+                continue;
+            }
+            let drawn: Vec<&str> = lines.iter().map(|line| line.text.as_str()).collect();
+            let drawn = drawn.join("\n");
+            let fence = "`".repeat(longest_run(&drawn).max(2) + 1);
+            out.push_str(&format!("\n{fence}diff\n{drawn}\n{fence}\n"));
+        }
+        out.push('\n');
+    }
+    if out.is_empty() {
+        out.push_str("No network, declaration or comment has changed.\n");
+    }
+    out
+}
+
+/// The longest run of backticks.
+fn longest_run(text: &str) -> usize {
+    let runs = text.split(|c| c != '`').map(str::len);
+    runs.max().unwrap_or(0)
+}
+
+/// A text as it is, in the letters of code.
+fn code(text: &str) -> String {
+    let text: String = text.chars().filter(|c| !c.is_control()).collect();
+    let ticks = "`".repeat(longest_run(&text) + 1);
+    let blank = if text.starts_with('`') || text.ends_with('`') {
+        " "
+    } else {
+        ""
+    };
+    format!("{ticks}{blank}{text}{blank}{ticks}")
+}
+
+/// A text in which nothing is markup.
+fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for letter in text.chars().filter(|c| !c.is_control()) {
+        if letter.is_ascii_punctuation() && !matches!(letter, ',' | ':' | '.' | '(' | ')') {
+            out.push('\\');
+        }
+        out.push(letter);
+    }
+    out
+}

@@ -1,0 +1,89 @@
+//! A comparison for people: one file for each form.
+
+pub mod markdown;
+pub mod text;
+
+use crate::comparison::{Change, Comparison};
+use crate::outline::Kind;
+
+/// Two files that are compared, by the names that they go by.
+#[derive(Debug)]
+pub struct Compared<'c> {
+    /// What the old one is called. None: there was none.
+    pub old: Option<&'c str>,
+    /// What the new one is called. None: there is none any more.
+    pub new: Option<&'c str>,
+    /// What changed.
+    pub comparison: Comparison<'c>,
+}
+
+impl Compared<'_> {
+    /// The file as it is called now, or was.
+    pub fn name(&self) -> &str {
+        self.new.or(self.old).unwrap_or_default()
+    }
+}
+
+/// What happened to an entry and where, on one line: `edited network, line 12 (was line 10), writes run`.
+pub fn heading(comparison: &Comparison<'_>, change: &Change<'_>) -> String {
+    let entry = change.entry();
+    let mut heading = String::new();
+    match (change.moved, change.verdict) {
+        (true, crate::Verdict::Same) => heading.push_str("moved"),
+        (true, verdict) => heading.push_str(&format!("moved, {}", verdict.text())),
+        (false, verdict) => heading.push_str(verdict.text()),
+    }
+    heading.push_str(": ");
+    heading.push_str(entry.kind.text());
+    if matches!(entry.kind, Kind::Declaration | Kind::Structure | Kind::Block) && !entry.title.is_empty() {
+        heading.push_str(&format!(" of {}", shortened(&entry.title)));
+    }
+    let line = match (change.old, change.new) {
+        (Some(old), Some(new)) => {
+            let (was, is) = (comparison.old.line(old), comparison.new.line(new));
+            if was == is {
+                format!(", line {is}")
+            } else {
+                format!(", line {is} (was line {was})")
+            }
+        }
+        (None, Some(new)) => format!(", line {}", comparison.new.line(new)),
+        (Some(old), None) => format!(", was line {}", comparison.old.line(old)),
+        (None, None) => String::new(),
+    };
+    heading.push_str(&line);
+    if !entry.place.is_empty() {
+        heading.push_str(&format!(", in {}", entry.place));
+    }
+    if entry.kind == Kind::Network && !entry.title.is_empty() {
+        heading.push_str(&format!(", writes {}", shortened(&entry.title)));
+    }
+    heading
+}
+
+/// A list of names that fits on the line.
+fn shortened(names: &str) -> String {
+    const MOST: usize = 40;
+    match names.char_indices().nth(MOST) {
+        None => names.to_owned(),
+        Some((end, _)) => {
+            let end = names[..end].rfind(", ").unwrap_or(end);
+            format!("{}, ...", &names[..end])
+        }
+    }
+}
+
+/// How many of each, as a sentence: `1 edited, 2 new, 7 the same`.
+pub fn summary(comparison: &Comparison<'_>) -> String {
+    let counts = comparison.counts();
+    let counts = counts.iter().map(|(what, count)| match *what {
+        "same" => format!("{count} the same"),
+        what => format!("{count} {what}"),
+    });
+    let counts: Vec<String> = counts.collect();
+    if counts.is_empty() {
+        "nothing in it".to_owned()
+    } else {
+        counts.join(", ")
+    }
+}

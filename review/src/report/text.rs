@@ -1,0 +1,133 @@
+//! A comparison for a terminal: what changed is drawn, in the old form and the new, what did not is a line.
+
+use super::{Compared, heading, summary};
+use crate::comparison::{Change, Comparison};
+use crate::drawing::{Drawn, draw, draw_both};
+use crate::verdict::Verdict;
+use std::ops::Range;
+
+/// A drawing has this width, so that it fits into 80 columns next to its signs.
+const WIDTH: u32 = 78;
+
+/// A line of the report, without its line end.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Line {
+    /// What it is.
+    pub kind: LineKind,
+    /// What is on it, signs at its beginning included.
+    pub text: String,
+    /// Ranges of bytes in it that differ from the other form.
+    pub marks: Vec<Range<usize>>,
+}
+
+/// What a line of the report is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LineKind {
+    /// The name of a file.
+    File,
+    /// What happened to an entry.
+    Heading,
+    /// Part of the old form.
+    Old,
+    /// Part of the new form.
+    New,
+    /// Part of something that has moved.
+    Moved,
+    /// Signs below a line.
+    Marks,
+    /// Anything else.
+    Plain,
+}
+
+/// The report of two files.
+pub fn report(compared: &Compared<'_>) -> Vec<Line> {
+    let comparison = &compared.comparison;
+    let mut lines = Vec::new();
+    let mut add = |kind, text: String| {
+        lines.push(Line {
+            kind,
+            text,
+            marks: Vec::new(),
+        })
+    };
+    add(
+        LineKind::File,
+        format!("--- {}", compared.old.unwrap_or("(no such file)")),
+    );
+    add(
+        LineKind::File,
+        format!("+++ {}", compared.new.unwrap_or("(no such file)")),
+    );
+    add(LineKind::Plain, format!("    {}", summary(comparison)));
+    changes(comparison, &mut lines);
+    lines
+}
+
+/// The changes of a comparison, each with its heading; what is the same between them is folded into a line.
+pub fn changes(comparison: &Comparison<'_>, lines: &mut Vec<Line>) {
+    let mut same = 0;
+    for change in &comparison.changes {
+        if !change.is_change() {
+            same += usize::from(!change.entry().kind.holds_others());
+            continue;
+        }
+        folded(&mut same, lines);
+        lines.push(plain(LineKind::Plain, String::new()));
+        lines.push(plain(LineKind::Heading, heading(comparison, change)));
+        drawn(comparison, change, lines);
+    }
+    folded(&mut same, lines);
+}
+
+fn folded(same: &mut usize, lines: &mut Vec<Line>) {
+    match std::mem::take(same) {
+        0 => {}
+        same => {
+            lines.push(plain(LineKind::Plain, String::new()));
+            lines.push(plain(LineKind::Plain, format!("    ... {same} the same")));
+        }
+    }
+}
+
+fn plain(kind: LineKind, text: String) -> Line {
+    Line {
+        kind,
+        text,
+        marks: Vec::new(),
+    }
+}
+
+/// Both forms of an entry.
+pub fn drawn(comparison: &Comparison<'_>, change: &Change<'_>, lines: &mut Vec<Line>) {
+    match (change.verdict, change.old, change.new) {
+        (Verdict::Edited | Verdict::Commented, Some(old), Some(new)) => {
+            let (old, new) = draw_both((comparison.old, old), (comparison.new, new), WIDTH);
+            signed('-', LineKind::Old, &old, lines);
+            signed('+', LineKind::New, &new, lines);
+        }
+        (_, None, Some(new)) => signed('+', LineKind::New, &draw(comparison.new, new, WIDTH), lines),
+        (_, Some(old), None) => signed('-', LineKind::Old, &draw(comparison.old, old, WIDTH), lines),
+        (_, _, Some(new)) if change.moved => {
+            signed('>', LineKind::Moved, &draw(comparison.new, new, WIDTH), lines);
+        }
+        _ => {}
+    }
+}
+
+fn signed(sign: char, kind: LineKind, drawn: &Drawn, lines: &mut Vec<Line>) {
+    for line in &drawn.lines {
+        let text = format!("{sign} {}", line.text);
+        lines.push(Line {
+            kind,
+            text: text.trim_end().to_owned(),
+            marks: line
+                .marks
+                .iter()
+                .map(|mark| mark.start + 2..mark.end + 2)
+                .collect(),
+        });
+        if let Some(marks) = line.underline('^') {
+            lines.push(plain(LineKind::Marks, format!("  {marks}")));
+        }
+    }
+}

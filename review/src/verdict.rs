@@ -1,0 +1,47 @@
+//! What became of an entry of a program.
+
+/// What became of an entry from the old text to the new one.
+///
+/// Whether an edited entry does the same as before is not known here: it is a question to a prover, whose answers are
+/// further variants of this enum in the place of [`Verdict::Edited`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Verdict {
+    /// The same, to the letter but for blanks at its ends.
+    Same,
+    /// The same wiring and operands, drawn or spelled differently.
+    Redrawn,
+    /// The same wiring and operands, with other comments.
+    Commented,
+    /// It says something else.
+    Edited,
+    /// Only the new text has it.
+    New,
+    /// Only the old text has it.
+    Gone,
+}
+
+impl Verdict {
+    /// As it is called in reports.
+    pub const fn text(self) -> &'static str {
+        match self {
+            Verdict::Same => "same",
+            Verdict::Redrawn => "drawn differently",
+            Verdict::Commented => "other comments",
+            Verdict::Edited => "edited",
+            Verdict::New => "new",
+            Verdict::Gone => "gone",
+        }
+    }
+
+    /// As it is called in JSON: one word.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Verdict::Same => "same",
+            Verdict::Redrawn => "redrawn",
+            Verdict::Commented => "commented",
+            Verdict::Edited => "edited",
+            Verdict::New => "new",
+            Verdict::Gone => "gone",
+        }
+    }
+}

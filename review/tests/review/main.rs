@@ -1,0 +1,5 @@
+//! Comparisons and merges of programs.
+
+mod compare;
+mod harness;
+mod hostile;
