@@ -1,6 +1,6 @@
 //! What is on the command line.
 
-use crate::commands::{check, convert, dap, explain, fmt, lsp, new, prove, render, sim, tags, test, tree};
+use crate::commands::{check, convert, dap, diff, explain, fmt, lsp, new, prove, render, sim, tags, test, tree};
 #[cfg(feature = "pages")]
 use crate::commands::{completions, man, pages};
 #[cfg(not(feature = "pages"))]
@@ -48,6 +48,7 @@ enum Command {
     Test(test::Arguments),
     Prove(prove::Arguments),
     Render(render::Arguments),
+    Diff(diff::Arguments),
     Tags(tags::Arguments),
     Convert(convert::Arguments),
     Explain(explain::Arguments),
@@ -79,6 +80,7 @@ impl Ladder {
             Command::Test(arguments) => test::run(&arguments),
             Command::Prove(arguments) => prove::run(&arguments),
             Command::Render(arguments) => render::run(&arguments),
+            Command::Diff(arguments) => diff::run(&arguments),
             Command::Tags(arguments) => tags::run(&arguments),
             Command::Convert(arguments) => convert::run(&arguments),
             Command::Explain(arguments) => explain::run(&arguments),

@@ -26,9 +26,7 @@ pub fn report(files: &[Compared<'_>]) -> String {
                 continue;
             }
             let drawn: Vec<&str> = lines.iter().map(|line| line.text.as_str()).collect();
-            let drawn = drawn.join("\n");
-            let fence = "`".repeat(longest_run(&drawn).max(2) + 1);
-            out.push_str(&format!("\n{fence}diff\n{drawn}\n{fence}\n"));
+            out.push_str(&format!("\n{}", fenced(&drawn.join("\n"))));
         }
         out.push('\n');
     }
@@ -36,6 +34,17 @@ pub fn report(files: &[Compared<'_>]) -> String {
         out.push_str("No network, declaration or comment has changed.\n");
     }
     out
+}
+
+/// The report of a file whose lines have their signs already.
+pub fn lines(name: &str, lines: &[String]) -> String {
+    format!("### {}\n\n{}\n", code(name), fenced(&lines.join("\n")))
+}
+
+/// A block of lines that nothing in them ends.
+fn fenced(lines: &str) -> String {
+    let fence = "`".repeat(longest_run(lines).max(2) + 1);
+    format!("{fence}diff\n{lines}\n{fence}\n")
 }
 
 /// The longest run of backticks.

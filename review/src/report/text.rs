@@ -9,6 +9,9 @@ use std::ops::Range;
 /// A drawing has this width, so that it fits into 80 columns next to its signs.
 const WIDTH: u32 = 78;
 
+/// What stands for the name of a file that is not there.
+const NO_FILE: &str = "(no such file)";
+
 /// A line of the report, without its line end.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Line {
@@ -42,25 +45,28 @@ pub enum LineKind {
 /// The report of two files.
 pub fn report(compared: &Compared<'_>) -> Vec<Line> {
     let comparison = &compared.comparison;
-    let mut lines = Vec::new();
-    let mut add = |kind, text: String| {
-        lines.push(Line {
-            kind,
-            text,
-            marks: Vec::new(),
-        })
-    };
-    add(
-        LineKind::File,
-        format!("--- {}", compared.old.unwrap_or("(no such file)")),
-    );
-    add(
-        LineKind::File,
-        format!("+++ {}", compared.new.unwrap_or("(no such file)")),
-    );
-    add(LineKind::Plain, format!("    {}", summary(comparison)));
+    let mut lines = settings(compared.old, compared.new, &[]);
+    lines.push(plain(LineKind::Plain, format!("    {}", summary(comparison))));
     changes(comparison, &mut lines);
     lines
+}
+
+/// The report of two settings files, of whose lines the signs are known.
+pub fn settings(old: Option<&str>, new: Option<&str>, lines: &[String]) -> Vec<Line> {
+    let name = |name: Option<&str>| name.unwrap_or(NO_FILE).to_owned();
+    let mut report = vec![
+        plain(LineKind::File, format!("--- {}", name(old))),
+        plain(LineKind::File, format!("+++ {}", name(new))),
+    ];
+    report.extend(lines.iter().map(|line| {
+        let kind = match line.as_bytes().first() {
+            Some(b'-') => LineKind::Old,
+            Some(b'+') => LineKind::New,
+            _ => LineKind::Plain,
+        };
+        plain(kind, line.trim_end().to_owned())
+    }));
+    report
 }
 
 /// The changes of a comparison, each with its heading; what is the same between them is folded into a line.

@@ -1,0 +1,39 @@
+//! `ladder.toml`, compared line by line.
+
+use similar::{ChangeTag, TextDiff};
+
+/// What changed in a settings file.
+pub(super) struct SettingsDiff {
+    pub(super) old: Option<String>,
+    pub(super) new: Option<String>,
+    /// Its lines with their signs; what is the same is left out but for some lines around what is not.
+    pub(super) lines: Vec<String>,
+}
+
+impl SettingsDiff {
+    /// Compares two texts. None: they are the same.
+    pub(super) fn new(old: Option<(&str, &str)>, new: Option<(&str, &str)>) -> Option<SettingsDiff> {
+        let text = |side: Option<(&str, &str)>| side.map_or_else(String::new, |(_, text)| text.to_owned());
+        let (was, is) = (text(old), text(new));
+        if was == is && old.is_some() == new.is_some() {
+            return None;
+        }
+        let mut lines = Vec::new();
+        for hunk in TextDiff::from_lines(&was, &is).unified_diff().iter_hunks() {
+            for change in hunk.iter_changes() {
+                let sign = match change.tag() {
+                    ChangeTag::Delete => '-',
+                    ChangeTag::Insert => '+',
+                    ChangeTag::Equal => ' ',
+                };
+                lines.push(format!("{sign} {}", change.value().trim_end()));
+            }
+        }
+        let name = |side: Option<(&str, &str)>| side.map(|(name, _)| name.to_owned());
+        Some(SettingsDiff {
+            old: name(old),
+            new: name(new),
+            lines,
+        })
+    }
+}

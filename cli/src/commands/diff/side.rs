@@ -1,0 +1,189 @@
+//! What is compared: a file, a folder, or one of them as git has it in a revision.
+
+use crate::findings::Source;
+use crate::form::{self, Form};
+use crate::git::objects::{self, Object, Objects};
+use crate::outcome::Failure;
+use ladder_notations::{Companion, Foreign, Notation};
+use ladder_workspace::{MAX_FILE_BYTES, SETTINGS_FILE, is_program};
+use std::collections::BTreeMap;
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+
+/// One side of a comparison.
+pub(super) enum Side {
+    /// One program.
+    File(File),
+    /// Programs and settings by their paths in a folder.
+    Folder(BTreeMap<String, File>),
+    /// No file: what git names where one was added or deleted.
+    Nothing,
+}
+
+/// A file that can be read.
+pub(super) struct File {
+    /// What it is called.
+    pub(super) name: String,
+    place: Place,
+}
+
+enum Place {
+    Disk(PathBuf),
+    /// A name that git knows the content by.
+    Git(String),
+}
+
+impl Side {
+    /// What an argument means.
+    ///
+    /// # Errors
+    /// There is nothing of that name.
+    pub(super) fn of(argument: &Path) -> Result<Side, Failure> {
+        if argument == Path::new("/dev/null") {
+            return Ok(Side::Nothing);
+        }
+        let name = argument.display().to_string();
+        if argument.is_dir() {
+            return Ok(Side::Folder(folder(argument)?));
+        }
+        let text = argument.to_str().filter(|text| objects::is_meant(text));
+        let Some(text) = text.filter(|_| argument.symlink_metadata().is_err()) else {
+            return Ok(Side::File(File {
+                name,
+                place: Place::Disk(argument.to_owned()),
+            }));
+        };
+        match Objects::open()?.read(text)? {
+            Object::File(_) => Ok(Side::File(File {
+                name,
+                place: Place::Git(text.to_owned()),
+            })),
+            Object::Folder(id) => {
+                let files = objects::list(&id)?.into_iter();
+                let files = files.filter(|file| is_compared(Path::new(&file.path)));
+                let files = files.map(|file| {
+                    let slash = if text.ends_with([':', '/']) { "" } else { "/" };
+                    let name = format!("{text}{slash}{}", file.path);
+                    let place = Place::Git(file.id);
+                    (file.path, File { name, place })
+                });
+                Ok(Side::Folder(files.collect()))
+            }
+        }
+    }
+}
+
+/// Whether a file of a folder is compared: the programs and the settings.
+fn is_compared(path: &Path) -> bool {
+    is_program(path) || is_settings(path)
+}
+
+pub(super) fn is_settings(path: &Path) -> bool {
+    path.file_name() == Some(OsStr::new(SETTINGS_FILE))
+}
+
+fn folder(folder: &Path) -> Result<BTreeMap<String, File>, Failure> {
+    let (found, errors) = ladder_workspace::find_files(&[folder.to_owned()], &is_compared);
+    if let Some(error) = errors.into_iter().next() {
+        return Err(error.into());
+    }
+    let files = found.into_iter().map(|path| {
+        let below = path.strip_prefix(folder).unwrap_or(&path);
+        let parts: Vec<_> = below.iter().map(OsStr::to_string_lossy).collect();
+        let name = path.display().to_string();
+        (
+            parts.join("/"),
+            File {
+                name,
+                place: Place::Disk(path),
+            },
+        )
+    });
+    Ok(files.collect())
+}
+
+impl File {
+    /// What it holds.
+    ///
+    /// # Errors
+    /// It cannot be read.
+    pub(super) fn bytes(&self, objects: &mut Option<Objects>) -> Result<Vec<u8>, Failure> {
+        match &self.place {
+            Place::Disk(path) => Ok(ladder_workspace::read_bytes(path)?),
+            Place::Git(name) => match open(objects)?.read(name)? {
+                Object::File(bytes) => Ok(bytes),
+                Object::Folder(_) => Err(Failure::new(format!("{}: this is a folder", self.name))),
+            },
+        }
+    }
+
+    /// Its ladder text: as it is, or what a program of another system becomes.
+    ///
+    /// # Errors
+    /// It is no program.
+    pub(super) fn text(&self, bytes: Vec<u8>, objects: &mut Option<Objects>) -> Result<String, Failure> {
+        let path = Path::new(&self.name);
+        match &self.place {
+            Place::Disk(path) => Ok(Source::of_bytes(path, bytes, None)?.text),
+            Place::Git(name) => match form::of_program(path, &bytes)? {
+                Form::Ladder => Ok(ladder_workspace::decode(path, bytes)?),
+                Form::Foreign(notation) => {
+                    let companions = companions(notation, name, open(objects)?)?;
+                    let stem = path.file_stem().map(OsStr::to_string_lossy);
+                    let source = ladder_notations::Source {
+                        name: stem.unwrap_or_default(),
+                        bytes: &bytes,
+                        companions,
+                    };
+                    let read = Foreign::read(notation, &source);
+                    let foreign = read.map_err(|error| Failure::broken(path, &error))?;
+                    Ok(foreign.ladder().to_owned())
+                }
+            },
+        }
+    }
+}
+
+fn open(objects: &mut Option<Objects>) -> Result<&mut Objects, Failure> {
+    match objects {
+        Some(open) => Ok(open),
+        None => Ok(objects.insert(Objects::open()?)),
+    }
+}
+
+/// The files of the same revision that belong to a program of another system.
+fn companions(notation: &dyn Notation, name: &str, objects: &mut Objects) -> Result<Vec<Companion>, Failure> {
+    let Some((revision, path)) = name.split_once(':') else {
+        return Ok(Vec::new());
+    };
+    let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
+    let stem = Path::new(path).file_stem().map(OsStr::to_string_lossy);
+    let stem = stem.unwrap_or_default();
+    let Ok(Object::Folder(id)) = objects.read(&format!("{revision}:{folder}")) else {
+        return Ok(Vec::new());
+    };
+    let own = path.rsplit('/').next().unwrap_or(path);
+    let is_near = |file: &str| match file.split_once('/') {
+        None => file != own,
+        Some((inner, name)) => notation.companion_folder() == Some(inner) && !name.contains('/'),
+    };
+    let mut companions = Vec::new();
+    let mut size = 0;
+    let listed = objects::list(&id)?;
+    let wanted = |file: &&objects::Listed| is_near(&file.path) && notation.has_companion(&stem, &file.path);
+    for file in listed.iter().filter(wanted).take(100) {
+        if let Object::File(bytes) = objects.read(&file.id)? {
+            size += bytes.len();
+            if size > MAX_FILE_BYTES {
+                return Err(Failure::new(format!(
+                    "{name}: what belongs to it is larger than 64 MiB"
+                )));
+            }
+            companions.push(Companion {
+                name: file.path.clone(),
+                bytes,
+            });
+        }
+    }
+    Ok(companions)
+}

@@ -1,0 +1,56 @@
+//! git as another program: its objects are read through standard input, so that nothing of a name is an option to it.
+
+pub(crate) mod objects;
+
+use crate::outcome::Failure;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+/// A command of git in a folder, which runs no hook and no program of the repository's settings, asks nobody, and fetches nothing.
+pub(crate) fn command(folder: &Path) -> Command {
+    let mut command = Command::new("git");
+    command
+        .current_dir(folder)
+        .args(["--no-pager", "--no-optional-locks"])
+        .args(["-c", "core.fsmonitor=false", "-c", "core.hooksPath=/dev/null"])
+        .env("GIT_NO_LAZY_FETCH", "1")
+        .env("GIT_TERMINAL_PROMPT", "0")
+        .stdin(Stdio::null());
+    command
+}
+
+/// Runs a command of git to its end.
+///
+/// # Errors
+/// There is no git.
+pub(crate) fn output(command: &mut Command) -> Result<Output, Failure> {
+    command.output().map_err(|error| not_started(&error))
+}
+
+pub(crate) fn not_started(error: &std::io::Error) -> Failure {
+    Failure::new(format!("git cannot be started: {error}"))
+}
+
+/// What git says of an error, on one line.
+pub(crate) fn said(output: &Output) -> String {
+    let said = String::from_utf8_lossy(&output.stderr);
+    let said = said.trim().trim_start_matches("fatal: ");
+    if said.is_empty() {
+        "git could not do it".to_owned()
+    } else {
+        said.to_owned()
+    }
+}
+
+/// The top of the repository that a folder is in.
+///
+/// # Errors
+/// It is in none.
+pub(crate) fn top(folder: &Path) -> Result<PathBuf, Failure> {
+    let output = output(command(folder).args(["rev-parse", "--show-toplevel"]))?;
+    if !output.status.success() {
+        return Err(Failure::new(said(&output)));
+    }
+    let path = String::from_utf8_lossy(&output.stdout);
+    Ok(PathBuf::from(path.trim_end_matches(['\n', '\r'])))
+}
