@@ -86,7 +86,8 @@ pub fn compare<'o>(old: &'o Outline, new: &'o Outline) -> Comparison<'o> {
 
 impl<'o> Comparison<'o> {
     fn level(&mut self, old: &'o [Entry], new: &'o [Entry]) {
-        let pairs = pairs(old, new);
+        let refs = |entries: &'o [Entry]| -> Vec<&'o Entry> { entries.iter().collect() };
+        let pairs = pairs(&refs(old), &refs(new));
         let mut of_new: Vec<Option<Pair>> = vec![None; new.len()];
         let mut stays = vec![None; old.len()];
         for pair in pairs {

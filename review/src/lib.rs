@@ -1,4 +1,4 @@
-//! What changed between two ladder programs.
+//! What changed between two ladder programs, and merges of such changes.
 //!
 //! ```text
 //! Context --outline--> entries: networks, declarations, types, blocks, settings, each with its comments
@@ -7,6 +7,7 @@
 //!              --comparison--> changes: the same, moved, drawn differently, edited, new, gone
 //!                              --drawing--> both rungs, with marks at what changed
 //!                                           --report--> for a terminal, a pull request
+//! three outlines --merge--> one text, with a conflict where both sides edited the same entry
 //! ```
 //!
 //! Nothing here reads a file or asks what a program does: a change is one of what is written.
@@ -15,10 +16,12 @@ mod canonical;
 pub mod comparison;
 pub mod drawing;
 mod matching;
+pub mod merge;
 pub mod outline;
 pub mod report;
 pub mod verdict;
 
 pub use comparison::{Change, Comparison, compare};
+pub use merge::{Merged, NotMerged, Sides, merge};
 pub use outline::Outline;
 pub use verdict::Verdict;

@@ -31,7 +31,7 @@ const MOST_CANDIDATES: usize = 64;
 type Key<'e> = (Kind, &'e str, usize);
 
 /// Of two lists of entries those that are one, in the order of the new list.
-pub(crate) fn pairs(old: &[Entry], new: &[Entry]) -> Vec<Pair> {
+pub(crate) fn pairs(old: &[&Entry], new: &[&Entry]) -> Vec<Pair> {
     let (old_keys, new_keys) = (keys(old), keys(new));
     let mut found: Vec<Option<(usize, bool)>> = vec![None; new.len()];
     let mut taken = vec![false; old.len()];
@@ -52,7 +52,7 @@ pub(crate) fn pairs(old: &[Entry], new: &[Entry]) -> Vec<Pair> {
 }
 
 /// What distinguishes each entry. Sections of one kind are told apart by their number, whatever they hold.
-fn keys(entries: &[Entry]) -> Vec<Key<'_>> {
+fn keys<'e>(entries: &[&'e Entry]) -> Vec<Key<'e>> {
     let mut sections: HashMap<&str, usize> = HashMap::new();
     let keys = entries.iter().map(|entry| {
         let key = entry.said.key.as_str();
@@ -88,7 +88,7 @@ fn equal_elsewhere(
 }
 
 /// Pairs what is left by common names and likeness, the most alike first.
-fn edited(old: &[Entry], new: &[Entry], found: &mut [Option<(usize, bool)>], taken: &mut [bool]) {
+fn edited(old: &[&Entry], new: &[&Entry], found: &mut [Option<(usize, bool)>], taken: &mut [bool]) {
     let old_left: Vec<usize> = (0..old.len()).filter(|at| !taken[*at]).collect();
     let mut by_name: HashMap<(Kind, &Name), Vec<usize>> = HashMap::new();
     for &at in &old_left {
@@ -109,7 +109,7 @@ fn edited(old: &[Entry], new: &[Entry], found: &mut [Option<(usize, bool)>], tak
         }
         candidates.extend(nearest(&old_left, place_before(found, at)));
         for other in candidates {
-            let likeness = likeness(&old[other], entry);
+            let likeness = likeness(old[other], entry);
             if likeness > ALIKE {
                 likely.push((likeness, other, at));
             }

@@ -3,3 +3,5 @@
 mod compare;
 mod harness;
 mod hostile;
+mod merge;
+mod merge_properties;
