@@ -1,6 +1,8 @@
 //! What is on the command line.
 
-use crate::commands::{check, convert, dap, diff, explain, fmt, lsp, new, prove, render, sim, tags, test, tree};
+use crate::commands::{
+    check, convert, dap, diff, explain, fmt, git, lsp, merge, new, prove, render, sim, tags, test, tree,
+};
 #[cfg(feature = "pages")]
 use crate::commands::{completions, man, pages};
 #[cfg(not(feature = "pages"))]
@@ -23,6 +25,8 @@ Examples:
   ladder prove .                  prove what must hold in every run
   ladder convert old.cplc -o motor.clad
                                   programs of other systems
+  ladder diff HEAD:motor.clad motor.clad
+                                  what changed, network by network
   ladder explain TON              how the on-delay timer works
   ladder help sim                 all about one of the commands
 
@@ -49,6 +53,8 @@ enum Command {
     Prove(prove::Arguments),
     Render(render::Arguments),
     Diff(diff::Arguments),
+    Merge(merge::Arguments),
+    Git(git::Arguments),
     Tags(tags::Arguments),
     Convert(convert::Arguments),
     Explain(explain::Arguments),
@@ -81,6 +87,8 @@ impl Ladder {
             Command::Prove(arguments) => prove::run(&arguments),
             Command::Render(arguments) => render::run(&arguments),
             Command::Diff(arguments) => diff::run(&arguments),
+            Command::Merge(arguments) => merge::run(&arguments),
+            Command::Git(arguments) => git::run(&arguments),
             Command::Tags(arguments) => tags::run(&arguments),
             Command::Convert(arguments) => convert::run(&arguments),
             Command::Explain(arguments) => explain::run(&arguments),

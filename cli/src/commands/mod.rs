@@ -8,9 +8,11 @@ pub(crate) mod dap;
 pub(crate) mod diff;
 pub(crate) mod explain;
 pub(crate) mod fmt;
+pub(crate) mod git;
 pub(crate) mod lsp;
 #[cfg(feature = "pages")]
 pub(crate) mod man;
+pub(crate) mod merge;
 pub(crate) mod new;
 #[cfg(feature = "pages")]
 pub(crate) mod pages;

@@ -3,7 +3,7 @@
 pub(crate) mod objects;
 
 use crate::outcome::Failure;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
 /// A command of git in a folder, which runs no hook and no program of the repository's settings, asks nobody, and fetches nothing.
@@ -40,17 +40,4 @@ pub(crate) fn said(output: &Output) -> String {
     } else {
         said.to_owned()
     }
-}
-
-/// The top of the repository that a folder is in.
-///
-/// # Errors
-/// It is in none.
-pub(crate) fn top(folder: &Path) -> Result<PathBuf, Failure> {
-    let output = output(command(folder).args(["rev-parse", "--show-toplevel"]))?;
-    if !output.status.success() {
-        return Err(Failure::new(said(&output)));
-    }
-    let path = String::from_utf8_lossy(&output.stdout);
-    Ok(PathBuf::from(path.trim_end_matches(['\n', '\r'])))
 }

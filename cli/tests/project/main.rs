@@ -9,5 +9,7 @@ mod formatting;
 mod generated;
 #[cfg(unix)]
 mod git;
+#[cfg(unix)]
+mod git_setup;
 mod options;
 mod traces;

@@ -8,7 +8,7 @@ pub fn report(files: &[Compared<'_>]) -> String {
     let changed = files.iter().filter(|file| file.comparison.differs());
     for file in changed {
         let renamed = match (file.old, file.new) {
-            (Some(old), Some(new)) if old != new => format!(" (was {})", code(old)),
+            (Some(old), Some(new)) if path(old) != path(new) => format!(" (was {})", code(old)),
             (None, _) => " (new file)".to_owned(),
             (_, None) => " (gone)".to_owned(),
             _ => String::new(),
@@ -34,6 +34,13 @@ pub fn report(files: &[Compared<'_>]) -> String {
         out.push_str("No network, declaration or comment has changed.\n");
     }
     out
+}
+
+/// A name without the revision that it is of.
+fn path(name: &str) -> &str {
+    name.rsplit_once(':')
+        .map_or(name, |(_, path)| path)
+        .trim_start_matches("./")
 }
 
 /// The report of a file whose lines have their signs already.

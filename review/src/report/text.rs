@@ -2,7 +2,7 @@
 
 use super::{Compared, heading, summary};
 use crate::comparison::{Change, Comparison};
-use crate::drawing::{Drawn, draw, draw_both};
+use crate::drawing::{Drawn, DrawnLine, draw, draw_both};
 use crate::verdict::Verdict;
 use std::ops::Range;
 
@@ -108,20 +108,35 @@ pub fn drawn(comparison: &Comparison<'_>, change: &Change<'_>, lines: &mut Vec<L
     match (change.verdict, change.old, change.new) {
         (Verdict::Edited | Verdict::Commented, Some(old), Some(new)) => {
             let (old, new) = draw_both((comparison.old, old), (comparison.new, new), WIDTH);
-            signed('-', LineKind::Old, &old, lines);
-            signed('+', LineKind::New, &new, lines);
+            let common = common_comments(&old, &new);
+            let (above, old_rest) = old.lines.split_at(common);
+            signed(' ', LineKind::Plain, above, lines);
+            signed('-', LineKind::Old, old_rest, lines);
+            signed('+', LineKind::New, &new.lines[common..], lines);
         }
-        (_, None, Some(new)) => signed('+', LineKind::New, &draw(comparison.new, new, WIDTH), lines),
-        (_, Some(old), None) => signed('-', LineKind::Old, &draw(comparison.old, old, WIDTH), lines),
+        (_, None, Some(new)) => signed('+', LineKind::New, &draw(comparison.new, new, WIDTH).lines, lines),
+        (_, Some(old), None) => signed('-', LineKind::Old, &draw(comparison.old, old, WIDTH).lines, lines),
         (_, _, Some(new)) if change.moved => {
-            signed('>', LineKind::Moved, &draw(comparison.new, new, WIDTH), lines);
+            signed(
+                '>',
+                LineKind::Moved,
+                &draw(comparison.new, new, WIDTH).lines,
+                lines,
+            );
         }
         _ => {}
     }
 }
 
-fn signed(sign: char, kind: LineKind, drawn: &Drawn, lines: &mut Vec<Line>) {
-    for line in &drawn.lines {
+/// How many lines of comments above both forms are the same.
+fn common_comments(old: &Drawn, new: &Drawn) -> usize {
+    let both = old.lines.iter().zip(&new.lines);
+    both.take_while(|(old, new)| old == new && old.marks.is_empty() && old.text.starts_with('#'))
+        .count()
+}
+
+fn signed(sign: char, kind: LineKind, drawn: &[DrawnLine], lines: &mut Vec<Line>) {
+    for line in drawn {
         let text = format!("{sign} {}", line.text);
         lines.push(Line {
             kind,

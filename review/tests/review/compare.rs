@@ -89,11 +89,10 @@ fn an_edit_is_marked_in_both_forms() {
                 ... 1 the same
 
             edited: network, line 15, writes run
-            - # Start/stop with a seal-in contact #
+              # Start/stop with a seal-in contact #
             - +--\--[ ]( start )--\--[/]( stop )-------------------------------( )( run )--+
                                      ^^^^^^^^^^^
             - |  /--[ ]( run )----/                                                        |
-            + # Start/stop with a seal-in contact #
             + +--\--[ ]( start )--\--[ ]( stop )-------------------------------( )( run )--+
                                      ^^^^^^^^^^^
             + |  /--[ ]( run )----/                                                        |
