@@ -8,6 +8,7 @@
 //!         --draw----> shapes on Paper, each knowing which part of the program it shows: a Scene
 //!                         --svg---> a document for screens
 //!                         --sheet-> pages for a printer, still as shapes
+//!                         --excerpt--> one network with marks, for a page
 //!                         --live--> networks one by one, for a page that shows their power
 //!         --letters--> the same drawn with characters, at rest or live
 //! ```
@@ -18,6 +19,7 @@
 mod columns;
 mod comment;
 mod draw;
+pub mod excerpt;
 mod figure;
 mod glyph;
 mod grid;

@@ -5,6 +5,7 @@ use crate::outline::{Entry, Kind, Outline};
 use ladder_analysis::Others;
 use ladder_analysis::context::Context;
 use ladder_analysis::names::join::context;
+use ladder_analysis::networks::BlockAt;
 use ladder_format::{Options, display_width, format_text};
 use ladder_syntax::SyntaxKind::{BOM, COMMENT, NEWLINE, STRING, WHITESPACE};
 use ladder_syntax::wiring::{self, PartKind};
@@ -47,6 +48,47 @@ pub fn draw_both(old: (&Outline, &Entry), new: (&Outline, &Entry), width: u32) -
         }
     }
     (old.drawn(&gone), new.drawn(&added))
+}
+
+/// The parts of two networks (rung, and which part of it) that the other has not.
+pub fn changed_parts(
+    old: (&Outline, &Entry),
+    new: (&Outline, &Entry),
+) -> (Vec<(usize, usize)>, Vec<(usize, usize)>) {
+    let (old, new) = (parts(old.0, old.1), parts(new.0, new.1));
+    let keys = |parts: &[Part]| -> Vec<String> { parts.iter().map(|(key, _)| key.clone()).collect() };
+    let (mut gone, mut added) = (Vec::new(), Vec::new());
+    for op in capture_diff_slices(Algorithm::Myers, &keys(&old), &keys(&new)) {
+        if op.tag() != DiffTag::Equal {
+            gone.extend(old[op.old_range()].iter().filter_map(|(_, part)| *part));
+            added.extend(new[op.new_range()].iter().filter_map(|(_, part)| *part));
+        }
+    }
+    (gone, added)
+}
+
+/// What a part of a network says, and which it is; between rungs one that is none.
+type Part = (String, Option<(usize, usize)>);
+
+fn parts(outline: &Outline, entry: &Entry) -> Vec<Part> {
+    let mut parts = Vec::new();
+    let Some(network) = entry.network.map(|index| outline.context.networks.at(index)) else {
+        return parts;
+    };
+    let mut blocks = network.blocks().peekable();
+    for (rung, drawn) in network.wiring.rungs.iter().enumerate() {
+        parts.push(("\n".to_owned(), None));
+        for (number, part) in drawn.parts.iter().enumerate() {
+            let is_here = |block: &BlockAt<'_>| (block.facts.rung, block.facts.part) == (rung, number);
+            let key = match part.kind {
+                PartKind::Wire | PartKind::Bar => continue,
+                PartKind::Block => blocks.next_if(is_here).map(canonical::block).unwrap_or_default(),
+                kind => format!("{kind:?}"),
+            };
+            parts.push((key, Some((rung, number))));
+        }
+    }
+    parts
 }
 
 /// The text of an entry, and the pieces that can differ.

@@ -112,7 +112,8 @@ fn nothing_is_written_that_nobody_said_yes_to() {
           + merge.ladder.name = networks and declarations of ladder programs
           + merge.ladder.driver = ladder merge --path=%P %O %A %B
         note: nothing is written; `--yes` writes it
-    "#]].assert_eq(&said);
+    "#]]
+    .assert_eq(&said);
     assert_eq!(repository.read(".git/config"), before);
     assert!(!repository.read(".git/info/attributes").contains("clad"));
 }

@@ -1,5 +1,6 @@
 //! A comparison for people: one file for each form.
 
+pub mod html;
 pub mod markdown;
 pub mod text;
 

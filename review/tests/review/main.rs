@@ -5,3 +5,4 @@ mod harness;
 mod hostile;
 mod merge;
 mod merge_properties;
+mod pages;

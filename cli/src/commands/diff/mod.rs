@@ -13,7 +13,7 @@ use clap::{Args, ValueEnum};
 use ladder_analysis::Others;
 use ladder_analysis::names::join::context;
 use ladder_review::report::text::{Line, LineKind};
-use ladder_review::report::{Compared, markdown, text};
+use ladder_review::report::{Compared, html, markdown, text};
 use ladder_review::{Outline, compare};
 use ladder_workspace::shown;
 use settings::SettingsDiff;
@@ -31,6 +31,8 @@ Examples:
   ladder diff v1:plant/ v2:plant/            two revisions of a folder
   ladder diff motor.L5X motor.clad           other systems' files, as they are
   ladder diff HEAD: . --format markdown      for a pull request
+  ladder diff HEAD: . --format html -o changes.html
+                                             pictures next to each other
 
 Exit status: 0 the same, 1 something is different, 2 a file cannot be read.";
 
@@ -66,6 +68,8 @@ pub(crate) struct Arguments {
 enum Format {
     /// For a terminal
     Text,
+    /// A page for a browser, with pictures next to each other
+    Html,
     /// For a pull request
     Markdown,
     /// One array of objects
@@ -106,7 +110,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let mut out = Output::open(arguments.output.as_deref(), Existing::by(arguments.force))?;
     match arguments.format {
         Format::Text => write_text(&compared, &settings, &mut out)?,
-        Format::Markdown => out.write_text(&markdown_of(&compared, &settings))?,
+        Format::Html => {
+            let settings: Vec<(&str, &[String])> = settings
+                .iter()
+                .map(|diff| (diff.name(), &diff.lines[..]))
+                .collect();
+            write_escaped(&html::report(&compared, &settings), &mut out)?;
+        }
+        Format::Markdown => write_escaped(&markdown_of(&compared, &settings), &mut out)?,
         Format::Json => {
             let files = compared.iter().map(json::File::program);
             let files: Vec<_> = files.chain(settings.iter().map(json::File::settings)).collect();
@@ -180,6 +191,11 @@ fn outline(side: &Option<(String, String)>) -> Outline {
     Outline::new(Arc::new(context(&parse, name, &Others::alone())))
 }
 
+/// Writes a report. What turns the order of letters is written out in a file as well: a reader is to see what changed.
+fn write_escaped(report: &str, out: &mut Output) -> std::io::Result<()> {
+    out.write_all(shown::text(report).as_bytes())
+}
+
 fn markdown_of(compared: &[Compared<'_>], settings: &[SettingsDiff]) -> String {
     let mut out = if compared.is_empty() && !settings.is_empty() {
         String::new()
@@ -187,8 +203,7 @@ fn markdown_of(compared: &[Compared<'_>], settings: &[SettingsDiff]) -> String {
         markdown::report(compared)
     };
     for diff in settings {
-        let name = diff.new.as_deref().or(diff.old.as_deref()).unwrap_or_default();
-        out.push_str(&markdown::lines(name, &diff.lines));
+        out.push_str(&markdown::lines(diff.name(), &diff.lines));
     }
     out
 }

@@ -11,6 +11,11 @@ pub(super) struct SettingsDiff {
 }
 
 impl SettingsDiff {
+    /// What the file is called now, or was.
+    pub(super) fn name(&self) -> &str {
+        self.new.as_deref().or(self.old.as_deref()).unwrap_or_default()
+    }
+
     /// Compares two texts. None: they are the same.
     pub(super) fn new(old: Option<(&str, &str)>, new: Option<(&str, &str)>) -> Option<SettingsDiff> {
         let text = |side: Option<(&str, &str)>| side.map_or_else(String::new, |(_, text)| text.to_owned());
