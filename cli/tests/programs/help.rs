@@ -4,13 +4,16 @@ use crate::harness::Folder;
 use expect_test::expect_file;
 
 /// Every command of `ladder`.
-const COMMANDS: [&str; 12] = [
+const COMMANDS: [&str; 15] = [
     "new",
     "check",
     "fmt",
     "sim",
     "test",
     "render",
+    "diff",
+    "merge",
+    "git",
     "explain",
     "lsp",
     "tags",

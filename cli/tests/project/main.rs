@@ -12,4 +12,6 @@ mod git;
 #[cfg(unix)]
 mod git_setup;
 mod options;
+#[cfg(unix)]
+mod review_script;
 mod traces;

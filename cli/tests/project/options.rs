@@ -4,13 +4,16 @@ use ladder_tests::{book, project};
 use std::collections::BTreeSet;
 use std::process::Command;
 
-const COMMANDS: [&str; 10] = [
+const COMMANDS: [&str; 13] = [
     "check",
     "fmt",
     "sim",
     "test",
     "render",
     "convert",
+    "diff",
+    "merge",
+    "git",
     "explain",
     "lsp",
     "tree",
@@ -38,6 +41,7 @@ fn the_guide_tells_of_every_option() {
         "--cached",
         "--health",
         "--no-server",
+        "--data-urlencode",
         "--diff-filter",
         "--name-only",
         "--no-textconv",
