@@ -19,6 +19,7 @@ end
 require('language')(t)
 require('scenarios')(t, messages)
 require('conversion')(t, messages)
+require('revisions')(t, messages)
 require('simulating')(t, messages)
 require('changing')(t, messages)
 require('keys')(t, messages)

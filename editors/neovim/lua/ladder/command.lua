@@ -251,6 +251,11 @@ local subcommands = {
       require('ladder.references').open(drawing())
     end,
   },
+  diff = {
+    run = function(arguments)
+      require('ladder.diff').open(buffer(), arguments[1])
+    end,
+  },
   diagram = {
     run = function()
       require('ladder.diagram').toggle(drawing())

@@ -94,4 +94,11 @@ function M.version(program)
   return result.code == 0 and vim.trim(result.stdout):match('^[^\n]+') or nil
 end
 
+--- The program `ladder`: that of the language server, if it is set.
+--- @return string
+function M.ladder()
+  local command = (vim.lsp.config.ladder or {}).cmd
+  return type(command) == 'table' and command[1] or M.command('ladder')
+end
+
 return M

@@ -102,8 +102,7 @@ function M.run(bufnr, scenario)
       vim.cmd('silent update')
     end)
   end
-  local program = (vim.lsp.config.ladder or {}).cmd
-  program = type(program) == 'table' and program[1] or require('ladder.program').command('ladder')
+  local program = require('ladder.program').ladder()
   local folder = vim.fn.getcwd()
   local command = vim.list_extend({ program, 'test', '--format', 'json', '--' }, paths)
   vim.system(command, { text = true, cwd = folder }, vim.schedule_wrap(function(done)
