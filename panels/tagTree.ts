@@ -64,14 +64,14 @@ export function partsOf({ id, tags }: TagGroup): TagGroup[] {
     });
 }
 
-/** What is unfolded of tags: those that do not open, and of those that do what they open into. */
+/** What is unfolded of tags: they themselves, and of those that open what they open into. */
 export function unfolded(tags: readonly Row[], isOpen: (id: string) => boolean, parts: ReadonlyMap<string, readonly Row[]>): Row[] {
     return tags.flatMap((tag) => {
         if (tag.parts === undefined) {
             return [tag];
         }
         const group = opened(tag, parts.get(rowId(tag)) ?? []);
-        return isOpen(group.id) ? unfoldedGroup(group, isOpen, parts) : [];
+        return isOpen(group.id) ? [tag, ...unfoldedGroup(group, isOpen, parts)] : [tag];
     });
 }
 
@@ -106,7 +106,7 @@ export function tagRow(tag: Row): TagRow {
     if (tag.parts !== undefined) {
         return {
             label: tag.name,
-            description: tag.type + (tag.forced ? '  forced' : ''),
+            description: (tag.text === '' ? tag.type : tag.text) + (tag.forced ? '  forced' : ''),
             tooltip: `${tag.name} : ${tag.type}, ${role}`,
             icon: 'symbol-array',
             context: `group ${watched}`,

@@ -28,6 +28,9 @@
 
 (defvar-local ladder--state nil "The last state of the simulation of this buffer; nil without one.")
 (defvar-local ladder--program nil "In a list of tags, the buffer of the program.")
+(defvar-local ladder--running nil "In a list of tags, which session and which of its programs they are of.")
+(defvar-local ladder--roots nil "In a list of tags, those of the program.")
+(defvar-local ladder--opened nil "In a list of tags, an alist of names that are open and what they open into.")
 
 (defvar ladder-simulation-mode-map
   (let ((map (make-sparse-keymap)))
@@ -172,7 +175,8 @@ Without one a tag is asked for, with VERB."
 
 (defvar ladder-tags-mode-map
   (let ((map (make-sparse-keymap)))
-    (define-key map (kbd "RET") #'ladder-toggle)
+    (define-key map (kbd "RET") #'ladder-toggle-or-open)
+    (define-key map (kbd "TAB") #'ladder-open-or-close)
     (define-key map "t" #'ladder-toggle)
     (define-key map "s" #'ladder-set)
     (define-key map "f" #'ladder-force)
@@ -185,17 +189,66 @@ Without one a tag is asked for, with VERB."
   "The tags of a simulated program.
 
 \\{ladder-tags-mode-map}"
-  (setq tabulated-list-format [("Tag" 24 t) ("Value" 14 nil) ("Type" 8 t) ("Role" 8 t)])
+  (setq tabulated-list-format [("Tag" 24 nil) ("Value" 14 nil) ("Type" 8 nil) ("Role" 8 nil)])
   (tabulated-list-init-header))
+
+(defun ladder--search (&rest arguments)
+  "The tags that the server lists for ARGUMENTS, a property list."
+  (let ((found (with-current-buffer (or ladder--program (current-buffer))
+                 (apply #'ladder--request "tags" :session (ladder--session) arguments))))
+    (append (plist-get found :tags) nil)))
+
+(defun ladder--rows (tags depth)
+  "The rows of TAGS, which are in DEPTH others: of what is open, what it opens into is below it."
+  (seq-mapcat (lambda (tag)
+                (let ((name (plist-get tag :name)))
+                  (cons (cons depth tag)
+                        (ladder--rows (cdr (assoc name ladder--opened)) (1+ depth)))))
+              tags))
+
+(defun ladder--row (row now)
+  "ROW as the list shows it, with its value among the tags NOW."
+  (let* ((name (plist-get (cdr row) :name))
+         (tag (or (gethash (downcase name) now) (cdr row)))
+         (sign (cond ((not (plist-get tag :parts)) "") ((assoc name ladder--opened) "- ") (t "+ "))))
+    (list name (vector (concat (make-string (* 2 (car row)) ?\s) sign name)
+                       (ladder--show-value tag) (plist-get tag :type) (plist-get tag :role)))))
 
 (defun ladder--list-tags ()
   "Write the tags into this list of them."
-  (setq tabulated-list-entries
-        (mapcar (lambda (tag)
-                  (let ((name (plist-get tag :name)))
-                    (list name (vector name (ladder--show-value tag) (plist-get tag :type) (plist-get tag :role)))))
-                (ladder--tags)))
-  (tabulated-list-print t))
+  (let* ((state (buffer-local-value 'ladder--state ladder--program))
+         (running (list (plist-get state :session) (plist-get state :program)))
+         (now (make-hash-table :test 'equal)))
+    (unless (equal running ladder--running)
+      (setq ladder--running running ladder--opened nil ladder--roots (ladder--search :of "")))
+    (let* ((rows (ladder--rows ladder--roots 0))
+           (add (lambda (tag) (puthash (downcase (plist-get tag :name)) tag now)))
+           (names (mapcar (lambda (row) (plist-get (cdr row) :name)) rows)))
+      (mapc add (ladder--tags))
+      ;; The state has what has a value, but no elements of long arrays.
+      (when-let ((others (seq-remove (lambda (name) (gethash (downcase name) now)) names)))
+        (mapc add (ladder--search :names (vconcat others))))
+      (setq tabulated-list-entries (mapcar (lambda (row) (ladder--row row now)) rows))
+      (tabulated-list-print t))))
+
+(defun ladder-open-or-close ()
+  "Open the structure, array or state of a block at point, or close it."
+  (interactive)
+  (let ((name (tabulated-list-get-id)))
+    (if (assoc name ladder--opened)
+        (setq ladder--opened (assoc-delete-all name ladder--opened))
+      (when-let ((parts (and name (ladder--search :of name))))
+        (push (cons name parts) ladder--opened)))
+    (ladder--list-tags)))
+
+(defun ladder-toggle-or-open ()
+  "Invert the tag at point, or open or close it if it opens."
+  (interactive)
+  (let ((name (tabulated-list-get-id)))
+    (if (seq-find (lambda (row) (and (equal (plist-get (cdr row) :name) name) (plist-get (cdr row) :parts)))
+                  (ladder--rows ladder--roots 0))
+        (ladder-open-or-close)
+      (call-interactively #'ladder-toggle))))
 
 (defun ladder--tags-buffer (program)
   "The buffer that lists the tags of the buffer PROGRAM, if there is one."

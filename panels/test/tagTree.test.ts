@@ -72,14 +72,15 @@ test('an array is a row that opens into its elements', () => {
     const row = tagRow(trip);
     assert.equal(row.label, 'trip');
     assert.equal(row.description, 'ARRAY[1..2] OF BOOL');
+    assert.equal(tagRow({ ...trip, text: 'speed=20.0' }).description, 'speed=20.0');
     assert.equal(row.context, 'group unwatched');
     assert.equal(row.toggles, false);
     const [inputs] = tagGroups([start, trip]);
     assert.ok(inputs);
     const names = (open: readonly string[]) =>
         unfoldedGroup(inputs, (id) => open.includes(id), new Map([['trip', elements]])).map(({ name }) => name);
-    assert.deepEqual(names([]), ['start']);
-    assert.deepEqual(names([opened(trip, []).id]), ['start', 'trip[1]', 'trip[2]']);
+    assert.deepEqual(names([]), ['start', 'trip']);
+    assert.deepEqual(names([opened(trip, []).id]), ['start', 'trip', 'trip[1]', 'trip[2]']);
 });
 
 test('what a tag opens into may open again', () => {
@@ -96,9 +97,9 @@ test('what a tag opens into may open again', () => {
         const ids = open.map((tag) => opened(tag, []).id);
         return unfoldedGroup(internal, (id) => ids.includes(id), parts).map(({ name }) => name);
     };
-    assert.deepEqual(names(lines), []);
-    assert.deepEqual(names(line), []);
-    assert.deepEqual(names(lines, line), ['lines[2].speed', 'lines[2].on']);
+    assert.deepEqual(names(lines), ['lines', 'lines[1]', 'lines[2]']);
+    assert.deepEqual(names(line), ['lines']);
+    assert.deepEqual(names(lines, line), ['lines', 'lines[1]', 'lines[2]', 'lines[2].speed', 'lines[2].on']);
 });
 
 test('what is watched is a group of its own, whose rows are others than those of the same tags below', () => {

@@ -371,35 +371,6 @@ fn value_text_of(simulation: &Simulation, point: &Point) -> String {
     text
 }
 
-/// What a tag that opens shows while it is closed: of a timer its two most telling members, of a structure its first values.
-fn brief(simulation: &Simulation, group: Option<&ladder_simulator::Group>, name: &str) -> String {
-    const SHOWN: usize = 3;
-    let Some(group) = group.filter(|group| !group.is_array()) else {
-        return group.map_or(String::new(), |group| group.ty.clone());
-    };
-    let of_member = |member: &str| {
-        let point = simulation.resolve(&format!("{name}.{member}")).ok()?;
-        let value = value_text::display(&simulation.value(&point), point.ty);
-        Some(format!("{member}={value}"))
-    };
-    let values: Vec<String> = match group.state {
-        Some(state) => members_of(state).take(2).filter_map(of_member).collect(),
-        None => {
-            let entries = simulation.opened(name).unwrap_or_default().into_iter();
-            let values = entries.filter_map(|entry| match entry {
-                Entry::Value(point) => of_member(point.name.get(name.len() + 1..)?),
-                Entry::Group(_) => None,
-            });
-            values.take(SHOWN).collect()
-        }
-    };
-    if values.is_empty() {
-        group.ty.clone()
-    } else {
-        values.join(" ")
-    }
-}
-
 /// Something that can be opened, with what it shows while it is closed; without its name.
 pub(super) fn open_json(simulation: &Simulation, container: Container, handles: &mut Handles) -> Json {
     let (value, ty, name) = match &container {
@@ -407,7 +378,9 @@ pub(super) fn open_json(simulation: &Simulation, container: Container, handles: 
             let group = group_of(simulation, &container);
             let ty = group.as_ref().map_or(String::new(), |group| group.ty.clone());
             let name = whole_name(simulation, &container);
-            (brief(simulation, group.as_ref(), &name), ty, Some(name))
+            let brief = group.map_or(String::new(), |group| simulation.brief(&group, &name));
+            let value = if brief.is_empty() { ty.clone() } else { brief };
+            (value, ty, Some(name))
         }
         Container::Instance(number) => {
             let instance = simulation.instances().get(*number);

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use ladder_analysis::program::Role;
 use ladder_analysis::values::types::Scalar;
 use ladder_ide::markdown;
-use ladder_simulator::{Entry, Point, Simulation, chart, value_text};
+use ladder_simulator::{Entry, Group, Point, Simulation, chart, value_text};
 use ladder_syntax::{TextRange, TextSize};
 
 use super::drawing::{self, Drawing};
@@ -44,10 +44,9 @@ impl Engine {
         let simulation = self.session.simulation();
         let drawing = self.drawing.get_or_init(|| Drawing::of(simulation));
         let update = view.update(drawing, &self.line_map, simulation);
-        (
-            update.points.iter().map(|point| self.tag(point)).collect(),
-            update,
-        )
+        let values = update.points.iter().map(|point| self.tag(point));
+        let groups = update.groups.iter().map(|group| self.group(group));
+        (values.chain(groups).collect(), update)
     }
 
     /// How many tags are forced.
@@ -77,7 +76,7 @@ impl Engine {
         let simulation = self.session.simulation();
         let entry = |name: &String| {
             let value = simulation.resolve(name).ok().map(Entry::Value);
-            value.or_else(|| simulation.group(name).map(Entry::Group))
+            value.or_else(|| simulation.listed_group(name).map(Entry::Group))
         };
         names.iter().filter_map(entry).collect()
     }
@@ -124,20 +123,21 @@ impl Engine {
     fn listed(&self, entry: &Entry) -> messages::Tag {
         match entry {
             Entry::Value(point) => self.tag(point),
-            Entry::Group(group) => messages::Tag {
-                name: group.name.clone(),
-                kind: group.ty.clone(),
-                value: "".into(),
-                text: String::new(),
-                role: role(group.role),
-                forced: self
-                    .session
-                    .simulation()
-                    .forced()
-                    .any(|forced| forced.is_in(&group.name)),
-                read_only: group.read_only,
-                parts: Some(group.parts),
-            },
+            Entry::Group(group) => self.group(group),
+        }
+    }
+
+    fn group(&self, group: &Group) -> messages::Tag {
+        let simulation = self.session.simulation();
+        messages::Tag {
+            name: group.name.clone(),
+            kind: group.ty.clone(),
+            value: "".into(),
+            text: simulation.brief(group, &group.name),
+            role: role(group.role),
+            forced: simulation.has_forced(group),
+            read_only: group.read_only,
+            parts: Some(group.parts),
         }
     }
 

@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use ladder_analysis::program::Place;
 use ladder_analysis::values::value::Value;
 use ladder_format::display_width;
-use ladder_simulator::{Point, Simulation, chart};
+use ladder_simulator::{Group, Point, Simulation, chart};
 use ladder_syntax::TextRange;
 
 use super::drawing::{Drawing, Element};
@@ -22,10 +22,14 @@ pub(super) struct View {
     shown: Shown,
     elements: Vec<Element>,
     points: Vec<Point>,
+    /// What opens, and is shown.
+    groups: Vec<Group>,
     /// The power of elements as the client knows it, by the engine's numbers.
     sent_power: HashMap<usize, (bool, Option<Contact>)>,
     /// The values as the client knows them.
     reported_values: HashMap<String, (Value, bool)>,
+    /// The same of what opens, with what is shown of it while it is closed.
+    reported_groups: HashMap<String, (String, bool)>,
     /// Lines whose operands the client knows.
     reported_lines: HashSet<u32>,
     /// Operands whose values it is to be sent.
@@ -65,6 +69,7 @@ struct Indexed {
 #[derive(Debug, Default)]
 pub(super) struct Update {
     pub(super) points: Vec<Point>,
+    pub(super) groups: Vec<Group>,
     pub(super) power: Vec<messages::Power>,
     pub(super) operands: Vec<messages::Operand>,
     /// All of them, if one is at another place.
@@ -86,15 +91,18 @@ impl View {
         let mut lines_reported = HashSet::new();
         self.elements.clear();
         self.points.clear();
+        self.groups.clear();
         self.valued.clear();
         self.indexed.clear();
         self.unplaced = true;
         let is_shown = |line: u32| shown.lines.iter().any(|it| (it.first..=it.last).contains(&line));
         self.operands.retain(|operand| is_shown(operand.block.start.line));
         let named = shown.tags.iter();
-        for point in named.filter_map(|name| simulation.resolve(name).ok()) {
-            if known.insert(point.name.clone()) {
-                self.points.push(point);
+        for name in named {
+            match simulation.resolve(name) {
+                Ok(point) if known.insert(point.name.clone()) => self.points.push(point),
+                Ok(_) => {}
+                Err(_) => self.groups.extend(simulation.listed_group(name)),
             }
         }
         for &Lines { first, last } in &shown.lines {
@@ -149,6 +157,8 @@ impl View {
         self.valued.dedup_by_key(|it| it.range.start());
         self.sent_power.retain(|number, _| seen.contains(number));
         self.reported_values.retain(|name, _| known.contains(name));
+        let groups: HashSet<&str> = self.groups.iter().map(|group| group.name.as_str()).collect();
+        self.reported_groups.retain(|name, _| groups.contains(name.as_str()));
         // They are sent with the next picture.
         self.reported_lines = lines_reported;
     }
@@ -201,6 +211,13 @@ impl View {
                 self.unplaced |= !is_held_as_before || self.outgrows(point, simulation);
                 self.reported_values.insert(point.name.clone(), now);
                 update.points.push(point.clone());
+            }
+        }
+        for group in &self.groups {
+            let now = (simulation.brief(group, &group.name), simulation.has_forced(group));
+            if self.reported_groups.get(&group.name) != Some(&now) {
+                self.reported_groups.insert(group.name.clone(), now);
+                update.groups.push(group.clone());
             }
         }
         if std::mem::take(&mut self.unplaced) {

@@ -1,6 +1,7 @@
 //! Tags in lists: which there are, what they open into, and which fit a text.
 
 use super::Simulation;
+use super::pages::parted;
 use crate::groups::{Entry, Group, is_long, own, parts, range_of};
 use crate::tags::{Point, UnknownTag, canonical, is_inside};
 use crate::tree::{Grown, Tree};
@@ -33,12 +34,16 @@ impl Simulation {
         grown.group(&grown.tree.part(path)?)
     }
 
-    /// The same tags, or the entries that a path opens into, with the members of timers, counters and bistables in their place.
+    /// The same tags, or the entries that a path opens into, with the members of timers, counters and bistables in their place, and
+    /// of a long array stretches of its elements, which open likewise.
     pub fn entries(&self, path: &str) -> Vec<Entry> {
         let entries = if path.is_empty() {
             self.tags()
+        } else if let Some(elements) = self.stretch(path) {
+            elements
         } else {
-            self.opened(path).unwrap_or_default()
+            let opened = self.opened(path).unwrap_or_default();
+            parted(self.group(path).as_ref(), opened)
         };
         let flat = entries.into_iter().flat_map(|entry| match entry {
             Entry::Group(group) if group.state.is_some() => self.opened(&group.name).unwrap_or_default(),

@@ -213,5 +213,36 @@
   (same "the power" nil (seq-find (lambda (line) (not (string= line ""))) (faced 'ladder-power-on)))
   (same "the header line" nil header-line-format))
 
+(step "structures, arrays and long arrays open in the list of tags"
+  (open "tree.clad" (concat "TYPE\n    Motor : STRUCT\n        speed : INT := 7;\n        on : BOOL;\n    END_STRUCT;\nEND_TYPE\n"
+                            "VAR\n    lines : ARRAY[1..2] OF Motor;\n    table : ARRAY[1..1000] OF INT;\n    k : INT := 150;\nEND_VAR\n"
+                            "+--[ADD]( lines[2].speed, lines[2].speed, 1 )--[MOV]( table[k], lines[2].speed )--+\n"))
+  (eventually "the program to be known" (ignore-errors (ladder-start) t))
+  (ladder-tags)
+  (let ((list (ladder--tags-buffer (current-buffer))))
+    (cl-flet ((row (text)
+                (with-current-buffer list
+                  (goto-char (point-min))
+                  (unless (search-forward-regexp text nil t)
+                    (error "No row %s in\n%s" text (buffer-string)))
+                  (beginning-of-line)))
+              (press () (with-current-buffer list (ladder-toggle-or-open))))
+      (row "^\\+ lines ")
+      (press)
+      (row "^  \\+ lines\\[2\\] +speed=7 on=FALSE")
+      (press)
+      (row "^    lines\\[2\\]\\.speed +7 ")
+      (row "^\\+ table ")
+      (press)
+      (row "^  \\+ table\\[101\\] \\.\\. table\\[200\\]")
+      (press)
+      (ladder-step 1)
+      (row "^  - lines\\[2\\] +speed=8 on=FALSE")
+      (row "^    table\\[150\\] +8 ")
+      (row "^- table ")
+      (press)
+      (row "^\\+ table ")))
+  (ladder-stop))
+
 (kill-emacs (if (= failed 0) 0 1))
 ;;; test.el ends here

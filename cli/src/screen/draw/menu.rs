@@ -72,6 +72,9 @@ pub(super) fn draw(buffer: &mut Buffer, area: Rect, picker: &Picker, scene: Scen
             }
             Entry::Group(group) => {
                 put(buffer, inside, name_width + 5, line, &group.ty, style);
+                let brief = plant.simulation().brief(group, &group.name);
+                let after = name_width + 15.max(6 + group.ty.chars().count() as u16);
+                put(buffer, inside, after, line, &brief, style);
             }
         }
     }
