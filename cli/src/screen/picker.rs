@@ -148,7 +148,7 @@ impl Picker {
                 is_open: opened.is_some(),
             });
             if let Some(path) = opened {
-                self.add(plant.simulation().entries(&path), depth + 1, plant);
+                self.add(plant.simulation().listed(&path), depth + 1, plant);
             }
         }
     }

@@ -291,8 +291,9 @@ impl View {
         let high = !plant.is_high(point);
         if !Plant::is_input(point) {
             self.say(format!(
-                "{} is not an input: the program may write it at once; f forces it",
-                point.name
+                "{} is not an input: the program may write it at once{}",
+                point.name,
+                if point.takes_force() { "; f forces it" } else { "" }
             ));
         } else if !self.running && plant.status() == Status::Ready {
             self.say(format!(

@@ -61,7 +61,9 @@ impl Engine {
             (None, Some(names)) => self.named(names),
             (None, None) => self.values_with(wanted).into_iter().map(Entry::Value).collect(),
             (Some(""), _) => self.entries_with(wanted),
-            (Some(tag), _) => self.session.simulation().entries(tag),
+            // A client that asks for so many elements parts the array itself.
+            (Some(tag), _) if search.count.is_some() => self.session.simulation().entries(tag),
+            (Some(tag), _) => self.session.simulation().listed(tag),
         };
         let listed = found.iter().skip(search.first.unwrap_or_default());
         let listed = listed.take(search.count.unwrap_or(usize::MAX));

@@ -158,7 +158,8 @@ impl View {
         self.sent_power.retain(|number, _| seen.contains(number));
         self.reported_values.retain(|name, _| known.contains(name));
         let groups: HashSet<&str> = self.groups.iter().map(|group| group.name.as_str()).collect();
-        self.reported_groups.retain(|name, _| groups.contains(name.as_str()));
+        self.reported_groups
+            .retain(|name, _| groups.contains(name.as_str()));
         // They are sent with the next picture.
         self.reported_lines = lines_reported;
     }

@@ -49,7 +49,10 @@ fn compound_tags_are_listed_level_by_level() {
     };
     let top = ["m ARRAY[1..2] OF M  2", "g ARRAY[1..100, 1..100] OF INT  10000"];
     assert_eq!(listed(json!({"of": ""})), top);
-    assert_eq!(listed(json!({"of": "m"})), ["m[1] M  3", "m[2] M  3"]);
+    assert_eq!(
+        listed(json!({"of": "m"})),
+        ["m[1] M n=0 p=IDLE 3", "m[2] M n=0 p=IDLE 3"]
+    );
     let members = [
         "m[2].n INT 0 null",
         "m[2].p P IDLE null",
@@ -57,10 +60,23 @@ fn compound_tags_are_listed_level_by_level() {
         "m[2].t.ET TIME 0ms null",
     ];
     assert_eq!(listed(json!({"of": "m[2]"})), members);
+    // A long array opens into stretches, and these into elements.
+    let stretches = listed(json!({"of": "g"}));
+    assert_eq!(stretches.len(), 100);
+    assert_eq!(stretches[1], "g[2, 1] .. g[2, 100] INT  100");
+    let elements = listed(json!({"of": "g[2, 1] .. g[2, 100]"}));
+    assert_eq!(
+        (elements.len(), elements[99].as_str()),
+        (100, "g[2, 100] INT 0 null")
+    );
+    assert_eq!(
+        listed(json!({"names": ["g[2, 1] .. g[2, 100]"]})),
+        [stretches[1].as_str()]
+    );
     let some = ["g[1, 3] INT 0 null", "g[1, 4] INT 0 null"];
     assert_eq!(listed(json!({"of": "g", "first": 2, "count": 2})), some);
     assert_eq!(listed(json!({"of": "", "containing": "[2].P"})), [top[0]]);
-    let named = ["m[2] M  3", "m[1].n INT 0 null"];
+    let named = ["m[2] M n=0 p=IDLE 3", "m[1].n INT 0 null"];
     assert_eq!(listed(json!({"names": ["m[2]", "m[1].n"]})), named);
     command(
         &mut session,

@@ -1,10 +1,10 @@
 //! A program that runs: scans, inputs, forces, faults, and what can be seen of it.
 
 mod activations;
+mod brief;
 mod forces;
 mod indexed;
 mod instances;
-mod brief;
 mod listing;
 mod pages;
 mod power;

@@ -13,10 +13,10 @@ const STRETCH: usize = 100;
 const TO: &str = " .. ";
 
 /// The elements of an array, or if they are many the stretches of them.
-pub(super) fn parted(array: Option<&Group>, entries: Vec<Entry>) -> Vec<Entry> {
-    let Some(array) = array.filter(|array| array.is_array() && entries.len() > LONG) else {
+pub(super) fn parted(array: &Group, entries: Vec<Entry>) -> Vec<Entry> {
+    if !array.is_array() || entries.len() <= LONG {
         return entries;
-    };
+    }
     let stretches = entries.chunks(STRETCH).map(|elements| stretch(array, elements));
     stretches.flatten().map(Entry::Group).collect()
 }

@@ -207,41 +207,41 @@ fn what_is_compound_is_opened_and_closed() {
         "w down down down down right",
         10..23,
         expect![[r#"
-        |┌ Enter: watch, or no more ────────────────────────────┐
-        |│   lines[2].delay.Q  BOOL      FALSE                  │
-        |│   step              Phase     FILLING                │
-        |│   ▸ lines           ARRAY[1..2] OF Motor             │
-        |│   ▾ big             ARRAY[1..10000] OF INT           │
-        |│     big[1]          INT       0                      │
-        |│     big[2]          INT       0                      │
-        |│     big[3]          INT       0                      │
-        |│     big[4]          INT       0                      │
-        |│     big[5]          INT       0                      │ [ ] 1 column = 100 ms ─
-        |│     big[6]          INT       0                      │
-        |└──────────────────────────────────────────────────────┘
-        | watch:    type some of its name; up, down, Enter, Esc
-    "#]],
+            |┌ Enter: watch, or no more ──────────────────────────────────────┐
+            |│   lines[2].delay.Q            BOOL      FALSE                  │
+            |│   step                        Phase     FILLING                │
+            |│   ▸ lines                     ARRAY[1..2] OF Motor             │
+            |│   ▾ big                       ARRAY[1..10000] OF INT           │
+            |│     ▸ big[1] .. big[100]      INT                              │
+            |│     ▸ big[101] .. big[200]    INT                              │
+            |│     ▸ big[201] .. big[300]    INT                              │
+            |│     ▸ big[301] .. big[400]    INT                              │
+            |│     ▸ big[401] .. big[500]    INT                              │umn = 100 ms ─
+            |│     ▸ big[501] .. big[600]    INT                              │
+            |└────────────────────────────────────────────────────────────────┘
+            | watch:    type some of its name; up, down, Enter, Esc
+        "#]],
     );
     bench.check_lines(
         "w down down down down enter down down enter down enter",
         8..23,
         expect![[r#"
-        |   VAR step : Phase := FILLING; lines : ARRAY[1..2] OF Motor; big : ARRAY[1..100
-        | > +──[TON](●lines[2].delay, T#5s )──[MOV]( big[3], 7 )──+  lines[2].delay 0s/0s
-        |
-        |
-        |
-        |
-        |
-        |
-        |
-        |
-        |─ Watch ──────────────────────────────────────────────── [ ] 1 column = 100 ms ─
-        | lines[1].delay.ET  0s
-        | lines[2].delay.ET  0s
-        | big[2]             0
-        | lines[2].delay.Q is not an input: the program may write it at once; f forces it
-    "#]],
+            |   VAR step : Phase := FILLING; lines : ARRAY[1..2] OF Motor; big : ARRAY[1..100
+            | > +──[TON]( lines[2].delay, T#5s )──[MOV]( big[3], 7 )──+  lines[2].delay 0s/0s
+            |
+            |
+            |
+            |
+            |
+            |
+            |
+            |
+            |─ Watch ──────────────────────────────────────────────── [ ] 1 column = 100 ms ─
+            | lines[1].delay.ET  0s
+            | lines[2].delay.ET  0s
+            | big[101]           0
+            | big[101] is watched
+        "#]],
     );
     bench.check_lines(
         "w down down down down right down right down left left",
