@@ -7,6 +7,7 @@ const ITEM: usize = 0;
 
 impl Typed {
     /// The program after one edit.
+    #[must_use]
     pub fn edited(&self, dice: &mut Dice) -> Typed {
         let mut new = self.clone();
         let structure = dice.below(self.structures.len());
