@@ -154,7 +154,7 @@ fn member(xml: &Xml<'_>, node: Node<'_, '_>, role: Role, depth: usize) -> Result
         for inner in node.children_of("Member") {
             members.push(member(xml, inner, Role::Static, depth + 1)?);
         }
-        let text = format!("{} END_STRUCT", written);
+        let text = format!("{written} END_STRUCT");
         within(type_text(&text).map_err(whole)?, Type::Structure(members))
     } else {
         type_text(written).map_err(whole)?

@@ -97,7 +97,7 @@ impl Reader {
             rail: Vec::new(),
         };
         let parts = drawn.child("Parts");
-        for node in parts.iter().flat_map(|list| list.elements()) {
+        for node in parts.iter().flat_map(Element::elements) {
             let id = node.attribute("UId").unwrap_or_default();
             if node.is("Access") {
                 accesses.insert(id, access::operand(node, 0));
@@ -356,7 +356,7 @@ fn part(place: LineColumn, node: Node<'_, '_>) -> Drawn {
         let own = format!("\"{}\"", call.attribute("Name").unwrap_or_default());
         part.name = instance.unwrap_or(own);
     } else {
-        part.name = row.map_or(name, |row| row.sd[0]).to_owned();
+        row.map_or(name, |row| row.sd[0]).clone_into(&mut part.name);
         part.instance = instance;
     }
     let values = node

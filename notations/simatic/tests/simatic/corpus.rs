@@ -42,11 +42,9 @@ fn counts(text: &str) -> String {
     let contacts = count("[ ](") + count("[/](");
     let coils = count("( )(") + count("(S)(") + count("(R)(");
     let networks = parse.structure().networks.len();
-    let inside: usize = text.matches("FUNCTION_BLOCK [$").count() / 2;
     let others = text.matches("--[").count() - contacts;
     format!(
-        "{}: {contacts} {}n, {coils} {}S {}R, {others}",
-        networks - inside.min(0),
+        "{networks}: {contacts} {}n, {coils} {}S {}R, {others}",
         count("[/]("),
         count("(S)("),
         count("(R)(")
