@@ -7,7 +7,7 @@ use crate::model::{Argument, Body, Net, Network, Part, RAIL, Value, Wire};
 use std::collections::HashMap;
 
 /// A network has no more parts.
-const MOST_PARTS: usize = 5_000;
+const MOST_PARTS: usize = 2_000;
 
 /// A network, with its end.
 pub(super) fn network(cursor: &mut Cursor<'_>, pragma: &Pragma, texts: &Texts) -> Result<Network> {

@@ -7,6 +7,9 @@ use ladder_format::Circuit;
 use ladder_format::program::{Drawing, Element};
 use ladder_notation::circuit::Wires;
 
+/// A network with more is drawn in pieces: what draws it nests as deep as its branches do.
+const MOST_STRANDS: usize = 400;
+
 /// A wire with the elements on it.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Strand {
@@ -37,10 +40,12 @@ pub(crate) fn drawn(
 ) -> Result<Drawn, String> {
     without_dead_ends(strands, points);
     let order = order(strands).ok_or("power would run in a circle")?;
-    if let Some(circuit) = in_series_and_parallel(strands, &order, points) {
+    let is_small = strands.len() <= MOST_STRANDS;
+    if is_small && let Some(circuit) = in_series_and_parallel(strands, &order, points) {
         return Ok(Drawn::Whole(Drawing::Circuit(circuit)));
     }
-    if strands.iter().all(|strand| strand.needs.is_empty())
+    if is_small
+        && strands.iter().all(|strand| strand.needs.is_empty())
         && let Some(rungs) = rungs::drawn(strands)
     {
         return Ok(Drawn::Whole(Drawing::Rungs(rungs)));
