@@ -14,7 +14,10 @@ pub fn write_checked(
     analysis: &Analysis,
     stem: &str,
 ) -> Result<Writing, WriteError> {
-    let mut writing = notation.write(analysis)?;
+    // What is written is called as its file is.
+    let mut named = analysis.clone();
+    named.context.name = stem.into();
+    let mut writing = notation.write(&named)?;
     if !notation.is_read() {
         return Ok(writing);
     }

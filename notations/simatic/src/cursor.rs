@@ -7,7 +7,7 @@ use ladder_notation::{LineColumn, Lines, ReadError};
 pub(crate) struct Cursor<'t> {
     pub(crate) text: &'t str,
     pub(crate) at: usize,
-    /// Nothing behind it is read.
+    /// Nothing after it is read.
     pub(crate) end: usize,
     lines: &'t Lines,
 }

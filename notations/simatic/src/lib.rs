@@ -151,13 +151,9 @@ impl Notation for SimaticMl {
         xml::recognises(&head(bytes))
     }
 
-    fn has_companion(&self, _: &str, file: &str) -> bool {
-        has_end(file, ".s7dcl")
-    }
-
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
         let unit = xml::unit(bounded(source)?)?;
-        Ok(sketched(&unit, &companions(source)))
+        Ok(sketched(&unit, &[]))
     }
 
     fn write(&self, _: &Analysis) -> Result<Writing, WriteError> {

@@ -120,6 +120,9 @@ impl Default for Body {
     }
 }
 
+/// A network has no more parts.
+pub(crate) const MOST_PARTS: usize = 2_000;
+
 /// Wires with parts on them, between points. Point 0 is the left rail.
 #[derive(Debug, Default)]
 pub(crate) struct Net {

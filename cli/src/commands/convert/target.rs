@@ -119,14 +119,18 @@ fn folders_below<'p>(inputs: &[PathBuf], file: &'p Path) -> &'p Path {
     nearest.and_then(Path::parent).unwrap_or(Path::new(""))
 }
 
-/// What was found in a folder next to a program, and belongs to it, is read with that.
+/// What was found in a folder next to a program, and belongs to it, is read with that. Two that belong to each other are both
+/// programs.
 fn without_companions(jobs: &mut Vec<Job>, named: &HashSet<&Path>) {
     let belongs = |job: &Job, program: &Job| match program.from {
         Form::Foreign(notation) => is_companion(notation, &program.input, &job.input),
         Form::Ladder => false,
     };
-    let is_whole =
-        |job: &Job| named.contains(job.input.as_path()) || !jobs.iter().any(|program| belongs(job, program));
+    let is_whole = |job: &Job| {
+        let mut all = jobs.iter();
+        named.contains(job.input.as_path())
+            || !all.any(|program| belongs(job, program) && !belongs(program, job))
+    };
     let whole: Vec<bool> = jobs.iter().map(is_whole).collect();
     let mut whole = whole.into_iter();
     jobs.retain(|_| whole.next() == Some(true));

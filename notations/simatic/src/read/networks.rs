@@ -3,11 +3,8 @@
 use super::pragma::{Pragma, templates};
 use super::resource::Texts;
 use crate::cursor::{Cursor, Result, without_comments};
-use crate::model::{Argument, Body, Net, Network, Part, RAIL, Value, Wire};
+use crate::model::{Argument, Body, MOST_PARTS, Net, Network, Part, RAIL, Value, Wire};
 use std::collections::HashMap;
-
-/// A network has no more parts.
-const MOST_PARTS: usize = 2_000;
 
 /// A network, with its end.
 pub(super) fn network(cursor: &mut Cursor<'_>, pragma: &Pragma, texts: &Texts) -> Result<Network> {

@@ -71,7 +71,12 @@ fn sketch(unit: &Unit, library: &Library<'_>, is_block: bool) -> Reading {
 impl Sketcher<'_> {
     fn program(&mut self, unit: &Unit, is_block: bool) {
         let shown = format!("{} {}", unit.kind.keyword(), unit.name);
-        self.reading.report.translated(unit.place, shown);
+        if unit.kind == Kind::Organization {
+            let why = "it is the program here, and runs in every scan: what starts it is not in the file";
+            self.reading.report.approximated(unit.place, shown, why);
+        } else {
+            self.reading.report.translated(unit.place, shown);
+        }
         let body = match unit.kind {
             Kind::Type => {
                 let ty = Type::Structure(unit.variables.clone());

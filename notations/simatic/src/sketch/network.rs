@@ -234,7 +234,7 @@ fn sets(part: &Part) -> bool {
     of_document(&part.name).is_some_and(|row| row.form == Form::Coil("(S)"))
 }
 
-/// The wire to a point and the operand of the contact on it, if that is all that leads to the point, and one pin takes it.
+/// The wire to a point and the operand of the contact on it, if no other wire ends at the point, and one pin takes it.
 fn contact_before(net: &Net, point: usize) -> Option<(usize, &str)> {
     let mut into = net
         .wires

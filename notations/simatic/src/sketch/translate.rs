@@ -364,7 +364,7 @@ impl Translator<'_, '_> {
                 ("CV", _) => vec![format!("[TYP]( {}, {state}.CV )", out.text)],
                 _ => vec![format!("[ ]( {state}.{pin} )"), format!("( )( {} )", out.text)],
             });
-            done.note = Some("what it gives at other pins is written after the network".to_owned());
+            done.note = Some("the values of its other pins are written after the network".to_owned());
         }
         Ok(done)
     }

@@ -63,8 +63,8 @@ pub(crate) fn drawn(
     Ok(Drawn::Pieces(pieces))
 }
 
-/// The network that puts the power at a point into a tag. All that leads to the point is in it; in their order each point is
-/// asked for after those that lead to it.
+/// The network that puts the power at a point into a tag. All wires that end at the point are in it; in their order
+/// each point is asked for after those before it.
 fn piece_before(
     strands: &[Strand],
     point: usize,
@@ -126,7 +126,7 @@ fn without_dead_ends(strands: &mut [Strand], points: usize) {
     }
 }
 
-/// The strands, each after those that lead to it. None: there is a circle.
+/// The strands, each after those before it. None: there is a circle.
 fn order(strands: &[Strand]) -> Option<Vec<usize>> {
     #[derive(Clone, Copy, PartialEq)]
     enum State {

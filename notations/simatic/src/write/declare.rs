@@ -110,7 +110,7 @@ pub(super) enum TypeForm {
 /// Types by their names in small letters, each with its name.
 pub(super) type Types = HashMap<String, (String, TypeForm)>;
 
-/// Names of types lead to others no further.
+/// So many types stand for one another at most.
 const DEEPEST: usize = 16;
 
 /// A type as it is written there.
@@ -121,7 +121,7 @@ const DEEPEST: usize = 16;
 pub(super) fn type_text(text: &str, types: &Types, depth: usize) -> Result<String, String> {
     let text = text.trim();
     if depth > DEEPEST {
-        return Err(format!("the type `{text}` leads to too many others"));
+        return Err(format!("the type `{text}` stands for too many others"));
     }
     let upper = text.to_ascii_uppercase();
     if text.starts_with('(') {

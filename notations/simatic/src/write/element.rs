@@ -177,7 +177,7 @@ impl Writer<'_> {
     fn formula(&mut self, block: &Block, tags: &Tags) -> Result<Text, String> {
         let arguments = &block.arguments;
         let ty = block.works_in.and_then(type_name).filter(|ty| *ty != "Bool");
-        let ty = ty.ok_or("Calculate gives numbers and bit strings only")?;
+        let ty = ty.ok_or("Calculate makes numbers and bit strings only")?;
         let out = self.given(&arguments[0], tags)?;
         let text = self.source(&arguments[1]).to_owned();
         let mut pins: Vec<String> = Vec::new();
@@ -256,7 +256,7 @@ impl Writer<'_> {
             Some(Ok(ty)) if matches!(ty.as_str(), "TON" | "TOF" | "TP" | "RTO") => {
                 Ok(format!("RT_Coil( {} )", operand(&text, tags)?))
             }
-            _ => Err("only timers are reset by a coil there: give the counter its R".to_owned()),
+            _ => Err("only timers are reset by a coil there: a counter has its R".to_owned()),
         }
     }
 

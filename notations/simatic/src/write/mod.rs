@@ -14,6 +14,7 @@ use ladder_instructions::{Op, Profile};
 use ladder_notation::{Companion, LineColumn, Lines, Report, WriteError, Writing, no_program};
 use ladder_syntax::TextSize;
 use std::collections::{HashMap, HashSet};
+use std::path::Path;
 use unit::Unit;
 
 /// What writes.
@@ -79,7 +80,8 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
         .skip(1)
         .map(|unit| unit.name.to_lowercase())
         .collect();
-    let mut name = analysis.context.name.trim_end_matches(".clad").to_owned();
+    let name = Path::new(&*analysis.context.name).file_stem().unwrap_or_default();
+    let mut name = name.to_string_lossy().into_owned();
     while names.contains(&name.to_lowercase()) {
         name.push_str("_program");
     }

@@ -82,7 +82,7 @@ fn wires(edges: &mut Vec<Edge>, count: usize) -> Vec<Wiring> {
     for edge in edges.iter() {
         leaves[edge.from] += 1;
     }
-    // Where power only ends together, it ends: an edge leads to a point with a larger number.
+    // Where power only ends together, it ends: an edge ends at a point with a larger number.
     let mut goes_on = vec![true; edges.len()];
     for (at, edge) in edges.iter().enumerate().rev() {
         if edge.block.is_none() && leaves[edge.to] == 0 {

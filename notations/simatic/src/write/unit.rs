@@ -17,7 +17,7 @@ pub(super) struct Unit {
     pub(super) name: String,
     /// Whether it is a block, and not the program.
     pub(super) is_block: bool,
-    /// Whether its jumps lead out of it.
+    /// Whether its jumps go out of it.
     pub(super) leads_out: bool,
     pub(super) said: Vec<String>,
     pub(super) sections: Vec<Declarations>,

@@ -1,7 +1,9 @@
 //! A network of SimaticML: parts, and wires between their pins.
 
 use super::access;
-use crate::model::{Argument, Body, Net, Network, Part, RAIL, Role, Type, Unit, Value, Variable, Wire};
+use crate::model::{
+    Argument, Body, MOST_PARTS, Net, Network, Part, RAIL, Role, Type, Unit, Value, Variable, Wire,
+};
 use crate::standard::{of_xml, power_pins};
 use ladder_notation::LineColumn;
 use ladder_notation_plcopen::xml::{Element, Xml};
@@ -27,8 +29,13 @@ pub(super) fn network(xml: &Xml<'_>, node: Node<'_, '_>, unit: &mut Unit) -> Net
         }
         return network;
     };
-    if !language.ends_with("LAD") {
-        let why = format!("a network in {language} is not run here");
+    let count = drawn.child("Parts").map_or(0, |parts| parts.elements().count());
+    if !language.ends_with("LAD") || count > MOST_PARTS {
+        let why = if count > MOST_PARTS {
+            format!("a network has no more than {MOST_PARTS} parts")
+        } else {
+            format!("a network in {language} is not run here")
+        };
         let parts = drawn.descendants().filter_map(|node| node.attribute("Name"));
         network.body = Body::Text(why, parts.collect::<Vec<_>>().join(" "));
         return network;

@@ -118,7 +118,7 @@ fn pins_that_take_power() {
             +--[ ]( count.QD )---------------------------------------------------( )( z )--+
 
             +----------------------------------------------------[TYP]( value, count.CV )--+
-            12:75: approximated: #count.CTUD( cd := wire#d, r := wire#r, ld := , pv := 5, qd => #z, cv => #value ): what it gives at other pins is written after the network
+            12:75: approximated: #count.CTUD( cd := wire#d, r := wire#r, ld := , pv := 5, qd => #z, cv => #value ): the values of its other pins are written after the network
         "#]],
     );
 }
