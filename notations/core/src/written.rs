@@ -2,6 +2,7 @@
 
 use super::{Foreign, LineColumn, Notation, Source, WriteError, Writing};
 use ladder_analysis::Analysis;
+use std::sync::Arc;
 
 /// Writes a program that has no errors. What is written is read again, where the notation [is](Notation::is_read), as a file whose name has this stem: what cannot
 /// be read, and each error in what it becomes, is refused in the report.
@@ -16,7 +17,7 @@ pub fn write_checked(
 ) -> Result<Writing, WriteError> {
     // What is written is called as its file is.
     let mut named = analysis.clone();
-    named.context.name = stem.into();
+    Arc::make_mut(&mut named.context).name = stem.into();
     let mut writing = notation.write(&named)?;
     if !notation.is_read() {
         return Ok(writing);
