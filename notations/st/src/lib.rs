@@ -61,6 +61,10 @@ impl Notation for St {
         false
     }
 
+    fn writes_other_files(&self) -> bool {
+        true
+    }
+
     fn recognises(&self, _bytes: &[u8]) -> bool {
         false
     }

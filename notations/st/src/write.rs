@@ -8,15 +8,14 @@ use crate::project::{Project, Service, Stop, UnitKind};
 use crate::states::piece_of;
 use crate::term::{Binding, Term};
 use crate::unit::{Local, Unit};
+use ladder_analysis::Analysis;
 use ladder_analysis::program::{Clock, Location, ParameterKind, Program, Role, TagId};
 use ladder_analysis::values::types::Type;
-use ladder_analysis::{Analysis, link};
 use ladder_instructions::Profile;
 use ladder_notation::{LineColumn, Lines, Report, WriteError, Writing};
 use ladder_syntax::{Parse, TextRange};
 use std::collections::BTreeMap;
 use std::path::Path;
-use std::sync::Arc;
 
 /// A unit that is written, but for its declarations.
 struct Body {
@@ -33,9 +32,9 @@ struct Body {
 /// Writes the text.
 pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     let text = analysis.context.parse.to_string();
-    let program = link(&Arc::new(analysis.clone()), &|_| None)
-        .map_err(|_| WriteError::new("the program has errors, or needs another file of its workspace"))?;
-    let program = &*program;
+    let program = analysis
+        .program()
+        .ok_or_else(|| WriteError::new("the program has errors, or needs another file of its workspace"))?;
     let lines = Lines::of(&text);
     let place = |location: Location| match location.file {
         0 => lines.place(&text, location.range.start().into()),

@@ -1,0 +1,149 @@
+//! What comes out: statements as a person writes them.
+
+use expect_test::{Expect, expect};
+use ladder_notation::Notation;
+
+/// The body of the program, or why there is none.
+#[track_caller]
+fn check(text: &str, expected: Expect) {
+    let analysis = ladder_analysis::analyze(&ladder_syntax::parse(text).into(), "plant.clad");
+    let body = match ladder_notation_st::St.write(&analysis) {
+        Ok(writing) => {
+            let text = String::from_utf8(writing.bytes).expect("text is UTF-8");
+            let program = text.split_once("PROGRAM plant\n").expect("a program").1;
+            program.split_once("END_PROGRAM").expect("its end").0.to_owned()
+        }
+        Err(error) => error.message,
+    };
+    expected.assert_eq(&body);
+}
+
+#[test]
+fn the_order_of_evaluation_stays() {
+    check(
+        r"
+# A bridge; q takes what a was before #
++--[ ]( a )--\--[ ]( b )-----\--( )( y )--+
+|            /--[/]( x )--\--/            |
++--[ ]( c )---------------/--[ ]( d )--( )( z )--+
++--[ ]( a )--(R)( a )--( )( q )--+
++--\--[ ]( a )--\--[ ]( b )--( )( p )--(/)( r )--+
+|  /--[ ]( c )--/                                |
+",
+        expect![[r#"
+            VAR_INPUT
+                b : BOOL;
+                x : BOOL;
+                c : BOOL;
+                d : BOOL;
+            END_VAR
+            VAR_OUTPUT
+                y : BOOL;
+                z : BOOL;
+                q : BOOL;
+                p : BOOL;
+                r : BOOL;
+            END_VAR
+            VAR
+                a : BOOL;
+            END_VAR
+            VAR
+                power1 : BOOL;
+            END_VAR
+                (* A bridge; q takes what a was before *)
+                y := a AND b OR a AND NOT x OR c;
+                z := (a AND NOT x OR c) AND d;
+                power1 := a;
+                IF a THEN
+                    a := FALSE;
+                END_IF;
+                q := power1;
+                p := (a OR c) AND b;
+                r := NOT p;
+        "#]],
+    );
+}
+
+#[test]
+fn what_may_be_a_fault_is_checked() {
+    check(
+        "VAR\n    a : ARRAY[1..3] OF INT;\n    k, n : INT;\nEND_VAR\n+--[DIV]( n, a[k], n )--( )( done )--+\n+--[ADD]( n, n, 1 )--[SHL]( n, n, 2 )--+\n",
+        expect![[r#"
+            VAR_OUTPUT
+                done : BOOL;
+            END_VAR
+            VAR
+                a : ARRAY[1..3] OF INT;
+                k : INT;
+                n : INT;
+            END_VAR
+            VAR
+                power1 : BOOL;
+            END_VAR
+                power1 := FALSE;
+                IF k >= 1 AND k <= 3 AND n <> 0 THEN
+                    n := LINT_TO_INT(LADDER_DIV(INT_TO_LINT(a[k]), INT_TO_LINT(n)));
+                    power1 := TRUE;
+                END_IF;
+                done := power1;
+                n := n + 1;
+                n := WORD_TO_INT(SHL(INT_TO_WORD(n), 2));
+        "#]],
+    );
+}
+
+#[test]
+fn jumps_and_loops() {
+    check(
+        "VAR\n    i, sum : INT;\n    step : BOOL;\nEND_VAR\n+--[ ]( skip )--<JMP>( done )--+\n+--<FOR>( 3, I => i )--+\n+--[ADD]( sum, sum, i )--<NEXT>--+\n\
+         +--<LBL>( done )--[P]( step )--( )( y )--+\n",
+        expect![[r#"
+            VAR_INPUT
+                skip : BOOL;
+            END_VAR
+            VAR_OUTPUT
+                y : BOOL;
+            END_VAR
+            VAR
+                i : INT;
+                sum : INT;
+                step_tag : BOOL;  (* called step *)
+            END_VAR
+            VAR
+                turns1 : DINT;
+                to_done : BOOL;
+                turn1 : DINT;
+                step_rises : R_TRIG;
+            END_VAR
+                to_done := skip;
+                turns1 := 0;
+                IF NOT to_done THEN
+                    turns1 := 3;
+                END_IF;
+                FOR turn1 := 1 TO turns1 DO
+                    i := DINT_TO_INT(turn1);
+                    IF NOT to_done THEN
+                        sum := sum + i;
+                    END_IF;
+                END_FOR;
+                step_rises(CLK := step_tag);
+                y := step_rises.Q;
+        "#]],
+    );
+}
+
+#[test]
+fn what_cannot_be_said_is_refused_with_its_place() {
+    check(
+        "+--<LBL>( top )--[ ]( a )--<JMP>( top )--+\n",
+        expect![
+            "1:28: Structured Text cannot say this: a jump back, which Structured Text has no word for: use a loop"
+        ],
+    );
+    check(
+        "+--[ADC]( y, 1 )--( )( q )--+\n",
+        expect![
+            "1:4: Structured Text cannot say this: a port, which each system has in its own way: use tags at addresses"
+        ],
+    );
+}
