@@ -50,12 +50,12 @@ pub(crate) fn of_network(parse: &Parse, text: &str, range: TextRange) -> Vec<Str
     lines
 }
 
-/// The comment behind a declaration, on its line.
+/// The comment after a declaration, on its line.
 pub(crate) fn of_declaration(text: &str, range: TextRange) -> Option<String> {
     let rest = text.get(usize::from(range.end())..)?;
     let line = rest.lines().next()?;
-    let (_, behind) = line.rsplit_once(';')?;
-    let said = behind.trim().strip_prefix('#')?.strip_suffix('#')?.trim();
+    let (_, after) = line.rsplit_once(';')?;
+    let said = after.trim().strip_prefix('#')?.strip_suffix('#')?.trim();
     (!said.is_empty() && !said.contains('#') && !said.starts_with("ladder:")).then(|| said.to_owned())
 }
 

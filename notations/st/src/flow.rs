@@ -194,7 +194,7 @@ impl Unit<'_, '_> {
         Ok(flow)
     }
 
-    /// `<JMP>`: the rest of its network stands behind it.
+    /// `<JMP>`: the rest of its network is passed over.
     pub(crate) fn jump(&mut self, block: &Block, en: usize, step: usize) -> Result<bool> {
         let power = self.entering(en, en);
         self.powers[step] = Power::Dead;
@@ -270,7 +270,7 @@ impl Unit<'_, '_> {
         Ok(())
     }
 
-    /// `<FOR>`: how many turns the loop behind its network makes.
+    /// `<FOR>`: how many turns the loop after its network makes.
     pub(crate) fn begins_loop(&mut self, block: &Block, en: usize, step: usize) -> Result<()> {
         let Some((_, turns)) = self.flow.loops.get(&self.flow.now).cloned() else {
             return self.stop("a FOR without a NEXT");

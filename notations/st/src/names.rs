@@ -15,7 +15,7 @@ const TAKEN: &str = "ABS ABSTRACT ACOS ACTION ADD AND AND_THEN ANY ARRAY ASIN AT
     UDINT UINT ULINT UNION UNTIL USINT VAR VAR_ACCESS VAR_CONFIG VAR_EXTERNAL VAR_GLOBAL VAR_IN_OUT VAR_INPUT VAR_INST \
     VAR_OUTPUT VAR_STAT VAR_TEMP WHILE WITH WORD WSTRING XOR";
 
-/// Gives each thing a name of its own. Case makes no difference.
+/// A name of its own for each thing. Case makes no difference.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Names {
     used: HashSet<String>,

@@ -11,7 +11,7 @@ use ladder_instructions::Op;
 const LONGEST: usize = 160;
 
 impl Unit<'_, '_> {
-    /// Its statements. What comes back is whether it has been left open: by a jump, which the rest of it stands behind.
+    /// Its statements. What comes back is whether it has been left open: by a jump that passes over the rest of it.
     pub(crate) fn network(&mut self, network: &Network) -> Result<usize> {
         self.free_temporaries();
         let count = network.steps.len();
@@ -78,7 +78,7 @@ impl Unit<'_, '_> {
         self.is_held(number, &name);
     }
 
-    /// Blocks in a row that act on the power that enters the first, in one IF, with the jump behind them: the last step of them, and
+    /// Blocks in a row that act on the power that enters the first, in one IF, with the jump after them: the last step of them, and
     /// whether the rest of the network stands in an IF that is still open. None: there is no such block here.
     fn chain(&mut self, network: &Network, first: usize) -> Result<Option<(usize, bool)>> {
         let mut lines = Vec::new();

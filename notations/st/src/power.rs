@@ -29,7 +29,7 @@ impl Power {
         Power::Live(vec![Factor { number, term }])
     }
 
-    /// Behind one more condition.
+    /// After one more condition.
     pub(crate) fn and(&self, number: usize, term: Term) -> Power {
         match self {
             Power::Dead => Power::Dead,

@@ -500,58 +500,58 @@ impl<'p> Project<'p> {
 }
 
 /// Every tag that an argument is about.
-fn each_tag(argument: &Argument, give: &mut impl FnMut(TagId)) {
+fn each_tag(argument: &Argument, found: &mut impl FnMut(TagId)) {
     match argument {
-        Argument::Value(expr) => tags_of(expr, give),
-        Argument::Place(place, _) => tags_of_place(place, give),
-        Argument::Parts(parts) => parts.iter().for_each(|part| each_tag(part, give)),
-        Argument::State(tag) => give(*tag),
+        Argument::Value(expr) => tags_of(expr, found),
+        Argument::Place(place, _) => tags_of_place(place, found),
+        Argument::Parts(parts) => parts.iter().for_each(|part| each_tag(part, found)),
+        Argument::State(tag) => found(*tag),
         Argument::ChosenState(chosen) => {
-            give(chosen.first);
-            tags_of(&chosen.number, give);
+            found(chosen.first);
+            tags_of(&chosen.number, found);
         }
         Argument::Range(range) => {
-            give(range.tag);
-            tags_of(&range.first, give);
+            found(range.tag);
+            tags_of(&range.first, found);
             if let Some(last) = &range.last {
-                tags_of(last, give);
+                tags_of(last, found);
             }
         }
         _ => {}
     }
 }
 
-fn tags_of_place(place: &Place, give: &mut impl FnMut(TagId)) {
+fn tags_of_place(place: &Place, found: &mut impl FnMut(TagId)) {
     if let Some(root) = place.root() {
-        give(root);
+        found(root);
     }
     match place {
-        Place::Element(_, index) => tags_of(index, give),
-        Place::Chosen(chosen) | Place::ChosenMember(chosen, _) => tags_of(&chosen.number, give),
-        Place::Bit(inner, ..) | Place::As(inner, ..) => tags_of_place(inner, give),
+        Place::Element(_, index) => tags_of(index, found),
+        Place::Chosen(chosen) | Place::ChosenMember(chosen, _) => tags_of(&chosen.number, found),
+        Place::Bit(inner, ..) | Place::As(inner, ..) => tags_of_place(inner, found),
         _ => {}
     }
 }
 
-fn tags_of(expr: &Expr, give: &mut impl FnMut(TagId)) {
+fn tags_of(expr: &Expr, found: &mut impl FnMut(TagId)) {
     match &expr.kind {
-        ExprKind::Read(place) => tags_of_place(place, give),
-        ExprKind::Pass(a) | ExprKind::Unary(_, a) => tags_of(a, give),
+        ExprKind::Read(place) => tags_of_place(place, found),
+        ExprKind::Pass(a) | ExprKind::Unary(_, a) => tags_of(a, found),
         ExprKind::Binary(_, a, b) | ExprKind::Compare(_, a, b) => {
-            tags_of(a, give);
-            tags_of(b, give);
+            tags_of(a, found);
+            tags_of(b, found);
         }
-        ExprKind::Call(_, all) => all.iter().for_each(|one| tags_of(one, give)),
+        ExprKind::Call(_, all) => all.iter().for_each(|one| tags_of(one, found)),
         ExprKind::Sum(range) => {
-            give(range.tag);
-            tags_of(&range.first, give);
+            found(range.tag);
+            tags_of(&range.first, found);
             if let Some(last) = &range.last {
-                tags_of(last, give);
+                tags_of(last, found);
             }
         }
         ExprKind::Offset(subscripts) => {
             for subscript in subscripts {
-                tags_of(&subscript.index, give);
+                tags_of(&subscript.index, found);
             }
         }
         ExprKind::Constant(_) => {}

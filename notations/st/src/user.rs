@@ -79,7 +79,7 @@ impl Unit<'_, '_> {
                 (ParameterKind::InOut, Some(Argument::Place(place, _))) => {
                     let target = self.place(place, &mut checks)?;
                     let Some(text) = target.plain() else {
-                        return self.stop("a bit of a number as an in-out: give it a BOOL");
+                        return self.stop("a bit of a number as an in-out: use a BOOL");
                     };
                     arguments.push(format!("{parameter} := {text}"));
                     written.insert(target.variable.clone());

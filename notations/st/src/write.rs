@@ -67,6 +67,16 @@ pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
             profile.name()
         )));
     }
+    let overlaps = analysis
+        .diagnostics()
+        .iter()
+        .find(|found| found.rule.name() == "overlapping-address");
+    if let Some(found) = overlaps {
+        return Err(WriteError::new(format!(
+            "{}: Structured Text cannot say this: tags at addresses that overlap, which are one memory there; use one of them",
+            lines.place(&text, found.range.start().into())
+        )));
+    }
     let mut project = Project::new(program, &text);
     let file = Path::new(program.files.first().map_or("program", String::as_str));
     let stem = file

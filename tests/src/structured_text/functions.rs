@@ -241,7 +241,7 @@ pub(super) fn call(name: &str, all: Vec<Value>) -> Result {
         ("INSERT", [a, b, at]) => {
             let (mut a, at) = (text(a)?, number(at)? as usize);
             if at > a.len() {
-                return Err("INSERT behind the end".into());
+                return Err("INSERT after the end".into());
             }
             a.splice(at..at, text(b)?);
             Ok(V::Text(a))
@@ -266,7 +266,7 @@ fn part(text: &[u8], count: i64, position: i64) -> Result {
     let end = start + usize::try_from(count).map_err(|_| "fewer than none")?;
     text.get(start..end)
         .map(|part| Value::Text(part.to_vec()))
-        .ok_or_else(|| "behind the end of a text".into())
+        .ok_or_else(|| "after the end of a text".into())
 }
 
 fn replaced(mut text: Vec<u8>, new: &[u8], count: i64, position: i64) -> Result {

@@ -85,7 +85,7 @@ impl Memory {
         }
     }
 
-    /// Gives a variable what it starts with.
+    /// Sets a variable to what it starts with.
     pub(super) fn start(&mut self, cell: CellId, initial: &Initial) -> Result<(), String> {
         match (self.cells[cell].clone(), initial) {
             (Cell::Scalar(..), Initial::One(expr)) => {

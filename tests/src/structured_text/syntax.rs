@@ -43,7 +43,7 @@ pub(super) struct Variable {
 pub(super) struct Unit {
     /// In capitals.
     pub name: String,
-    /// What a function gives.
+    /// What a function returns.
     pub result: Option<Spec>,
     /// In their order.
     pub variables: Vec<Variable>,

@@ -110,7 +110,7 @@ fn places(
 ) -> Result<Vec<Place>, String> {
     let mut places = Vec::new();
     for tag in program.tags.iter().filter(|tag| tag.block.is_none()) {
-        // The inside of a block has the names that it gives.
+        // The inside of a block has names of its own.
         if tag
             .column
             .as_ref()
