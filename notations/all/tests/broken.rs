@@ -157,7 +157,7 @@ fn sound() -> &'static [Sound] {
         programs.extend(textbook.lines().map(|line| line.as_bytes().to_vec()));
         programs.push(textbook.into_bytes());
         programs.push(DRAFT.as_bytes().to_vec());
-        let seeds = ["ascii", "openplc", "plcopen", "simatic", "simatic_xml"]
+        let seeds = ["ascii", "openplc", "plcopen", "simatic", "simatic_xml", "twincat"]
             .map(|name| own.join("../../fuzz/seeds/notations").join(name));
         programs.extend(seeds.map(|seed| std::fs::read(seed).expect("the seeds are whole")));
         let recognised = |bytes: Vec<u8>| {
