@@ -6,6 +6,9 @@ use std::borrow::Cow;
 /// A larger file is not read.
 const MOST_BYTES: usize = 4 << 20;
 
+/// The same of a file that holds a whole project.
+const MOST_BYTES_OF_PROJECTS: usize = 16 << 20;
+
 /// A file in some notation.
 #[derive(Debug, Clone)]
 pub struct Source<'s> {
@@ -42,14 +45,30 @@ impl<'s> Source<'s> {
     ///
     /// If it is not.
     pub fn bounded(&self) -> Result<(), ReadError> {
-        if self.bytes.len() <= MOST_BYTES {
+        self.at_most(MOST_BYTES)
+    }
+
+    /// Whether the file has at most so many bytes.
+    ///
+    /// # Errors
+    ///
+    /// If it has more.
+    fn at_most(&self, bytes: usize) -> Result<(), ReadError> {
+        if self.bytes.len() <= bytes {
             return Ok(());
         }
-        let message = format!(
-            "the file is larger than {} MiB; programs are not",
-            MOST_BYTES >> 20
-        );
+        let message = format!("the file is larger than {} MiB; programs are not", bytes >> 20);
         Err(ReadError::whole(message))
+    }
+
+    /// The content of a file that holds a whole project as text.
+    ///
+    /// # Errors
+    ///
+    /// If it is too large, or not UTF-8.
+    pub fn text_of_project(&self) -> Result<&'s str, ReadError> {
+        self.at_most(MOST_BYTES_OF_PROJECTS)?;
+        text_of(self.bytes)
     }
 
     /// The content as text.

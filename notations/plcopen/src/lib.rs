@@ -58,7 +58,7 @@ impl Notation for Plcopen {
     }
 
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
-        read::project(source.text()?).map(reading)
+        read::project(source.text_of_project()?).map(reading)
     }
 
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
