@@ -45,7 +45,9 @@ pub(crate) fn project(text: &str) -> Result<Project, ReadError> {
     };
     let mut unit = declarations::unit(&plain, &place, &mut project.report)?;
     if unit.name.is_empty() {
-        unit.name = node.attribute("Name").unwrap_or_default().to_owned();
+        node.attribute("Name")
+            .unwrap_or_default()
+            .clone_into(&mut unit.name);
     }
     unit.body = match node.child("Implementation") {
         Some(implementation) => body(&xml, implementation, &mut project),

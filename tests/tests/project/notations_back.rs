@@ -3,6 +3,7 @@
 
 use expect_test::expect;
 use ladder_analysis::analyze;
+use ladder_analysis::networks::NetworkAt;
 use ladder_analysis::program::Role;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
@@ -1156,11 +1157,7 @@ fn examples_as_plcopen() {
         // What is of the same blocks in the same order; names may have changed, comments and wires are drawn otherwise.
         let ops = |text: &str| {
             let analysis = analyze(&Arc::new(parse(text)), &name);
-            let blocks = analysis
-                .context
-                .networks
-                .iter()
-                .flat_map(|network| network.blocks());
+            let blocks = analysis.context.networks.iter().flat_map(NetworkAt::blocks);
             blocks.map(|block| block.head_text()).collect::<Vec<_>>()
         };
         let is_same = ops(&text) == ops(&back.written.text);

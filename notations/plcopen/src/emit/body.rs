@@ -121,7 +121,7 @@ fn connection(xml: &mut Xml, graph: &Graph, end: End, to: (f64, f64)) {
     attributes.extend(name.map(|name| ("formalParameter", name)));
     xml.around("connection", &attributes, |xml| {
         position(xml, "position", to);
-        if from.1 != to.1 {
+        if (from.1 - to.1).abs() > 0.5 {
             // Down, or up, right before the pin.
             let middle = (to.0 - 20.0).max(from.0);
             position(xml, "position", (middle, to.1));

@@ -39,7 +39,7 @@ pub(super) fn project(project: Project) -> String {
             xml.around("coordinateInfo", &[], |xml| {
                 for language in ["fbd", "ld", "sfc"] {
                     xml.around(language, &[], |xml| {
-                        xml.empty("scaling", &[("x", "10"), ("y", "10")])
+                        xml.empty("scaling", &[("x", "10"), ("y", "10")]);
                     });
                 }
             });
@@ -55,14 +55,18 @@ pub(super) fn project(project: Project) -> String {
                 }
             });
             xml.around("pous", &[], |xml| {
-                units.into_iter().for_each(|made| unit(xml, made))
+                for made in units {
+                    unit(xml, made);
+                }
             });
         });
         xml.around("instances", &[], |xml| {
             xml.around("configurations", &[], |xml| {
                 xml.around("configuration", &[("name", "config")], |xml| {
                     xml.around("resource", &[("name", "resource1")], |xml| {
-                        tasks.iter().for_each(|it| task(xml, it));
+                        for it in &tasks {
+                            task(xml, it);
+                        }
                     });
                     lists(xml, &globals, |_| "globalVars");
                 });

@@ -368,7 +368,6 @@ impl<'x> Reader<'x, '_> {
     }
 
     /// An element of a rung, where wires end at its pins, and where they begin.
-    #[expect(clippy::type_complexity, reason = "it is taken apart at once")]
     fn object_of_ten(
         &self,
         node: Node<'x, 'x>,

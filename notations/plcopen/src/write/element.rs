@@ -9,6 +9,7 @@ use super::unit::{Faces, Unit};
 use crate::graph::{Edge, End, Kind, Modifier, Pin, Storage};
 use ladder_analysis::networks::BlockAt;
 use ladder_analysis::networks::facts::Node;
+use ladder_analysis::program::ParameterKind::{InOut, Input, Output};
 use ladder_analysis::program::{Argument, Block, BlockKind, Bound, Expr, Program};
 use ladder_analysis::values::types::Scalar;
 use ladder_instructions::{Instruction, Op};
@@ -122,7 +123,7 @@ impl Writer<'_> {
             Op::Inverter => vec![invert(rung, power)],
             Op::OneShotRising => {
                 let instance = rung.made("trigger", "R_TRIG", "finds an edge");
-                self.function_block(
+                function_block(
                     rung,
                     ("R_TRIG", instance),
                     vec![pin("CLK", power)],
@@ -349,22 +350,6 @@ impl Writer<'_> {
         self.call(rung, &name, vec![pin("IN", value)], power)
     }
 
-    /// A function block, and what asks for it.
-    fn function_block(
-        &self,
-        rung: &mut Rung,
-        (name, instance): (&str, String),
-        inputs: Vec<Pin>,
-        outputs: &[&str],
-        touched: Touched,
-    ) -> Vec<End> {
-        let end = rung.block((name, Some(instance)), inputs, outputs, touched, true);
-        if rung.is_asked() {
-            rung.ask(end);
-        }
-        vec![end]
-    }
-
     /// A timer, counter or bistable.
     fn state(&self, rung: &mut Rung, row: &Instruction, mut power: Vec<End>) -> Power {
         let state = row.state().ok_or("it has no state")?;
@@ -405,7 +390,13 @@ impl Writer<'_> {
             };
             inputs.push(pin(name, from));
         }
-        Ok(self.function_block(rung, (name, instance), inputs, outputs, self.touched()))
+        Ok(function_block(
+            rung,
+            (name, instance),
+            inputs,
+            outputs,
+            self.touched(),
+        ))
     }
 
     /// A block of one's own.
@@ -435,7 +426,6 @@ impl Writer<'_> {
                 .arguments
                 .iter()
                 .find(|bound| bound.parameter == Some(number));
-            use ladder_analysis::program::ParameterKind::{InOut, Input, Output};
             if matches!(parameter.kind, Input | InOut) {
                 let from = match bound {
                     Some(bound) => {
@@ -467,6 +457,21 @@ impl Writer<'_> {
         }
         Ok(vec![end])
     }
+}
+
+/// A function block, and what asks for it.
+fn function_block(
+    rung: &mut Rung,
+    (name, instance): (&str, String),
+    inputs: Vec<Pin>,
+    outputs: &[&str],
+    touched: Touched,
+) -> Vec<End> {
+    let end = rung.block((name, Some(instance)), inputs, outputs, touched, true);
+    if rung.is_asked() {
+        rung.ask(end);
+    }
+    vec![end]
 }
 
 /// The power that is not there.

@@ -44,6 +44,9 @@ pub(super) struct Rung {
     asked: BTreeSet<usize>,
 }
 
+/// Writes a block of a network, with the power that enters it; comes back the power that leaves it.
+type Element<'e> = dyn Fn(&mut Rung, usize, Vec<End>) -> Result<Vec<End>, String> + 'e;
+
 /// Networks with more elements are not written.
 const MOST_NODES: usize = 2_000;
 
@@ -59,7 +62,7 @@ impl Rung {
         base: usize,
         names: &Names,
         network: &Network,
-        element: &dyn Fn(&mut Rung, usize, Vec<End>) -> Result<Vec<End>, String>,
+        element: &Element<'_>,
     ) -> Result<Rung, String> {
         let (mut held, mut asked) = (BTreeSet::new(), BTreeSet::new());
         loop {
@@ -93,11 +96,7 @@ impl Rung {
         }
     }
 
-    fn draw(
-        &mut self,
-        network: &Network,
-        element: &dyn Fn(&mut Rung, usize, Vec<End>) -> Result<Vec<End>, String>,
-    ) -> Result<(), String> {
+    fn draw(&mut self, network: &Network, element: &Element<'_>) -> Result<(), String> {
         let rail = self.push(Kind::LeftRail, Vec::new(), Touched::default(), false);
         let mut powers: Vec<Vec<End>> = Vec::with_capacity(network.steps.len());
         for (step, it) in network.steps.iter().enumerate() {
