@@ -4,7 +4,7 @@ use ladder_notation::{LineColumn, Lines, ReadError};
 use roxmltree::{Document, Error, Node, ParsingOptions};
 
 /// A file with more elements, texts and attributes is not read.
-const MOST_NODES: u32 = 4_000_000;
+const MOST_NODES: u32 = 1_000_000;
 
 /// A file, with the places of its elements.
 pub struct Xml<'t> {
