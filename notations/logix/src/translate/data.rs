@@ -8,6 +8,22 @@ use crate::types::{Elem, Ty};
 use ladder_format::Circuit;
 use ladder_format::program::Element;
 
+/// Whether a formula divides by something that may be 0.
+fn divides(formula: &Expr) -> bool {
+    match formula {
+        Expr::Binary(operator, left, right) => {
+            let may_be_zero = match **right {
+                Expr::Int(number) => number == 0,
+                Expr::Real(number) => number == 0.0,
+                _ => true,
+            };
+            (*operator == "/" && may_be_zero) || divides(left) || divides(right)
+        }
+        Expr::Unary(_, inner) | Expr::Call(_, inner) => divides(inner),
+        _ => false,
+    }
+}
+
 fn binary(operator: &'static str, left: Expr, right: Expr) -> Expr {
     Expr::Binary(operator, Box::new(left), Box::new(right))
 }
@@ -190,6 +206,11 @@ impl Translator<'_> {
     pub(super) fn binary(&mut self, operator: &'static str, operands: &[&str]) -> Result<Circuit<Element>> {
         let (left, right) = (self.expr(operands[0])?, self.expr(operands[1])?);
         let (to, elem) = self.number(operands[2])?;
+        if self.is_slc() && elem.is_integer() && matches!(operator, "+" | "-" | "*" | "/") {
+            self.note_first(
+                "here words wrap, where a controller keeps the limit, and a quotient is cut off, where it is rounded",
+            );
+        }
         // A division by zero is not a fault: only a formula knows that.
         let block = block_of(operator);
         let is_plain = !matches!(block, "DIV" | "MOD" | "EXP");
@@ -236,6 +257,10 @@ impl Translator<'_> {
     }
 
     fn compute_at(&mut self, to: &Place, formula: &Expr) -> Result<Circuit<Element>> {
+        let is_real = to.elem().is_some_and(Elem::is_real) || self.is_real(formula);
+        if is_real && divides(formula) {
+            self.note_first("a REAL that is divided by 0, or too large, is a fault here, and infinite there");
+        }
         let text = self.tags.formula(self.scope, formula)?;
         Ok(self.block(format!("[CALC]( {}, {text} )", to.text)))
     }

@@ -19,7 +19,7 @@ use crate::words;
 pub(crate) use flow::Routines;
 use ladder_format::Circuit;
 use ladder_format::program::Element;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// What an instruction became: the elements, and what there is to say about them.
 pub(crate) struct Translated {
@@ -45,6 +45,8 @@ pub(crate) struct Translator<'p> {
     scope: usize,
     origin: Option<u32>,
     note: Option<String>,
+    /// What is said of the first instruction of its sort alone.
+    told: HashSet<&'static str>,
 }
 
 type Result<T> = std::result::Result<T, String>;
@@ -63,6 +65,7 @@ impl<'p> Translator<'p> {
             scope: 0,
             origin: None,
             note: None,
+            told: HashSet::new(),
         }
     }
 
@@ -184,6 +187,13 @@ impl<'p> Translator<'p> {
     /// Notes why what comes of an instruction is not quite the same.
     fn note(&mut self, why: &str) {
         self.note.get_or_insert_with(|| why.to_owned());
+    }
+
+    /// The same of the first instruction of its sort, for it holds of all.
+    fn note_first(&mut self, why: &'static str) {
+        if self.told.insert(why) {
+            self.note(why);
+        }
     }
 
     fn expr(&self, text: &str) -> Result<Expr> {

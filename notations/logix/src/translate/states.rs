@@ -33,6 +33,9 @@ impl Translator<'_> {
             return Err(format!("`{}` is no TIMER", operands[0]));
         }
         let block = self.blocks.plain(name);
+        if self.is_slc() {
+            self.note_first("here ACC of a timer may pass PRE, where a controller stops it");
+        }
         let unit = match operands {
             [_, base, _, _] => match self.expr(base)? {
                 crate::operand::Expr::Int(1) => ", T#1s",

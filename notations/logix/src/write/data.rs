@@ -17,6 +17,8 @@ use std::collections::HashMap;
 
 /// How long a STRING of Logix is.
 const STRING: u16 = 82;
+/// So many values that are all zero are not written.
+const MOST_ZEROS: usize = 1_000;
 /// The largest array.
 const MOST_ELEMENTS: i64 = 1_000_000;
 
@@ -115,9 +117,8 @@ impl Writer<'_> {
             Value::Real(number) => *number == 0.0,
             Value::Text(text) => text.is_empty(),
         };
-        // What a type of the controller has is nowhere declared: its values show it.
-        let is_shown = is_built_in(&there.name);
-        let value = if values.iter().all(is_zero) && !is_shown {
+        // Zeros in a large array say nothing.
+        let value = if values.len() > MOST_ZEROS && values.iter().all(is_zero) {
             None
         } else {
             self.raw(ty, &mut values.into_iter())?

@@ -24,7 +24,7 @@ mod state;
 mod words;
 mod xml;
 
-use crate::model::Tag;
+use crate::model::{Raw, Tag};
 use crate::types::Elem;
 use ladder_analysis::Analysis;
 use ladder_analysis::names::scope::TagFacts;
@@ -173,10 +173,10 @@ impl Writer<'_> {
     /// A tag that the rungs need.
     fn made(&mut self, like: &str, ty: &str, what: &str) -> String {
         let name = self.names.fresh(Kind::Tag, like);
-        debug_assert!(Elem::named(ty).is_some() || !ty.is_empty());
         self.made.push(Tag {
             name: name.clone(),
             ty: ty.to_owned(),
+            value: Elem::named(ty).map(|_| Raw::Scalar(ty.to_owned(), "0".to_owned())),
             comment: Some(what.to_owned()),
             ..Tag::default()
         });
