@@ -4,6 +4,7 @@ use super::{Companion, Content, Finding, LineColumn, Notation, ReadError, Readin
 use ladder_format::program::{Item, ProgramSketch, WrittenProgram};
 use ladder_syntax::TextSize;
 use std::collections::HashSet;
+use std::ops::Range;
 
 /// The rule about comments that switch off what is not found.
 pub(super) const UNUSED: &str = "suppression-unused";
@@ -52,7 +53,17 @@ pub fn convert(
         files,
     } = notation.read(source)?;
     let mut written = program.write(options);
-    if without_idle_directives(&mut program, &written.text) {
+    let idle = idle_directives(&program, &written.text);
+    if are_among_others(&program, &idle) {
+        idle.iter()
+            .rev()
+            .for_each(|(_, line)| cut(&mut written, line.clone()));
+    } else if !idle.is_empty() {
+        let mut number = 0;
+        program.items.retain(|_| {
+            number += 1;
+            idle.iter().all(|(item, _)| item + 1 != number)
+        });
         written = program.write(options);
     }
     let files = files.into_iter().map(|file| Companion {
@@ -71,12 +82,12 @@ pub fn convert(
     })
 }
 
-/// Takes out the importer's comments that switch off what is not found: a finding about them would be one about a line that
-/// nobody wrote. Comes back whether there were any.
-fn without_idle_directives(program: &mut ProgramSketch, text: &str) -> bool {
+/// The importer's comments that switch off what is not found: a finding about them would be one about a line that nobody
+/// wrote. Each as an item, and as a line of the text.
+fn idle_directives(program: &ProgramSketch, text: &str) -> Vec<(usize, Range<usize>)> {
     let is_allow = |item: &Item| matches!(item, Item::Directive(said) if said.starts_with("allow"));
     if !program.items.iter().any(is_allow) {
-        return false;
+        return Vec::new();
     }
     let analysis = ladder_analysis::analyze(&ladder_syntax::parse(text).into(), "");
     let found = analysis.diagnostics().iter();
@@ -85,15 +96,68 @@ fn without_idle_directives(program: &mut ProgramSketch, text: &str) -> bool {
         .map(|found| usize::from(found.range.start()))
         .collect();
     let mut at = 0;
-    let before = program.items.len();
-    program.items.retain(|item| {
-        let Item::Directive(said) = item else { return true };
+    let mut out = Vec::new();
+    for (number, item) in program.items.iter().enumerate() {
+        let Item::Directive(said) = item else { continue };
         let comment = format!("# ladder: {said} #");
         let Some(start) = text[at..].find(&comment).map(|start| at + start) else {
-            return true;
+            continue;
         };
         at = start + comment.len();
-        !idle.contains(&start)
-    });
-    program.items.len() < before
+        if idle.contains(&start) {
+            let end = text[at..].find('\n').map_or(text.len(), |end| at + end + 1);
+            out.push((number, start..end));
+        }
+    }
+    out
+}
+
+/// Whether only lines are missing without them: they follow a directive that stays. Else blank lines may go, too.
+fn are_among_others(program: &ProgramSketch, idle: &[(usize, Range<usize>)]) -> bool {
+    let items = program.items.iter();
+    let head = items
+        .take_while(|item| matches!(item, Item::Directive(_)))
+        .count();
+    !idle.is_empty() && idle.iter().all(|(item, _)| (1..head).contains(item))
+}
+
+/// Takes a line out of a text.
+fn cut(written: &mut WrittenProgram, line: Range<usize>) {
+    let length = TextSize::new(line.len() as u32);
+    for (place, _) in &mut written.places {
+        if usize::from(place.start()) >= line.end {
+            *place = *place - length;
+        }
+    }
+    written.text.replace_range(line, "");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ladder_format::Circuit;
+    use ladder_format::program::{Drawing, Element, Network};
+
+    #[test]
+    fn without_a_line_the_text_is_as_if_it_had_not_been_written() {
+        let program = |directives: &[&str]| {
+            let directives = directives.iter().map(|said| Item::Directive((*said).to_owned()));
+            let coil = Circuit::Element(Element::block("( )( y )", Some(3)));
+            let network = Network {
+                comments: vec!["a lamp".to_owned()],
+                drawing: Drawing::Circuit(Circuit::Series(vec![coil])),
+            };
+            let items = directives.chain([Item::Blank, Item::Network(network)]);
+            ProgramSketch {
+                items: items.collect(),
+            }
+        };
+        let all = program(&["profile iec", "allow-file(never-read): why", "cycle 10ms"]);
+        let options = ladder_format::Options::default();
+        let mut written = all.write(&options);
+        let idle = idle_directives(&all, &written.text);
+        assert!(are_among_others(&all, &idle), "{idle:?}");
+        idle.into_iter().for_each(|(_, line)| cut(&mut written, line));
+        assert_eq!(written, program(&["profile iec", "cycle 10ms"]).write(&options));
+    }
 }

@@ -142,5 +142,5 @@ fn text_of_rslogix_500() {
     expect![[r#"
         6:15: Approximated("here ACC of a timer may pass PRE, where a controller stops it")
         20:14: Refused("the branch that begins here has no end")"#]]
-        .assert_eq(&refused.collect::<Vec<_>>().join("\n"));
+    .assert_eq(&refused.collect::<Vec<_>>().join("\n"));
 }
