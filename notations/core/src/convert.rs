@@ -126,7 +126,7 @@ fn cut(written: &mut WrittenProgram, line: Range<usize>) {
     let length = TextSize::new(line.len() as u32);
     for (place, _) in &mut written.places {
         if usize::from(place.start()) >= line.end {
-            *place = *place - length;
+            *place -= length;
         }
     }
     written.text.replace_range(line, "");

@@ -118,7 +118,9 @@ impl Writer<'_> {
             Value::Text(text) => text.is_empty(),
         };
         // Zeros in a large array say nothing.
-        let value = if values.len() > MOST_ZEROS && values.iter().all(is_zero) {
+        let count: u64 = there.dimensions.iter().map(|size| u64::from(*size)).product();
+        let is_large = values.len() > MOST_ZEROS || count > MOST_ZEROS as u64;
+        let value = if is_large && values.iter().all(is_zero) {
             None
         } else {
             self.raw(ty, &mut values.into_iter())?

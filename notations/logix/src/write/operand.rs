@@ -26,10 +26,10 @@ impl Writer<'_> {
             if c == '#' {
                 rest = rest[1..].split_once('#').map_or("", |(_, rest)| rest);
             } else if c.is_alphabetic() || c == '_' || c == '%' {
-                let end = rest[1..].find(|c: char| {
-                    !(c.is_alphanumeric() || c == '_' || (rest.starts_with('%') && c == '.'))
-                });
-                let word = &rest[..end.map_or(rest.len(), |end| end + 1)];
+                let is_address = c == '%';
+                let goes_on = |c: char| c.is_alphanumeric() || c == '_' || (is_address && c == '.');
+                let mut ends = rest.char_indices().skip(1).filter(|(_, c)| !goes_on(*c));
+                let word = &rest[..ends.next().map_or(rest.len(), |(end, _)| end)];
                 rest = &rest[word.len()..];
                 out.push_str(&self.word(word, after_dot)?);
                 after_dot = false;

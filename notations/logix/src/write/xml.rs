@@ -80,7 +80,8 @@ impl Out {
 
     /// Text that must be there as a section, even an empty one.
     fn text(&mut self, name: &str, text: &str) {
-        let inside = text.replace("]]>", "]]]]><![CDATA[>");
+        let inside = text.replace(|c: char| c.is_control() && !matches!(c, '\n' | '\t'), " ");
+        let inside = inside.replace("]]>", "]]]]><![CDATA[>");
         self.0
             .push_str(&format!("<{name}>\n<![CDATA[{inside}]]>\n</{name}>\n"));
     }

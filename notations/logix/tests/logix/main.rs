@@ -10,3 +10,4 @@ mod loops;
 mod oracle;
 mod projects;
 mod run;
+mod written;

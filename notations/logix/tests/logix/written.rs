@@ -1,0 +1,213 @@
+//! What programs of the language itself become as L5X.
+
+use expect_test::{Expect, expect};
+use ladder_notation::Notation;
+use ladder_notation_logix::L5x;
+
+/// A program as a file, and what there is to say of it.
+#[track_caller]
+fn written(text: &str) -> (String, Vec<String>) {
+    let analysis = ladder_analysis::analyze(&ladder_syntax::parse(text).into(), "plant.clad");
+    let errors: Vec<&str> = analysis.errors().map(|error| error.message.as_str()).collect();
+    assert!(errors.is_empty(), "{errors:?}");
+    let writing = L5x.write(&analysis).expect("it is written");
+    let remarks = writing.report.remarks();
+    let remarks = remarks.map(|entry| format!("{} {}: {:?}", entry.place, entry.element, entry.outcome));
+    (
+        String::from_utf8(writing.bytes).expect("UTF-8"),
+        remarks.collect(),
+    )
+}
+
+/// Its rungs, then the remarks.
+#[track_caller]
+fn check(text: &str, expected: Expect) {
+    let (file, remarks) = written(text);
+    let rungs = file.lines().filter_map(|line| {
+        let rung = line.strip_prefix("<![CDATA[")?.strip_suffix("]]>")?;
+        rung.ends_with(';').then(|| rung.to_owned())
+    });
+    let lines: Vec<String> = rungs.chain(remarks).collect();
+    expected.assert_eq(&lines.join("\n"));
+}
+
+const TAGS: &str = "VAR a, b, c, x, y : BOOL; n, m : DINT; t : TOF; s : TON; p : TP; k : CTU; END_VAR\n";
+
+#[test]
+fn a_whole_file() {
+    let (file, _) = written(
+        "TYPE\n    Motor : STRUCT\n        speed : REAL := 2.5;  # rpm #\n        on : BOOL;\n    END_STRUCT;\nEND_TYPE\n\n\
+         VAR_INPUT start : BOOL; END_VAR\nVAR m : ARRAY[0..1] OF Motor; END_VAR\n# ladder: cycle 20ms #\n\n\
+         # Runs #\n+--[ ]( start )--( )( m[1].on )--+\n",
+    );
+    expect![[r#"
+        ﻿<?xml version="1.0" encoding="UTF-8" standalone="yes"?>
+        <RSLogix5000Content SchemaRevision="1.0" SoftwareRevision="33.01" TargetName="plant" TargetType="Controller" ContainsContext="false" ExportOptions="DecoratedData ForceProtectedEncoding AllProjDocTrans">
+        <Controller Use="Target" Name="plant" ProcessorType="1756-L83E" MajorRev="33" MinorRev="1">
+        <DataTypes>
+        <DataType Name="Motor" Family="NoFamily" Class="User">
+        <Members>
+        <Member Name="speed" DataType="REAL" Dimension="0" Radix="Float" Hidden="false" ExternalAccess="Read/Write">
+        <Description>
+        <![CDATA[rpm]]>
+        </Description>
+        </Member>
+        <Member Name="ZZZZZZZZZZMotor1" DataType="SINT" Dimension="0" Radix="Decimal" Hidden="true" ExternalAccess="Read/Write">
+        </Member>
+        <Member Name="on" DataType="BIT" Dimension="0" Radix="Decimal" Hidden="false" Target="ZZZZZZZZZZMotor1" BitNumber="0" ExternalAccess="Read/Write">
+        </Member>
+        </Members>
+        </DataType>
+        </DataTypes>
+        <Modules/>
+        <AddOnInstructionDefinitions>
+        </AddOnInstructionDefinitions>
+        <Tags>
+        </Tags>
+        <Programs>
+        <Program Name="MainProgram" TestEdits="false" MainRoutineName="MainRoutine" Disabled="false" UseAsFolder="false">
+        <Tags>
+        <Tag Name="start" TagType="Base" DataType="BOOL" Radix="Decimal" Usage="Input" Constant="false" ExternalAccess="Read/Write">
+        <Data Format="Decorated">
+        <DataValue DataType="BOOL" Radix="Decimal" Value="0"/>
+        </Data>
+        </Tag>
+        <Tag Name="m" TagType="Base" DataType="Motor" Dimensions="2" Constant="false" ExternalAccess="Read/Write">
+        <Data Format="Decorated">
+        <Array DataType="Motor" Dimensions="2">
+        <Element Index="[0]">
+        <Structure DataType="Motor">
+        <DataValueMember Name="speed" DataType="REAL" Radix="Float" Value="2.5"/>
+        <DataValueMember Name="on" DataType="BOOL" Radix="Decimal" Value="0"/>
+        </Structure>
+        </Element>
+        <Element Index="[1]">
+        <Structure DataType="Motor">
+        <DataValueMember Name="speed" DataType="REAL" Radix="Float" Value="2.5"/>
+        <DataValueMember Name="on" DataType="BOOL" Radix="Decimal" Value="0"/>
+        </Structure>
+        </Element>
+        </Array>
+        </Data>
+        </Tag>
+        </Tags>
+        <Routines>
+        <Routine Name="MainRoutine" Type="RLL">
+        <RLLContent>
+        <Rung Number="0" Type="N">
+        <Comment>
+        <![CDATA[Runs]]>
+        </Comment>
+        <Text>
+        <![CDATA[XIC(start)OTE(m[1].on);]]>
+        </Text>
+        </Rung>
+        </RLLContent>
+        </Routine>
+        </Routines>
+        </Program>
+        </Programs>
+        <Tasks>
+        <Task Name="MainTask" Type="PERIODIC" Rate="20" Priority="10" Watchdog="500" DisableUpdateOutputs="false" InhibitTask="false">
+        <ScheduledPrograms>
+        <ScheduledProgram Name="MainProgram"/>
+        </ScheduledPrograms>
+        </Task>
+        </Tasks>
+        </Controller>
+        </RSLogix5000Content>
+    "#]].assert_eq(&file);
+}
+
+#[test]
+fn outputs_that_are_high_without_power_begin_a_rung() {
+    check(
+        &format!(
+            "{TAGS}+--[ ]( a )--[TOF]( t, T#1s )--( )( x )--+\n\n+--[ ]( a )--[TON]( s, T#2s )--( )( y )--+\n\n\
+             +--[ ]( a )--[CTU]( k, 3, R := b )--( )( x )--+\n\n+--[ ]( a )--[TP]( p, T#50ms )--( )( y )--+\n"
+        ),
+        expect![[r#"
+            XIC(S:FS)OTU(k.CU)OTU(risen);
+            XIC(a)TOF(t,1000,0);
+            XIC(t.DN)OTE(x);
+            XIC(a)TON(s,2000,0)XIC(s.DN)OTE(y);
+            XIC(a)CTU(k,3,0);
+            [XIC(b) MOV(0,k.ACC) OTU(k.DN) AFI() ,XIC(k.DN) ]OTE(x);
+            XIC(a)ONS(risen)XIO(p_pulse)OTL(p_pulse);
+            [XIC(p_pulse) TON(p,50,0) XIC(p.DN) OTU(p_pulse) RES(p) AFI() ,XIC(p_pulse) ]OTE(y);"#]],
+    );
+}
+
+#[test]
+fn edges_have_their_memory() {
+    check(
+        &format!(
+            "{TAGS}+--[ ]( a )--[P]( b )--[OSR]--(P)( x )--+\n\n+--[ ]( a )--[OSF]--(N)( y )--+\n\n\
+             +--[ ]( a )--[NOT]--( )( x )--+\n\n+--[ ]( a )--(/)( y )--( )( x )--+\n"
+        ),
+        expect![[r#"
+            XIC(S:FS)OTU(risen)OTU(risen_2)OTU(risen_3);
+            XIC(b)OSR(risen,edge);
+            XIC(a)XIC(edge)ONS(risen_2)OSR(risen_3,x);
+            XIC(a)OSF(was_high,fell);
+            XIC(fell)OSF(was_high_2,y);
+            XIC(a)OTE(power);
+            XIO(power)OTE(x);
+            XIC(a)OTE(power_2);
+            [XIO(power_2) OTE(y) AFI() ,XIC(power_2) ]OTE(x);"#]],
+    );
+}
+
+#[test]
+fn a_bridge_is_the_paths_it_makes() {
+    check(
+        &format!(
+            "{TAGS}+--[ ]( a )--\\--[ ]( b )-----\\--( )( y )--+\n|            /--[/]( n.1 )--\\--/            |\n\
+             +--[ ]( c )---------------/--[ ]( m.2 )--( )( x )--+\n\n\
+             +--[ ]( a )--\\--[ ]( y )-----\\--( )( y )--+\n|            /--[/]( n.1 )--\\--/            |\n\
+             +--[ ]( c )---------------/--[ ]( m.2 )--( )( x )--+\n"
+        ),
+        expect![[r#"
+            [XIC(a) XIC(b) ,[XIC(a) XIO(n.1) ,XIC(c) ] ]OTE(y);
+            [XIC(a) XIO(n.1) ,XIC(c) ]XIC(m.2)OTE(x);
+            NOP();
+            2:1 network: Approximated("it is a bridge, or has another order than a rung can have there: its contacts are repeated, on 2 rungs")
+            6:1 network: Refused("it is a bridge, or has an order that no rung keeps there, and what it writes decides in it")"#]],
+    );
+}
+
+#[test]
+fn what_would_be_a_fault_does_nothing() {
+    check(
+        &format!(
+            "{TAGS}+--[DIV]( n, n, m )--( )( x )--+\n\n+--[CALC]( x, a AND NOT (n > 3 OR b) )--+\n\n\
+             +--[SEL]( n, a, 1, m )--+\n\n+--[LIMIT]( n, 1, m, 9 )--+\n\n+--[ROL]( n, m, 3 )--+\n"
+        ),
+        expect![[r#"
+            NEQ(m,0)DIV(n,m,n)OTE(x);
+            [XIC(a) LEQ(n,3) XIO(b) OTL(x) ,[XIO(a) ,[GRT(n,3) ,XIC(b) ] ] OTU(x) ];
+            [XIO(a) MOV(1,n) ,XIC(a) MOV(m,n) ];
+            [MOV(m,n) ,LES(n,1) MOV(1,n) ,GRT(n,9) MOV(9,n) ];
+            NOP();
+            10:1 network: Refused("`[ROL]( n, m, 3 )`: it has no counterpart there")"#]],
+    );
+}
+
+#[test]
+fn names_and_blocks() {
+    check(
+        "FUNCTION_BLOCK [$Twice]\nVAR_INPUT in : BOOL; size : DINT := 4; END_VAR\nVAR_OUTPUT out : BOOL; END_VAR\n\
+         VAR u : TON; END_VAR\n+--[ ]( in )--[OSR]--[TON]( u, T#1s )--( )( out )--+\nEND_FUNCTION_BLOCK\n\n\
+         VAR größe, a__b, y : BOOL; one : $Twice; END_VAR\n\n+--[ ]( größe )--[$Twice]( one, a__b, out => y )--+\n\n\
+         +--[$Twice]( y )--<CALL>( Rinse )--+\n\n+--<FUN>( Rinse )--+\n\n+--[ ]( one.out )--( )( y )--<RET>--+\n",
+        expect![[r#"
+            XIC(gr_e)Twice(one,a_b,y);
+            XIC(gr_e)Twice(one,a_b,y);
+            XIC(S:FS)OTU(risen);
+            Twice(Twice,y,unused)JSR(Rinse,0);
+            XIC(one.out)OTE(y)RET();
+            XIC(in)ONS(risen)TON(u,1000,0)XIC(u.DN)OTE(out);
+            1:1 a__b: Approximated("its name is a_b there")
+            1:1 größe: Approximated("its name is gr_e there")"#]],
+    );
+}
