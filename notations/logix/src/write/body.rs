@@ -72,8 +72,12 @@ impl Writer<'_> {
         said: &Comments,
     ) -> Aoi {
         let block = self.program.blocks[user].name.clone();
-        let scopes = self.analysis.context.scopes.clone();
-        let scope = scopes.iter().find(|scope| scope.block == Some(body));
+        let analysis = self.analysis;
+        let scope = analysis
+            .context
+            .scopes
+            .iter()
+            .find(|scope| scope.block == Some(body));
         self.body = Some(body);
         let tags = scope
             .map(|scope| self.tags(scope, &block, said))

@@ -107,6 +107,14 @@ impl Writer<'_> {
             self.report
                 .approximated(place, format!("tag {}", facts.name), why);
         }
+        if let Some(address) = &facts.cold.address {
+            let place = self.place_of(facts);
+            let why = format!(
+                "it is a tag of its own there: make it an alias of the module's data that {address} stands for"
+            );
+            self.report
+                .approximated(place, format!("tag {}", facts.name), why);
+        }
         let values = match &facts.cold.initial[..] {
             [] => ty.initial_values(),
             given => given.to_vec(),

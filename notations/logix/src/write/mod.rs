@@ -83,7 +83,7 @@ struct Writer<'a> {
     body_of: HashMap<usize, usize>,
     /// What is said above each definition.
     body_comments: HashMap<usize, String>,
-    /// The parameters that a call gives.
+    /// The parameters that a call has a value for.
     given: HashSet<(usize, usize)>,
     /// The definition that is being written.
     body: Option<usize>,
@@ -137,6 +137,10 @@ pub(crate) fn write(analysis: &Analysis) -> std::result::Result<Writing, WriteEr
         label: None,
         note: None,
     };
+    if !matches!(analysis.context.profile, Profile::Logix | Profile::Iec) {
+        let why = "arithmetic, timers and counters are those of Logix there, not of the profile of this file";
+        writer.report.approximated(LineColumn::START, "program", why);
+    }
     let project = writer.project();
     let mut report = writer.report;
     for (name, spelled) in &writer.names.changed {

@@ -24,6 +24,8 @@ pub(super) enum Kind {
 pub(super) struct Names {
     spelled: HashMap<(Kind, Name), String>,
     taken: HashSet<(Kind, String)>,
+    /// Which number the next name gets that is like one that is taken.
+    next: HashMap<(Kind, String), u32>,
     /// What is spelled otherwise than it was, in the order of the names.
     pub(super) changed: BTreeMap<String, String>,
 }
@@ -54,12 +56,14 @@ impl Names {
     pub(super) fn fresh(&mut self, kind: Kind, like: &str) -> String {
         let like = nearest(like, kind);
         let mut name = like.clone();
-        let mut number = 2;
+        let key = (kind, like.to_ascii_uppercase());
+        let mut number = self.next.get(&key).copied().unwrap_or(2);
         while !self.taken.insert((kind, name.to_ascii_uppercase())) {
             let end = format!("_{number}");
             let most = like.len().min(LONGEST - end.len());
             name = format!("{}{end}", like[..most].trim_end_matches('_'));
             number += 1;
+            self.next.insert(key.clone(), number);
         }
         name
     }

@@ -294,7 +294,7 @@ impl Writer<'_> {
         Ok(before)
     }
 
-    /// Whether a parameter is an operand of calls: one of them gives it.
+    /// Whether a parameter is an operand of calls: one of them has a value for it.
     pub(super) fn is_given(&self, user: usize, parameter: usize) -> bool {
         self.given.contains(&(user, parameter))
             || self.program.blocks[user].parameters[parameter].1 == ParameterKind::InOut

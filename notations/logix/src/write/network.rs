@@ -155,7 +155,7 @@ impl Writer<'_> {
         Ok(branch(out))
     }
 
-    /// A network that is no series and branches: each block that acts has a rung of its own, with all that leads to it.
+    /// A network that is no series and branches: each block that acts has a rung of its own, with all contacts on the way to it.
     fn repeated(&mut self, network: &Network) -> Result<()> {
         let acts = |block: usize| match network.blocks[block].kind {
             BlockKind::Instruction(row) => row.role != Role::Condition,

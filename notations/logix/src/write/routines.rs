@@ -150,7 +150,7 @@ impl Writer<'_> {
             project.name = Names::default().spell(Kind::Tag, stem);
         }
         let said = self.comments();
-        let scopes = self.analysis.context.scopes.clone();
+        let scopes = &self.analysis.context.scopes;
         project.aois = self.definitions(&mut bodies, &mut locals, &said);
         let mut tags = Vec::new();
         if let Some(scope) = scopes.iter().find(|scope| scope.block.is_none()) {
