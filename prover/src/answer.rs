@@ -9,6 +9,7 @@ pub use crate::replay::Shown;
 use crate::replay::replay;
 use ladder_analysis::program::Location;
 use ladder_simulator::Simulation;
+use ladder_simulator::compiled::Home;
 use ladder_simulator::scenario::{Form, Watched};
 use std::time::{Duration, Instant};
 
@@ -146,6 +147,13 @@ pub fn prove(
         }
     }
     let mut answers: Vec<Answer> = answers.into_iter().flatten().collect();
+    for (answer, property) in answers.iter_mut().zip(&exact.properties) {
+        if let Verdict::Unknown(scans) = answer.verdict {
+            answer
+                .open
+                .extend(long_timers(simulation, &exact, property.bad, scans));
+        }
+    }
     note_untriggered(&exact, &mut answers, end);
     Ok(answers)
 }
@@ -215,4 +223,40 @@ fn note_untriggered(model: &Model, answers: &mut [Answer], end: Instant) {
     for ((n, _), known) in asked.into_iter().zip(decide(model, &targets, depth).0) {
         answers[n].never_triggered = matches!(known, Known::Never(_));
     }
+}
+
+/// The timers on which a literal depends and that take longer than was looked at.
+fn long_timers(
+    simulation: &Simulation,
+    model: &Model,
+    target: Lit,
+    scans: usize,
+) -> Vec<(String, Option<Location>)> {
+    let nodes = reach(model, std::iter::once(target));
+    let matters = |ages: &Vec<usize>| {
+        let mut leaves = ages.iter().map(|n| model.world.states[*n].leaf.node());
+        leaves.any(|node| nodes.contains(&node))
+    };
+    let program = simulation.program();
+    let tags = program.tags.iter().zip(&simulation.compiled().homes);
+    let mut found = Vec::new();
+    for (tag, home) in tags {
+        let Home::State { bits, .. } = home else { continue };
+        let is_in_it = model.world.timers.iter().zip(&model.world.ages);
+        let mut is_in_it = is_in_it.filter(|(timer, ages)| **timer == bits.0 && matters(ages));
+        if is_in_it.next().is_none() {
+            continue;
+        }
+        match model.world.presets.get(&bits.0) {
+            Some(Some(preset)) if *preset >= scans as u64 => {
+                found.push((format!("{} takes {preset} scans", tag.name), Some(tag.location)));
+            }
+            Some(None) => found.push((
+                format!("{} has a preset that changes", tag.name),
+                Some(tag.location),
+            )),
+            _ => {}
+        }
+    }
+    found
 }

@@ -44,7 +44,7 @@ pub(crate) struct Run {
 }
 
 /// After so many scans runs are tried before the solver goes on: they reach further.
-const TRIED_AT: usize = 30;
+const TRIED_AT: usize = 40;
 const TRIED_SCANS: usize = 3_000;
 const TRIED_TIME: Duration = Duration::from_millis(1_500);
 
@@ -66,7 +66,8 @@ pub(crate) fn decide(model: &Model, targets: &[Lit], depth: Depth) -> (Vec<Known
         if scan == TRIED_AT {
             try_runs(model, targets, &mut known, depth.end);
         }
-        if known.iter().all(Option::is_some) || Instant::now() >= depth.end {
+        let is_late = Instant::now() >= depth.end || base.is_full();
+        if known.iter().all(Option::is_some) || is_late {
             break;
         }
         let goes_on = base.add_scan() && (model.assumed.is_empty() || base.ask(&[], CONFLICTS) != Found::No);
@@ -88,7 +89,15 @@ pub(crate) fn decide(model: &Model, targets: &[Lit], depth: Depth) -> (Vec<Known
             }
             let bad = base.lit(scan, target);
             match base.ask(&[bad], CONFLICTS) {
-                Found::Yes => known[n] = Some(Known::Found(readable(&mut base, model, scan, bad, depth.end))),
+                Found::Yes => {
+                    known[n] = Some(Known::Found(readable(
+                        &mut base,
+                        model,
+                        scan,
+                        (target, bad),
+                        depth.end,
+                    )))
+                }
                 Found::No => {
                     base.require(!bad);
                     reached[n] = scan + 1;
@@ -98,7 +107,7 @@ pub(crate) fn decide(model: &Model, targets: &[Lit], depth: Depth) -> (Vec<Known
                 }
             }
         }
-        if scan < depth.step {
+        if scan < depth.step && !step.is_full() {
             let open: Vec<usize> = (0..targets.len())
                 .filter(|n| known[*n].is_none() && !given_up.contains(n))
                 .collect();
@@ -131,7 +140,8 @@ fn try_runs(model: &Model, targets: &[Lit], known: &mut [Option<Known>], end: In
             for &n in &open {
                 let found = lanes.value(targets[n]) & lanes.alive;
                 if found != 0 && known[n].is_none() {
-                    known[n] = Some(Known::Found(lanes.run(found.trailing_zeros())));
+                    let inputs = inputs_of(model, targets[n]);
+                    known[n] = Some(Known::Found(lanes.run(found.trailing_zeros(), &inputs)));
                 }
             }
         }
@@ -252,11 +262,21 @@ const READABLE: Duration = Duration::from_secs(2);
 const READABLE_CONFLICTS: u64 = 1_000;
 
 /// The run that was found, with as few changes of its inputs as can be had by asking for each whether it may be as before.
-fn readable(base: &mut Unrolled<'_>, model: &Model, last: usize, bad: Lit, end: Instant) -> Run {
-    let mut run = read(base, model, last);
+fn readable(
+    base: &mut Unrolled<'_>,
+    model: &Model,
+    last: usize,
+    (target, bad): (Lit, Lit),
+    end: Instant,
+) -> Run {
+    let inputs = inputs_of(model, target);
+    let mut run = read(base, model, &inputs, last);
     let end = end.min(Instant::now() + READABLE);
     let mut fixed = vec![bad];
     for (number, input) in model.world.inputs.iter().enumerate() {
+        if !inputs[number] {
+            continue;
+        }
         for scan in 0..=last {
             if Instant::now() >= end {
                 return run;
@@ -274,7 +294,7 @@ fn readable(base: &mut Unrolled<'_>, model: &Model, last: usize, bad: Lit, end: 
                 continue;
             }
             if base.ask(&fixed, READABLE_CONFLICTS) == Found::Yes {
-                run = read(base, model, last);
+                run = read(base, model, &inputs, last);
             } else {
                 fixed.pop();
             }
@@ -301,9 +321,17 @@ fn as_before(base: &mut Unrolled<'_>, input: &Input, scan: usize) -> Option<Lit>
     Some(!base.differ(&pairs))
 }
 
-fn read(base: &Unrolled<'_>, model: &Model, last: usize) -> Run {
-    let of = |input: &Input| {
-        let matters = (0..=last).any(|scan| input.bits.iter().any(|bit| base.knows(scan, *bit).is_some()));
+/// Of each input of the model whether a property depends on it, or what is assumed does.
+fn inputs_of(model: &Model, target: Lit) -> Vec<bool> {
+    let nodes = reach(model, model.assumed.iter().copied().chain([target]));
+    let matters = |input: &Input| input.bits.iter().any(|bit| nodes.contains(&bit.node()));
+    model.world.inputs.iter().map(matters).collect()
+}
+
+fn read(base: &Unrolled<'_>, model: &Model, inputs: &[bool], last: usize) -> Run {
+    let of = |(input, is_asked): (&Input, &bool)| {
+        let is_there = |scan: usize| input.bits.iter().any(|bit| base.knows(scan, *bit).is_some());
+        let matters = *is_asked && (0..=last).any(is_there);
         if !matters {
             return Vec::new();
         }
@@ -320,6 +348,6 @@ fn read(base: &Unrolled<'_>, model: &Model, last: usize) -> Run {
     };
     Run {
         scans: last + 1,
-        inputs: model.world.inputs.iter().map(of).collect(),
+        inputs: model.world.inputs.iter().zip(inputs).map(of).collect(),
     }
 }

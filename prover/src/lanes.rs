@@ -116,18 +116,14 @@ impl<'m> Lanes<'m> {
         if lit.is_negated() { !value } else { value }
     }
 
-    /// The inputs of one of the runs.
-    pub(crate) fn run(&self, lane: u32) -> Run {
+    /// Those inputs of one of the runs that matter.
+    pub(crate) fn run(&self, lane: u32, matter: &[bool]) -> Run {
         let mut at = 0;
         let mut inputs = Vec::new();
-        for input in &self.model.world.inputs {
+        for (input, matters) in self.model.world.inputs.iter().zip(matter) {
             let bits = at..at + input.bits.len();
             at = bits.end;
-            let matters = input
-                .bits
-                .iter()
-                .any(|bit| self.nodes.binary_search(&bit.node()).is_ok());
-            let scans = self.given.iter().filter(|_| matters);
+            let scans = self.given.iter().filter(|_| *matters);
             let scans = scans.map(|given| {
                 let bits = given[bits.clone()].iter().zip(&input.bits);
                 bits.map(|(value, bit)| bit.known().unwrap_or(value >> lane & 1 != 0))

@@ -13,6 +13,8 @@ use std::time::{Duration, Instant};
 
 /// Of more bits pairs are not compared.
 const MOST_BITS: usize = 150;
+/// Of more waits and ages the rest is not compared.
+const MOST_PAIRS: usize = 200;
 /// How long guesses are checked.
 const MOST_TIME: Duration = Duration::from_millis(1_500);
 const CONFLICTS: u64 = 5_000;
@@ -27,7 +29,7 @@ struct Pair {
 /// Finds what always holds and adds it to the model.
 pub(crate) fn add(model: &mut Model, targets: &[Lit], end: Instant) {
     let end = end.min(Instant::now() + MOST_TIME);
-    let guesses = guess(model, targets);
+    let guesses = guess(model, targets, end);
     model.lemmas = keep(model, guesses, end);
 }
 
@@ -52,7 +54,7 @@ fn bits(model: &mut Model, targets: &[Lit]) -> Vec<Lit> {
     bits
 }
 
-fn guess(model: &mut Model, targets: &[Lit]) -> Vec<Lit> {
+fn guess(model: &mut Model, targets: &[Lit], end: Instant) -> Vec<Lit> {
     let bits = bits(model, targets);
     let compared = bits.len().min(MOST_BITS);
     let mut pairs: Vec<Pair> = Vec::new();
@@ -65,6 +67,7 @@ fn guess(model: &mut Model, targets: &[Lit]) -> Vec<Lit> {
             });
         }
     }
+    pairs.truncate(MOST_PAIRS);
     // Of each bit whether it was ever low and high; of each pair which of the four were seen.
     let mut seen = vec![[false; 2]; bits.len()];
     let mut both = vec![0u8; compared * compared];
@@ -73,6 +76,9 @@ fn guess(model: &mut Model, targets: &[Lit]) -> Vec<Lit> {
     for round in 0..4u64 {
         let mut lanes = Lanes::new(model, &all, 0x9E37_79B9 + round * 77, 4 << round);
         for _ in 0..60 {
+            if Instant::now() >= end {
+                break;
+            }
             lanes.scan();
             let alive = lanes.alive;
             let values: Vec<u64> = bits.iter().map(|bit| lanes.value(*bit)).collect();

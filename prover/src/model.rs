@@ -9,7 +9,7 @@ use ladder_analysis::values::types::Scalar;
 use ladder_simulator::compiled::{Compiled, Instr, PointSlot};
 use ladder_simulator::expression::{Expression, Kind, Past, PastKind, Source};
 use ladder_simulator::scenario::{Form, Watched};
-use ladder_simulator::{Point, Simulation};
+use ladder_simulator::{Options, Point, Simulation};
 
 /// See the module.
 #[derive(Debug)]
@@ -76,15 +76,15 @@ fn follow<T>(
 ) -> T {
     let compiled = simulation.compiled();
     let cells = Cells::of(simulation.program(), compiled, seen);
-    let interval = simulation.options().interval;
+    let options = simulation.options();
     // The longest presets must be known before ages have their room.
     let mut first = World::default();
-    Builder::scan(&mut first, compiled, &cells, Times::Open, interval);
+    Builder::scan(&mut first, compiled, &cells, Times::Open, options);
     let mut world = World {
         presets: first.presets,
         ..World::default()
     };
-    let mut builder = Builder::scan(&mut world, compiled, &cells, times, interval);
+    let mut builder = Builder::scan(&mut world, compiled, &cells, times, options);
     then(&mut builder)
 }
 
@@ -104,8 +104,9 @@ impl<'w, 'c> Builder<'w, 'c> {
         compiled: &'c Compiled,
         cells: &'c Cells,
         times: Times,
-        interval: i64,
+        options: Options,
     ) -> Builder<'w, 'c> {
+        let interval = options.interval;
         let mut memory = Memory::new(&compiled.initial, Some(cells));
         let had_fault = system::set(world, &mut memory, interval);
         let may_end = compiled
@@ -115,7 +116,8 @@ impl<'w, 'c> Builder<'w, 'c> {
             .any(|instr| matches!(instr, Instr::End { .. }));
         let over = may_end.then(|| world.remember(false));
         let is_over = over.map_or(Lit::FALSE, |(leaf, _)| leaf);
-        let mut scan = Scan::new(world, &compiled.code, memory, (times, interval), !is_over);
+        let scan = Scan::new(world, &compiled.code, memory, (times, interval), !is_over);
+        let mut scan = scan.within(options.watchdog);
         scan.run();
         let (faulted, ended) = (scan.faulted, scan.ended);
         let memory = scan.memory;

@@ -57,6 +57,11 @@ pub(crate) fn replay(
         let values = scans.iter().map(|bits| value(point.ty, bits)).collect();
         shown.given.push((point, values));
     }
+    // What it names comes first.
+    let is_named = |point: &Point| shown.seen.iter().any(|(seen, _)| seen.name == point.name);
+    let mut given = std::mem::take(&mut shown.given);
+    given.sort_by_key(|(point, _)| !is_named(point));
+    shown.given = given;
     // What the property names and was not asked for is shown as it is.
     shown
         .seen

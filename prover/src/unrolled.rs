@@ -16,6 +16,9 @@ pub(crate) enum From {
     Anywhere,
 }
 
+/// More nodes, of all scans, are too many.
+const MOST_NODES: usize = 10_000_000;
+
 /// What came of a question.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Found {
@@ -269,6 +272,11 @@ impl<'m> Unrolled<'m> {
         let high = self.variables.get(&lit.node());
         let high = high.is_some_and(|variable| self.solver.value_var(*variable) == lbool::TRUE);
         high ^ lit.is_negated()
+    }
+
+    /// Whether there are so many functions that more scans are too many.
+    pub(crate) fn is_full(&self) -> bool {
+        self.graph.len() > MOST_NODES
     }
 
     /// How many clauses the solver was given.

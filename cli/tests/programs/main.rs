@@ -27,6 +27,7 @@ mod outside;
 mod own_library;
 mod pages;
 mod projects;
+mod prove;
 mod render;
 #[cfg(feature = "pdf")]
 mod render_pdf;

@@ -1,6 +1,6 @@
 //! The order in which code is followed: what is passed over, functions, bodies, loops (LANGUAGE §5.5).
 
-use super::{Region, Scan};
+use super::{MOST_NODES, Region, Scan};
 use crate::graph::Lit;
 use ladder_simulator::compiled::{CALL_DEPTH, Instr};
 
@@ -41,6 +41,10 @@ impl Scan<'_, '_> {
                 return None;
             };
             self.budget = budget;
+            if self.world.graph.len() > MOST_NODES {
+                self.block("the program computes too much in a scan to be followed", pc);
+                return None;
+            }
             pc += 1;
             match instr {
                 Instr::Finish => return None,

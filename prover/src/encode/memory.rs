@@ -143,6 +143,7 @@ impl<'c> Memory<'c> {
         // It counts only once the timer has begun: what it is before does not matter, and 1 is what it mostly is.
         let (leaves, numbers) = remember(world, count, 1);
         world.ages.push(numbers.clone());
+        world.timers.push(timer.0);
         self.remembered
             .push(Remembered::Age(timer.0, numbers, most.max(1)));
         let age = Number::unsigned(leaves);

@@ -83,8 +83,10 @@ struct Region {
     frames: Vec<Frame>,
 }
 
-/// More instructions than this, loops written out, are too many.
-const MOST_FOLLOWED: usize = 2_000_000;
+/// More instructions than this, loops written out, are too many: also fewer than the limit of a scan, where that is low.
+const MOST_FOLLOWED: usize = 200_000;
+/// More nodes are too many.
+const MOST_NODES: usize = 5_000_000;
 
 impl<'w, 'c> Scan<'w, 'c> {
     /// Before the first instruction.
@@ -126,6 +128,13 @@ impl<'w, 'c> Scan<'w, 'c> {
         let mut scan = Scan::new(world, code, memory, (Times::Exact, 1), Lit::TRUE);
         scan.located = false;
         scan
+    }
+
+    /// With the limit of a scan in the simulator.
+    pub(crate) fn within(mut self, watchdog: u64) -> Self {
+        let half = usize::try_from(watchdog / 2).unwrap_or(usize::MAX);
+        self.budget = self.budget.min(half);
+        self
     }
 
     /// Follows the code to its end.

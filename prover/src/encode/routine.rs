@@ -33,9 +33,16 @@ impl Scan<'_, '_> {
                 self.write_word(Word(*to), value);
             }
             // Nothing of what they write is tracked: texts, and the serial port.
+            (Routine::SelectText, [_, selector, count, ..]) => {
+                self.selected(at, Word(*selector), *count as usize);
+            }
+            (Routine::ParseBit, [to, ..]) => {
+                let bits = self.open_bits("texts are not tracked", at, 2);
+                self.fault(at, bits[1]);
+                self.write_bit(Bit(*to), bits[0]);
+            }
             (
-                Routine::SelectText
-                | Routine::FillTexts
+                Routine::FillTexts
                 | Routine::RepeatTexts
                 | Routine::ShiftTexts
                 | Routine::Concat

@@ -45,6 +45,8 @@ pub(crate) struct World {
     pub(crate) waits: Vec<Vec<usize>>,
     /// The ages of timers likewise.
     pub(crate) ages: Vec<Vec<usize>>,
+    /// Whose ages these are: the first bits of the timers.
+    pub(crate) timers: Vec<u32>,
     /// What inputs cannot be is excluded: all are high in each scan.
     pub(crate) valid: Vec<Lit>,
     /// Why nothing can be said of the program at all.

@@ -126,7 +126,8 @@ pub fn parse(text: &str) -> Suite {
     };
     for line in lines(text) {
         if let [first, rest @ ..] = line.words.as_slice() {
-            if reader.named.is_some() || is_of_property(*first, rest) {
+            let has_rows = !reader.suite.scenarios.is_empty();
+            if reader.named.is_some() || is_of_property(*first, rest, has_rows) {
                 reader.property(*first, rest, line.before_comment());
             } else {
                 reader.line(*first, rest);

@@ -111,8 +111,8 @@ pub const FORMS: [&str; 8] = [
 /// The word that begins the name of a property.
 pub const PROPERTY: &str = "property";
 
-/// Whether a line is of a property, and not a row of a tag that is called so.
-pub(super) fn is_of_property(first: Word, rest: &[Word]) -> bool {
+/// Whether a line is of a property, and not a row of a tag that is called so; before the first scenario are no rows.
+pub(super) fn is_of_property(first: Word, rest: &[Word], has_rows: bool) -> bool {
     let Some(next) = rest.first() else {
         return first.text == PROPERTY;
     };
@@ -120,6 +120,7 @@ pub(super) fn is_of_property(first: Word, rest: &[Word]) -> bool {
     match first.text {
         PROPERTY => next.text.starts_with('"'),
         "no" => next.text == "faults",
+        word if !has_rows => FORMS.contains(&word),
         word => FORMS.contains(&word) && next.text != "=>" && !rest.iter().all(is_value),
     }
 }

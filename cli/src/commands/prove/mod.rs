@@ -142,6 +142,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let seconds = began.elapsed().as_secs_f64();
     match arguments.format {
+        Format::Text if all.is_empty() => {}
         Format::Text => people::end(&all, seconds, colours, &mut out)?,
         Format::Json => json::write(&all, seconds, &mut out)?,
     }

@@ -125,7 +125,10 @@ fn scenarios(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
         match program
             .and_then(|program| compiled(shared, &program, suite.interval.map(|(interval, _)| interval)))
         {
-            Ok(simulation) => errors.extend(scenario::bind(&suite, &simulation).1),
+            Ok(simulation) => {
+                errors.extend(scenario::bind(&suite, &simulation).1);
+                errors.extend(scenario::bind_properties(&suite, &simulation).1);
+            }
             Err(NotReady::Missing(message)) => {
                 let help = "a program is named as it is seen from the folder of the scenario file";
                 found.push(error_at(

@@ -1,0 +1,330 @@
+//! `ladder prove`
+
+use crate::harness::Folder;
+use crate::scenarios::without_times;
+use expect_test::{Expect, expect};
+
+const MOTOR: &str = "\
+VAR warmup : TON; END_VAR
++--\\--[ ]( start )--\\--[/]( stop )--( )( run )--+
+|  /--[ ]( run )----/
++--[ ]( run )--[TON]( warmup, T#2s )--( )( ready )--+
+";
+
+const PROPERTIES: &str = "\
+program motor.clad
+interval 100ms
+
+property \"stop wins\"
+never stop and run
+
+property \"ready comes at once\"
+within 1s of run: ready or not run
+
+possible ready
+";
+
+fn check(files: &[(&str, &str)], arguments: &[&str], expected: Expect) {
+    let folder = Folder::with(&[&[("motor.clad", MOTOR)], files].concat());
+    expected.assert_eq(&without_depth(&without_times(
+        &folder.ladder(arguments).to_string(),
+    )));
+}
+
+/// How far a search came depends on the machine.
+fn without_depth(text: &str) -> String {
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    for line in &mut lines {
+        if let Some(at) = line.find("no such run in ") {
+            line.truncate(at);
+            line.push_str("no such run in N scans");
+        }
+    }
+    lines.join("\n") + "\n"
+}
+
+#[test]
+fn a_line_for_each_property_and_the_runs() {
+    check(
+        &[("motor.ladder-test", PROPERTIES)],
+        &["prove", "motor.ladder-test"],
+        expect![[r#"
+            exit status 1
+            -- stdout
+            motor.ladder-test
+              proved      stop wins            for any times
+              violated    ready comes at once  in scan 10, at 1s
+                          start    -----------
+                          stop     ___________
+                          run   => -----------
+                          ready => ___________
+              possible    possible ready       in scan 20, at 2s
+                          start    ---------------------
+                          stop     _____________________
+                          ready => ____________________-
+
+            3 properties in 1 file: 1 proved, 1 possible, 1 violated, in T s.
+        "#]],
+    );
+}
+
+#[test]
+fn json_has_the_same() {
+    check(
+        &[("motor.ladder-test", PROPERTIES)],
+        &["prove", "motor.ladder-test", "--format", "json"],
+        expect![[r#"
+            exit status 1
+            -- stdout
+            {"files":[{"file":"motor.ladder-test","program":"motor.clad","seconds":T,"interval_ns":100000000,"mistakes":[],"properties":[{"name":"stop wins","line":4,"column":10,"verdict":"proved","times":"any","never_triggered":false,"open":[]},{"name":"ready comes at once","line":7,"column":10,"verdict":"violated","scan":10,"never_triggered":false,"open":[],"trace":[{"tag":"start","given":true,"values":["TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE"]},{"tag":"stop","given":true,"values":["FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE"]},{"tag":"run","given":false,"values":["TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE"]},{"tag":"ready","given":false,"values":["FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE"]}],"scenario":"scenario \"ready comes at once is violated\"\nstart -----------\nstop ___________\nrun => -----------\nready => ___________\n"},{"name":"possible ready","line":10,"column":1,"verdict":"possible","scan":20,"never_triggered":false,"open":[],"trace":[{"tag":"start","given":true,"values":["TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE"]},{"tag":"stop","given":true,"values":["FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE"]},{"tag":"ready","given":false,"values":["FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","TRUE"]}],"scenario":"scenario \"possible ready is possible\"\nstart ---------------------\nstop _____________________\nready => ____________________-\n"}]}],"seconds":T}
+        "#]],
+    );
+}
+
+#[test]
+fn what_is_proved_or_possible_is_fine() {
+    let text = "program motor.clad\nnever stop and run\npossible run\nwhen run and stop: ready\nwithin 2s of run: ready or not run\n";
+    check(
+        &[("a.ladder-test", text)],
+        &["prove", "."],
+        expect![[r#"
+        exit status 0
+        -- stdout
+        a.ladder-test
+          proved      never stop and run                  for any times
+          possible    possible run                        in scan 0, at 0s
+                      start    -
+                      stop     _
+                      run   => -
+          proved      when run and stop: ready            for any times
+                      never triggered: what is on its left side never happens
+          proved      within 2s of run: ready or not run  for an interval of 10ms
+
+        4 properties in 1 file: 3 proved, 1 possible, in T s.
+    "#]],
+    );
+}
+
+#[test]
+fn what_cannot_be_decided_says_why() {
+    let program = "VAR hours : TON; END_VAR\n+--[ ]( start )--[TON]( hours, T#8h )--( )( tired )--+\n\
+                   +--[ADD]( level, level, 0.5 )--[GT]( level, 3.0 )--( )( full )--+\n";
+    let back = "+--<LBL>( again )--[ ]( go )--<JMP>( again )--+\n+--[ ]( go )--( )( gone )--+\n";
+    let files = [
+        ("p.clad", program),
+        (
+            "p.ladder-test",
+            "program p.clad\ninterval 1s\npossible tired and start\nnever full\n",
+        ),
+        ("back.clad", back),
+        ("back.ladder-test", "program back.clad\nnever gone\n"),
+    ];
+    check(
+        &files,
+        &["prove", ".", "--time", "2"],
+        expect![[r#"
+        exit status 1
+        -- stdout
+        back.ladder-test
+          unknown     never gone
+                      not decided: a jump goes back (back.clad:1)
+
+        p.ladder-test
+          unknown     possible tired and start  no such run in N scans
+                      not decided: hours takes 28800 scans (p.clad:1)
+          unknown     never full
+                      not decided: arithmetic of reals is not tracked (p.clad:3)
+
+        3 properties in 2 files: 3 unknown, in T s.
+    "#]],
+    );
+    check(
+        &files,
+        &["prove", "back.ladder-test", "--allow-unknown"],
+        expect![[r#"
+            exit status 0
+            -- stdout
+            back.ladder-test
+              unknown     never gone
+                          not decided: a jump goes back (back.clad:1)
+
+            1 property in 1 file: 1 unknown, in T s.
+        "#]],
+    );
+}
+
+#[test]
+fn assumptions_that_cannot_hold_are_no_success() {
+    let text = "program motor.clad\nassume start and not start\nnever run\n";
+    check(
+        &[("a.ladder-test", text)],
+        &["prove", "."],
+        expect![[r#"
+        exit status 1
+        -- stdout
+        a.ladder-test
+          vacuous     never run  what is assumed cannot hold in the first scan
+
+        1 property in 1 file: 1 vacuous, in T s.
+    "#]],
+    );
+}
+
+#[test]
+fn errors_are_shown_at_their_places() {
+    let text = "program motor.clad\nnever nothing\nwhen run ready\nalways 5\n";
+    check(
+        &[("a.ladder-test", text)],
+        &["prove", "a.ladder-test"],
+        expect![[r#"
+            exit status 1
+            -- stdout
+            error[bad-scenario]: there is no tag `nothing` in this program
+             --> a.ladder-test:2:7
+              |
+            2 | never nothing
+              |       ^^^^^^^
+
+            error[bad-scenario]: a colon is missing here
+             --> a.ladder-test:3:10
+              |
+            3 | when run ready
+              |          ^^^^^
+              |
+              = help: write it as in: when jam: not running
+
+            error[bad-scenario]: a condition is TRUE or FALSE, and this is of type LINT
+             --> a.ladder-test:4:8
+              |
+            4 | always 5
+              |        ^
+
+            0 properties in 1 file: 1 file not read for errors, in T s.
+        "#]],
+    );
+    check(
+        &[("a.ladder-test", text)],
+        &["test", "a.ladder-test"],
+        expect![[r#"
+            exit status 1
+            -- stdout
+            error[bad-scenario]: there is no tag `nothing` in this program
+             --> a.ladder-test:2:7
+              |
+            2 | never nothing
+              |       ^^^^^^^
+
+            error[bad-scenario]: a colon is missing here
+             --> a.ladder-test:3:10
+              |
+            3 | when run ready
+              |          ^^^^^
+              |
+              = help: write it as in: when jam: not running
+
+            error[bad-scenario]: a condition is TRUE or FALSE, and this is of type LINT
+             --> a.ladder-test:4:8
+              |
+            4 | always 5
+              |        ^
+
+            0 scenarios in 1 file: 0 passed, 1 file not run for errors, in T s.
+        "#]],
+    );
+    check(
+        &[],
+        &["prove", "motor.clad"],
+        expect![[r#"
+        exit status 2
+        -- stderr
+        error: motor.clad: this is a program; name the file with its properties, for example motor.ladder-test
+    "#]],
+    );
+    check(
+        &[],
+        &["prove", "."],
+        expect![[r#"
+        exit status 2
+        -- stderr
+        error: .: no scenarios (a file ending in .ladder-test) are in this folder
+    "#]],
+    );
+    check(
+        &[],
+        &["prove", ".", "--time", "soon"],
+        expect![[r#"
+        exit status 2
+        -- stderr
+        error: invalid value 'soon' for '--time <SECONDS>': invalid float literal
+
+        For more information, try '--help'.
+    "#]],
+    );
+}
+
+#[test]
+fn the_runs_are_scenarios_that_pass() {
+    let text = "program p.clad\ninterval 100ms\nproperty \"it \"\nnever a and b\nno faults\n\
+                property \"in time\"\nwithin 1 scan of was(n) > 5: n < 3\n";
+    let program = "VAR_INPUT a, b : BOOL; n : INT; END_VAR\n+--[ ]( a )--[DIV]( x, 10, n )--+\n";
+    let folder = Folder::with(&[("p.clad", program), ("p.ladder-test", text)]);
+    let arguments = ["prove", "p.ladder-test", "--write", "found.ladder-test"];
+    let proved = folder.ladder(&arguments).to_string();
+    let found = folder.read("found.ladder-test");
+    expect![[r#"
+        program p.clad
+        interval 100ms
+
+        scenario "it is violated"
+        a    -
+        b    -
+        a => -
+
+        scenario "no faults is violated"
+        a            - -
+        n            0 0
+        SYS.FAULT => . -
+
+        scenario "in time is violated"
+        n    6 6 6
+        n => 6 6 6
+    "#]]
+    .assert_eq(&found);
+    let tested = folder.ladder(&["test", "found.ladder-test"]).to_string();
+    expect![[r#"
+        exit status 0
+        -- stdout
+        found.ladder-test
+          ok    it is violated
+                p.clad:2:14: fault in scan 0: division by zero: nothing was written; check the divisor before this block
+          ok    no faults is violated
+                p.clad:2:14: fault in scan 0: division by zero: nothing was written; check the divisor before this block
+                p.clad:2:14: fault in scan 1: division by zero: nothing was written; check the divisor before this block
+          ok    in time is violated
+
+        3 scenarios in 1 file: 3 passed, in T s.
+    "#]].assert_eq(&without_times(&tested));
+    assert!(proved.contains("3 violated"), "{proved}");
+    // It stays where it is once it is there.
+    let again = folder.ladder(&arguments).to_string();
+    assert!(
+        again.contains("ends with --force") || again.contains("end with --force"),
+        "{again}"
+    );
+}
+
+#[test]
+fn test_says_how_many_properties_there_are() {
+    check(
+        &[("motor.ladder-test", PROPERTIES)],
+        &["test", "motor.ladder-test"],
+        expect![[r#"
+            exit status 0
+            -- stdout
+            motor.ladder-test
+                    3 properties: ladder prove motor.ladder-test
+
+            0 scenarios in 1 file: 0 passed, in T s.
+        "#]],
+    );
+}
