@@ -17,6 +17,7 @@ mod real;
 mod routine;
 mod state;
 mod timers;
+mod uses;
 mod world;
 
 pub(crate) use cells::Cells;

@@ -38,8 +38,8 @@ pub(crate) fn value(dice: &mut Dice, ty: Scalar) -> Value {
     }
 }
 
-/// Compares one program; the difference, if there is one.
-fn compare(text: &str, seed: u64, tally: &mut Tally) -> Option<String> {
+/// Compares one program over so many scans; the difference, if there is one.
+fn compare(text: &str, seed: u64, scans: usize, tally: &mut Tally) -> Option<String> {
     let program = compile(text)?;
     let options = Options {
         watchdog: 20_000,
@@ -56,7 +56,7 @@ fn compare(text: &str, seed: u64, tally: &mut Tally) -> Option<String> {
     let mut dice = Dice::new(seed);
     let names: Vec<String> = followed.inputs().map(str::to_owned).collect();
     let mut given: BTreeMap<String, Value> = BTreeMap::new();
-    for scan in 0..20 {
+    for scan in 0..scans {
         for name in &names {
             if scan == 0 || dice.one_in(3) {
                 let point = simulation.resolve(name).expect("inputs are tags");
@@ -100,7 +100,7 @@ fn compare(text: &str, seed: u64, tally: &mut Tally) -> Option<String> {
 fn check(mode: Mode, least: usize) {
     let mut tally = Tally::default();
     for seed in 0..programs() {
-        if let Some(difference) = compare(&program(seed, mode), seed, &mut tally) {
+        if let Some(difference) = compare(&program(seed, mode), seed, 20, &mut tally) {
             panic!("seed {seed}: {difference}");
         }
     }
@@ -126,4 +126,53 @@ fn wild_programs_are_followed() {
 #[test]
 fn programs_with_types_are_followed() {
     check(Mode::Typed, 0);
+}
+
+/// What generated programs seldom let run out, and what they pass over.
+const TIMES: &str = "\
+VAR_INPUT a, b, r : BOOL; ms : INT; END_VAR
+VAR t1, t2, t3 : TON; t4, t5 : TOF; t6, t7 : TP; t8, t9 : RTO; t10, t11 : RTOF; END_VAR
+VAR c1 : CTU; c2 : CTD; c3 : CTUD; c4 : CTC; list : ARRAY[0..4] OF INT; n, sum, tens : INT; END_VAR
++--[ ]( a )--[TON]( t1, T#55ms, R := r )--( )( q1 )--+
++--[ ]( a )--[TOF]( t4, T#55ms, R := r )--( )( q4 )--+
++--[ ]( a )--[TP]( t6, T#55ms, R := r )--( )( q6 )--+
++--[ ]( a )--[RTO]( t8, T#75ms, R := r )--( )( q8 )--+
++--[ ]( a )--[RTOF]( t10, T#75ms, R := r )--( )( q10 )--+
++--[MUL]( tens, ms, 10 )--+
++--[ ]( a )--[TON]( t2, tens )--+
++--[ ]( b )--<JMP>( over )--+
++--[ ]( a )--[TON]( t3, T#30ms )--( )( q3 )--+
++--[ ]( a )--[TOF]( t5, tens )--( )( q5 )--+
++--[ ]( a )--[TP]( t7, tens )--( )( q7 )--+
++--[ ]( a )--[RTO]( t9, tens )--( )( q9 )--+
++--[ ]( a )--[RTOF]( t11, tens )--( )( q11 )--+
++--[ ]( a )--[CTU]( c1, 3, R := r )--( )( q12 )--+
++--[ ]( a )--[CTD]( c2, 3, LD := r )--( )( q13 )--+
++--[ ]( a )--[CTUD]( c3, ms, CD := b, R := r )--( )( q14 )--+
++--[ ]( a )--[CTC]( c4, 3 )--( )( q15 )--+
++--<LBL>( over )--[ ]( r )--(RES)( t9 )--(RES)( c4 )--(RES)( t7 )--+
++--[ ]( SYS.CLOCK_100MS )--[P]( a )--<CALL>( count )--+
++--[ ]( b )--<CALL>( count )--+
++--[MOV]( sum, 0 )--+
++--<FOR>( 5, I := n )--+
++--[ADD]( sum, sum, list[n - 1] )--[GT]( sum, 6 )--<JMP>( far )--+
++--<NEXT>--+
++--<LBL>( far )--[EQ]( ms, 3 )--<END>--+
++--<FUN>( count )--[ADD]( list[ms], list[ms], 1 )--[OSR]--( )( once )--+
+";
+
+#[test]
+fn times_and_loops_are_followed() {
+    assert!(compile(TIMES).is_some(), "it has errors");
+    let mut tally = Tally::default();
+    for seed in 0..programs().div_ceil(5) {
+        if let Some(difference) = compare(TIMES, seed, 120, &mut tally) {
+            panic!("seed {seed}: {difference}");
+        }
+    }
+    println!("{tally:?}");
+    assert!(
+        tally.equal >= 5_000 && tally.open == 0 && tally.blocked.is_empty(),
+        "{tally:?}"
+    );
 }
