@@ -90,13 +90,8 @@ pub(crate) fn decide(model: &Model, targets: &[Lit], depth: Depth) -> (Vec<Known
             let bad = base.lit(scan, target);
             match base.ask(&[bad], CONFLICTS) {
                 Found::Yes => {
-                    known[n] = Some(Known::Found(readable(
-                        &mut base,
-                        model,
-                        scan,
-                        (target, bad),
-                        depth.end,
-                    )))
+                    let run = readable(&mut base, model, scan, (target, bad), depth.end);
+                    known[n] = Some(Known::Found(run));
                 }
                 Found::No => {
                     base.require(!bad);

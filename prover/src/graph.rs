@@ -127,6 +127,7 @@ impl Graph {
     }
 
     /// What the AND is, if a look into the first shows that it is less than a node.
+    #[allow(clippy::many_single_char_names, reason = "literals, as formulas have them")]
     fn simpler(&mut self, a: Lit, b: Lit) -> Option<Lit> {
         let (x, y) = self.parts(a)?;
         let other = self.parts(b);

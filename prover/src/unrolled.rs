@@ -48,7 +48,7 @@ impl Callbacks for Limits {
     fn stop(&self) -> bool {
         let asked = self.asked.get().wrapping_add(1);
         self.asked.set(asked);
-        if asked % 256 == 0 && Instant::now() >= self.end {
+        if asked.is_multiple_of(256) && Instant::now() >= self.end {
             self.is_late.set(true);
         }
         self.is_late.get() || self.conflicts.get() == 0

@@ -110,9 +110,10 @@ impl Scan<'_, '_> {
     /// Who goes on at this instruction joins.
     fn arrive(&mut self, pc: u32) {
         while let Some(region) = self.regions.pop_if(|region| region.end <= pc) {
-            self.act = match region.leaks {
-                true => self.world.graph.or(self.act, region.without),
-                false => region.act,
+            self.act = if region.leaks {
+                self.world.graph.or(self.act, region.without)
+            } else {
+                region.act
             };
             // Who had no power has not left the bodies that were left in it.
             if self.frames.len() != region.frames.len() {

@@ -175,7 +175,9 @@ pub(super) fn routine_uses(
     let word = |at: u32| Cell::Word(Word(at));
     // A range that is known only while the program runs blocks it, so what is noted here of one does not matter.
     let mut range = |words: [u32; 2], cell: &dyn Fn(u32) -> Cell, access: Access| {
-        words.into_iter().for_each(|at| each(word(at), Access::Read));
+        for at in words {
+            each(word(at), Access::Read);
+        }
         for slot in range_of(initial, None, words).unwrap_or_default() {
             each(cell(slot), access);
         }

@@ -33,6 +33,9 @@ pub struct Scope<'s> {
 
 impl Scope<'_> {
     /// The place that a text names.
+    ///
+    /// # Errors
+    /// It names none: why.
     pub fn resolve(self, text: &str) -> Result<Point, Problem> {
         if let Some(instance) = self.instance {
             let own = self.simulation.resolve_within(instance, text);

@@ -248,9 +248,10 @@ impl<'t> Reader<'t> {
                 let condition = self.expression()?;
                 self.colon("when jam: not running")?;
                 let then = self.expression()?;
-                let until = match self.take("until") {
-                    true => Some(self.expression()?),
-                    false => None,
+                let until = if self.take("until") {
+                    Some(self.expression()?)
+                } else {
+                    None
                 };
                 Form::When {
                     condition,
@@ -282,9 +283,10 @@ impl<'t> Reader<'t> {
             }
             "possible" => {
                 let what = self.expression()?;
-                let within = match self.take("within") {
-                    true => Some(self.span()?),
-                    false => None,
+                let within = if self.take("within") {
+                    Some(self.span()?)
+                } else {
+                    None
                 };
                 Form::Possible { what, within }
             }
@@ -304,6 +306,9 @@ impl<'t> Reader<'t> {
 
 impl<E> Form<E> {
     /// The same of other expressions.
+    ///
+    /// # Errors
+    /// The first that one of them is.
     pub fn try_map<'e, T, X>(
         &'e self,
         mut each: impl FnMut(&'e E) -> std::result::Result<T, X>,

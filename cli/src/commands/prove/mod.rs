@@ -172,11 +172,10 @@ fn write_runs(file: &Path, all: &[FileAnswers]) -> Result<(), Failure> {
         }
     };
     let folder = |path: &Path| {
-        path.parent()
-            .and_then(|folder| match folder.as_os_str().is_empty() {
-                true => Path::new(".").canonicalize().ok(),
-                false => folder.canonicalize().ok(),
-            })
+        let folder = path.parent()?;
+        let is_here = folder.as_os_str().is_empty();
+        let folder = if is_here { Path::new(".") } else { folder };
+        folder.canonicalize().ok()
     };
     if folder(file) != folder(Path::new(&answers.file)) {
         return Err(Failure::new(format!(
