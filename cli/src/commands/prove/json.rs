@@ -12,12 +12,12 @@ use std::io::{self, Write};
 
 #[derive(Serialize)]
 struct All<'a> {
-    files: Vec<File<'a>>,
+    files: Vec<Suite<'a>>,
     seconds: f64,
 }
 
 #[derive(Serialize)]
-struct File<'a> {
+struct Suite<'a> {
     file: &'a str,
     program: &'a str,
     seconds: f64,
@@ -118,7 +118,7 @@ fn property(of: &PropertyAnswer) -> Property<'_> {
 }
 
 pub(super) fn write(all: &[FileAnswers], seconds: f64, out: &mut dyn Write) -> io::Result<()> {
-    let files = all.iter().map(|answers| File {
+    let files = all.iter().map(|answers| Suite {
         file: &answers.file,
         program: &answers.program,
         seconds: answers.seconds,
