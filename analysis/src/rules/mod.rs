@@ -44,6 +44,7 @@ pub(crate) mod library_name;
 pub(crate) mod list;
 pub(crate) mod literal_out_of_range;
 pub(crate) mod literals;
+pub(crate) mod merge_conflict;
 pub(crate) mod misleading_alignment;
 pub(crate) mod misplaced_rail;
 pub(crate) mod missing_wire;

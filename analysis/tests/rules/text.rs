@@ -452,3 +452,47 @@ fn literals() {
         "#]],
     );
 }
+
+#[test]
+fn a_merge_that_is_not_decided() {
+    check(
+        "# <<<<<<< ours #\n+--[ ]( a )--( )( y )--+\n# ======= #\n+--[/]( a )--( )( y )--+\n# >>>>>>> theirs #\n",
+        expect![[r#"
+            > # <<<<<<< ours #
+              ^^^^^^^^^^^^^^^^ error[merge-conflict]: a merge left both forms of something here: it is not decided which one holds
+                help: keep one of the two, or make one of them, and remove the three comments
+                fix: Keep ours
+                  +--[ ]( a )----------------------------------------------------------( )( y )--+
+                fix: Keep theirs
+                  +--[/]( a )----------------------------------------------------------( )( y )--+
+            > +--[/]( a )--( )( y )--+
+                                ^ warning[double-coil]: `y` is written by 2 coils: the last one alone decides
+                help: combine all conditions into one coil, joined with \ and /; or use (S) and (R)
+                at 2:19 `y`: `y` is written here as well
+        "#]],
+    );
+    // A part of one, and what only looks like one.
+    check(
+        "# <<<<<<< ours #\n+--[ ]( a )--( )( y )--+\n\n# ======= #\n# >>>>>>> theirs #\n# >>>>>>> theirs #\n\
+         +--[ ]( y )--( )( z )--+\n# <<<<<<< ours #\n",
+        expect![[r#"
+            > # <<<<<<< ours #
+              ^^^^^^^^^^^^^^^^ error[merge-conflict]: a merge left both forms of something here: it is not decided which one holds
+                help: keep one of the two, or make one of them, and remove the three comments
+                fix: Keep ours
+                  +--[ ]( a )----------------------------------------------------------( )( y )--+
+
+                fix: Keep theirs
+            > # >>>>>>> theirs #
+              ^^^^^^^^^^^^^^^^^^ error[merge-conflict]: a merge left both forms of something here: it is not decided which one holds
+                help: keep one of the two, or make one of them, and remove the three comments
+            > # <<<<<<< ours #
+              ^^^^^^^^^^^^^^^^ error[merge-conflict]: a merge left both forms of something here: it is not decided which one holds
+                help: keep one of the two, or make one of them, and remove the three comments
+        "#]],
+    );
+    check(
+        "# Pumps #\n# ======= #\n# >>> see below, <<<<<<< and not above #\n# >>>>>>>>> #\n+--[ ]( a )--( )( y )--+\n",
+        expect![[r#""#]],
+    );
+}

@@ -21,7 +21,7 @@ pub(crate) struct Objects {
 pub(crate) enum Object {
     /// The content of a file.
     File(Vec<u8>),
-    /// A folder, by the name that git gives it.
+    /// A folder, by its name in git.
     Folder(String),
 }
 
@@ -29,7 +29,7 @@ pub(crate) enum Object {
 pub(crate) struct Listed {
     /// Its path in the folder.
     pub(crate) path: String,
-    /// The name that git gives to its content.
+    /// The name of its content in git.
     pub(crate) id: String,
 }
 
@@ -117,7 +117,7 @@ impl Drop for Objects {
     }
 }
 
-/// The files in a folder of a revision and in its sub-folders; `folder` is the name that git gives it.
+/// The files in a folder of a revision and in its sub-folders; `folder` is its name in git.
 ///
 /// # Errors
 /// git does not know it, or it holds too many.

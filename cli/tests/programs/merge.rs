@@ -58,8 +58,14 @@ fn a_conflict_is_drawn_as_both() {
         warning: plant/motor.clad: both sides edited the network that writes x
     "#]]
     .assert_eq(&run.to_string());
-    let check = folder.ladder(&["check", "both.clad"]);
-    assert!(!check.to_string().contains("error"), "{check}");
+    let check = folder.ladder(&["check", "--format", "concise", "both.clad"]);
+    let errors: Vec<&str> = check
+        .stdout
+        .lines()
+        .filter(|line| line.contains("error["))
+        .collect();
+    assert_eq!(errors.len(), 1, "{check}");
+    assert!(errors[0].contains("merge-conflict"), "{check}");
     assert_eq!(folder.ladder(&["fmt", "--check", "both.clad"]).status, Some(0));
 }
 
