@@ -5,7 +5,7 @@ use crate::outline::{Entry, Kind, Outline};
 use ladder_analysis::Others;
 use ladder_analysis::context::Context;
 use ladder_analysis::names::join::context;
-use ladder_analysis::networks::BlockAt;
+use ladder_analysis::networks::{BlockAt, NetworkAt};
 use ladder_format::{Options, display_width, format_text};
 use ladder_syntax::SyntaxKind::{BOM, COMMENT, NEWLINE, STRING, WHITESPACE};
 use ladder_syntax::wiring::{self, PartKind};
@@ -50,21 +50,28 @@ pub fn draw_both(old: (&Outline, &Entry), new: (&Outline, &Entry), width: u32) -
     (old.drawn(&gone), new.drawn(&added))
 }
 
-/// The parts of two networks (rung, and which part of it) that the other has not.
-pub fn changed_parts(
-    old: (&Outline, &Entry),
-    new: (&Outline, &Entry),
-) -> (Vec<(usize, usize)>, Vec<(usize, usize)>) {
+/// Parts of the two forms of a network: the rung, and which part of it.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct ChangedParts {
+    /// What only the old one has.
+    pub gone: Vec<(usize, usize)>,
+    /// What only the new one has.
+    pub added: Vec<(usize, usize)>,
+}
+
+/// The parts of two networks that the other has not.
+pub fn changed_parts(old: (&Outline, &Entry), new: (&Outline, &Entry)) -> ChangedParts {
     let (old, new) = (parts(old.0, old.1), parts(new.0, new.1));
     let keys = |parts: &[Part]| -> Vec<String> { parts.iter().map(|(key, _)| key.clone()).collect() };
-    let (mut gone, mut added) = (Vec::new(), Vec::new());
+    let mut changed = ChangedParts::default();
     for op in capture_diff_slices(Algorithm::Myers, &keys(&old), &keys(&new)) {
         if op.tag() != DiffTag::Equal {
-            gone.extend(old[op.old_range()].iter().filter_map(|(_, part)| *part));
-            added.extend(new[op.new_range()].iter().filter_map(|(_, part)| *part));
+            let parts = |parts: &[Part]| -> Vec<_> { parts.iter().filter_map(|(_, part)| *part).collect() };
+            changed.gone.extend(parts(&old[op.old_range()]));
+            changed.added.extend(parts(&new[op.new_range()]));
         }
     }
-    (gone, added)
+    changed
 }
 
 /// What a part of a network says, and which it is; between rungs one that is none.
@@ -233,7 +240,7 @@ fn elements(context: &Context) -> Vec<Piece> {
             .networks
             .on_line(number)
             .into_iter()
-            .flat_map(|network| network.blocks())
+            .flat_map(NetworkAt::blocks)
             .filter(|block| block.base == start);
         for part in wiring::rung(&line.tree()).parts {
             let text = line

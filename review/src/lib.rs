@@ -1,7 +1,7 @@
 //! What changed between two ladder programs, and merges of such changes.
 //!
 //! ```text
-//! Context --outline--> entries: networks, declarations, types, blocks, settings, each with its comments
+//! Context --reader---> entries: networks, declarations, types, blocks, settings, each with its comments
 //!         --canonical--> what an entry says, without its layout and its comments
 //! two outlines --matching--> which entry of the one is which of the other
 //!              --comparison--> changes: the same, moved, drawn differently, edited, new, gone
@@ -18,6 +18,7 @@ pub mod drawing;
 mod matching;
 pub mod merge;
 pub mod outline;
+mod reader;
 pub mod report;
 pub mod verdict;
 

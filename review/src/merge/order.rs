@@ -13,7 +13,7 @@ pub(super) struct Slot<'o> {
 
 /// A slot, and where it is in one list: that of the result.
 #[derive(Debug, Clone, Copy, Default)]
-struct Linked<'o> {
+struct Placed<'o> {
     slot: Slot<'o>,
     /// It is elsewhere among the others than in the base.
     our_place: bool,
@@ -24,13 +24,13 @@ struct Linked<'o> {
 }
 
 /// The result as a list that entries are put into and taken out of. Number 0 is before the first and after the last.
-struct List<'o>(Vec<Linked<'o>>);
+struct List<'o>(Vec<Placed<'o>>);
 
 impl<'o> List<'o> {
     fn add(&mut self, slot: Slot<'o>) -> usize {
-        self.0.push(Linked {
+        self.0.push(Placed {
             slot,
-            ..Linked::default()
+            ..Placed::default()
         });
         self.0.len() - 1
     }
@@ -45,7 +45,7 @@ impl<'o> List<'o> {
     }
 
     fn take_out(&mut self, number: usize) {
-        let Linked { before, after, .. } = self.0[number];
+        let Placed { before, after, .. } = self.0[number];
         self.0[before].after = after;
         self.0[after].before = before;
     }
@@ -66,7 +66,7 @@ impl<'o> List<'o> {
 /// The entries of three lists, in the order of the result: that of ours, with what theirs added or moved put after what is
 /// before it there.
 pub(super) fn slots<'o>(base: &'o [Entry], ours: &'o [Entry], theirs: &'o [Entry]) -> Vec<Slot<'o>> {
-    let mut list = List(vec![Linked::default()]);
+    let mut list = List(vec![Placed::default()]);
     for entry in base {
         list.add(Slot {
             base: Some(entry),
@@ -103,7 +103,7 @@ pub(super) fn slots<'o>(base: &'o [Entry], ours: &'o [Entry], theirs: &'o [Entry
     }
     for &number in &their_numbers {
         let it = list.0[number];
-        let stays = it.linked && !(it.their_place && !it.our_place);
+        let stays = it.linked && (it.our_place || !it.their_place);
         if !stays {
             if it.linked {
                 list.take_out(number);

@@ -104,9 +104,23 @@ fn forms(comparison: &Comparison<'_>, change: &Change<'_>, pictures: &Pictures<'
         }
         (Some(was), Some(is)) => {
             let (old_drawn, new_drawn) = draw_both((old, was), (new, is), WIDTH);
-            let (gone, added) = changed_parts((old, was), (new, is));
-            form(Side::Old, (old, was), &old_drawn, &pictures.old, &gone, out);
-            form(Side::New, (new, is), &new_drawn, &pictures.new, &added, out);
+            let changed = changed_parts((old, was), (new, is));
+            form(
+                Side::Old,
+                (old, was),
+                &old_drawn,
+                &pictures.old,
+                &changed.gone,
+                out,
+            );
+            form(
+                Side::New,
+                (new, is),
+                &new_drawn,
+                &pictures.new,
+                &changed.added,
+                out,
+            );
         }
         (Some(was), None) => {
             form(

@@ -13,8 +13,8 @@ fn check(old: &str, new: &str, expected: Expect) {
         comparison: compare(&old, &new),
     };
     let lines = text::report(&compared);
-    let shown: String = lines.iter().map(|line| format!("{}\n", line.text)).collect();
-    expected.assert_eq(&shown);
+    let lines: Vec<&str> = lines.iter().map(|line| line.text.as_str()).collect();
+    expected.assert_eq(&(lines.join("\n") + "\n"));
 }
 
 const MOTOR: &str = "\

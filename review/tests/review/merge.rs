@@ -25,8 +25,8 @@ fn merged(base: &str, ours: &str, theirs: &str) -> Result<(String, Vec<String>),
 fn check(base: &str, ours: &str, theirs: &str, expected: Expect) {
     let shown = match merged(base, ours, theirs) {
         Ok((text, conflicts)) => {
-            let conflicts: String = conflicts.iter().map(|it| format!("conflict: {it}\n")).collect();
-            format!("{text}{conflicts}")
+            let conflicts = conflicts.iter().map(|it| format!("conflict: {it}\n"));
+            text + &conflicts.collect::<Vec<_>>().concat()
         }
         Err(error) => format!("{error}\n"),
     };

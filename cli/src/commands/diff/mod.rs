@@ -76,10 +76,22 @@ enum Format {
     Json,
 }
 
-/// Two texts that differ.
+/// Two files that are compared. None: there is no such file on that side.
+struct Pair {
+    old: Option<File>,
+    new: Option<File>,
+}
+
+/// The same as texts.
 struct Texts {
-    old: Option<(String, String)>,
-    new: Option<(String, String)>,
+    old: Option<Named>,
+    new: Option<Named>,
+}
+
+/// A text, and what its file is called.
+struct Named {
+    name: String,
+    text: String,
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
@@ -87,7 +99,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let mut objects = None;
     let mut programs = Vec::new();
     let mut settings = Vec::new();
-    for (old, new) in &pairs {
+    for Pair { old, new } in &pairs {
         let is_settings = [old, new].iter().any(|file| {
             file.as_ref()
                 .is_some_and(|file| side::is_settings(Path::new(&file.name)))
@@ -96,14 +108,17 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             continue;
         };
         if is_settings {
-            settings.extend(SettingsDiff::new(borrowed(&texts.old), borrowed(&texts.new)));
+            settings.extend(SettingsDiff::new(
+                texts.old.as_ref().map(Named::borrowed),
+                texts.new.as_ref().map(Named::borrowed),
+            ));
         } else {
-            programs.push((outline(&texts.old), outline(&texts.new), texts));
+            programs.push((outline(texts.old.as_ref()), outline(texts.new.as_ref()), texts));
         }
     }
     let compared = programs.iter().map(|(old, new, texts)| Compared {
-        old: texts.old.as_ref().map(|(name, _)| name.as_str()),
-        new: texts.new.as_ref().map(|(name, _)| name.as_str()),
+        old: texts.old.as_ref().map(|named| named.name.as_str()),
+        new: texts.new.as_ref().map(|named| named.name.as_str()),
         comparison: compare(old, new),
     });
     let compared: Vec<Compared<'_>> = compared.filter(is_different).collect();
@@ -139,17 +154,18 @@ fn is_different(compared: &Compared<'_>) -> bool {
 }
 
 /// Which files are compared with which.
-fn pairs(old: Side, new: Side) -> Result<Vec<(Option<File>, Option<File>)>, Failure> {
+fn pairs(old: Side, new: Side) -> Result<Vec<Pair>, Failure> {
+    let pair = |old, new| Pair { old, new };
     match (old, new) {
-        (Side::File(old), Side::File(new)) => Ok(vec![(Some(old), Some(new))]),
-        (Side::Nothing, Side::File(new)) => Ok(vec![(None, Some(new))]),
-        (Side::File(old), Side::Nothing) => Ok(vec![(Some(old), None)]),
+        (Side::File(old), Side::File(new)) => Ok(vec![pair(Some(old), Some(new))]),
+        (Side::Nothing, Side::File(new)) => Ok(vec![pair(None, Some(new))]),
+        (Side::File(old), Side::Nothing) => Ok(vec![pair(Some(old), None)]),
         (Side::Nothing, Side::Nothing) => Ok(Vec::new()),
         (Side::Folder(mut old), Side::Folder(mut new)) => {
             let names: BTreeSet<String> = old.keys().chain(new.keys()).cloned().collect();
             Ok(names
                 .iter()
-                .map(|name| (old.remove(name), new.remove(name)))
+                .map(|name| pair(old.remove(name), new.remove(name)))
                 .collect())
         }
         _ => Err(Failure::new(
@@ -173,7 +189,10 @@ fn read(
         let Some((file, bytes)) = file.zip(bytes) else {
             return Ok(None);
         };
-        Ok(Some((file.name.clone(), file.text(bytes, objects)?)))
+        Ok(Some(Named {
+            name: file.name.clone(),
+            text: file.text(bytes, objects)?,
+        }))
     };
     Ok(Some(Texts {
         old: text(old, old_bytes)?,
@@ -181,14 +200,16 @@ fn read(
     }))
 }
 
-fn borrowed(side: &Option<(String, String)>) -> Option<(&str, &str)> {
-    side.as_ref().map(|(name, text)| (name.as_str(), text.as_str()))
-}
-
-fn outline(side: &Option<(String, String)>) -> Outline {
-    let (name, text) = borrowed(side).unwrap_or_default();
+fn outline(side: Option<&Named>) -> Outline {
+    let (name, text) = side.map(Named::borrowed).unwrap_or_default();
     let parse = Arc::new(ladder_syntax::parse(text));
     Outline::new(Arc::new(context(&parse, name, &Others::alone())))
+}
+
+impl Named {
+    fn borrowed(&self) -> (&str, &str) {
+        (&self.name, &self.text)
+    }
 }
 
 /// Writes a report. What turns the order of letters is written out in a file as well: a reader is to see what changed.

@@ -72,9 +72,10 @@ impl Plan {
     /// There is no git, no repository, or a file that cannot be read.
     pub(super) fn new(task: Task, scope: Scope) -> Result<Plan, Failure> {
         let attributes = attributes_file(scope)?;
-        let was = match attributes.exists() {
-            true => ladder_workspace::read(&attributes)?,
-            false => String::new(),
+        let was = if attributes.exists() {
+            ladder_workspace::read(&attributes)?
+        } else {
+            String::new()
         };
         let lines = match task {
             Task::Install => attribute_lines(),
