@@ -1,5 +1,6 @@
 //! Comparisons and merges of programs.
 
+mod broken;
 mod compare;
 mod harness;
 mod hostile;
