@@ -140,7 +140,9 @@ pub(super) fn as_played(program: &Arc<Program>, interval: i64, case: &Case) -> O
             told.scan(told_of..scans, ran_last, &before);
             told_of = scans;
         }
-        given.into_iter().for_each(|n| told.give(n, &now[n]));
+        for n in given {
+            told.give(n, &now[n]);
+        }
         ran_last = simulation.scan();
         scans += 1;
         before = told.words(simulation);
