@@ -72,8 +72,9 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
                     }
                 }
             }
-            Item::BlockHeader(line) => {
-                let place = lines.place(&text, parse.line_start(line).into());
+            Item::BlockHeader(number) => {
+                let header = parse.structure().blocks[number].lines.start;
+                let place = lines.place(&text, parse.line_start(header).into());
                 report.refused(
                     place,
                     "FUNCTION_BLOCK",
