@@ -199,7 +199,7 @@ Without one a tag is asked for, with VERB."
     (append (plist-get found :tags) nil)))
 
 (defun ladder--rows (tags depth)
-  "The rows of TAGS, which are in DEPTH others: of what is open, what it opens into is below it."
+  "The rows of TAGS, in DEPTH others, with what those open into that are open."
   (seq-mapcat (lambda (tag)
                 (let ((name (plist-get tag :name)))
                   (cons (cons depth tag)
