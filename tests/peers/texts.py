@@ -13,17 +13,23 @@ from blark.parse import new_parser
 
 
 def parts(text):
-    """The text before the configuration, and the variables of that."""
+    """The units of a text, and the variables of its configuration."""
     body, _, configuration = text.partition("\nCONFIGURATION ")
-    return [body, *re.findall(r"VAR_GLOBAL.*?END_VAR", configuration, re.DOTALL)]
+    units = re.split(r"(?<=END_FUNCTION_BLOCK\n)|(?<=END_FUNCTION\n)|(?<=END_TYPE\n)", body)
+    return [*units, *re.findall(r"VAR_GLOBAL.*?END_VAR", configuration, re.DOTALL)]
 
 
 def main(folder):
     parser = new_parser()
     files = sorted(Path(folder).glob("*.st"))
     wrong = 0
+    # What is written along is the same in many texts.
+    known = set()
     for file in files:
         for part in parts(file.read_text()):
+            if part in known:
+                continue
+            known.add(part)
             try:
                 parser.parse(part, start="iec_source")
             except Exception as error:  # whatever its parser has to say
