@@ -77,10 +77,13 @@ fn manual_pages() {
         ladder-completions.1
         ladder-convert.1
         ladder-dap.1
+        ladder-diff.1
         ladder-explain.1
         ladder-fmt.1
+        ladder-git.1
         ladder-lsp.1
         ladder-man.1
+        ladder-merge.1
         ladder-new.1
         ladder-render.1
         ladder-sim.1
