@@ -85,6 +85,7 @@ fn manual_pages() {
         ladder-man.1
         ladder-merge.1
         ladder-new.1
+        ladder-prove.1
         ladder-render.1
         ladder-sim.1
         ladder-tags.1
