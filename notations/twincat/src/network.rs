@@ -6,7 +6,7 @@ use ladder_notation_plcopen::graph::{Edge, End, Graph, Kind, Modifier, Node, Out
 use ladder_notation_plcopen::xml::Xml;
 use std::collections::HashMap;
 
-/// What operands and boxes are besides what they name: these bits of their flags.
+/// What operands and boxes are apart from what they name: these bits of their flags.
 mod flag {
     pub(super) const NEGATED: u32 = 1;
     /// On what is written; with [`NEGATED`] it resets.
@@ -191,7 +191,7 @@ impl Reader<'_, '_> {
         Ok(())
     }
 
-    /// The power or value that an object of a tree gives.
+    /// The power or value that an object of a tree has.
     fn value(&mut self, object: Object<'_>, depth: usize) -> Result<Vec<End>, String> {
         if depth > DEEPEST {
             return Err(format!("more than {DEEPEST} boxes are one in the other"));

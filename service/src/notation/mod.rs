@@ -23,7 +23,7 @@ pub(crate) struct Task<'t> {
     pub(crate) to: Form,
 }
 
-/// The notations, besides ladder text, that programs are written in.
+/// The notations, apart from ladder text, that programs are written in.
 pub(crate) fn known() -> Notations {
     let written = NOTATIONS.iter().filter(|notation| notation.is_written());
     let known = written.map(|notation| Known {

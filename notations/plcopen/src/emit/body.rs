@@ -62,7 +62,7 @@ impl Rails {
         Rails { left, right }
     }
 
-    /// The right rails, after all that leads to them.
+    /// The right rails, after all that feeds them.
     fn right(&self, xml: &mut Xml, graph: &Graph) {
         let mut id = graph.nodes.len();
         for ends in self.right.iter().filter(|ends| !ends.is_empty()) {

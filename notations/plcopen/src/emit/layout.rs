@@ -87,7 +87,7 @@ struct Layout<'g> {
     rail: Option<usize>,
 }
 
-/// Gives each element of a drawing its place. Its elements are in the order in which they run, a rail before those of its
+/// Finds the place of each element of a drawing. Its elements are in the order in which they run, a rail before those of its
 /// network.
 pub(super) fn lay_out(graph: &mut Graph) {
     let count = graph.nodes.len();
@@ -117,7 +117,7 @@ impl Layout<'_> {
                 self.graph.nodes[node].position = (LEFT + 10.0, self.bottom + 20.0);
                 self.bottom += 20.0 + height;
             }
-            // Beside the block that it is for.
+            // Next to the block that it is for.
             Kind::Value(..) => {}
             _ => self.element(node),
         }
@@ -174,7 +174,7 @@ impl Layout<'_> {
             .collect()
     }
 
-    /// The line that an element stands on: that of what leads to it, where nothing else stands there yet; else a new one
+    /// The line that an element stands on: that of what feeds it, where nothing else stands there yet; else a new one
     /// below.
     fn line(&self, node: usize, (x, above): (f64, f64), first: Option<End>) -> f64 {
         let below = self.bottom.max(self.lines[self.rail.unwrap_or(0)] - GAP) + GAP;

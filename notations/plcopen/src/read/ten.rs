@@ -28,7 +28,7 @@ fn text(node: Node<'_, '_>, attribute: &str) -> String {
 }
 
 impl<'x> Reader<'x, '_> {
-    /// All that is in the project besides its head.
+    /// All that is in the project after its head.
     pub(super) fn ten(&mut self, root: Node<'x, '_>) {
         // Its networks are drawn one by one, and each is run once.
         self.project.evaluation = Evaluation::Once;

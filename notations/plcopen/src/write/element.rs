@@ -500,7 +500,7 @@ fn fell_power(rung: &mut Rung, power: Vec<End>) -> String {
     )
 }
 
-/// A tag that is high in the scan in which something fell: `low` leads power on while it is low, `high` is it.
+/// A tag that is high in the scan in which something fell: `low` passes power on while it is low, `high` is it.
 fn fell(
     rung: &mut Rung,
     low: impl FnOnce(&mut Rung, Vec<End>) -> Vec<End>,

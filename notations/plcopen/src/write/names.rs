@@ -203,14 +203,14 @@ impl Names {
         name
     }
 
-    /// Gives a tag its name.
+    /// Makes a name for a tag.
     pub(super) fn declare(&mut self, tag: &str) -> String {
         let name = self.fresh(tag);
         self.by_tag.insert(Name::new(tag), name.clone());
         name
     }
 
-    /// Gives a tag a name that is another's already: a global in the units that use it.
+    /// Takes a name for a tag that is another's already: a global in the units that use it.
     pub(super) fn alias(&mut self, tag: &str, name: &str) {
         self.taken.insert(name.to_ascii_lowercase());
         self.by_tag.insert(Name::new(tag), name.to_owned());

@@ -1,4 +1,4 @@
-//! A network as elements and wires. The generators of Beremiz and OpenPLC read all contacts that lead to a coil when they come
+//! A network as elements and wires. The generators of Beremiz and OpenPLC read all contacts that feed a coil when they come
 //! to that coil, and again for the next; here each contact is read once, where it stands. Where that would make a difference
 //! power goes into a tag, and on from a contact on it.
 
@@ -11,13 +11,13 @@ use ladder_analysis::program::{Network, Step};
 use ladder_notation::LineColumn;
 use std::collections::{BTreeSet, HashSet};
 
-/// What an element is besides a node of the drawing.
+/// What else is known of an element than its node in the drawing.
 #[derive(Debug)]
 pub(super) struct Note {
     /// The step that it was made for.
     pub(super) step: usize,
     pub(super) touched: Touched,
-    /// It is done, once; else it only leads power on.
+    /// It is done, once; else it only passes power on.
     pub(super) acts: bool,
 }
 
@@ -264,7 +264,7 @@ impl Rung {
         );
     }
 
-    /// What leads to an element. Coils lead on what comes to them.
+    /// What feeds an element. Coils pass on what comes to them.
     fn sources(&self, node: usize) -> Vec<usize> {
         let mut all = Vec::new();
         let mut waiting = vec![node];
@@ -280,7 +280,7 @@ impl Rung {
         all
     }
 
-    /// All that is read again for an element: what leads to it, up to blocks and coils, which were done already.
+    /// All that is read again for an element: what feeds it, up to blocks and coils, which were done already.
     fn cone(&self, node: usize) -> Vec<usize> {
         let mut seen = HashSet::new();
         let mut waiting = vec![node];
@@ -331,7 +331,7 @@ impl Rung {
         late.into_iter()
     }
 
-    /// The steps where what leads to an element is cut before a writer, so that nothing which that changes is read after it.
+    /// The steps where what feeds an element is cut before a writer, so that nothing which that changes is read after it.
     fn cut(&self, node: usize, cone: &[usize], writer: usize, changed: &[(usize, usize)]) -> BTreeSet<usize> {
         // Which elements have changed ones before them, or are some.
         let mut stale: HashSet<usize> = changed
@@ -375,7 +375,7 @@ impl Rung {
             }
             let is_root = |kind: &Kind| matches!(kind, Kind::Coil(..) | Kind::Variable(..));
             let next = (node + 1..self.nodes.len()).find(|next| is_root(&self.nodes[*next].kind));
-            if next.is_none_or(|next| !self.leads_to(node, next)) {
+            if next.is_none_or(|next| !self.reaches(node, next)) {
                 late.insert(note.step);
             }
         }
@@ -383,7 +383,7 @@ impl Rung {
     }
 
     /// Whether anything that leaves an element arrives at a later one.
-    fn leads_to(&self, from: usize, to: usize) -> bool {
+    fn reaches(&self, from: usize, to: usize) -> bool {
         let mut reached = vec![false; to + 1];
         reached[from] = true;
         for node in from + 1..=to {
