@@ -20,7 +20,7 @@ fn xml(text: &str) -> (String, String) {
                 entry.place, entry.element
             )),
             Outcome::Refused(why) => {
-                said.push_str(&format!("{}: refused {}: {why}\n", entry.place, entry.element))
+                said.push_str(&format!("{}: refused {}: {why}\n", entry.place, entry.element));
             }
         }
     }
