@@ -84,7 +84,8 @@ fn assign(targets: &[String], value: &str) -> String {
 fn tree(name: &str, instance: &str, inputs: &[(&str, String)], outputs: &[(&str, &str)]) -> String {
     let items: String = inputs.iter().map(|(_, item)| item.as_str()).collect();
     let values = |names: &mut dyn Iterator<Item = &str>| {
-        names.map(|name| format!("<v>{name}</v>")).collect::<String>()
+        let all: Vec<String> = names.map(|name| format!("<v>{name}</v>")).collect();
+        all.concat()
     };
     let taken: String = outputs
         .iter()
