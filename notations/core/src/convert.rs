@@ -157,7 +157,9 @@ mod tests {
         let mut written = all.write(&options);
         let idle = idle_directives(&all, &written.text);
         assert!(are_among_others(&all, &idle), "{idle:?}");
-        idle.into_iter().for_each(|(_, line)| cut(&mut written, line));
+        for (_, line) in idle {
+            cut(&mut written, line);
+        }
         assert_eq!(written, program(&["profile iec", "cycle 10ms"]).write(&options));
     }
 }
