@@ -316,8 +316,11 @@ Without one a tag is asked for, with VERB."
       (ladder--draw)))
   (force-mode-line-update)
   (when-let ((list (ladder--tags-buffer (current-buffer))))
-    (with-current-buffer list
-      (ladder--list-tags))))
+    ;; It may ask the server, which is not possible while that is being read.
+    (run-at-time 0 nil (lambda ()
+                         (when (and (buffer-live-p list) (buffer-local-value 'ladder--state (buffer-local-value 'ladder--program list)))
+                           (with-current-buffer list
+                             (ladder--list-tags)))))))
 
 (cl-defmethod eglot-handle-notification (_server (_method (eql ladder/simulationState)) &rest state)
   "Draw STATE into the program that it is of."

@@ -237,6 +237,7 @@
       (row "^  \\+ table\\[101\\] \\.\\. table\\[200\\]")
       (press)
       (ladder-step 1)
+      (sit-for 0.3)
       (row "^  - lines\\[2\\] +speed=8 on=FALSE")
       (row "^    table\\[150\\] +8 ")
       (row "^- table ")
