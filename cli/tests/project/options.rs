@@ -4,11 +4,12 @@ use ladder_tests::{book, project};
 use std::collections::BTreeSet;
 use std::process::Command;
 
-const COMMANDS: [&str; 13] = [
+const COMMANDS: [&str; 14] = [
     "check",
     "fmt",
     "sim",
     "test",
+    "prove",
     "render",
     "convert",
     "diff",

@@ -147,6 +147,10 @@ impl Notation for SimaticMl {
         &["xml"]
     }
 
+    fn is_written(&self) -> bool {
+        false
+    }
+
     fn recognises(&self, bytes: &[u8]) -> bool {
         xml::recognises(&head(bytes))
     }

@@ -7,10 +7,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// A target's seeds are at most so many: what else there is to find, the fuzzer finds.
-const MOST_FILES: usize = 12;
+const MOST_FILES: usize = 16;
 
 /// And together at most so long.
-const MOST_BYTES: u64 = 8 << 10;
+const MOST_BYTES: u64 = 24 << 10;
 
 fn fuzz() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz")

@@ -1174,8 +1174,8 @@ fn examples_as_plcopen() {
     expect![[r#"
         conveyor.clad: not the same again, 0 remarks on that
         garage_door.clad: not the same again, 0 remarks on that
-            64:1: the standard has no <CALL>
-            68:1: the standard has no functions without parameters
+            63:1: the standard has no <CALL>
+            67:1: the standard has no functions without parameters
         level_control.clad: not the same again, 0 remarks on that
             1:1: times, dates and names are converted otherwise there
             19:1: the standard has no SYS.SCAN_TIME
