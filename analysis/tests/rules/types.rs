@@ -288,6 +288,15 @@ fn types_of_other_files() {
                 at b.clad:2:5 `M`: it is declared here
         "#]],
     );
+    // A member that cannot be read is an error where it is declared, and only there.
+    check_files(
+        "%% a.clad\nTYPE\n    M : STRUCT\n        n : ARRAY[5..1] OF INT;\n    END_STRUCT;\nEND_TYPE\n%% main.clad\nVAR\n    m : M;\nEND_VAR\n",
+        expect![[r#"
+            == a.clad
+            >         n : ARRAY[5..1] OF INT;
+                          ^^^^^^^^^^^^^^^^^^ error[bad-declaration]: the last index 1 is below the first 5: swap them
+        "#]],
+    );
 }
 
 #[test]

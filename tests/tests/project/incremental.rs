@@ -324,6 +324,15 @@ fn random_edits_of_several_files() {
     }
 }
 
+#[test]
+fn a_type_with_a_member_that_cannot_be_read() {
+    let mut files = Files::default();
+    let types = "TYPE\n    M : STRUCT\n        on --BOOL;\n    END_STRUCT;\nEND_TYPE\n";
+    files.becomes("library", types.to_owned());
+    files.becomes("main", "VAR\n    m : M;\nEND_VAR\n".to_owned());
+    files.becomes("library", format!("\n{types}"));
+}
+
 /// `GENERATED_PROGRAMS` asks for more of them.
 fn asked(usual: u64) -> u64 {
     let asked = std::env::var("GENERATED_PROGRAMS");
