@@ -24,6 +24,7 @@ mod remark;
 mod report;
 mod source;
 pub mod stand_in;
+mod with_library;
 mod written;
 
 pub use convert::{Converted, convert};
@@ -39,4 +40,5 @@ pub use reading::{Content, ProjectFile, Reading, Writing};
 pub use remark::{Remark, remarks};
 pub use report::{Entry, Outcome, Report, Tally};
 pub use source::{Companion, Source, text_of};
+pub use with_library::{Unwritable, with_library};
 pub use written::write_checked;

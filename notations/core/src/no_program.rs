@@ -24,13 +24,15 @@ pub fn no_program(analysis: &Analysis, text: &str) -> WriteError {
         match block.meaning {
             Meaning::User(user) => {
                 if let Some(import) = &context.user_blocks[user].import {
-                    let of = match library::source(&import.file) {
-                        Some(_) => "the library".to_owned(),
-                        None => import.file.to_string(),
-                    };
-                    return WriteError::new(format!(
-                        "{place}: {head} is a block of {of}, and the notation has no blocks of one's own: draw what it does on rungs of the program"
-                    ));
+                    let file = &import.file;
+                    return WriteError::new(match library::source(file) {
+                        Some(_) => format!(
+                            "{place}: {head} is a block of the library, and the notation has no blocks of one's own: draw what it does on rungs of the program"
+                        ),
+                        None => format!(
+                            "{place}: {head} is a block of {file}, and the notation has one file: put it into this one"
+                        ),
+                    });
                 }
             }
             Meaning::Instruction(_) if head.eq_ignore_ascii_case("<CALL>") => {

@@ -49,7 +49,8 @@ pub fn analysis<'a>(
         Cow::Borrowed(analysis)
     } else {
         let parse = ladder_syntax::parse(&aside).into();
-        Cow::Owned(ladder_analysis::analyze(&parse, &analysis.context.name))
+        let context = &analysis.context;
+        Cow::Owned(ladder_analysis::analyze_in(&parse, &context.name, &context.others))
     };
     if analysis.program().is_some() {
         return Ok(analysis);

@@ -189,7 +189,7 @@ impl Writer<'_> {
             }),
             Type::Compound(id) => match id.get() {
                 Compound::Structure(structure) => scalar(self.structure(&structure)?),
-                Compound::Block(name) => scalar(self.names.spell(Kind::Type, &name)),
+                Compound::Block(name) => scalar(self.block_type(&name)?),
                 Compound::Array(_) => return Err("this array has no counterpart there".to_owned()),
             },
             Type::Array { .. } => return Err("this array has no counterpart there".to_owned()),

@@ -30,7 +30,7 @@ use ladder_analysis::Analysis;
 use ladder_analysis::names::scope::TagFacts;
 use ladder_analysis::program::{Program, TagId};
 use ladder_instructions::Profile;
-use ladder_notation::{LineColumn, Lines, Report, WriteError, Writing, stand_in};
+use ladder_notation::{LineColumn, Lines, Report, Unwritable, WriteError, Writing, stand_in, with_library};
 use ladder_syntax::{Name, TextSize};
 use names::{Kind, Names};
 use native::Known;
@@ -102,6 +102,10 @@ struct Writer<'a> {
 
 /// Writes a program.
 pub(crate) fn write(analysis: &Analysis) -> std::result::Result<Writing, WriteError> {
+    with_library(analysis, file)
+}
+
+fn file(analysis: &Analysis, unwritable: &Unwritable) -> std::result::Result<Writing, WriteError> {
     let text = analysis.context.parse.to_string();
     let whole = stand_in::analysis(analysis, &text, is_nothing)?;
     let Some(program) = whole.program() else {
@@ -141,7 +145,7 @@ pub(crate) fn write(analysis: &Analysis) -> std::result::Result<Writing, WriteEr
         let why = "arithmetic, timers and counters are those of Logix there, not of the profile of this file";
         writer.report.approximated(LineColumn::START, "program", why);
     }
-    let project = writer.project();
+    let project = writer.project(unwritable);
     let mut report = writer.report;
     for (name, spelled) in &writer.names.changed {
         let why = format!("its name is {spelled} there");

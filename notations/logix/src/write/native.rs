@@ -7,6 +7,7 @@ use crate::blocks::Blocks;
 use crate::types::Elem;
 use ladder_analysis::program::{Argument, Block, Bound, ParameterKind};
 use ladder_analysis::values::types::Scalar;
+use ladder_notation::Unwritable;
 use ladder_syntax::{LineKind, Name};
 
 /// What a user-defined block is there.
@@ -19,7 +20,7 @@ pub(super) enum Known {
     /// An Add-On Instruction; its name there.
     Own(String),
     /// It cannot be one; why.
-    Not(&'static str),
+    Not(String),
 }
 
 /// The definition without what layout changes.
@@ -70,7 +71,7 @@ fn same(blocks: &Blocks, definition: &str) -> bool {
 
 impl Writer<'_> {
     /// Finds out what each block is.
-    pub(super) fn know_blocks(&mut self) {
+    pub(super) fn know_blocks(&mut self, unwritable: &Unwritable) {
         let context = &self.analysis.context;
         for (number, block) in self.program.blocks.iter().enumerate() {
             let of = context
@@ -80,10 +81,14 @@ impl Writer<'_> {
             let Some(of) = of.filter(|of| *of < context.own_blocks) else {
                 self.known.insert(
                     number,
-                    Known::Not("it is defined in another file, or in the library"),
+                    Known::Not("it is defined in another file".to_owned()),
                 );
                 continue;
             };
+            if let Some(why) = unwritable.get(&Name::new(&block.name)) {
+                self.known.insert(number, Known::Not(why.clone()));
+                continue;
+            }
             let lines = context.parse.structure().blocks[of].lines.clone();
             let text = self.lines_text(lines.clone());
             let known = match native(&block.name, &text) {
@@ -101,7 +106,7 @@ impl Writer<'_> {
                             .zip(&block.parts)
                             .any(|((_, kind), parts)| *kind != ParameterKind::InOut && !parts.is_empty()) =>
                     {
-                        Known::Not("there only in-outs are texts, structures or arrays")
+                        Known::Not("there only in-outs are texts, structures or arrays".to_owned())
                     }
                     None => {
                         let original = self.original(lines.start, &block.name);
@@ -155,13 +160,27 @@ impl Writer<'_> {
         names.next()
     }
 
+    /// The type of a block's instances.
+    ///
+    /// # Errors
+    ///
+    /// It cannot be an Add-On Instruction.
+    pub(super) fn block_type(&mut self, name: &str) -> Result<String> {
+        let all = &self.program.blocks;
+        let number = all.iter().position(|block| block.name.eq_ignore_ascii_case(name));
+        match number.and_then(|number| self.known.get(&number)) {
+            Some(Known::Not(why)) => Err(why.clone()),
+            _ => Ok(self.names.spell(Kind::Type, name)),
+        }
+    }
+
     /// A user-defined block on a rung.
     pub(super) fn user(&mut self, user: usize, block: &Block) -> Result<Series> {
         match self.known.get(&user).cloned() {
             Some(Known::Native(own)) => self.native(own, block),
             Some(Known::Idle(name)) => self.idle_call(&name, block),
             Some(Known::Own(name)) => self.call(user, &name, block),
-            Some(Known::Not(why)) => Err(why.to_owned()),
+            Some(Known::Not(why)) => Err(why),
             None => Err("its definition is not in the file".to_owned()),
         }
     }

@@ -7,7 +7,7 @@ use super::{Result, Writer};
 use crate::model::{Program, Project, Routine, Rung, Tag};
 use ladder_analysis::program::{Argument, BlockKind, Network};
 use ladder_instructions::Op;
-use ladder_notation::comments;
+use ladder_notation::{Unwritable, comments};
 use ladder_syntax::{Item, Name};
 use std::collections::HashMap;
 
@@ -15,8 +15,8 @@ use std::collections::HashMap;
 const MAIN: &str = "MainRoutine";
 
 impl Writer<'_> {
-    pub(super) fn project(&mut self) -> Project {
-        self.know_blocks();
+    pub(super) fn project(&mut self, unwritable: &Unwritable) -> Project {
+        self.know_blocks(unwritable);
         self.spell_tags();
         self.count_uses();
         self.find_loops();

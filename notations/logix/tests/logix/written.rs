@@ -211,3 +211,86 @@ fn names_and_blocks() {
             1:1 größe: Approximated("its name is gr_e there")"#]],
     );
 }
+
+/// Which blocks of the library can be written, and why the others cannot.
+#[test]
+fn blocks_of_the_library_are_add_on_instructions() {
+    let mut out = String::new();
+    for source in ladder_analysis::library::SOURCES {
+        let (file, remarks) = written(source.example);
+        let definition = format!("<AddOnInstructionDefinition Name=\"{}", &source.name[1..]);
+        let is_written = file.contains(&definition);
+        out.push_str(&format!("{}: {is_written}\n", source.name));
+        remarks
+            .iter()
+            .for_each(|remark| out.push_str(&format!("    {remark}\n")));
+    }
+    expect![[r#"
+        $Alarm: true
+            3:5 tag delay: Approximated("there a time is a DINT in milliseconds")
+            11:33 [$Alarm]: Approximated("there a time is a DINT in milliseconds")
+        $Alternate: false
+            11:1 network: Refused("`[$Alternate]( wanted, pumps, swap, healthy, pump1, pump2, pump3 )`: `$Alternate` of the library has no form there: `[UNPACK]( fit[0..7], available )`: it has no counterpart there")
+            11:33 [$Alternate]: Refused("`$Alternate` of the library has no form there: `[UNPACK]( fit[0..7], available )`: it has no counterpart there")
+        $Average: false
+            10:1 network: Refused("`[$Average]( weight, pieces, begin, average )`: `$Average` of the library has no form there: `[CALC]( count, MIN(count + 1, size) )`: this function has no counterpart there")
+            10:34 [$Average]: Refused("`$Average` of the library has no form there: `[CALC]( count, MIN(count + 1, size) )`: this function has no counterpart there")
+        $Blink: false
+            3:5 tag on: Approximated("there a time is a DINT in milliseconds")
+            4:5 tag off: Approximated("there a time is a DINT in milliseconds")
+            9:1 network: Refused("`[$Blink]( on, off )`: `$Blink` of the library has no form there: `[TON]( clock, T#100000d )`: there a time is at most 2147483647 milliseconds")
+            9:46 [$Blink]: Refused("`$Blink` of the library has no form there: `[TON]( clock, T#100000d )`: there a time is at most 2147483647 milliseconds")
+        $Debounce: true
+            4:5 tag wait: Approximated("there a time is a DINT in milliseconds")
+            9:35 [$Debounce]: Approximated("there a time is a DINT in milliseconds")
+        $Drum: false
+            15:1 network: Refused("`[$Drum]( patterns, times, count, valves, step, finished, arrived, again, jog, reset )`: `$Drum` of the library has no form there: `[MIN]( step, step, n )`: its result as one of its operands has no counterpart there")
+            15:33 [$Drum]: Refused("`$Drum` of the library has no form there: `[MIN]( step, step, n )`: its result as one of its operands has no counterpart there")
+        $FirstOut: true
+        $Hysteresis: true
+        $PID: false
+            17:1 network: Refused("`[$PID]( setpoint, temperature, gain, integral, derivative, least, most, by_hand, hand, heater )`: `$PID` of the library has no form there: `[TON]( clock, T#100000d )`: there a time is at most 2147483647 milliseconds")
+            17:29 [$PID]: Refused("`$PID` of the library has no form there: `[TON]( clock, T#100000d )`: there a time is at most 2147483647 milliseconds")
+        $Ramp: false
+            11:1 network: Refused("`[$Ramp]( speed, up, down, drive, ready )`: `$Ramp` of the library has no form there: `[TON]( clock, T#100000d )`: there a time is at most 2147483647 milliseconds")
+            11:38 [$Ramp]: Refused("`$Ramp` of the library has no form there: `[TON]( clock, T#100000d )`: there a time is at most 2147483647 milliseconds")
+        $RunTime: false
+            7:5 tag lasted: Approximated("there a time is a DINT in milliseconds")
+            10:1 network: Refused("`[$RunTime]( serviced, hours, lasted, starts )`: `$RunTime` of the library has no form there: `[RTO]( running, T#100000d, R := reset )`: there a time is at most 2147483647 milliseconds")
+            10:33 [$RunTime]: Refused("`$RunTime` of the library has no form there: `[RTO]( running, T#100000d, R := reset )`: there a time is at most 2147483647 milliseconds")
+        $Scale: false
+            11:1 network: Refused("`[$Scale]( reading, least, most, 0.0, 500.0, litres, broken )`: `$Scale` of the library has no form there: `[PWL]( y, x, x0, y0, x1, y1 )`: it has no counterpart there")
+            11:18 [$Scale]: Refused("`$Scale` of the library has no form there: `[PWL]( y, x, x0, y0, x1, y1 )`: it has no counterpart there")
+        $Step: false
+            10:5 tag elapsed: Approximated("there a time is a DINT in milliseconds")
+            18:1 network: Refused("`[$Step]( step, 0, start, 1 )`: `$Step` of the library has no form there: `[RTO]( clock, T#100000d, R := elsewhere )`: there a time is at most 2147483647 milliseconds")
+            18:50 [$Step]: Refused("`$Step` of the library has no form there: `[RTO]( clock, T#100000d, R := elsewhere )`: there a time is at most 2147483647 milliseconds")
+            19:1 network: Refused("`[$Step]( step, 1, full, 2, elapsed )`: `$Step` of the library has no form there: `[RTO]( clock, T#100000d, R := elsewhere )`: there a time is at most 2147483647 milliseconds")
+            20:1 network: Refused("`[$Step]( step, 2, empty, 0 )`: `$Step` of the library has no form there: `[RTO]( clock, T#100000d, R := elsewhere )`: there a time is at most 2147483647 milliseconds")
+        $Toggle: false
+            8:1 network: Refused("`[$Toggle]( off )`: `$Toggle` of the library has no form there: `[NOT]( q, q )`: a bit that is computed from itself has no counterpart there")
+            8:49 [$Toggle]: Refused("`$Toggle` of the library has no form there: `[NOT]( q, q )`: a bit that is computed from itself has no counterpart there")
+        $Total: false
+            4:5 tag per: Approximated("there a time is a DINT in milliseconds")
+            10:1 network: Refused("`[$Total]( flow, per, batch, litres )`: `$Total` of the library has no form there: `[TON]( clock, T#100000d )`: there a time is at most 2147483647 milliseconds")
+            10:42 [$Total]: Refused("`$Total` of the library has no form there: `[TON]( clock, T#100000d )`: there a time is at most 2147483647 milliseconds")
+    "#]].assert_eq(&out);
+}
+
+#[test]
+fn what_is_said_below_the_last_network_stays_there() {
+    let (file, remarks) = written("+--[$Hysteresis]( x, 1.0, 2.0 )--( )( y )--+\n\n# The end #\n");
+    assert_eq!(remarks, Vec::<String>::new());
+    let (definition, program) = file.split_once("</AddOnInstructionDefinitions>").expect("it has both");
+    assert!(definition.contains("A switch with two thresholds"), "{file}");
+    assert!(!definition.contains("The end"), "{file}");
+    assert!(program.contains("<![CDATA[The end]]>"), "{file}");
+}
+
+#[test]
+fn the_library_keeps_its_own_arithmetic() {
+    let text = "# ladder: profile logix #\n+--[$Hysteresis]( x, 1.0, 2.0 )--( )( y )--+\n";
+    let analysis = ladder_analysis::analyze(&ladder_syntax::parse(text).into(), "plant.clad");
+    let why = L5x.write(&analysis).expect_err("it has two kinds of arithmetic").message;
+    expect!["2:4: `$Hysteresis` of the library counts and times as IEC 61131-3 says, and this program as logix does: draw what it does on rungs of the program"].assert_eq(&why);
+}

@@ -11,8 +11,10 @@ use declare::{TypeForm, Types};
 use ladder_analysis::Analysis;
 use ladder_analysis::program::{BlockKind, Network, Program};
 use ladder_instructions::{Op, Profile};
-use ladder_notation::{Companion, LineColumn, Lines, Report, WriteError, Writing, no_program};
-use ladder_syntax::TextSize;
+use ladder_notation::{
+    Companion, LineColumn, Lines, Report, Unwritable, WriteError, Writing, no_program, with_library,
+};
+use ladder_syntax::{Name, TextSize};
 use std::collections::{HashMap, HashSet};
 use std::path::Path;
 use unit::Unit;
@@ -35,20 +37,22 @@ struct Writer<'a> {
     parameters: HashMap<String, Vec<String>>,
     /// The networks of the program by where they begin.
     networks: HashMap<TextSize, &'a Network>,
+    /// The blocks that are not written.
+    unwritable: &'a Unwritable,
     /// The blocks whose first network keeps them from running without power, as all do there; in small letters.
     guarded: HashSet<String>,
 }
 
 /// Writes a program.
 pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
+    with_library(analysis, documents)
+}
+
+fn documents(analysis: &Analysis, unwritable: &Unwritable) -> Result<Writing, WriteError> {
     let text = analysis.context.parse.to_string();
     let Some(program) = analysis.program() else {
         return Err(no_program(analysis, &text));
     };
-    if program.files.len() > 1 {
-        let message = "the program uses blocks or functions of other files: put them into this one";
-        return Err(WriteError::new(message));
-    }
     if analysis.context.profile != Profile::Iec {
         let message = "the program counts and times as another controller does (`# ladder: profile .. #`), and a SIMATIC block does not: take the profile out, and see whether it still does what it should";
         return Err(WriteError::new(message));
@@ -68,6 +72,7 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
         texts: Vec::new(),
         parameters: unit::parameters(&units),
         networks: HashMap::new(),
+        unwritable,
         guarded: HashSet::new(),
     };
     for network in &program.networks {
@@ -89,8 +94,8 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
         let used = program
             .blocks
             .iter()
-            .any(|block| block.name[1..].eq_ignore_ascii_case(&unit.name));
-        if used {
+            .find(|block| block.name[1..].eq_ignore_ascii_case(&unit.name));
+        if used.is_some_and(|block| !unwritable.contains_key(&Name::new(&block.name))) {
             let (document, resource) = writer.unit(&unit.name, unit);
             writer.companion(&unit.name, document, resource);
         }
