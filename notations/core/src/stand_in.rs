@@ -50,7 +50,11 @@ pub fn analysis<'a>(
     } else {
         let parse = ladder_syntax::parse(&aside).into();
         let context = &analysis.context;
-        Cow::Owned(ladder_analysis::analyze_in(&parse, &context.name, &context.others))
+        Cow::Owned(ladder_analysis::analyze_in(
+            &parse,
+            &context.name,
+            &context.others,
+        ))
     };
     if analysis.program().is_some() {
         return Ok(analysis);

@@ -79,10 +79,8 @@ impl Writer<'_> {
                 .iter()
                 .position(|own| own.name.eq_ignore_ascii_case(&block.name));
             let Some(of) = of.filter(|of| *of < context.own_blocks) else {
-                self.known.insert(
-                    number,
-                    Known::Not("it is defined in another file".to_owned()),
-                );
+                self.known
+                    .insert(number, Known::Not("it is defined in another file".to_owned()));
                 continue;
             };
             if let Some(why) = unwritable.get(&Name::new(&block.name)) {

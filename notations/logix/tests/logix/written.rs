@@ -281,7 +281,9 @@ fn blocks_of_the_library_are_add_on_instructions() {
 fn what_is_said_below_the_last_network_stays_there() {
     let (file, remarks) = written("+--[$Hysteresis]( x, 1.0, 2.0 )--( )( y )--+\n\n# The end #\n");
     assert_eq!(remarks, Vec::<String>::new());
-    let (definition, program) = file.split_once("</AddOnInstructionDefinitions>").expect("it has both");
+    let (definition, program) = file
+        .split_once("</AddOnInstructionDefinitions>")
+        .expect("it has both");
     assert!(definition.contains("A switch with two thresholds"), "{file}");
     assert!(!definition.contains("The end"), "{file}");
     assert!(program.contains("<![CDATA[The end]]>"), "{file}");
@@ -291,6 +293,9 @@ fn what_is_said_below_the_last_network_stays_there() {
 fn the_library_keeps_its_own_arithmetic() {
     let text = "# ladder: profile logix #\n+--[$Hysteresis]( x, 1.0, 2.0 )--( )( y )--+\n";
     let analysis = ladder_analysis::analyze(&ladder_syntax::parse(text).into(), "plant.clad");
-    let why = L5x.write(&analysis).expect_err("it has two kinds of arithmetic").message;
+    let why = L5x
+        .write(&analysis)
+        .expect_err("it has two kinds of arithmetic")
+        .message;
     expect!["2:4: `$Hysteresis` of the library counts and times as IEC 61131-3 says, and this program as logix does: draw what it does on rungs of the program"].assert_eq(&why);
 }

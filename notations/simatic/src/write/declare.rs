@@ -2,6 +2,7 @@
 
 use super::operand::literal;
 use crate::scope::member;
+use ladder_notation::Unwritable;
 use ladder_syntax::ast::{AstNode, Declaration, NodeView, SectionHeader, StructHeader};
 use ladder_syntax::{LineKind, Parse, Section};
 use std::collections::HashMap;
@@ -105,6 +106,17 @@ pub(super) enum TypeForm {
     Structure(Vec<Declared>),
     /// Another name for this type, with a first value of its own.
     Alias(Declared),
+    /// A block that is not written; why.
+    Missing(String),
+}
+
+/// The types of blocks that are not written.
+pub(super) fn missing(blocks: &Unwritable) -> Types {
+    let all = blocks.iter().map(|(name, why)| {
+        let name = name.as_str().to_owned();
+        (name.clone(), (name, TypeForm::Missing(why.clone())))
+    });
+    all.collect()
 }
 
 /// Types by their names in small letters, each with its name.
@@ -151,6 +163,9 @@ pub(super) fn type_text(text: &str, types: &Types, depth: usize) -> Result<Strin
         return Ok(format!("String{}", rest.replace(' ', "")));
     }
     if let Some(block) = text.strip_prefix('$') {
+        if let Some((_, TypeForm::Missing(why))) = types.get(&text.to_lowercase()) {
+            return Err(why.clone());
+        }
         return Ok(format!("\"{block}\""));
     }
     let base = upper.split('(').next().unwrap_or_default().trim();
@@ -161,6 +176,7 @@ pub(super) fn type_text(text: &str, types: &Types, depth: usize) -> Result<Strin
         Some((name, TypeForm::Structure(_))) => Ok(format!("\"{name}\"")),
         Some((_, TypeForm::Alias(alias))) if alias.ty.starts_with('(') => Ok("DInt".to_owned()),
         Some((_, TypeForm::Alias(alias))) => type_text(&alias.ty, types, depth + 1),
+        Some((_, TypeForm::Missing(why))) => Err(why.clone()),
         None => Err(format!("`{text}` has no form there")),
     }
 }

@@ -1,8 +1,9 @@
 //! Blocks on a rung as instructions of source documents.
 
 use super::Writer;
-use super::declare::elementary;
+use super::declare::{self, elementary};
 use super::operand::{Tags, operand};
+use super::power::{POWER_IN, POWER_OUT, Power};
 use crate::standard::{Form, Pins, ROWS, Row};
 use ladder_analysis::program::{Argument, Block, BlockKind, Bound, ExprKind, ParameterKind};
 use ladder_analysis::values::types::Scalar;
@@ -21,7 +22,7 @@ impl Writer<'_> {
     pub(super) fn element(&mut self, block: &Block, tags: &Tags) -> Result<Text, String> {
         let row = match block.kind {
             BlockKind::Instruction(row) => row,
-            BlockKind::User(user) => return self.call(block, user, tags),
+            BlockKind::User(_) => return self.call(block, ("TRUE", None), tags),
         };
         let arguments = &block.arguments;
         let first = |writer: &Self| {
@@ -97,6 +98,11 @@ impl Writer<'_> {
         };
         let row = ROWS.iter().find(is).ok_or_else(none)?;
         let name = row.sd[0];
+        if block.works_in == Some(Scalar::Bool) && matches!(mnemonic, "AND" | "OR" | "XOR" | "NOT") {
+            return Err(format!(
+                "`{name}` is for words there, and not for one bit: draw it with contacts"
+            ));
+        }
         let given: Result<Vec<String>, String> =
             arguments.iter().map(|bound| self.given(bound, tags)).collect();
         let given = given?;
@@ -260,13 +266,26 @@ impl Writer<'_> {
         }
     }
 
-    /// A block of one's own: `#"pump"( start := #"a", running => #"b" )`
-    fn call(&mut self, block: &Block, user: usize, tags: &Tags) -> Result<Text, String> {
+    /// A block of one's own: `#"pump"( start := #"a", running => #"b" )`. `power`: what it is given, and what keeps what it
+    /// returns.
+    pub(super) fn call(
+        &mut self,
+        block: &Block,
+        power: (&str, Option<&str>),
+        tags: &Tags,
+    ) -> Result<Text, String> {
+        let BlockKind::User(user) = block.kind else {
+            return Err("it is no block of one's own".to_owned());
+        };
         let program = self.program;
         let definition = &program.blocks[user];
         let name = &definition.name[1..];
+        declare::type_text(&definition.name, &self.types, 0)?;
         let mut instance = None;
         let mut parts = Vec::new();
+        if let Power::Given { reads: true, .. } = self.powers[user] {
+            parts.push(format!("\"{POWER_IN}\" := {}", power.0));
+        }
         for bound in &block.arguments {
             let Some(parameter) = bound.parameter else {
                 instance = Some(operand(self.source(bound), tags)?);
@@ -283,6 +302,7 @@ impl Writer<'_> {
             };
             parts.push(format!("\"{own}\" {sign} {text}"));
         }
+        parts.extend(power.1.map(|kept| format!("\"{POWER_OUT}\" => {kept}")));
         let instance = instance.unwrap_or_else(|| self.static_tag(name, &format!("\"{name}\"")));
         Ok(format!("{instance}( {} )", parts.join(", ")))
     }

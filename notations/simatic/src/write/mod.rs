@@ -4,17 +4,19 @@ mod declare;
 mod element;
 mod network;
 mod operand;
+mod power;
 mod strands;
 mod unit;
 
 use declare::{TypeForm, Types};
 use ladder_analysis::Analysis;
-use ladder_analysis::program::{BlockKind, Network, Program};
-use ladder_instructions::{Op, Profile};
+use ladder_analysis::program::{Network, Program};
+use ladder_instructions::Profile;
 use ladder_notation::{
     Companion, LineColumn, Lines, Report, Unwritable, WriteError, Writing, no_program, with_library,
 };
 use ladder_syntax::{Name, TextSize};
+use power::Power;
 use std::collections::{HashMap, HashSet};
 use std::path::Path;
 use unit::Unit;
@@ -37,10 +39,8 @@ struct Writer<'a> {
     parameters: HashMap<String, Vec<String>>,
     /// The networks of the program by where they begin.
     networks: HashMap<TextSize, &'a Network>,
-    /// The blocks that are not written.
-    unwritable: &'a Unwritable,
-    /// The blocks whose first network keeps them from running without power, as all do there; in small letters.
-    guarded: HashSet<String>,
+    /// How each block of the program comes by its power.
+    powers: Vec<Power>,
 }
 
 /// Writes a program.
@@ -64,7 +64,7 @@ fn documents(analysis: &Analysis, unwritable: &Unwritable) -> Result<Writing, Wr
         program,
         text,
         lines,
-        types: HashMap::new(),
+        types: declare::missing(unwritable),
         report: Report::default(),
         companions: Vec::new(),
         statics: Vec::new(),
@@ -72,14 +72,12 @@ fn documents(analysis: &Analysis, unwritable: &Unwritable) -> Result<Writing, Wr
         texts: Vec::new(),
         parameters: unit::parameters(&units),
         networks: HashMap::new(),
-        unwritable,
-        guarded: HashSet::new(),
+        powers: power::powers(program),
     };
     for network in &program.networks {
         writer.networks.insert(network.location.range.start(), network);
     }
     writer.types(&units);
-    writer.guards();
     let names: HashSet<String> = units
         .iter()
         .skip(1)
@@ -94,13 +92,15 @@ fn documents(analysis: &Analysis, unwritable: &Unwritable) -> Result<Writing, Wr
         let used = program
             .blocks
             .iter()
-            .find(|block| block.name[1..].eq_ignore_ascii_case(&unit.name));
-        if used.is_some_and(|block| !unwritable.contains_key(&Name::new(&block.name))) {
-            let (document, resource) = writer.unit(&unit.name, unit);
+            .position(|block| block.name[1..].eq_ignore_ascii_case(&unit.name));
+        if let Some(used) = used
+            && !unwritable.contains_key(&Name::new(&program.blocks[used].name))
+        {
+            let (document, resource) = writer.unit(&unit.name, unit, Some(writer.powers[used]));
             writer.companion(&unit.name, document, resource);
         }
     }
-    let (bytes, resource) = writer.unit(&name, &units[0]);
+    let (bytes, resource) = writer.unit(&name, &units[0], None);
     if let Some(bytes) = resource {
         writer.companions.push(Companion {
             name: format!("{name}.s7res"),
@@ -184,30 +184,5 @@ impl Writer<'_> {
     /// A bit that remembers an edge.
     fn memory(&mut self) -> String {
         self.static_tag("edge", "Bool")
-    }
-
-    /// Finds the blocks that begin with `+--[/]( EN )--<RET>--+`.
-    fn guards(&mut self) {
-        for block in &self.program.blocks {
-            let Some(network) = self.program.networks.get(block.networks.start) else {
-                continue;
-            };
-            let ops = network.blocks.iter().map(|block| match block.kind {
-                BlockKind::Instruction(row) => Some(row.op),
-                BlockKind::User(_) => None,
-            });
-            let is_guard = ops.eq([Some(Op::NegatedContact), Some(Op::Ret)]);
-            let reads = network.blocks.first().and_then(|block| block.arguments.first());
-            let reads = reads.map(|bound| self.text[bound.range].trim());
-            if is_guard && reads.is_some_and(|tag| tag.eq_ignore_ascii_case("EN")) {
-                self.guarded.insert(block.name.to_lowercase());
-            }
-        }
-    }
-
-    /// Whether a block does nothing without power.
-    fn is_guarded(&self, user: usize) -> bool {
-        self.guarded
-            .contains(&self.program.blocks[user].name.to_lowercase())
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Writer;
 use super::operand::Tags;
+use super::power::{Parted, Power, Stands, is_rail, is_used, parted};
 use super::strands;
 use crate::model::RAIL;
 use crate::sketch::rungs::{Piece, ways};
@@ -12,10 +13,13 @@ use ladder_instructions::Op;
 use ladder_syntax::TextSize;
 use std::collections::HashMap;
 
-/// A network as it is written.
-pub(super) struct Written {
-    pub(super) label: Option<String>,
-    pub(super) rungs: String,
+/// A call that has its power as an input.
+struct Call {
+    step: usize,
+    /// The block of the network.
+    number: usize,
+    en: usize,
+    writes: bool,
 }
 
 impl<'a> Writer<'a> {
@@ -30,21 +34,88 @@ impl<'a> Writer<'a> {
         parse.line_start(parse.structure().networks[number].lines.start)
     }
 
-    /// A network.
+    /// The rungs of each network that a network becomes.
     ///
     /// # Errors
     ///
     /// Why it has no form there.
-    pub(super) fn network(&mut self, network: &Network, tags: &Tags) -> Result<Written, String> {
-        let wires = strands::of(network)?;
-        self.allowed(network, &wires)?;
+    pub(super) fn network(&mut self, network: &Network, tags: &Tags) -> Result<Vec<String>, String> {
         let before = self.statics.len();
-        let drawn = self.strands(network, &wires, tags);
-        let strands = drawn.inspect_err(|_| self.statics.truncate(before))?;
-        Ok(Written {
-            label: self.label(network),
-            rungs: rungs(&strands),
+        let parts = self.around_calls(network, tags);
+        parts.inspect_err(|_| self.statics.truncate(before))
+    }
+
+    /// A block that is called from the rail parts a network: what leads to it, the call, and what follows it.
+    fn around_calls(&mut self, network: &Network, tags: &Tags) -> Result<Vec<String>, String> {
+        let mut out = Vec::new();
+        let mut stands = Stands::new();
+        let mut rest = network.clone();
+        while let Some(Call {
+            step,
+            number,
+            en,
+            writes,
+        }) = self.call_from_rail(&rest, &stands)
+        {
+            let Parted { before, after } = parted(&rest, step)?;
+            let mut power = String::from("TRUE");
+            if !is_rail(&rest, en) {
+                power = self.static_tag("power", "Bool");
+                stands.insert(number, format!("Coil( {power} )"));
+            }
+            if before.steps.iter().any(|step| matches!(step, Step::Block { .. })) {
+                out.push(self.rungs(&before, &stands, tags)?);
+            }
+            let is_used = is_used(&rest, step);
+            let result = (writes && is_used).then(|| self.static_tag("power", "Bool"));
+            let called = &rest.blocks[number];
+            let call = self.call(called, (&power, result.as_deref()), tags);
+            let call = call.map_err(|why| format!("`{}`: {why}", self.text[called.location.range].trim()))?;
+            out.push(format!(
+                "        RUNG wire#powerrail\r\n            {call}\r\n        END_RUNG\r\n"
+            ));
+            let result = result.unwrap_or(power);
+            stands.insert(number, format!("Contact( {result} )"));
+            rest = after;
+            let goes_on = rest.steps[2..]
+                .iter()
+                .any(|step| matches!(step, Step::Block { .. }));
+            if !goes_on {
+                return Ok(out);
+            }
+        }
+        out.push(self.rungs(&rest, &stands, tags)?);
+        Ok(out)
+    }
+
+    /// The first block that only the rail can call.
+    fn call_from_rail(&self, network: &Network, stands: &Stands) -> Option<Call> {
+        let mut steps = network.steps.iter().enumerate();
+        steps.find_map(|(step, own)| {
+            let Step::Block { block: number, en } = *own else {
+                return None;
+            };
+            let BlockKind::User(user) = network.blocks[number].kind else {
+                return None;
+            };
+            let Power::Given { writes, .. } = self.powers[user] else {
+                return None;
+            };
+            let is_simple = is_rail(network, en) && !(writes && is_used(network, step));
+            let is_new = !stands.contains_key(&number);
+            (is_new && !is_simple).then_some(Call {
+                step,
+                number,
+                en,
+                writes,
+            })
         })
+    }
+
+    fn rungs(&mut self, network: &Network, stands: &Stands, tags: &Tags) -> Result<String, String> {
+        let wires = strands::of(network)?;
+        allowed(network, &wires)?;
+        Ok(rungs(&self.strands(network, &wires, stands, tags)?))
     }
 
     /// The label that marks a network.
@@ -59,12 +130,17 @@ impl<'a> Writer<'a> {
         &mut self,
         network: &Network,
         wires: &strands::Wires,
+        stands: &Stands,
         tags: &Tags,
     ) -> Result<Vec<Strand>, String> {
         let mut out = Vec::new();
         for wire in &wires.wires {
             let mut elements = Vec::new();
             for block in &wire.blocks {
+                if let Some(text) = stands.get(block) {
+                    elements.push(Element::block(text.clone(), None));
+                    continue;
+                }
                 let block = &network.blocks[*block];
                 let text = self.element(block, tags);
                 let head = self.text[block.location.range].to_owned();
@@ -80,58 +156,50 @@ impl<'a> Writer<'a> {
         }
         Ok(out)
     }
+}
 
-    /// Whether instructions stand where a document can have them.
-    fn allowed(&self, network: &Network, wires: &strands::Wires) -> Result<(), String> {
-        let mut jumps = 0;
-        let count = network
-            .steps
-            .iter()
-            .filter(|step| matches!(step, Step::Block { .. }))
-            .count();
-        let mut done = 0;
-        for step in &network.steps {
-            let Step::Block { block, .. } = step else { continue };
-            done += 1;
-            if let BlockKind::Instruction(row) = network.blocks[*block].kind
-                && matches!(row.op, Op::Jmp | Op::Ret)
-            {
-                jumps += 1;
-                if jumps > 1 || done < count {
-                    return Err("a jump or return is the last of its network there".to_owned());
-                }
+/// Whether instructions stand where a document can have them.
+fn allowed(network: &Network, wires: &strands::Wires) -> Result<(), String> {
+    let mut jumps = 0;
+    let count = network
+        .steps
+        .iter()
+        .filter(|step| matches!(step, Step::Block { .. }))
+        .count();
+    let mut done = 0;
+    for step in &network.steps {
+        let Step::Block { block, .. } = step else { continue };
+        done += 1;
+        if let BlockKind::Instruction(row) = network.blocks[*block].kind
+            && matches!(row.op, Op::Jmp | Op::Ret)
+        {
+            jumps += 1;
+            if jumps > 1 || done < count {
+                return Err("a jump or return is the last of its network there".to_owned());
             }
         }
-        for wire in &wires.wires {
-            for (at, block) in wire.blocks.iter().enumerate() {
-                let is_last = at + 1 == wire.blocks.len() && wire.to.is_none();
-                match network.blocks[*block].kind {
-                    BlockKind::Instruction(row) => match row.op {
-                        Op::SetCoil if !is_last => {
-                            return Err(
-                                "after a set coil power goes on as it came there, and here it is the tag"
-                                    .to_owned(),
-                            );
-                        }
-                        Op::Inverter if at == 0 && wire.from == RAIL => {
-                            return Err("a Not stands after a contact there".to_owned());
-                        }
-                        _ => {}
-                    },
-                    BlockKind::User(user) => {
-                        let is_guarded = self.is_guarded(user);
-                        if !is_guarded && (at > 0 || wire.from != RAIL) {
-                            let name = &self.program.blocks[user].name;
-                            return Err(format!(
-                                "without power `[{name}]` runs here, and does not there: begin its body with `+--[/]( EN )--<RET>--+`"
-                            ));
-                        }
-                    }
-                }
-            }
-        }
-        Ok(())
     }
+    for wire in &wires.wires {
+        for (at, block) in wire.blocks.iter().enumerate() {
+            let is_last = at + 1 == wire.blocks.len() && wire.to.is_none();
+            match network.blocks[*block].kind {
+                BlockKind::Instruction(row) => match row.op {
+                    Op::SetCoil if !is_last => {
+                        return Err(
+                            "after a set coil power goes on as it came there, and here it is the tag"
+                                .to_owned(),
+                        );
+                    }
+                    Op::Inverter if at == 0 && wire.from == RAIL => {
+                        return Err("a Not stands after a contact there".to_owned());
+                    }
+                    _ => {}
+                },
+                BlockKind::User(_) => {}
+            }
+        }
+    }
+    Ok(())
 }
 
 /// The rungs of strands.

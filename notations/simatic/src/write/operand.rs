@@ -1,5 +1,6 @@
 //! Operands of ladder text as source documents write them.
 
+use super::power::{POWER_IN, POWER_OUT};
 use crate::standard::SYSTEM;
 use std::collections::HashMap;
 
@@ -40,15 +41,18 @@ fn path(text: &str, tags: &Tags) -> Result<String, String> {
         return Err(format!("`{text}` is an expression: only Calculate takes one"));
     }
     let upper = root.to_ascii_uppercase();
-    if upper == "EN" || upper == "ENO" {
-        return Err(format!("`{upper}` is no variable there"));
-    }
+    let name = match upper.as_str() {
+        "EN" => POWER_IN,
+        "ENO" => POWER_OUT,
+        _ => root,
+    };
     let ty = match tags.get(&root.to_lowercase()) {
         Some(Ok(ty)) => ty.as_str(),
         Some(Err(why)) => return Err(why.clone()),
+        None if name != root => return Err(format!("`{upper}` is no variable there")),
         None => return Err(format!("`{root}` is no tag that is declared in this program")),
     };
-    let mut out = format!("#\"{root}\"");
+    let mut out = format!("#\"{name}\"");
     let mut is_first = true;
     while !rest.is_empty() {
         rest = rest.trim_start();

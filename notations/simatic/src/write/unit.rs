@@ -2,8 +2,8 @@
 
 use super::Writer;
 use super::declare::{self, Declarations, Declared};
-use super::network::Written;
 use super::operand::Tags;
+use super::power::{POWER_IN, POWER_OUT, Power};
 use crate::read::resource::{ID, written};
 use ladder_analysis::program::Role;
 use ladder_notation::{LineColumn, comments};
@@ -118,8 +118,13 @@ pub(super) fn parameters(units: &[Unit]) -> HashMap<String, Vec<String>> {
 }
 
 impl Writer<'_> {
-    /// A document, and the texts that belong to it.
-    pub(super) fn unit(&mut self, name: &str, unit: &Unit) -> (Vec<u8>, Option<Vec<u8>>) {
+    /// A document, and the texts that belong to it. `power`: of a block.
+    pub(super) fn unit(
+        &mut self,
+        name: &str,
+        unit: &Unit,
+        power: Option<Power>,
+    ) -> (Vec<u8>, Option<Vec<u8>>) {
         self.statics.clear();
         self.texts.clear();
         self.taken.clear();
@@ -136,9 +141,9 @@ impl Writer<'_> {
             }
         }
         self.undeclared(unit, &mut tags, &mut out);
+        let mut networks = powered(power, &mut tags, &mut out);
         self.taken.extend(tags.keys().cloned());
-        let mut networks = String::new();
-        let guard = usize::from(self.guarded.contains(&format!("${}", unit.name).to_lowercase()));
+        let guard = usize::from(power == Some(Power::Guarded));
         for (number, said) in unit.networks.iter().skip(guard) {
             let Some(network) = self.network_at(*number) else {
                 let place = self.place(self.start(*number).into());
@@ -151,26 +156,30 @@ impl Writer<'_> {
             };
             let title = self.titled(said);
             let place = self.place(network.location.range.start().into());
-            let written = self.network(network, &tags);
-            let (label, rungs) = match written {
-                Ok(Written { label, rungs }) => {
+            let parts = self.network(network, &tags);
+            let parts = match parts {
+                Ok(parts) => {
                     self.report.translated(place, "network");
-                    (label, rungs)
+                    parts
                 }
                 Err(why) => {
                     self.report.refused(place, "network", why);
                     let text = self.text[network.location.range].to_owned();
                     let lines = text.lines().map(|line| format!("        // {line}\r\n"));
-                    // Others may jump to it.
-                    (self.label(network), lines.collect())
+                    vec![lines.collect()]
                 }
             };
+            // Others may jump to it, also if it is refused.
+            let label = self.label(network);
             let label = label
                 .map(|label| format!("        Label( \"{label}\" )\r\n"))
                 .unwrap_or_default();
-            networks.push_str(&format!(
-                "    {{\r\n        S7_Language := \"LAD\"{title}\r\n    }}\r\n    NETWORK\r\n{label}{rungs}    END_NETWORK\r\n"
-            ));
+            for (number, rungs) in parts.iter().enumerate() {
+                match number {
+                    0 => networks.push_str(&drawn(&title, &label, rungs)),
+                    _ => networks.push_str(&drawn("", "", rungs)),
+                }
+            }
         }
         let statics = self
             .statics
@@ -319,6 +328,44 @@ impl Writer<'_> {
         }
         out
     }
+}
+
+/// Declares what stands for the power of a block. Returns the network with which its body begins.
+fn powered(power: Option<Power>, tags: &mut Tags, out: &mut Vec<(String, Vec<String>)>) -> String {
+    let Some(Power::Given { reads, writes }) = power else {
+        return String::new();
+    };
+    let asked = [
+        (reads, "en", POWER_IN, "VAR_INPUT"),
+        (writes, "eno", POWER_OUT, "VAR_OUTPUT"),
+    ];
+    for (_, key, name, header) in asked.into_iter().filter(|(is_asked, ..)| *is_asked) {
+        let own = match tags.insert(name.to_owned(), Ok("BOOL".to_owned())) {
+            Some(_) => Err(format!(
+                "there `{}` is `{name}`, and a tag has that name",
+                key.to_uppercase()
+            )),
+            None => Ok("BOOL".to_owned()),
+        };
+        if own.is_ok() {
+            push(out, header, vec![format!("\"{name}\" : Bool;")]);
+        }
+        tags.insert(key.to_owned(), own);
+    }
+    if !writes {
+        return String::new();
+    }
+    let rung = format!(
+        "        RUNG wire#powerrail\r\n            Contact( #\"{POWER_IN}\" )\r\n            Coil( #\"{POWER_OUT}\" )\r\n        END_RUNG\r\n"
+    );
+    drawn("", "", &rung)
+}
+
+/// A network.
+fn drawn(title: &str, label: &str, rungs: &str) -> String {
+    format!(
+        "    {{\r\n        S7_Language := \"LAD\"{title}\r\n    }}\r\n    NETWORK\r\n{label}{rungs}    END_NETWORK\r\n"
+    )
 }
 
 /// The sections in the order in which documents have them.

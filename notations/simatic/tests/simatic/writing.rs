@@ -281,6 +281,8 @@ fn a_block_that_runs_without_power_is_called_without_a_condition() {
                     "a" : Bool;
                     "x" : Int;
                     "Count_1" : "Count";
+                    "power_1" : Bool;
+                    "Count_2" : "Count";
                 END_VAR
 
                 {
@@ -295,7 +297,18 @@ fn a_block_that_runs_without_power_is_called_without_a_condition() {
                     S7_Language := "LAD"
                 }
                 NETWORK
-                    // +--[ ]( a )--[$Count]( x )--+
+                    RUNG wire#powerrail
+                        Contact( #"a" )
+                        Coil( #"power_1" )
+                    END_RUNG
+                END_NETWORK
+                {
+                    S7_Language := "LAD"
+                }
+                NETWORK
+                    RUNG wire#powerrail
+                        #"Count_2"( "n" => #"x" )
+                    END_RUNG
                 END_NETWORK
             END_FUNCTION_BLOCK
             == Count.s7dcl
@@ -319,7 +332,6 @@ fn a_block_that_runs_without_power_is_called_without_a_condition() {
                     END_RUNG
                 END_NETWORK
             END_FUNCTION_BLOCK
-            14:1 network: Refused("without power `[$Count]` runs here, and does not there: begin its body with `+--[/]( EN )--<RET>--+`")
         "#]],
     );
 }
@@ -328,4 +340,191 @@ fn a_block_that_runs_without_power_is_called_without_a_condition() {
 fn other_arithmetic_is_refused() {
     let why = write("# ladder: profile click #\n+--[ ]( X1 )--( )( Y1 )--+\n").err();
     expect!["the program counts and times as another controller does (`# ladder: profile .. #`), and a SIMATIC block does not: take the profile out, and see whether it still does what it should"].assert_eq(&why.unwrap_or_default());
+}
+
+#[test]
+fn a_block_that_knows_its_power_is_given_it() {
+    check(
+        "FUNCTION_BLOCK [$Hold]\nVAR_OUTPUT\n    q : BOOL;\nEND_VAR\n+--[ ]( EN )--(S)( q )--+\n+--[ ]( q )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n\nVAR\n    a, b, y, z : BOOL;\nEND_VAR\n\
+         # Held #\n+--[ ]( a )--[$Hold]( )--[/]( b )--( )( y )--+\n\n+--[$Hold]( y )--+\n\n+--\\--[ ]( a )--[$Hold]( )--\\--( )( y )--+\n|  /--[ ]( b )--------------/\n\n\
+         +--[ ]( a )--\\--[$Hold]( )--( )( y )--+\n|            /--( )( z )--+\n",
+        expect![[r#"
+            {
+                S7_Optimized := "TRUE";
+                S7_PreferredLanguage := "LAD";
+                S7_Version := "0.1"
+            }
+            FUNCTION_BLOCK "test"
+                VAR
+                    "a" : Bool;
+                    "b" : Bool;
+                    "y" : Bool;
+                    "z" : Bool;
+                    "power_1" : Bool;
+                    "power_2" : Bool;
+                    "Hold_1" : "Hold";
+                    "Hold_2" : "Hold";
+                END_VAR
+
+                {
+                    S7_Language := "LAD";
+                    S7_NetworkTitle := "MLC_1"
+                }
+                NETWORK
+                    RUNG wire#powerrail
+                        Contact( #"a" )
+                        Coil( #"power_1" )
+                    END_RUNG
+                END_NETWORK
+                {
+                    S7_Language := "LAD"
+                }
+                NETWORK
+                    RUNG wire#powerrail
+                        #"Hold_1"( "power_in" := #"power_1", "power_out" => #"power_2" )
+                    END_RUNG
+                END_NETWORK
+                {
+                    S7_Language := "LAD"
+                }
+                NETWORK
+                    RUNG wire#powerrail
+                        Contact( #"power_2" )
+                        I_Contact( #"b" )
+                        Coil( #"y" )
+                    END_RUNG
+                END_NETWORK
+                {
+                    S7_Language := "LAD"
+                }
+                NETWORK
+                    RUNG wire#powerrail
+                        #"Hold_2"( "power_in" := TRUE, "q" => #"y" )
+                    END_RUNG
+                END_NETWORK
+                {
+                    S7_Language := "LAD"
+                }
+                NETWORK
+                    // +--\--[ ]( a )--[$Hold]( )--\--( )( y )--+
+                    // |  /--[ ]( b )--------------/
+                END_NETWORK
+                {
+                    S7_Language := "LAD"
+                }
+                NETWORK
+                    // +--[ ]( a )--\--[$Hold]( )--( )( y )--+
+                    // |            /--( )( z )--+
+                END_NETWORK
+            END_FUNCTION_BLOCK
+            == Hold.s7dcl
+            ﻿{
+                S7_Optimized := "TRUE";
+                S7_PreferredLanguage := "LAD";
+                S7_Version := "0.1"
+            }
+            FUNCTION_BLOCK "Hold"
+                VAR_INPUT
+                    "power_in" : Bool;
+                END_VAR
+                VAR_OUTPUT
+                    "q" : Bool;
+                    "power_out" : Bool;
+                END_VAR
+
+                {
+                    S7_Language := "LAD"
+                }
+                NETWORK
+                    RUNG wire#powerrail
+                        Contact( #"power_in" )
+                        Coil( #"power_out" )
+                    END_RUNG
+                END_NETWORK
+                {
+                    S7_Language := "LAD"
+                }
+                NETWORK
+                    RUNG wire#powerrail
+                        Contact( #"power_in" )
+                        S_Coil( #"q" )
+                    END_RUNG
+                END_NETWORK
+                {
+                    S7_Language := "LAD"
+                }
+                NETWORK
+                    RUNG wire#powerrail
+                        Contact( #"q" )
+                        Coil( #"power_out" )
+                    END_RUNG
+                END_NETWORK
+            END_FUNCTION_BLOCK
+            == test.s7res
+            ﻿MultiLingualTexts:
+              - id: MLC_1
+                en-US: "Held"
+            17:1 network: Refused("power passes by the block, which is called from the rail there: draw it on a network of its own")
+            20:1 network: Refused("power passes by the block, which is called from the rail there: draw it on a network of its own")
+        "#]],
+    );
+}
+
+/// Which blocks of the library can be written, and why the others cannot.
+#[test]
+fn blocks_of_the_library_are_function_blocks() {
+    let mut out = String::new();
+    for source in ladder_analysis::library::SOURCES {
+        let writing = write(source.example).unwrap_or_else(|error| panic!("{error}"));
+        let name = format!("{}.s7dcl", &source.name[1..]);
+        let is_written = writing.companions.iter().any(|file| file.name == name);
+        out.push_str(&format!("{}: {is_written}\n", source.name));
+        for entry in writing.report.remarks() {
+            out.push_str(&format!(
+                "    {} {}: {:?}\n",
+                entry.place, entry.element, entry.outcome
+            ));
+        }
+    }
+    expect![[r#"
+        $Alarm: true
+        $Alternate: false
+            11:1 network: Refused("`[$Alternate]( wanted, pumps, swap, healthy, pump1, pump2, pump3 )`: `$Alternate` of the library has no form there: `[UNPACK]( fit[0..7], available )`: `[UNPACK]` has no counterpart")
+            11:33 [$Alternate]: Refused("`$Alternate` of the library has no form there: `[UNPACK]( fit[0..7], available )`: `[UNPACK]` has no counterpart")
+        $Average: false
+            10:1 network: Refused("`[$Average]( weight, pieces, begin, average )`: `$Average` of the library has no form there: `[FILL]( values[1..64], 0.0 )`: `[FILL]` has no counterpart")
+            10:34 [$Average]: Refused("`$Average` of the library has no form there: `[FILL]( values[1..64], 0.0 )`: `[FILL]` has no counterpart")
+        $Blink: false
+            9:1 network: Refused("`[$Blink]( on, off )`: `$Blink` of the library has no form there: `[TON]( clock, T#100000d )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
+            9:46 [$Blink]: Refused("`$Blink` of the library has no form there: `[TON]( clock, T#100000d )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
+        $Debounce: true
+        $Drum: false
+            15:1 network: Refused("`[$Drum]( patterns, times, count, valves, step, finished, arrived, again, jog, reset )`: `$Drum` of the library has no form there: `[UNPACK]( event[1..16], events )`: `[UNPACK]` has no counterpart")
+            15:33 [$Drum]: Refused("`$Drum` of the library has no form there: `[UNPACK]( event[1..16], events )`: `[UNPACK]` has no counterpart")
+        $FirstOut: true
+        $Hysteresis: true
+        $PID: false
+            17:1 network: Refused("`[$PID]( setpoint, temperature, gain, integral, derivative, least, most, by_hand, hand, heater )`: `$PID` of the library has no form there: `[TON]( clock, T#100000d )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
+            17:29 [$PID]: Refused("`$PID` of the library has no form there: `[TON]( clock, T#100000d )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
+        $Ramp: false
+            11:1 network: Refused("`[$Ramp]( speed, up, down, drive, ready )`: `$Ramp` of the library has no form there: `[TON]( clock, T#100000d )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
+            11:38 [$Ramp]: Refused("`$Ramp` of the library has no form there: `[TON]( clock, T#100000d )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
+        $RunTime: false
+            10:1 network: Refused("`[$RunTime]( serviced, hours, lasted, starts )`: `$RunTime` of the library has no form there: `[RTO]( running, T#100000d, R := reset )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
+            10:33 [$RunTime]: Refused("`$RunTime` of the library has no form there: `[RTO]( running, T#100000d, R := reset )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
+        $Scale: false
+            11:1 network: Refused("`[$Scale]( reading, least, most, 0.0, 500.0, litres, broken )`: `$Scale` of the library has no form there: `[PWL]( y, x, x0, y0, x1, y1 )`: `[PWL]` has no counterpart")
+            11:18 [$Scale]: Refused("`$Scale` of the library has no form there: `[PWL]( y, x, x0, y0, x1, y1 )`: `[PWL]` has no counterpart")
+        $Step: false
+            18:1 network: Refused("`[$Step]( step, 0, start, 1 )`: `$Step` of the library has no form there: `[RTO]( clock, T#100000d, R := elsewhere )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
+            18:50 [$Step]: Refused("`$Step` of the library has no form there: `[RTO]( clock, T#100000d, R := elsewhere )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
+            19:1 network: Refused("`[$Step]( step, 1, full, 2, elapsed )`: `$Step` of the library has no form there: `[RTO]( clock, T#100000d, R := elsewhere )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
+            20:1 network: Refused("`[$Step]( step, 2, empty, 0 )`: `$Step` of the library has no form there: `[RTO]( clock, T#100000d, R := elsewhere )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
+        $Toggle: false
+            8:1 network: Refused("`[$Toggle]( off )`: `$Toggle` of the library has no form there: `[NOT]( q, q )`: `Inv` is for words there, and not for one bit: draw it with contacts")
+            8:49 [$Toggle]: Refused("`$Toggle` of the library has no form there: `[NOT]( q, q )`: `Inv` is for words there, and not for one bit: draw it with contacts")
+        $Total: false
+            10:1 network: Refused("`[$Total]( flow, per, batch, litres )`: `$Total` of the library has no form there: `[TON]( clock, T#100000d )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
+            10:42 [$Total]: Refused("`$Total` of the library has no form there: `[TON]( clock, T#100000d )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
+    "#]].assert_eq(&out);
 }
