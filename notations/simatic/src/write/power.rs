@@ -102,7 +102,11 @@ pub(super) fn parted(network: &Network, step: usize) -> Result<Parted, String> {
     if !is_rail(network, en) {
         before.push(network.steps[step]);
     }
-    let mut after = vec![Step::Start { rail: true }, Step::Block { block, en: 0 }];
+    let result = match is_used(network, step) {
+        true => Step::Block { block, en: 0 },
+        false => Step::Start { rail: false },
+    };
+    let mut after = vec![Step::Start { rail: true }, result];
     let moved = |from: usize| match from.checked_sub(step) {
         Some(later) => Ok(later + 1),
         None if is_rail(network, from) => Ok(0),

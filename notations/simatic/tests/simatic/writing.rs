@@ -347,7 +347,8 @@ fn a_block_that_knows_its_power_is_given_it() {
     check(
         "FUNCTION_BLOCK [$Hold]\nVAR_OUTPUT\n    q : BOOL;\nEND_VAR\n+--[ ]( EN )--(S)( q )--+\n+--[ ]( q )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n\nVAR\n    a, b, y, z : BOOL;\nEND_VAR\n\
          # Held #\n+--[ ]( a )--[$Hold]( )--[/]( b )--( )( y )--+\n\n+--[$Hold]( y )--+\n\n+--\\--[ ]( a )--[$Hold]( )--\\--( )( y )--+\n|  /--[ ]( b )--------------/\n\n\
-         +--[ ]( a )--\\--[$Hold]( )--( )( y )--+\n|            /--( )( z )--+\n",
+         +--[ ]( a )--\\--[$Hold]( )--( )( y )--+\n|            /--( )( z )--+\n\n\
+         +--[ ]( b )--( )( z )--+\n+--[ ]( a )--[$Hold]( )--+\n+--[ ]( z )--( )( y )--+\n",
         expect![[r#"
             {
                 S7_Optimized := "TRUE";
@@ -364,6 +365,8 @@ fn a_block_that_knows_its_power_is_given_it() {
                     "power_2" : Bool;
                     "Hold_1" : "Hold";
                     "Hold_2" : "Hold";
+                    "power_3" : Bool;
+                    "Hold_3" : "Hold";
                 END_VAR
 
                 {
@@ -415,6 +418,41 @@ fn a_block_that_knows_its_power_is_given_it() {
                 NETWORK
                     // +--[ ]( a )--\--[$Hold]( )--( )( y )--+
                     // |            /--( )( z )--+
+                END_NETWORK
+                {
+                    S7_Language := "LAD"
+                }
+                NETWORK
+                    RUNG wire#powerrail
+                        Contact( #"b" )
+                        Coil( #"z" )
+                    END_RUNG
+                END_NETWORK
+                {
+                    S7_Language := "LAD"
+                }
+                NETWORK
+                    RUNG wire#powerrail
+                        Contact( #"a" )
+                        Coil( #"power_3" )
+                    END_RUNG
+                END_NETWORK
+                {
+                    S7_Language := "LAD"
+                }
+                NETWORK
+                    RUNG wire#powerrail
+                        #"Hold_3"( "power_in" := #"power_3" )
+                    END_RUNG
+                END_NETWORK
+                {
+                    S7_Language := "LAD"
+                }
+                NETWORK
+                    RUNG wire#powerrail
+                        Contact( #"z" )
+                        Coil( #"y" )
+                    END_RUNG
                 END_NETWORK
             END_FUNCTION_BLOCK
             == Hold.s7dcl

@@ -1,5 +1,6 @@
 //! The blocks of the library: each does what its scenarios say, and has its place in the book.
 
+mod elsewhere;
 mod page;
 mod pid;
 mod use_of_blocks;

@@ -1,0 +1,51 @@
+//! Blocks of the library that other systems are given: they do there what they do here.
+
+use crate::tested::Tested;
+use expect_test::expect;
+use ladder_analysis::library::SOURCES;
+use ladder_analysis::{analyze, link};
+use ladder_format::Options;
+use ladder_notations::{Source, convert};
+use ladder_simulator::scenario;
+use std::sync::Arc;
+
+#[test]
+fn what_is_written_and_read_again_does_what_the_scenarios_say() {
+    let mut out = String::new();
+    let mut problems = Vec::new();
+    for name in ["l5x", "simatic"] {
+        let notation = ladder_notations::by_name(name).expect("it is known");
+        out.push_str(&format!("{name}:"));
+        for source in SOURCES {
+            let parse = Arc::new(ladder_syntax::parse(source.example));
+            let analysis = Arc::new(analyze(&parse, "plant.clad"));
+            link(&analysis, &|_| None).expect("it is whole");
+            let writing = notation.write(&analysis).expect("it is written");
+            if writing.report.tally().refused > 0 {
+                continue;
+            }
+            out.push_str(&format!(" {}", source.name));
+            let again = Source {
+                name: "plant".into(),
+                bytes: &writing.bytes,
+                companions: writing.companions.clone(),
+            };
+            let again = convert(notation, &again, &Options::default()).expect("it is read");
+            // A time is a number of milliseconds in Logix.
+            let scenarios = match name {
+                "l5x" => source.scenarios.replace(" 0s", " 0").replace(" -1s", " -1000"),
+                _ => source.scenarios.to_owned(),
+            };
+            let suite = scenario::parse(&scenarios);
+            let file = format!("{name} {}", source.name).into();
+            let program = format!("{}.clad", source.name).into();
+            Tested::of(file, suite, program, &again.written.text).passed(&mut problems);
+        }
+        out.push('\n');
+    }
+    assert!(problems.is_empty(), "{}", problems.join("\n"));
+    expect![[r#"
+        l5x: $Alarm $Debounce $FirstOut $Hysteresis
+        simatic: $Alarm $Debounce $FirstOut $Hysteresis
+    "#]].assert_eq(&out);
+}
