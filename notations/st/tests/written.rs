@@ -1,7 +1,10 @@
 //! What comes out: statements as a person writes them.
 
 use expect_test::{Expect, expect};
+use ladder_analysis::{Exported, analyze_in, exports, link};
 use ladder_notation::Notation;
+use ladder_notation_st::St;
+use std::sync::Arc;
 
 /// The body of the program, or why there is none.
 #[track_caller]
@@ -145,5 +148,104 @@ fn what_cannot_be_said_is_refused_with_its_place() {
         expect![
             "1:4: Structured Text cannot say this: a port, which each system has in its own way: use tags at addresses"
         ],
+    );
+}
+
+/// The first of several files, with the program that it makes with the others and the library.
+#[track_caller]
+fn check_files(files: &[(&str, &str)], expected: Expect) {
+    let parsed = files
+        .iter()
+        .map(|(name, text)| (*name, Arc::new(ladder_syntax::parse(text))));
+    let parsed: Vec<_> = parsed.collect();
+    let summaries = parsed.iter().map(|(name, parse)| Arc::new(exports(parse, name)));
+    let exported = Arc::new(Exported::new(summaries.collect()));
+    let analysis = |wanted: &str| {
+        let (name, parse) = parsed.iter().find(|(name, _)| *name == wanted)?;
+        Some(Arc::new(analyze_in(parse, name, &exported.others_of(name))))
+    };
+    let own = analysis(files[0].0).expect("the first file is one of them");
+    let program = link(&own, &analysis).expect("it is whole");
+    let writing = St.write(&own.with_program(program)).expect("it is written");
+    let text = String::from_utf8(writing.bytes).expect("text is UTF-8");
+    let heads = text.lines().filter(|line| line.starts_with("FUNCTION_BLOCK "));
+    let own = text.split_once("PROGRAM plant\n").expect("a program").1;
+    let heads: Vec<&str> = heads.collect();
+    expected.assert_eq(&format!("{}\n{own}", heads.join("\n")));
+}
+
+#[test]
+fn blocks_of_the_library_are_written_along() {
+    check_files(
+        &[("plant.clad", "+--[ ]( on )--[$Blink]( T#1s )--( )( lamp )--+\n")],
+        expect![[r#"
+            (* The ladder program plant. *)
+            FUNCTION_BLOCK Blink
+                on_tag : TIME;  (* called on *)
+            PROGRAM plant
+                on_tag : BOOL;  (* called on *)
+            VAR_INPUT
+                on_tag : BOOL;  (* called on *)
+            END_VAR
+            VAR_OUTPUT
+                lamp : BOOL;
+            END_VAR
+            VAR
+                blink1 : Blink;
+            END_VAR
+                blink1(power_in := on_tag, high := T#1s, low := T#500ms);
+                lamp := blink1.power_out;
+            END_PROGRAM
+        "#]],
+    );
+}
+
+#[test]
+fn blocks_and_functions_of_other_files_are_written_along() {
+    check_files(
+        &[
+            ("plant.clad", "+--[ ]( on )--[$Half]( x, y )--<CALL>( wash )--+\n"),
+            (
+                "other.clad",
+                "FUNCTION_BLOCK [$Half]\nVAR_INPUT\n    x : DINT;\nEND_VAR\nVAR_OUTPUT\n    y : DINT;\nEND_VAR\n+--[DIV]( y, x, 2 )--+\nEND_FUNCTION_BLOCK\n\n\
+                 VAR\n    count : DINT;\nEND_VAR\n+--<FUN>( wash )--[ADD]( count, count, 1 )--+\n",
+            ),
+        ],
+        expect![[r#"
+            (* The ladder program plant. *)
+            FUNCTION_BLOCK Half
+            FUNCTION_BLOCK wash
+            PROGRAM plant
+                on_tag : BOOL;  (* called on *)
+                other_count : DINT;  (* called other.count *)
+            VAR_INPUT
+                on_tag : BOOL;  (* called on *)
+            END_VAR
+            VAR
+                x : DINT;
+                y : DINT;
+            END_VAR
+            VAR
+                half1 : Half;
+            END_VAR
+            VAR
+                do_wash : wash;
+            END_VAR
+                half1(power_in := on_tag, x := x);
+                y := half1.y;
+                IF half1.power_out THEN
+                    do_wash();
+                END_IF;
+            END_PROGRAM
+
+            CONFIGURATION config
+            VAR_GLOBAL
+                other_count : DINT;  (* called other.count *)
+            END_VAR
+            RESOURCE plc ON PLC
+                PROGRAM main_program : plant;
+            END_RESOURCE
+            END_CONFIGURATION
+        "#]],
     );
 }

@@ -47,5 +47,6 @@ fn what_is_written_and_read_again_does_what_the_scenarios_say() {
     expect![[r#"
         l5x: $Alarm $Debounce $FirstOut $Hysteresis
         simatic: $Alarm $Debounce $FirstOut $Hysteresis
-    "#]].assert_eq(&out);
+    "#]]
+    .assert_eq(&out);
 }
