@@ -179,11 +179,7 @@ fn blocks_of_the_library_are_written_along() {
     check_files(
         &[("plant.clad", "+--[ ]( on )--[$Blink]( T#1s )--( )( lamp )--+\n")],
         expect![[r#"
-            (* The ladder program plant. *)
             FUNCTION_BLOCK Blink
-                on_tag : TIME;  (* called on *)
-            PROGRAM plant
-                on_tag : BOOL;  (* called on *)
             VAR_INPUT
                 on_tag : BOOL;  (* called on *)
             END_VAR
@@ -212,12 +208,8 @@ fn blocks_and_functions_of_other_files_are_written_along() {
             ),
         ],
         expect![[r#"
-            (* The ladder program plant. *)
             FUNCTION_BLOCK Half
             FUNCTION_BLOCK wash
-            PROGRAM plant
-                on_tag : BOOL;  (* called on *)
-                other_count : DINT;  (* called other.count *)
             VAR_INPUT
                 on_tag : BOOL;  (* called on *)
             END_VAR
