@@ -59,10 +59,11 @@ pub fn with_library(
 /// so that all else keeps its place.
 fn whole(analysis: &Analysis) -> Result<(Option<Analysis>, Vec<Added>), WriteError> {
     let context = &analysis.context;
-    let used: Vec<&library::Source> = context.user_blocks[context.own_blocks..]
-        .iter()
-        .filter_map(|block| library::source(block.file()?))
-        .collect();
+    let files = || {
+        let others = context.user_blocks[context.own_blocks..].iter();
+        others.filter_map(|block| block.file())
+    };
+    let used: Vec<&library::Source> = files().filter_map(|file| library::source(file)).collect();
     if used.is_empty() || analysis.has_errors() {
         return Ok((None, Vec::new()));
     }
@@ -78,7 +79,8 @@ fn whole(analysis: &Analysis) -> Result<(Option<Analysis>, Vec<Added>), WriteErr
         })
     };
     let places: Vec<LineColumn> = used.iter().map(|source| place(source.name)).collect();
-    if context.profile != Default::default() {
+    let mut of_library = files().filter_map(|file| library::analysis(file));
+    if of_library.any(|file| file.context.profile != context.profile) {
         return Err(WriteError::new(format!(
             "{}: `{}` of the library counts and times as IEC 61131-3 says, and this program as {} does: draw what it does on rungs of the program",
             places[0],

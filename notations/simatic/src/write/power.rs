@@ -1,7 +1,7 @@
 //! The power of blocks of one's own. There a block without power does not run, and no body has `EN` and `ENO` as variables:
 //! a block that runs all the same is called from the rail, with the power as an input and an output.
 
-use ladder_analysis::program::{BlockKind, Network, Program, Step, TagId};
+use ladder_analysis::program::{BlockKind, Network, Program, Step, TagId, UserBlock};
 use ladder_instructions::Op;
 use std::collections::HashMap;
 
@@ -26,7 +26,7 @@ pub(super) enum Power {
 
 /// How each block comes by its power.
 pub(super) fn powers(program: &Program) -> Vec<Power> {
-    let of = |block: &ladder_analysis::program::UserBlock| {
+    let of = |block: &UserBlock| {
         let networks = &program.networks[block.networks.clone()];
         let uses = |networks: &[Network], tag: TagId| {
             let blocks = networks.iter().flat_map(|network| &network.blocks);
@@ -102,9 +102,10 @@ pub(super) fn parted(network: &Network, step: usize) -> Result<Parted, String> {
     if !is_rail(network, en) {
         before.push(network.steps[step]);
     }
-    let result = match is_used(network, step) {
-        true => Step::Block { block, en: 0 },
-        false => Step::Start { rail: false },
+    let result = if is_used(network, step) {
+        Step::Block { block, en: 0 }
+    } else {
+        Step::Start { rail: false }
     };
     let mut after = vec![Step::Start { rail: true }, result];
     let moved = |from: usize| match from.checked_sub(step) {
