@@ -221,9 +221,9 @@ fn blocks_of_the_library_are_add_on_instructions() {
         let definition = format!("<AddOnInstructionDefinition Name=\"{}", &source.name[1..]);
         let is_written = file.contains(&definition);
         out.push_str(&format!("{}: {is_written}\n", source.name));
-        remarks
-            .iter()
-            .for_each(|remark| out.push_str(&format!("    {remark}\n")));
+        for remark in remarks {
+            out.push_str(&format!("    {remark}\n"));
+        }
     }
     expect![[r#"
         $Alarm: true
