@@ -2,7 +2,7 @@
 
 use crate::names;
 use crate::project::{Declared, Project, root};
-use ladder_analysis::program::{Program, Tag};
+use ladder_analysis::program::{ParameterKind, Program, Tag, TagId};
 use ladder_analysis::values::compound::{Compound, EnumId};
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::values::value::Value;
@@ -42,14 +42,6 @@ pub(crate) fn variables(program: &Program, block: Option<usize>) -> Vec<Variable
     found
 }
 
-/// The type of a tag of the program.
-pub(crate) fn declared_type(program: &Program, name: &str) -> Type {
-    let all = variables(program, None);
-    all.iter()
-        .find(|variable| variable.root == name)
-        .map_or(Type::BOOL, |variable| variable.ty)
-}
-
 impl Project<'_> {
     /// The sections with the types, and the functions that make numbers of enumerations.
     pub(crate) fn types(&self) -> String {
@@ -73,6 +65,10 @@ impl Project<'_> {
                         "TYPE\n    {name} : ({});\nEND_TYPE\n\n",
                         names.join(", ")
                     ));
+                }
+                Declared::Array(ty) => {
+                    let (name, array) = (self.type_name(*ty), self.spelled(*ty));
+                    out.push_str(&format!("TYPE\n    {name} : {array};\nEND_TYPE\n\n"));
                 }
                 Declared::Structure(id) => {
                     let Compound::Structure(structure) = id.get() else {
@@ -131,9 +127,16 @@ impl Project<'_> {
         out
     }
 
-    /// The value that a variable starts with; none where it is its type's own.
+    /// The value that a variable starts with; none where it is its type's own, or that of what a caller passes.
     pub(crate) fn initial(&self, variable: &Variable<'_>) -> Option<String> {
         let program = self.program;
+        let parameters = (variable.tag.block).map_or(&[][..], |block| &program.blocks[block].parameters);
+        let is_passed = |(tag, kind): &(TagId, ParameterKind)| {
+            *kind == ParameterKind::InOut && root(&program.tags[tag.0 as usize]) == variable.root
+        };
+        if parameters.iter().any(is_passed) {
+            return None;
+        }
         let parts: HashMap<&str, &Tag> = (program.tags.iter())
             .filter(|tag| tag.block == variable.tag.block && root(tag) == variable.root)
             .map(|tag| (tag.name.as_str(), tag))

@@ -2,7 +2,7 @@
 
 use crate::checks::{Check, Checks, is_within};
 use crate::names;
-use crate::project::{Result, Service};
+use crate::project::{Result, Service, root};
 use crate::term::{Binding, Term};
 use crate::unit::Unit;
 use ladder_analysis::program::{Chosen, Expr, ExprKind, Member, Place, SystemTag, TagId};
@@ -286,6 +286,7 @@ impl Unit<'_, '_> {
             None => "",
         };
         let mut text = variable.clone();
+        let mut ty = self.project.declared_type(tag_of.block, root(tag_of));
         let mut indices = indices.iter();
         let mut open = rest;
         while let Some(c) = open.chars().next() {
@@ -298,19 +299,18 @@ impl Unit<'_, '_> {
                     }
                     open = after;
                 }
-                text.push_str(&format!("[{}]", all.join(", ")));
+                ty = index_list(&all, ty, &mut text);
             } else {
                 let end = open[1..].find(['.', '[']).map_or(open.len(), |at| at + 1);
                 let member = open[..end].trim_start_matches('.');
+                ty = ty.and_then(|ty| self.project.member_type(ty, member));
                 text.push('.');
                 text.push_str(&names::member(member));
                 open = &open[end..];
             }
         }
         let more: Vec<String> = indices.cloned().collect();
-        if !more.is_empty() {
-            text.push_str(&format!("[{}]", more.join(", ")));
-        }
+        index_list(&more, ty, &mut text);
         (variable, text)
     }
 
@@ -355,6 +355,22 @@ impl Unit<'_, '_> {
             }
         })
     }
+}
+
+/// Adds indices to a path, those of an array that is an element of another in brackets of their own. What the element is.
+fn index_list(indices: &[String], mut ty: Option<Type>, path: &mut String) -> Option<Type> {
+    let mut rest = indices;
+    while !rest.is_empty() {
+        let array = ty.and_then(Type::array);
+        let own = array
+            .as_ref()
+            .map_or(rest.len(), |(dimensions, _)| dimensions.len());
+        let (list, more) = rest.split_at(own.min(rest.len()));
+        path.push_str(&format!("[{}]", list.join(", ")));
+        ty = array.map(|(_, element)| element);
+        rest = more;
+    }
+    ty
 }
 
 /// Indices from the place of an element: counted from 0 row by row where there are several dimensions.

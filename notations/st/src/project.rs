@@ -1,6 +1,7 @@
 //! What all units of a program share: the names of types, blocks and values, and which tags they share.
 
 use crate::names::{self, Names};
+use ladder_analysis::names::named_types::NamedTypes;
 use ladder_analysis::program::{
     Argument, Block, BlockKind, Clock, Expr, ExprKind, Location, Place, Program, SystemTag, Tag, TagId,
 };
@@ -95,7 +96,12 @@ pub(crate) struct Project<'p> {
     pub(crate) text: &'p str,
     /// Words, types, blocks, values: what no variable may be called.
     pub(crate) names: Names,
-    types: HashMap<TypeId, String>,
+    /// Those of structures, and of arrays that are elements of arrays.
+    types: HashMap<Type, String>,
+    /// The names that the ladder program has for arrays.
+    named_arrays: HashMap<Type, &'p str>,
+    /// The types of the tags as they are declared, of each block and of the program.
+    declared: HashMap<(Option<usize>, &'p str), Type>,
     enumerations: HashMap<EnumId, String>,
     values: HashMap<(EnumId, i64), String>,
     pub(crate) blocks: Vec<String>,
@@ -120,6 +126,7 @@ pub(crate) struct Project<'p> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Declared {
     Structure(TypeId),
+    Array(Type),
     Enumeration(EnumId),
 }
 
@@ -132,13 +139,15 @@ pub(crate) fn root(tag: &Tag) -> &str {
 }
 
 impl<'p> Project<'p> {
-    pub(crate) fn new(program: &'p Program, text: &'p str) -> Project<'p> {
+    pub(crate) fn new(program: &'p Program, text: &'p str, named: &'p NamedTypes) -> Project<'p> {
         let mut names = Names::new();
         let mut project = Project {
             program,
             text,
             names: Names::new(),
             types: HashMap::new(),
+            named_arrays: HashMap::new(),
+            declared: HashMap::new(),
             enumerations: HashMap::new(),
             values: HashMap::new(),
             blocks: Vec::new(),
@@ -154,6 +163,17 @@ impl<'p> Project<'p> {
             enumerations_from_numbers: std::collections::HashSet::new(),
             faults_count: false,
         };
+        for own in named.own() {
+            if let Some(ty) = own.ty.filter(|ty| ty.array().is_some()) {
+                let name = own.declaration.name.as_str();
+                project.named_arrays.entry(ty).or_insert(name);
+            }
+        }
+        for block in std::iter::once(None).chain((0..program.blocks.len()).map(Some)) {
+            let variables = crate::declare::variables(program, block).into_iter();
+            let types = variables.map(|variable| ((block, variable.root), variable.ty));
+            project.declared.extend(types);
+        }
         // Variables keep their names; what is named after them stays out of their way.
         let mut tags = BTreeSet::new();
         for tag in &program.tags {
@@ -221,20 +241,33 @@ impl<'p> Project<'p> {
             }
             Type::Compound(id) => match id.get() {
                 Compound::Structure(structure) => {
-                    if self.types.contains_key(&id) {
+                    if self.types.contains_key(&ty) {
                         return;
                     }
-                    self.types.insert(id, names.name(&structure.name, "type"));
+                    self.types.insert(ty, names.name(&structure.name, "type"));
                     for member in &structure.members {
                         self.add_type(member.ty, names);
                     }
                     self.type_order.push(Declared::Structure(id));
                 }
-                Compound::Array(array) => self.add_type(array.element, names),
+                Compound::Array(array) => {
+                    self.add_type(array.element, names);
+                    self.add_inner_array(array.element, names);
+                }
                 Compound::Block(_) => {}
             },
             _ => {}
         }
+    }
+
+    /// The standard takes no `ARRAY .. OF ARRAY ..`: the inner array has a name.
+    fn add_inner_array(&mut self, ty: Type, names: &mut Names) {
+        if ty.array().is_none() || self.types.contains_key(&ty) {
+            return;
+        }
+        let name = self.named_arrays.get(&ty).copied().unwrap_or("Row");
+        self.types.insert(ty, names.name(name, "type"));
+        self.type_order.push(Declared::Array(ty));
     }
 
     fn add_types_of(&mut self, expr: &Expr, names: &mut Names) {
@@ -268,6 +301,12 @@ impl<'p> Project<'p> {
 
     /// The name of a tag's or member's type. Timers that the standard's blocks do not do have a block of their own.
     pub(crate) fn type_name(&self, ty: Type) -> String {
+        let named = self.types.get(&ty).cloned();
+        named.unwrap_or_else(|| self.spelled(ty))
+    }
+
+    /// The same, of an array with a name what that stands for.
+    pub(crate) fn spelled(&self, ty: Type) -> String {
         match ty {
             Type::Scalar(scalar) => self.scalar_name(scalar),
             Type::State(state) => self.state_name(state),
@@ -275,7 +314,7 @@ impl<'p> Project<'p> {
                 format!("ARRAY[{first}..{last}] OF {}", self.scalar_name(element))
             }
             Type::Compound(id) => match id.get() {
-                Compound::Structure(_) => self.types.get(&id).cloned().unwrap_or_default(),
+                Compound::Structure(structure) => names::identifier(&structure.name),
                 Compound::Array(array) => {
                     let bounds: Vec<String> = array
                         .dimensions
@@ -294,17 +333,14 @@ impl<'p> Project<'p> {
     }
 
     fn block_name(&self, name: &str) -> String {
-        let same = |block: &&(String, &String)| block.0 == name.to_lowercase();
-        let all: Vec<(String, &String)> = self
-            .program
-            .blocks
-            .iter()
-            .map(|block| block.name.to_lowercase())
-            .zip(&self.blocks)
-            .collect();
-        all.iter()
-            .find(same)
-            .map_or_else(|| names::identifier(name), |found| found.1.clone())
+        self.block_of(name)
+            .map_or_else(|| names::identifier(name), |block| self.blocks[block].clone())
+    }
+
+    fn block_of(&self, name: &str) -> Option<usize> {
+        let key = name.to_lowercase();
+        let mut blocks = self.program.blocks.iter();
+        blocks.position(|block| block.name.to_lowercase() == key)
     }
 
     pub(crate) fn scalar_name(&self, scalar: Scalar) -> String {
@@ -475,6 +511,24 @@ impl<'p> Project<'p> {
             }
         }
         found
+    }
+
+    /// The type of a tag as it is declared in the program or in the body of a block.
+    pub(crate) fn declared_type(&self, block: Option<usize>, root: &str) -> Option<Type> {
+        self.declared.get(&(block, root)).copied()
+    }
+
+    /// The type of a member of a structure, or of a variable of a block.
+    pub(crate) fn member_type(&self, ty: Type, member: &str) -> Option<Type> {
+        let Type::Compound(id) = ty else { return None };
+        match id.get() {
+            Compound::Structure(structure) => structure.member(member).map(|(_, member)| member.ty),
+            Compound::Block(name) => {
+                let block = self.block_of(&name)?;
+                self.declared_type(Some(block), member)
+            }
+            Compound::Array(_) => None,
+        }
     }
 
     /// The name of something that is counted, and that it is asked for here.

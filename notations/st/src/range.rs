@@ -402,7 +402,8 @@ impl Unit<'_, '_> {
         Ok((self.cut(&text, range, block)?, target.variable))
     }
 
-    /// The beginning of a path, with as many indices and members as the operand has in the ladder text.
+    /// The beginning of a path, with as many indices and members as the operand has in the ladder text. There the indices of an
+    /// array of arrays are one list or several.
     fn cut(&self, path: &str, range: Option<TextRange>, block: &Block) -> Result<String> {
         let text = range
             .filter(|_| block.location.file == 0)
@@ -415,22 +416,18 @@ impl Unit<'_, '_> {
         let Some(cut) = given.get(..wanted.len()) else {
             return self.stop("a whole structure of several tags");
         };
-        // An index for each of several dimensions, or none of them.
-        let commas = |step: &str| {
-            if step.starts_with('[') {
-                step.matches(',').count()
-            } else {
-                0
-            }
-        };
-        if wanted
-            .iter()
-            .zip(cut)
-            .any(|(a, b)| commas(a) + a.matches("][").count() != commas(b))
-        {
-            return self.stop("a row of an array as a whole: write it for its elements");
+        let mut beginning = String::new();
+        for (wanted, given) in wanted.iter().zip(cut) {
+            let end = match index_lists(wanted).last() {
+                None => given.len(),
+                Some((_, count)) => match index_lists(given).iter().find(|(_, own)| own == count) {
+                    Some((end, _)) => *end,
+                    None => return self.stop("a row of an array as a whole: write it for its elements"),
+                },
+            };
+            beginning.push_str(&given[..end]);
         }
-        Ok(cut.concat())
+        Ok(beginning)
     }
 }
 
@@ -463,4 +460,26 @@ fn steps(path: &str) -> Vec<String> {
         }
     }
     steps
+}
+
+/// The lists of indices in a step: where each ends, and how many indices there are up to there.
+fn index_lists(step: &str) -> Vec<(usize, usize)> {
+    let (mut lists, mut depth, mut count) = (Vec::new(), 0, 0);
+    for (at, c) in step.char_indices() {
+        match c {
+            '[' | '(' => {
+                depth += 1;
+                count += usize::from(depth == 1);
+            }
+            ',' if depth == 1 => count += 1,
+            ']' | ')' => {
+                depth -= 1;
+                if depth == 0 {
+                    lists.push((at + 1, count));
+                }
+            }
+            _ => {}
+        }
+    }
+    lists
 }

@@ -6,7 +6,7 @@ use crate::power::{Factor, Power};
 use crate::project::{Project, Result, Service, Stop, UnitKind, root};
 use crate::term::Term;
 use ladder_analysis::program::{Location, TagId};
-use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::types::{Scalar, Type};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// A variable that the ladder program does not declare.
@@ -133,8 +133,8 @@ impl<'a, 'p> Unit<'a, 'p> {
         } else if self.project.is_shared(name) {
             let shared = self.project.shared_name(name);
             if !self.externals.contains_key(&shared) {
-                let declared = crate::declare::declared_type(program, name);
-                let ty = self.project.type_name(declared);
+                let declared = self.project.declared_type(None, name);
+                let ty = self.project.type_name(declared.unwrap_or(Type::BOOL));
                 self.externals.insert(shared.clone(), ty);
             }
             return shared;

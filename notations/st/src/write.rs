@@ -77,7 +77,7 @@ pub(crate) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
             lines.place(&text, found.range.start().into())
         )));
     }
-    let mut project = Project::new(program, &text);
+    let mut project = Project::new(program, &text, &analysis.context.types);
     let file = Path::new(program.files.first().map_or("program", String::as_str));
     let stem = file
         .file_stem()

@@ -6,17 +6,24 @@ use ladder_notation::Notation;
 use ladder_notation_st::St;
 use std::sync::Arc;
 
+/// The whole text, or why there is none.
+fn written(text: &str) -> Result<String, String> {
+    let analysis = ladder_analysis::analyze(&ladder_syntax::parse(text).into(), "plant.clad");
+    match ladder_notation_st::St.write(&analysis) {
+        Ok(writing) => Ok(String::from_utf8(writing.bytes).expect("text is UTF-8")),
+        Err(error) => Err(error.message),
+    }
+}
+
 /// The body of the program, or why there is none.
 #[track_caller]
 fn check(text: &str, expected: Expect) {
-    let analysis = ladder_analysis::analyze(&ladder_syntax::parse(text).into(), "plant.clad");
-    let body = match ladder_notation_st::St.write(&analysis) {
-        Ok(writing) => {
-            let text = String::from_utf8(writing.bytes).expect("text is UTF-8");
+    let body = match written(text) {
+        Ok(text) => {
             let program = text.split_once("PROGRAM plant\n").expect("a program").1;
             program.split_once("END_PROGRAM").expect("its end").0.to_owned()
         }
-        Err(error) => error.message,
+        Err(why) => why,
     };
     expected.assert_eq(&body);
 }
@@ -240,4 +247,38 @@ fn blocks_and_functions_of_other_files_are_written_along() {
             END_CONFIGURATION
         "#]],
     );
+
+#[test]
+fn an_array_in_an_array_has_a_type_with_a_name_and_indices_of_its_own() {
+    let text = written(
+        r"
+TYPE
+    Row : ARRAY[0..2] OF INT := [1, 2, 3];
+    First : Item;
+    Item : STRUCT
+        n : INT;
+        sheet : ARRAY[1..2] OF ARRAY[1..2, 1..2] OF BOOL;
+    END_STRUCT;
+END_TYPE
+VAR
+    rows : ARRAY[0..1, 5..5] OF Row;
+    f : First;
+    one : Row;
+    on : BOOL;
+END_VAR
++--[ ]( f.sheet[2, 1, on_index] )--[MOV]( rows[1, 5, 2], f.n )--+
++--[ ]( on )--[MOV]( one[0], rows[1][5][k] )--+
++--[ ]( on )--[BMOV]( one, rows[0, 5] )--+
++--[ ]( on )--[BUMP]( $B_1, rows[0, 5] )--+
+
++--<$B>( Bump )--+
+VAR_IN_OUT
+    row : Row;
+END_VAR
++--[ADD]( row[1], row[1], 1 )--+
++--<RET>--+
+",
+    );
+    let text = text.unwrap_or_else(|why| why);
+    expect![[""]].assert_eq(&text);
 }

@@ -59,6 +59,7 @@ impl Memory {
                         }
                         return Ok(self.add(Cell::Members(None, all)));
                     }
+                    Some(Declared::Array(array)) => return self.make(text, array),
                     None => {}
                 }
                 let mut all = HashMap::new();
@@ -186,5 +187,18 @@ impl Memory {
             at = at * (last - first + 1) + (index - first);
         }
         Ok(elements[at as usize])
+    }
+
+    /// An element of a cell, or of an element of it, with the indices of both.
+    pub(super) fn inner_element(&self, mut cell: CellId, mut indices: &[i64]) -> Result<CellId, String> {
+        while !indices.is_empty() {
+            let Cell::Array(bounds, _) = &self.cells[cell] else {
+                return Err("no array".into());
+            };
+            let (own, more) = indices.split_at(bounds.len().min(indices.len()));
+            cell = self.element(cell, own)?;
+            indices = more;
+        }
+        Ok(cell)
     }
 }

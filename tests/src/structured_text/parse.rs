@@ -32,6 +32,8 @@ pub(super) fn parse(text: &str) -> Result<Text> {
                         parser.sign(";")?;
                     }
                     Declared::Members(members)
+                } else if parser.at_word("ARRAY") {
+                    Declared::Array(parser.spec()?)
                 } else {
                     parser.sign("(")?;
                     let mut values = vec![parser.word()?];
@@ -90,8 +92,12 @@ impl Parser {
         }
     }
 
+    fn at_word(&self, word: &str) -> bool {
+        matches!(self.peek(), Some(Token::Word(own)) if own == word)
+    }
+
     fn take_word(&mut self, word: &str) -> bool {
-        let is = matches!(self.peek(), Some(Token::Word(own)) if own == word);
+        let is = self.at_word(word);
         self.at += usize::from(is);
         is
     }
@@ -104,8 +110,12 @@ impl Parser {
         }
     }
 
+    fn at_sign(&self, sign: &str) -> bool {
+        matches!(self.peek(), Some(Token::Sign(own)) if *own == sign)
+    }
+
     fn take(&mut self, sign: &str) -> bool {
-        let is = matches!(self.peek(), Some(Token::Sign(own)) if *own == sign);
+        let is = self.at_sign(sign);
         self.at += usize::from(is);
         is
     }
@@ -140,6 +150,9 @@ impl Parser {
             }
             self.sign("]")?;
             self.expect("OF")?;
+            if self.at_word("ARRAY") {
+                return self.error("the name of a type");
+            }
             return Ok(Spec::Array(bounds, Box::new(self.spec()?)));
         }
         let name = self.word()?;
@@ -166,6 +179,9 @@ impl Parser {
                 }
                 self.sign(":")?;
                 let ty = self.spec()?;
+                if section == "VAR_IN_OUT" && self.at_sign(":=") {
+                    return self.error("an in-out without a value");
+                }
                 let initial = if self.take(":=") {
                     Some(self.initial()?)
                 } else {

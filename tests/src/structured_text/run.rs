@@ -102,7 +102,7 @@ impl Machine {
         self.statements(&unit.body, &frame).map(|_| ())
     }
 
-    /// The variable or part of one with this path.
+    /// The variable or part of one with this path, in which the indices of an array of arrays may be one list.
     ///
     /// # Errors
     /// There is no such variable.
@@ -114,7 +114,23 @@ impl Machine {
         };
         let mut frame = self.globals.clone();
         frame.extend(self.program.clone());
-        self.cell(path, &frame)
+        let mut cell = self.cell(
+            &Path {
+                name: path.name.clone(),
+                steps: Vec::new(),
+            },
+            &frame,
+        )?;
+        for step in &path.steps {
+            cell = match step {
+                Step::Member(name) => self.memory.member(cell, name)?,
+                Step::Index(all) => {
+                    let indices = self.indices(all, &frame)?;
+                    self.memory.inner_element(cell, &indices)?
+                }
+            };
+        }
+        Ok(cell)
     }
 
     /// What it holds.
@@ -149,18 +165,23 @@ impl Machine {
             cell = match step {
                 Step::Member(name) => self.memory.member(cell, name)?,
                 Step::Index(all) => {
-                    let mut indices = Vec::new();
-                    for index in all {
-                        match self.value_of(index, frame)? {
-                            Value::Int(number, _) => indices.push(number),
-                            other => return Err(format!("{other:?} is no index")),
-                        }
-                    }
+                    let indices = self.indices(all, frame)?;
                     self.memory.element(cell, &indices)?
                 }
             };
         }
         Ok(cell)
+    }
+
+    fn indices(&mut self, all: &[Expr], frame: &Frame) -> Result<Vec<i64>> {
+        let mut indices = Vec::new();
+        for index in all {
+            match self.value_of(index, frame)? {
+                Value::Int(number, _) => indices.push(number),
+                other => return Err(format!("{other:?} is no index")),
+            }
+        }
+        Ok(indices)
     }
 
     fn value_of(&mut self, expr: &Expr, frame: &Frame) -> Result<Value> {

@@ -58,6 +58,8 @@ pub(super) enum Declared {
     Values(Vec<String>),
     /// The members of a structure.
     Members(Vec<(String, Spec)>),
+    /// A name for an array.
+    Array(Spec),
 }
 
 /// A whole text.
