@@ -264,21 +264,80 @@ VAR
     rows : ARRAY[0..1, 5..5] OF Row;
     f : First;
     one : Row;
+    k : INT;
     on : BOOL;
 END_VAR
-+--[ ]( f.sheet[2, 1, on_index] )--[MOV]( rows[1, 5, 2], f.n )--+
++--[ ]( f.sheet[2, 1, k] )--[MOV]( rows[1, 5, 2], f.n )--+
 +--[ ]( on )--[MOV]( one[0], rows[1][5][k] )--+
-+--[ ]( on )--[BMOV]( one, rows[0, 5] )--+
-+--[ ]( on )--[BUMP]( $B_1, rows[0, 5] )--+
++--[ ]( on )--[$Bump]( rows[0, 5] )--+
 
-+--<$B>( Bump )--+
+FUNCTION_BLOCK [$Bump]
 VAR_IN_OUT
-    row : Row;
+    line : Row;
 END_VAR
-+--[ADD]( row[1], row[1], 1 )--+
-+--<RET>--+
++--[ADD]( line[1], line[1], 1 )--+
+END_FUNCTION_BLOCK
 ",
     );
     let text = text.unwrap_or_else(|why| why);
-    expect![[""]].assert_eq(&text);
+    expect![[r#"
+        (* The ladder program plant. *)
+
+        TYPE
+            Row : ARRAY[0..2] OF INT;
+        END_TYPE
+
+        TYPE
+            Row_type : ARRAY[1..2, 1..2] OF BOOL;
+        END_TYPE
+
+        TYPE
+            Item : STRUCT
+                n : INT;
+                sheet : ARRAY[1..2] OF Row_type;
+            END_STRUCT;
+        END_TYPE
+
+        FUNCTION_BLOCK Bump
+        VAR_INPUT
+            power_in : BOOL;
+        END_VAR
+        VAR_OUTPUT
+            power_out : BOOL;
+        END_VAR
+        VAR_IN_OUT
+            line : Row;
+        END_VAR
+            power_out := power_in;
+            line[1] := line[1] + 1;
+        END_FUNCTION_BLOCK
+
+        PROGRAM plant
+        VAR
+            rows : ARRAY[0..1, 5..5] OF Row := [2([1, 2, 3])];
+            f : Item;
+            one : Row := [1, 2, 3];
+            k : INT;
+            on_tag : BOOL;  (* called on *)
+        END_VAR
+        VAR
+            bump1 : Bump;
+        END_VAR
+        VAR
+            power1 : BOOL;
+        END_VAR
+            power1 := FALSE;
+            IF k >= 1 AND k <= 2 THEN
+                power1 := f.sheet[2][1, k];
+            END_IF;
+            IF power1 THEN
+                rows[1, 5][2] := f.n;
+            END_IF;
+            IF on_tag AND k >= 0 AND k <= 2 THEN
+                one[0] := rows[1, 5][k];
+            END_IF;
+            bump1(power_in := on_tag, line := rows[0, 5]);
+        END_PROGRAM
+    "#]]
+    .assert_eq(&text);
 }
