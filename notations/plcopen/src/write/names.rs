@@ -1,5 +1,6 @@
 //! Names as IEC 61131-3 has them.
 
+use ladder_analysis::values::types::Type;
 use ladder_syntax::Name;
 use std::collections::{HashMap, HashSet};
 
@@ -178,6 +179,7 @@ pub(super) fn identifier(name: &str) -> String {
 pub(super) struct Names {
     taken: HashSet<String>,
     by_tag: HashMap<Name, String>,
+    types: HashMap<Name, Type>,
     refused: HashSet<Name>,
 }
 
@@ -187,6 +189,7 @@ impl Names {
         Names {
             taken: self.taken.clone(),
             by_tag: HashMap::new(),
+            types: HashMap::new(),
             refused: self.refused.clone(),
         }
     }
@@ -214,6 +217,16 @@ impl Names {
     pub(super) fn alias(&mut self, tag: &str, name: &str) {
         self.taken.insert(name.to_ascii_lowercase());
         self.by_tag.insert(Name::new(tag), name.to_owned());
+    }
+
+    /// Says what type a tag has.
+    pub(super) fn has_type(&mut self, tag: &str, ty: Type) {
+        self.types.insert(Name::new(tag), ty);
+    }
+
+    /// The type of a tag.
+    pub(super) fn type_of(&self, tag: &str) -> Option<Type> {
+        self.types.get(&Name::new(tag)).copied()
     }
 
     /// A tag that is not declared there.

@@ -3,7 +3,8 @@
 use super::names::{Names, identifier};
 use ladder_analysis::networks::facts::{Node, NodeKind, Operator};
 use ladder_analysis::program::{BinaryOperator, Expr, ExprKind, Member, Place, SystemTag, UnaryOperator};
-use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::compound::Compound;
+use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::values::value::Value;
 use ladder_instructions::Op;
 use ladder_syntax::{TextRange, TextSize};
@@ -50,16 +51,7 @@ impl Words<'_> {
                 }
                 _ => format!("{}.{}", self.node(base)?, member(&word.text)),
             },
-            NodeKind::Index(base, index) => {
-                let index = self.node(index)?;
-                match self.node(base)? {
-                    // `a[1, 2]`: the first index is in the base.
-                    base if base.ends_with(']') && self.is_one_list(node) => {
-                        format!("{}, {index}]", &base[..base.len() - 1])
-                    }
-                    base => format!("{base}[{index}]"),
-                }
-            }
+            NodeKind::Index(..) => self.element(node)?,
             NodeKind::Unary(Operator::Sub, inner) => format!("-{}", self.node(inner)?),
             NodeKind::Unary(_, inner) => format!("NOT {}", self.node(inner)?),
             NodeKind::Binary(operator, left, right) => {
@@ -73,6 +65,56 @@ impl Words<'_> {
             NodeKind::Paren(inner) => format!("({})", self.node(inner)?),
             _ => return Err("such an expression has no counterpart".to_owned()),
         })
+    }
+
+    /// An element of an array. The indices of an array of arrays are one list or several here; there each array has its own.
+    fn element(&self, node: &Node) -> Result<String, String> {
+        let (base, indices) = indices_of(node);
+        let mut path = self.node(base)?;
+        let mut array = self.type_of(base).and_then(Type::array);
+        let mut given = 0;
+        for (at, index) in indices {
+            let index = self.node(index)?;
+            if given > 0 && (array.is_some() || self.is_one_list(at)) {
+                path.pop();
+                path.push_str(&format!(", {index}]"));
+            } else {
+                path.push_str(&format!("[{index}]"));
+            }
+            given += 1;
+            if let Some((_, element)) = array.take_if(|(dimensions, _)| dimensions.len() == given) {
+                array = element.array();
+                given = 0;
+            }
+        }
+        Ok(path)
+    }
+
+    /// The type of a tag or of a part of one; none inside of blocks.
+    fn type_of(&self, node: &Node) -> Option<Type> {
+        match &node.kind {
+            NodeKind::Name(name) => self.names.type_of(name),
+            NodeKind::Member(base, word) => match self.type_of(base)? {
+                Type::Compound(id) => id.with(|ty| match ty {
+                    Compound::Structure(structure) => {
+                        structure.member(&word.text).map(|(_, member)| member.ty)
+                    }
+                    _ => None,
+                }),
+                _ => None,
+            },
+            NodeKind::Index(..) => {
+                let (base, indices) = indices_of(node);
+                let (mut ty, mut left) = (self.type_of(base)?, indices.len());
+                while left > 0 {
+                    let (dimensions, element) = ty.array()?;
+                    left = left.checked_sub(dimensions.len())?;
+                    ty = element;
+                }
+                Some(ty)
+            }
+            _ => None,
+        }
     }
 
     /// A value of an enumeration, with the name of its type or without.
@@ -242,6 +284,17 @@ impl Words<'_> {
             _ => self.node(node),
         }
     }
+}
+
+/// What is indexed, and the indices in their order, each with the node that it is the index of.
+fn indices_of(node: &Node) -> (&Node, Vec<(&Node, &Node)>) {
+    let (mut base, mut indices) = (node, Vec::new());
+    while let NodeKind::Index(inner, index) = &base.kind {
+        indices.push((base, &**index));
+        base = inner;
+    }
+    indices.reverse();
+    (base, indices)
 }
 
 fn member_name(member: Member) -> &'static str {

@@ -134,10 +134,11 @@ impl<'u> Unit<'u> {
             if tag.origin == Origin::Implicit {
                 continue;
             }
-            match self
-                .global(tag)
-                .and_then(|global| project.globals.get(&global.name))
-            {
+            let global = self.global(tag);
+            if let Some(ty) = global.unwrap_or(tag).ty {
+                names.has_type(&tag.name, ty);
+            }
+            match global.and_then(|global| project.globals.get(&global.name)) {
                 Some(global) => names.alias(&tag.name, global),
                 None => drop(names.declare(&tag.name)),
             }

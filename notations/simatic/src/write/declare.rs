@@ -122,6 +122,9 @@ pub(super) fn missing(blocks: &Unwritable) -> Types {
 /// Types by their names in small letters, each with its name.
 pub(super) type Types = HashMap<String, (String, TypeForm)>;
 
+/// An array has no more dimensions where it is read again.
+const MOST_DIMENSIONS: usize = 3;
+
 /// So many types stand for one another at most.
 const DEEPEST: usize = 16;
 
@@ -153,11 +156,19 @@ pub(super) fn type_text(text: &str, types: &Types, depth: usize) -> Result<Strin
         }
         let of = text[end + 1..].trim_start();
         let of = of.get(2..).ok_or("an array says OF what it is")?;
-        return Ok(format!(
-            "Array[{}] of {}",
-            bounds.join(", "),
-            type_text(of, types, depth + 1)?
-        ));
+        let mut of = type_text(of, types, depth + 1)?;
+        // An array of arrays is one of several dimensions there.
+        if let Some((inner, element)) = of.strip_prefix("Array[").and_then(|of| of.split_once("] of ")) {
+            bounds.push(inner.to_owned());
+            of = element.to_owned();
+        }
+        let bounds = bounds.join(", ");
+        if bounds.matches("..").count() > MOST_DIMENSIONS {
+            return Err(format!(
+                "an array of more than {MOST_DIMENSIONS} dimensions, those of the arrays in it included, has no form here"
+            ));
+        }
+        return Ok(format!("Array[{bounds}] of {of}"));
     }
     if let Some(rest) = upper.strip_prefix("STRING") {
         return Ok(format!("String{}", rest.replace(' ', "")));
@@ -260,6 +271,29 @@ pub(super) fn initial_text(text: &str) -> Result<String, String> {
     literal(text)?.ok_or_else(none)
 }
 
+/// Whether a type, or that of the elements of an array, is another name for one with first values.
+fn begins_with_values(text: &str, types: &Types, depth: usize) -> bool {
+    if depth > DEEPEST {
+        return false;
+    }
+    if text
+        .get(..5)
+        .is_some_and(|word| word.eq_ignore_ascii_case("ARRAY"))
+    {
+        let element = text.split_once(']').and_then(|(_, of)| of.trim_start().get(2..));
+        return element.is_some_and(|element| begins_with_values(element.trim(), types, depth + 1));
+    }
+    match types.get(&text.to_lowercase()) {
+        Some((_, TypeForm::Alias(alias))) => {
+            alias.initial.is_some()
+                || enumeration(text, types)
+                    .is_some_and(|(values, _)| values.first().is_some_and(|(_, number)| *number != 0))
+                || begins_with_values(&alias.ty, types, depth + 1)
+        }
+        _ => false,
+    }
+}
+
 /// A declaration there, without its pragma.
 ///
 /// # Errors
@@ -284,8 +318,12 @@ pub(super) fn declaration(
         Some(number.to_string())
     });
     let initial = numbered.as_deref().or(initial);
+    let initial = initial.or(alias);
+    if initial.is_none() && begins_with_values(ty, types, 0) {
+        return Err("the first values that its type takes from another have no form there".to_owned());
+    }
     let ty = type_text(ty, types, 0)?;
-    let initial = match initial.or(alias) {
+    let initial = match initial {
         Some("1") if ty == "Bool" => " := TRUE".to_owned(),
         Some("0") if ty == "Bool" => " := FALSE".to_owned(),
         Some(initial) => format!(" := {}", initial_text(initial)?),

@@ -69,7 +69,10 @@ fn path(text: &str, tags: &Tags) -> Result<String, String> {
                     operand(index, tags)
                 })
                 .collect();
-            out.push_str(&format!("[{}]", indices?.join(", ")));
+            // An array of arrays is one of several dimensions there.
+            let opening = if out.ends_with(']') { ", " } else { "[" };
+            out.truncate(out.len() - usize::from(out.ends_with(']')));
+            out.push_str(&format!("{opening}{}]", indices?.join(", ")));
             rest = &after[close + 1..];
         } else if let Some(after) = rest.strip_prefix('.') {
             let end = after.find(['.', '[']).unwrap_or(after.len());
