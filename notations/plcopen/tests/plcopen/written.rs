@@ -641,3 +641,24 @@ fn what_no_power_can_reach() {
     "#]],
     );
 }
+
+#[test]
+fn each_array_has_its_own_list_of_indices() {
+    let (xml, said) = xml(
+        "TYPE\n    Row : ARRAY[0..2] OF INT;\n    Box : STRUCT\n        deep : ARRAY[0..1, 0..1] OF Row;\n    END_STRUCT;\n    Chest : Box;\nEND_TYPE\n\
+         VAR\n    rows : ARRAY[0..1] OF Row;\n    c : Chest;\n    grid : ARRAY[0..1, 0..1] OF INT;\n    k : INT;\nEND_VAR\n\
+         +--[MOV]( rows[1, k], c.deep[0][1][2] )--[MOV]( grid[1][0], grid[rows[0, 1], 1] )--+\n",
+    );
+    let paths = xml.lines().filter_map(|line| {
+        line.trim()
+            .strip_prefix("<expression>")?
+            .strip_suffix("</expression>")
+    });
+    let paths: Vec<&str> = paths.filter(|path| path.contains('[')).collect();
+    expect![[r#"
+        c.deep[0, 1][2]
+        rows[1][k]
+        grid[rows[0][1], 1]
+        grid[1, 0]"#]]
+    .assert_eq(&format!("{said}{}", paths.join("\n")));
+}

@@ -566,3 +566,55 @@ fn blocks_of_the_library_are_function_blocks() {
             10:42 [$Total]: Refused("`$Total` of the library has no form there: `[TON]( clock, T#100000d )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
     "#]].assert_eq(&out);
 }
+
+#[test]
+fn an_array_of_arrays_is_one_of_several_dimensions() {
+    check(
+        "TYPE\n    Row : ARRAY[0..2] OF INT;\n    Begun : ARRAY[0..2] OF INT := [1, 2, 3];\n    Other : Item;\n    Item : STRUCT\n        n : INT;\n    END_STRUCT;\nEND_TYPE\n\
+         VAR\n    rows : ARRAY[0..1] OF Row;\n    begun : ARRAY[0..1] OF Begun;\n    deep : ARRAY[0..1, 0..1, 0..1] OF Row;\n    one : Begun;\n    f : Other;\n    k : INT;\nEND_VAR\n\
+         +--[MOV]( rows[1][k], f.n )--+\n+--[MOV]( f.n, rows[0, one[1]] )--+\n",
+        expect![[r#"
+            {
+                S7_Optimized := "TRUE";
+                S7_PreferredLanguage := "LAD";
+                S7_Version := "0.1"
+            }
+            FUNCTION_BLOCK "test"
+                VAR
+                    "rows" : Array[0..1, 0..2] of Int;
+                    "one" : Array[0..2] of Int := [1, 2, 3];
+                    "f" : "Item";
+                    "k" : Int;
+                END_VAR
+
+                {
+                    S7_Language := "LAD"
+                }
+                NETWORK
+                    RUNG wire#powerrail
+                        Move( in := #"f"."n", out1 => #"rows"[1, #"k"] )
+                    END_RUNG
+                END_NETWORK
+                {
+                    S7_Language := "LAD"
+                }
+                NETWORK
+                    RUNG wire#powerrail
+                        Move( in := #"rows"[0, #"one"[1]], out1 => #"f"."n" )
+                    END_RUNG
+                END_NETWORK
+            END_FUNCTION_BLOCK
+            == Item.s7dcl
+            ﻿{
+                S7_Version := "0.1"
+            }
+            TYPE "Item"
+                STRUCT
+                    "n" : Int;
+                END_STRUCT;
+            END_TYPE
+            11:1 tag `begun`: Refused("`begun` cannot be declared: the first values that its type takes from another have no form there")
+            12:1 tag `deep`: Refused("`deep` cannot be declared: an array of more than 3 dimensions, those of the arrays in it included, has no form here")
+        "#]],
+    );
+}
