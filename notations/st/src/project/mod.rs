@@ -1,11 +1,13 @@
 //! What all units of a program share: the names of types, blocks and values, and which tags they share.
 
+mod types;
+
 use crate::names::{self, Names};
 use ladder_analysis::names::named_types::NamedTypes;
 use ladder_analysis::program::{
     Argument, Block, BlockKind, Clock, Expr, ExprKind, Location, Place, Program, SystemTag, Tag, TagId,
 };
-use ladder_analysis::values::compound::{Compound, EnumId, TypeId};
+use ladder_analysis::values::compound::{EnumId, TypeId};
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::values::value::Value;
 use ladder_instructions::{Op, StateType};
@@ -230,130 +232,6 @@ impl<'p> Project<'p> {
         project
     }
 
-    fn add_type(&mut self, ty: Type, names: &mut Names) {
-        match ty {
-            Type::Scalar(Scalar::Enum(id))
-            | Type::Array {
-                element: Scalar::Enum(id),
-                ..
-            } => {
-                self.add_enumeration(id, names);
-            }
-            Type::Compound(id) => match id.get() {
-                Compound::Structure(structure) => {
-                    if self.types.contains_key(&ty) {
-                        return;
-                    }
-                    self.types.insert(ty, names.name(&structure.name, "type"));
-                    for member in &structure.members {
-                        self.add_type(member.ty, names);
-                    }
-                    self.type_order.push(Declared::Structure(id));
-                }
-                Compound::Array(array) => {
-                    self.add_type(array.element, names);
-                    self.add_inner_array(array.element, names);
-                }
-                Compound::Block(_) => {}
-            },
-            _ => {}
-        }
-    }
-
-    /// The standard takes no `ARRAY .. OF ARRAY ..`: the inner array has a name.
-    fn add_inner_array(&mut self, ty: Type, names: &mut Names) {
-        if ty.array().is_none() || self.types.contains_key(&ty) {
-            return;
-        }
-        let name = self.named_arrays.get(&ty).copied().unwrap_or("Row");
-        self.types.insert(ty, names.name(name, "type"));
-        self.type_order.push(Declared::Array(ty));
-    }
-
-    fn add_types_of(&mut self, expr: &Expr, names: &mut Names) {
-        if let Scalar::Enum(id) = expr.ty {
-            self.add_enumeration(id, names);
-        }
-        match &expr.kind {
-            ExprKind::Pass(a) | ExprKind::Unary(_, a) => self.add_types_of(a, names),
-            ExprKind::Binary(_, a, b) | ExprKind::Compare(_, a, b) => {
-                self.add_types_of(a, names);
-                self.add_types_of(b, names);
-            }
-            ExprKind::Call(_, all) => all.iter().for_each(|one| self.add_types_of(one, names)),
-            _ => {}
-        }
-    }
-
-    fn add_enumeration(&mut self, id: EnumId, names: &mut Names) {
-        if self.enumerations.contains_key(&id) {
-            return;
-        }
-        let enumeration = id.get();
-        self.enumerations
-            .insert(id, names.name(&enumeration.name, "type"));
-        for (name, number) in &enumeration.values {
-            self.values
-                .insert((id, i64::from(*number)), names.name(name, "value"));
-        }
-        self.type_order.push(Declared::Enumeration(id));
-    }
-
-    /// The name of a tag's or member's type. Timers that the standard's blocks do not do have a block of their own.
-    pub(crate) fn type_name(&self, ty: Type) -> String {
-        let named = self.types.get(&ty).cloned();
-        named.unwrap_or_else(|| self.spelled(ty))
-    }
-
-    /// The same, of an array with a name what that stands for.
-    pub(crate) fn spelled(&self, ty: Type) -> String {
-        match ty {
-            Type::Scalar(scalar) => self.scalar_name(scalar),
-            Type::State(state) => self.state_name(state),
-            Type::Array { first, last, element } => {
-                format!("ARRAY[{first}..{last}] OF {}", self.scalar_name(element))
-            }
-            Type::Compound(id) => match id.get() {
-                Compound::Structure(structure) => names::identifier(&structure.name),
-                Compound::Array(array) => {
-                    let bounds: Vec<String> = array
-                        .dimensions
-                        .iter()
-                        .map(|(first, last)| format!("{first}..{last}"))
-                        .collect();
-                    format!(
-                        "ARRAY[{}] OF {}",
-                        bounds.join(", "),
-                        self.type_name(array.element)
-                    )
-                }
-                Compound::Block(name) => self.block_name(&name),
-            },
-        }
-    }
-
-    fn block_name(&self, name: &str) -> String {
-        self.block_of(name)
-            .map_or_else(|| names::identifier(name), |block| self.blocks[block].clone())
-    }
-
-    fn block_of(&self, name: &str) -> Option<usize> {
-        let key = name.to_lowercase();
-        let mut blocks = self.program.blocks.iter();
-        blocks.position(|block| block.name.to_lowercase() == key)
-    }
-
-    pub(crate) fn scalar_name(&self, scalar: Scalar) -> String {
-        match scalar {
-            Scalar::Enum(id) => self.enumerations.get(&id).cloned().unwrap_or_default(),
-            Scalar::String(length) if length == ladder_analysis::values::types::DEFAULT_STRING => {
-                "STRING".into()
-            }
-            Scalar::String(length) => format!("STRING[{length}]"),
-            other => other.name().into(),
-        }
-    }
-
     pub(crate) fn state_name(&self, state: StateType) -> String {
         if self.is_standard(state) {
             state.name().into()
@@ -511,24 +389,6 @@ impl<'p> Project<'p> {
             }
         }
         found
-    }
-
-    /// The type of a tag as it is declared in the program or in the body of a block.
-    pub(crate) fn declared_type(&self, block: Option<usize>, root: &str) -> Option<Type> {
-        self.declared.get(&(block, root)).copied()
-    }
-
-    /// The type of a member of a structure, or of a variable of a block.
-    pub(crate) fn member_type(&self, ty: Type, member: &str) -> Option<Type> {
-        let Type::Compound(id) = ty else { return None };
-        match id.get() {
-            Compound::Structure(structure) => structure.member(member).map(|(_, member)| member.ty),
-            Compound::Block(name) => {
-                let block = self.block_of(&name)?;
-                self.declared_type(Some(block), member)
-            }
-            Compound::Array(_) => None,
-        }
     }
 
     /// The name of something that is counted, and that it is asked for here.
