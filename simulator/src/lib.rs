@@ -64,6 +64,7 @@ mod memory;
 #[allow(missing_docs, reason = "operands and members are said at what has them")]
 mod operation;
 mod overlap;
+#[allow(missing_docs, reason = "operands and members are said at what has them")]
 mod places;
 mod retain;
 #[allow(missing_docs, reason = "operands and members are said at what has them")]
@@ -89,6 +90,7 @@ pub mod compiled {
     pub use crate::operation::{
         Conversion, IntegerOp, RealFunction, RealOp, Test, Width, converted, real_function_of, real_of,
     };
+    pub use crate::places::Cell;
     pub use crate::retain::Retained;
     pub use crate::routine::{Routine, TYPES};
     pub use crate::tags::PointSlot;

@@ -19,7 +19,7 @@ pub(crate) struct BlockAt {
 
 /// A cell that a block keeps from scan to scan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Cell {
+pub enum Cell {
     Bit(Bit),
     Word(Word),
 }

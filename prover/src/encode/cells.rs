@@ -15,7 +15,7 @@ pub(crate) struct InputTag {
 }
 
 /// What is known of the cells before the code is encoded.
-#[derive(Debug, Default)]
+#[derive(Debug, Default, Clone)]
 pub(crate) struct Cells {
     pub(crate) inputs_at_bits: FxHashMap<u32, InputTag>,
     pub(crate) inputs_at_words: FxHashMap<u32, InputTag>,
@@ -28,6 +28,8 @@ pub(crate) struct Cells {
     pub(crate) temporary_words: FxHashSet<u32>,
     /// The words of ET that only their timer writes.
     pub(crate) elapsed: FxHashSet<u32>,
+    /// Of a network that is followed alone the timers by their first bits. All that it finds is an input then.
+    pub(crate) alone: Option<FxHashMap<u32, String>>,
 }
 
 impl Cells {

@@ -8,7 +8,7 @@ use ladder_simulator::compiled::{CALL_DEPTH, Instr};
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Frame {
     /// The rail is live.
-    rail: Lit,
+    pub(super) rail: Lit,
     /// Who makes turns at the end of the network, and how many.
     noted: (Lit, i64),
     /// The number of the turn.
@@ -32,6 +32,9 @@ impl Scan<'_, '_> {
         let mut pc = start;
         loop {
             self.arrive(pc);
+            if self.is_alone() && self.alone.as_ref().is_some_and(|stretch| stretch.end == pc) {
+                return None;
+            }
             let instr = *self.code.instrs.get(pc as usize)?;
             if self.world.blocked.is_some() {
                 return None;
@@ -48,7 +51,6 @@ impl Scan<'_, '_> {
             pc += 1;
             match instr {
                 Instr::Finish => return None,
-                Instr::Again => return Some(pc - 1),
                 Instr::Network { .. } | Instr::Left { .. } => {}
                 Instr::Powered { out, en, end } => {
                     let power = self.bit(en);
@@ -83,6 +85,10 @@ impl Scan<'_, '_> {
                     self.leave(taken, u32::MAX);
                 }
                 Instr::Call { en, to, .. } => self.call(en, to, pc - 1),
+                Instr::For { .. } | Instr::Enter { .. } | Instr::Again if self.is_alone() => {
+                    self.block("it begins or ends a loop", pc - 1);
+                }
+                Instr::Again => return Some(pc - 1),
                 Instr::For { en, turns } => {
                     let (power, turns) = (self.taken(en), self.word(turns));
                     match turns.known() {
@@ -105,6 +111,11 @@ impl Scan<'_, '_> {
                 _ => {}
             }
         }
+    }
+
+    /// Whether it is in a network that is followed alone, not in a function that this calls.
+    fn is_alone(&self) -> bool {
+        self.alone.is_some() && self.open.is_empty()
     }
 
     /// Who goes on at this instruction joins.
@@ -149,6 +160,10 @@ impl Scan<'_, '_> {
     fn jump(&mut self, taken: Lit, from: u32, to: u32) {
         if taken == Lit::FALSE {
             return;
+        }
+        if to <= from && self.is_alone() {
+            self.regions.iter_mut().for_each(|region| region.leaks = true);
+            return self.leave(taken, to);
         }
         if to <= from {
             return self.block("a jump goes back", from);

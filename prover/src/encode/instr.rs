@@ -282,6 +282,9 @@ impl Scan<'_, '_> {
             } => self.real_function(at, function, single, [to, a]),
             I::Convert { conversion, to, from } => self.convert(at, conversion, to, from),
             // Texts are not tracked: who asks for one gets anything.
+            I::MoveText { .. } | I::StoreText { .. } if self.alone.is_some() => {
+                self.block("texts are not followed", at);
+            }
             I::MoveText { .. } | I::LoadText { .. } | I::StoreText { .. } => {}
             I::Index { to, index, array } => self.index(at, to, index, array),
             I::LoadBit { to, at: slot } => self.load_bit(at, to, slot),

@@ -1,10 +1,11 @@
 //! The memory of a scan that is followed: what each cell holds, as far as it was touched.
 
-use super::cells::Cells;
+use super::cells::{Cells, InputTag};
 use super::ranges::range_of;
 use super::world::World;
 use crate::graph::Lit;
 use crate::number::Number;
+use ladder_analysis::values::types::Scalar;
 use ladder_simulator::compiled::{Bit, Memory as Banks, Width, Word, timer};
 use rustc_hash::FxHashMap;
 
@@ -65,7 +66,7 @@ impl<'c> Memory<'c> {
         let initial = self.initial.bits.get(at as usize) == Some(&1);
         let value = match self.cells {
             Some(cells) if cells.inputs_at_bits.contains_key(&at) => {
-                world.input(&cells.inputs_at_bits[&at]).bit(0)
+                goes_in(world, cells, &cells.inputs_at_bits[&at]).bit(0)
             }
             Some(cells) if cells.bit_changes(bit) => {
                 let (leaf, number) = world.remember(initial);
@@ -86,7 +87,7 @@ impl<'c> Memory<'c> {
         let initial = self.initial.words.get(at as usize).copied().unwrap_or(0);
         let value = match self.cells {
             Some(cells) if cells.inputs_at_words.contains_key(&at) => {
-                world.input(&cells.inputs_at_words[&at])
+                goes_in(world, cells, &cells.inputs_at_words[&at])
             }
             Some(cells) if cells.word_changes(word) => {
                 let width = cells.type_of(word).map_or(Width::I64, Width::of);
@@ -106,6 +107,12 @@ impl<'c> Memory<'c> {
 
     /// The word of a timer's ET whose presets are at most this: no longer than it takes.
     pub(crate) fn elapsed(&mut self, world: &mut World, word: Word, most: i64) -> Number {
+        if self.cells.is_some_and(|cells| cells.alone.is_some()) {
+            let is_first = !self.words.contains_key(&word.0);
+            let value = self.word(world, word);
+            world.valid.extend(is_first.then(|| !value.sign()));
+            return value;
+        }
         let is_own = self.cells.is_some_and(|cells| cells.elapsed.contains(&word.0));
         if !is_own || self.words.contains_key(&word.0) {
             return self.word(world, word);
@@ -123,6 +130,11 @@ impl<'c> Memory<'c> {
         if let Some(phase) = self.phases.get(&timer.0) {
             return phase.clone();
         }
+        if let Some(tag) = self.of_timer(timer, "phase", Scalar::Usint) {
+            let phase = world.shared(&tag).low(3);
+            self.phases.insert(timer.0, phase.clone());
+            return phase;
+        }
         let initial = self.initial.bits.get((timer.0 + timer::PHASE) as usize);
         let (leaves, numbers) = remember(world, 3, i64::from(initial.copied().unwrap_or(0)));
         self.remembered.push(Remembered::Phase(timer.0, numbers));
@@ -139,6 +151,12 @@ impl<'c> Memory<'c> {
         if let Some(age) = self.ages.get(&timer.0) {
             return age.clone();
         }
+        if let Some(tag) = self.of_timer(timer, "age", Scalar::Time) {
+            let age = world.shared(&tag);
+            world.valid.push(!age.sign());
+            self.ages.insert(timer.0, age.clone());
+            return age;
+        }
         let count = (64 - most.max(1).leading_zeros()) as usize;
         // It counts only once the timer has begun: what it is before does not matter, and 1 is what it mostly is.
         let (leaves, numbers) = remember(world, count, 1);
@@ -149,6 +167,40 @@ impl<'c> Memory<'c> {
         let age = Number::unsigned(leaves);
         self.ages.insert(timer.0, age.clone());
         age
+    }
+
+    /// What stands for something that a timer remembers where its network is followed alone.
+    fn of_timer(&self, timer: Bit, what: &str, ty: Scalar) -> Option<InputTag> {
+        let name = self.cells?.alone.as_ref()?.get(&timer.0)?;
+        Some(InputTag {
+            name: format!("{name} {what}"),
+            ty,
+        })
+    }
+
+    /// Of a network that was followed alone what it leaves: each value that has a name.
+    pub(crate) fn left(&self) -> Vec<(InputTag, Number)> {
+        let Some(cells) = self.cells else {
+            return Vec::new();
+        };
+        let mut left = Vec::new();
+        for (at, value) in &self.bits {
+            let tag = cells.inputs_at_bits.get(at);
+            left.extend(tag.map(|tag| (tag.clone(), Number::of_bit(*value))));
+        }
+        for (at, value) in &self.words {
+            let tag = cells.inputs_at_words.get(at);
+            left.extend(tag.map(|tag| (tag.clone(), value.clone())));
+        }
+        for (at, value) in &self.phases {
+            let tag = self.of_timer(Bit(*at), "phase", Scalar::Usint);
+            left.extend(tag.map(|tag| (tag, Number::unsigned(value.clone()))));
+        }
+        for (at, value) in &self.ages {
+            let tag = self.of_timer(Bit(*at), "age", Scalar::Time);
+            left.extend(tag.map(|tag| (tag, value.clone())));
+        }
+        left
     }
 
     pub(crate) fn set_age(&mut self, timer: Bit, age: Number) {
@@ -187,6 +239,14 @@ impl<'c> Memory<'c> {
                 }
             }
         }
+    }
+}
+
+fn goes_in(world: &mut World, cells: &Cells, tag: &InputTag) -> Number {
+    if cells.alone.is_some() {
+        world.shared(tag)
+    } else {
+        world.input(tag)
     }
 }
 

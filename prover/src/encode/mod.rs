@@ -7,6 +7,7 @@
 //! Each instruction of the simulator's flat code has one meaning here as there. It is followed once, from the first to the
 //! last: where a part of it may be passed over, `act` is high if it is not, and what is written is chosen by it.
 
+mod alone;
 mod arithmetic;
 mod cells;
 mod flow;
@@ -20,7 +21,8 @@ mod timers;
 mod uses;
 mod world;
 
-pub(crate) use cells::Cells;
+pub(crate) use alone::{Left, follow_alone};
+pub(crate) use cells::{Cells, InputTag};
 pub(crate) use memory::Memory;
 pub(crate) use world::{Input, World};
 
@@ -29,6 +31,7 @@ use flow::Frame;
 use ladder_simulator::compiled::{Code, Instr, Word};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// How times are told.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -68,6 +71,8 @@ pub(crate) struct Scan<'w, 'c> {
     interval: i64,
     /// Its blocks are places in the program, not those of the small program of an expression.
     located: bool,
+    /// The network that is followed, where it is alone.
+    pub(crate) alone: Option<Range<u32>>,
 }
 
 /// A block that is passed over without power.
@@ -121,6 +126,7 @@ impl<'w, 'c> Scan<'w, 'c> {
             times,
             interval,
             located: true,
+            alone: None,
         }
     }
 

@@ -16,7 +16,9 @@ pub(super) fn range_of(
     cells: Option<&Cells>,
     [start, count]: [u32; 2],
 ) -> Option<Range<u32>> {
-    let changes = |word: u32| cells.is_some_and(|cells| cells.word_changes(Word(word)));
+    let changes = |word: u32| {
+        cells.is_some_and(|cells| cells.word_changes(Word(word)) || cells.inputs_at_words.contains_key(&word))
+    };
     if changes(start) || changes(count) {
         return None;
     }

@@ -11,6 +11,9 @@ impl Scan<'_, '_> {
         if self.on_ranges(at, routine, pool) {
             return;
         }
+        if self.alone.is_some() && writes_unseen(routine) {
+            return self.block("texts are not followed", at);
+        }
         match (routine, pool) {
             (Routine::SelectBit, [to, selector, count, list @ ..]) => {
                 let list = &list[..*count as usize];
@@ -91,4 +94,26 @@ impl Scan<'_, '_> {
         self.fault(at, !some);
         which
     }
+}
+
+/// Whether it writes something that is not tracked: texts, and the serial port.
+const fn writes_unseen(routine: Routine) -> bool {
+    matches!(
+        routine,
+        Routine::SelectText
+            | Routine::FillTexts
+            | Routine::RepeatTexts
+            | Routine::ShiftTexts
+            | Routine::Concat
+            | Routine::Format
+            | Routine::FormatBit
+            | Routine::Send
+            | Routine::SendText
+            | Routine::Left
+            | Routine::Right
+            | Routine::Middle
+            | Routine::Insert
+            | Routine::Delete
+            | Routine::Replace
+    )
 }

@@ -53,6 +53,8 @@ pub(crate) struct World {
     pub(crate) blocked: Option<Gap>,
     /// Of each timer the largest preset in scans that it was given, by its first bit; none where that is not known.
     pub(crate) presets: FxHashMap<u32, Option<u64>>,
+    /// What two networks that are compared both find, by its name.
+    pub(crate) shared: FxHashMap<(String, Scalar), Number>,
 }
 
 impl World {
@@ -87,6 +89,17 @@ impl World {
             next: leaf,
         });
         (leaf, self.states.len() - 1)
+    }
+
+    /// A value that two networks find, by its name: the same for both.
+    pub(crate) fn shared(&mut self, tag: &InputTag) -> Number {
+        let key = (tag.name.to_ascii_lowercase(), tag.ty);
+        if let Some(known) = self.shared.get(&key) {
+            return known.clone();
+        }
+        let value = self.input(tag);
+        self.shared.insert(key, value.clone());
+        value
     }
 
     /// A value that goes in.

@@ -1,5 +1,6 @@
 //! What the prover says.
 
+mod equal;
 mod verdicts;
 
 use ladder_prover::{Answer, Options, prove};

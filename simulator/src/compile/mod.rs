@@ -231,6 +231,31 @@ struct Compiler<'p> {
     owned_tags: HashMap<Thing, (Home, Home)>,
 }
 
+impl Compiled {
+    /// Where the code of a network is. None: it has none, or the network is in the body of a block, each place of which
+    /// has code of its own.
+    pub fn stretch_of(&self, network: usize) -> Option<Range<u32>> {
+        let stretch = self.stretches.get(network)?;
+        (!stretch.is_empty()).then(|| stretch.clone())
+    }
+
+    /// What the blocks of a network remember that no tag holds, in the order of the code: edges and the like.
+    pub fn remembered_in(&self, network: usize) -> impl Iterator<Item = Cell> + '_ {
+        let remembered = self.places.remembered.iter();
+        let here = remembered.filter(move |it| it.path.first().is_some_and(|block| block.network == network));
+        here.map(|it| it.cell)
+    }
+
+    /// The memories that all edges of a tag share, where edges belong to tags: the cell of the tag, and the memory.
+    pub fn edges_of_tags(&self) -> impl Iterator<Item = (Cell, Bit)> + '_ {
+        let edges = self.places.of_tags.iter();
+        edges.map(|(of, memory)| match *of {
+            EdgeOf::Bit(bit) => (Cell::Bit(bit), *memory),
+            EdgeOf::Word(word) => (Cell::Word(word), *memory),
+        })
+    }
+}
+
 impl Compiler<'_> {
     fn finish(mut self) -> Compiled {
         for (at, function) in std::mem::take(&mut self.calls) {

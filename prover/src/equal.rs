@@ -1,0 +1,319 @@
+//! Whether two networks do the same: from any state in which all tags that they read are equal, all that they leave is equal.
+//!
+//! Each is followed alone (`encode/alone.rs`), over one graph in which values of one name are one variable, so that equal logic is
+//! one node. That some state comes to be in a run is not asked: values that show a difference may be ones that never come together.
+
+use crate::decide::reach;
+use crate::encode::{Cells, InputTag, Left, World, follow_alone};
+use crate::graph::Lit;
+use crate::model::Model;
+use crate::number::Number;
+pub use crate::shown::Difference;
+use crate::shown::{Effect, shown};
+use crate::unrolled::{Found, From, Unrolled};
+use ladder_analysis::program::{Block, BlockKind, Program, Tag};
+use ladder_simulator::compiled::{Compiled, compile};
+use rustc_hash::FxHashMap;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// Conflicts that the question about two networks may have.
+const CONFLICTS: u64 = 50_000;
+
+const OWN_MEMORY: &str = "a block in it has a memory of its own";
+
+/// What an edited network does, next to what it did.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Meaning {
+    /// The same, from any state.
+    Same,
+    /// Something else: values that show it.
+    Other(Difference),
+    /// These tags are declared differently.
+    Declared(Vec<String>),
+    /// It is not known: why.
+    NotDecided(String),
+}
+
+/// Two programs whose networks are compared.
+#[derive(Debug)]
+pub struct Compared {
+    old: Form,
+    new: Form,
+}
+
+/// A program, compiled.
+#[derive(Debug)]
+struct Form {
+    program: Arc<Program>,
+    compiled: Compiled,
+    cells: Cells,
+    /// The tags by their names in lower case.
+    tags: FxHashMap<String, usize>,
+}
+
+impl Form {
+    fn new(program: &Arc<Program>) -> Result<Form, String> {
+        // What depends on the time between scans does so in both programs.
+        let interval = program.cycle.unwrap_or(10_000_000);
+        let compiled = compile(program, interval).map_err(|error| error.message)?;
+        Ok(Form {
+            cells: Cells::alone(program, &compiled),
+            tags: program
+                .tags
+                .iter()
+                .enumerate()
+                .filter(|(_, tag)| tag.block.is_none())
+                .map(|(number, tag)| (tag.name.to_ascii_lowercase(), number))
+                .collect(),
+            program: Arc::clone(program),
+            compiled,
+        })
+    }
+
+    fn tag(&self, name: &str) -> Option<&Tag> {
+        Some(&self.program.tags[*self.tags.get(name)?])
+    }
+
+    /// The declared tag that a value belongs to: `t1` of `t1.Q`.
+    fn tag_of(&self, value: &str) -> Option<&Tag> {
+        let mut name = value;
+        loop {
+            if let Some(tag) = self.tag(name) {
+                return Some(tag);
+            }
+            name = &name[..name.rfind(['.', '[', ' '])?];
+        }
+    }
+
+    fn is_in_body(&self, network: usize) -> bool {
+        self.program
+            .blocks
+            .iter()
+            .any(|block| block.networks.contains(&network))
+    }
+
+    fn follow(&self, world: &mut World, network: usize) -> Result<Left, String> {
+        if self.is_in_body(network) {
+            return Err("it is in the body of a block".into());
+        }
+        let Some(stretch) = self.compiled.stretch_of(network) else {
+            return Ok(follow_alone(world, &self.compiled, &self.cells, 0..0));
+        };
+        let cells = self.cells.with_network(&self.compiled, network, stretch.clone());
+        let left = follow_alone(world, &self.compiled, &cells, stretch);
+        match &world.blocked {
+            Some(gap) => Err(gap.what.clone()),
+            None => Ok(left),
+        }
+    }
+
+    /// Whether what a block of a network remembers has no name, and another network may find it: the state of the block is a tag.
+    fn has_hidden(&self, model: &Model, network: usize) -> bool {
+        let mut blocks = self.program.networks[network].blocks.iter();
+        let has_state = |block: &Block| {
+            let mut arguments = block.arguments.iter();
+            matches!(block.kind, BlockKind::User(_)) && arguments.any(|bound| bound.parameter.is_none())
+        };
+        !model.world.states.is_empty() && blocks.any(has_state)
+    }
+
+    /// The label at a place in the code.
+    fn label(&self, to: u32) -> Option<String> {
+        let networks: Vec<usize> = self.compiled.code.networks_at(to).collect();
+        let mut labels = self.program.labels.iter();
+        let (label, _) = labels.find(|(_, network)| networks.contains(network))?;
+        Some(label.as_str().to_owned())
+    }
+}
+
+/// Two networks over one graph.
+struct Both {
+    /// Each value that one of them may change, with what each leaves of it.
+    values: Vec<(Effect, Number, Number)>,
+}
+
+impl Compared {
+    /// Compiles both programs.
+    ///
+    /// # Errors
+    /// One takes more memory than there is: why.
+    pub fn new(old: &Arc<Program>, new: &Arc<Program>) -> Result<Compared, String> {
+        Ok(Compared {
+            old: Form::new(old)?,
+            new: Form::new(new)?,
+        })
+    }
+
+    /// Compares a network of the old program with one of the new, by their numbers, for no longer than `time`.
+    pub fn networks(&self, old: usize, new: usize, time: Duration) -> Meaning {
+        let end = Instant::now() + time;
+        match self.asked(old, new, end) {
+            Ok(meaning) => meaning,
+            Err(cause) => Meaning::NotDecided(cause),
+        }
+    }
+
+    /// The tags of both programs that are declared differently, or have another type by what is done with them.
+    pub fn declared_differently(&self) -> Vec<String> {
+        let tags = self.old.program.tags.iter().filter(|tag| tag.block.is_none());
+        let mut names = Vec::new();
+        for tag in tags {
+            let now = self.new.tag(&tag.name.to_ascii_lowercase());
+            if now.is_some_and(|now| {
+                is_other(tag, now)
+                    || tag.initial != now.initial
+                    || tag.role != now.role
+                    || tag.retain != now.retain
+            }) {
+                names.push(tag.name.clone());
+            }
+        }
+        names
+    }
+
+    fn asked(&self, old: usize, new: usize, end: Instant) -> Result<Meaning, String> {
+        let mut world = World::default();
+        let before = self.old.follow(&mut world, old)?;
+        let after = self.new.follow(&mut world, new)?;
+        let declared = self.declared(&world);
+        if !declared.is_empty() {
+            return Ok(Meaning::Declared(declared));
+        }
+        let both = self.both(&mut world, &before, &after)?;
+        let graph = &mut world.graph;
+        let differs: Vec<Lit> = both
+            .values
+            .iter()
+            .map(|(_, old, new)| !graph.equal(old, new))
+            .collect();
+        let any = world.graph.any(differs.iter().copied());
+        let assumed = std::mem::take(&mut world.valid);
+        let model = Model {
+            world,
+            properties: Vec::new(),
+            assumed,
+            lemmas: Vec::new(),
+        };
+        let mut solver = Unrolled::new(&model, From::Anywhere, end);
+        solver.add_scan();
+        let any = solver.lit(0, any);
+        match solver.ask(&[any], CONFLICTS) {
+            Found::No if self.old.has_hidden(&model, old) || self.new.has_hidden(&model, new) => {
+                return Err(OWN_MEMORY.into());
+            }
+            Found::No => return Ok(Meaning::Same),
+            Found::Unknown => return Err(String::from("it takes too long")),
+            Found::Yes => {}
+        }
+        // What was left open may be what differs: something that does not depend on it shows a difference for sure.
+        let mut cause = None;
+        let mut values: Vec<_> = both.values.iter().zip(&differs).collect();
+        values.sort_by_key(|((effect, _, _), _)| effect.rank());
+        for ((effect, old, new), differs) in values {
+            if let Some(open) = open(&model, *differs) {
+                cause.get_or_insert(open);
+                continue;
+            }
+            let lit = solver.lit(0, *differs);
+            // The difference may be simpler than what differs.
+            for bit in [old, new].into_iter().flat_map(|number| number.low(64)) {
+                solver.make_known(0, bit);
+            }
+            match solver.ask(&[lit], CONFLICTS) {
+                Found::Yes => {
+                    let shown = shown(&model, &mut solver, *differs, (effect, old, new));
+                    return Ok(Meaning::Other(shown));
+                }
+                Found::No => {}
+                Found::Unknown => return Err(String::from("it takes too long")),
+            }
+        }
+        Err(cause.unwrap_or_else(|| String::from("it takes too long")))
+    }
+
+    /// The tags that were read or written and are declared differently.
+    fn declared(&self, world: &World) -> Vec<String> {
+        let mut names: Vec<String> = Vec::new();
+        for (name, _) in world.shared.keys() {
+            let (Some(old), Some(new)) = (self.old.tag_of(name), self.new.tag_of(name)) else {
+                continue;
+            };
+            if is_other(old, new) && !names.contains(&old.name) {
+                names.push(old.name.clone());
+            }
+        }
+        names.sort();
+        names
+    }
+
+    /// What both leave, value by value.
+    fn both(&self, world: &mut World, before: &Left, after: &Left) -> Result<Both, String> {
+        let mut left: BTreeMap<String, (&InputTag, Option<&Number>, Option<&Number>)> = BTreeMap::new();
+        let key = |tag: &InputTag| format!("{} {:?}", tag.name.to_ascii_lowercase(), tag.ty);
+        for (tag, value) in &before.values {
+            left.entry(key(tag)).or_insert((tag, None, None)).1 = Some(value);
+        }
+        for (tag, value) in &after.values {
+            left.entry(key(tag)).or_insert((tag, None, None)).2 = Some(value);
+        }
+        let mut values = Vec::new();
+        for (tag, old, new) in left.into_values() {
+            let effect = Effect::Value(tag.clone());
+            // A memory that only one of them has matters by what it does to the tags.
+            if effect.is_of_place() && (old.is_none() || new.is_none()) {
+                continue;
+            }
+            let at_first = world.shared(tag);
+            let value = |value: Option<&Number>| value.unwrap_or(&at_first).clone();
+            values.push((effect, value(old), value(new)));
+        }
+        let mut add = |effect: Effect, old: Lit, new: Lit| {
+            values.push((effect, Number::of_bit(old), Number::of_bit(new)));
+        };
+        add(Effect::Fault, before.faulted, after.faulted);
+        add(Effect::End, before.ended, after.ended);
+        add(Effect::Rail, before.rail, after.rail);
+        let mut jumps: BTreeMap<String, [Lit; 2]> = BTreeMap::new();
+        for (side, (form, left)) in [(&self.old, before), (&self.new, after)].into_iter().enumerate() {
+            for (to, who) in &left.jumps {
+                let label = form.label(*to).ok_or("it jumps to a place without a name")?;
+                let both = jumps.entry(label).or_insert([Lit::FALSE; 2]);
+                both[side] = world.graph.or(both[side], *who);
+            }
+        }
+        for (label, [old, new]) in jumps {
+            add(Effect::Jump(label), old, new);
+        }
+        add(Effect::GoesOn, before.goes_on, after.goes_on);
+        Ok(Both { values })
+    }
+}
+
+/// Whether two tags of one name are not declared in the same way, as far as a network can tell.
+fn is_other(old: &Tag, new: &Tag) -> bool {
+    old.ty != new.ty
+        || old.address != new.address
+        || old.constant != new.constant
+        || (old.constant && old.initial != new.initial)
+}
+
+/// What was left open that a literal depends on.
+fn open(model: &Model, lit: Lit) -> Option<String> {
+    let nodes = reach(model, std::iter::once(lit));
+    let world = &model.world;
+    let mut gaps: Vec<usize> = world
+        .open
+        .iter()
+        .filter(|(node, _)| nodes.contains(node))
+        .map(|(_, gap)| *gap)
+        .collect();
+    gaps.sort_unstable();
+    if let Some(gap) = gaps.first() {
+        return Some(world.gaps[*gap].what.clone());
+    }
+    let mut states = world.states.iter();
+    let remembers = states.any(|state| nodes.contains(&state.leaf.node()));
+    remembers.then(|| OWN_MEMORY.into())
+}

@@ -1,0 +1,194 @@
+//! Pairs of networks: whether they do the same.
+
+use expect_test::{Expect, expect};
+use ladder_analysis::program::Program;
+use ladder_prover::{Compared, Meaning};
+use std::sync::Arc;
+use std::time::Duration;
+
+fn program(text: &str) -> Arc<Program> {
+    let analysis = ladder_analysis::analyze(&Arc::new(ladder_syntax::parse(text)), "p.clad");
+    Arc::clone(
+        analysis
+            .program()
+            .unwrap_or_else(|| panic!("it has errors:\n{text}")),
+    )
+}
+
+/// What is said of the first networks of two programs.
+fn said(old: &str, new: &str) -> String {
+    let compared = Compared::new(&program(old), &program(new)).expect("they compile");
+    match compared.networks(0, 0, Duration::from_secs(10)) {
+        Meaning::Same => String::from("the same"),
+        Meaning::Other(difference) => difference.to_string(),
+        Meaning::Declared(tags) => format!("declared differently: {}", tags.join(", ")),
+        Meaning::NotDecided(cause) => format!("not decided: {cause}"),
+    }
+}
+
+#[track_caller]
+fn check(old: &str, new: &str, expected: Expect) {
+    expected.assert_eq(&said(old, new));
+}
+
+#[test]
+fn the_same_in_other_words() {
+    for (old, new) in [
+        // Branches that are swapped.
+        (
+            "+--\\--[ ]( a )--\\--( )( x )--+\n|  /--[/]( b )--/            |\n",
+            "+--\\--[/]( b )--\\--( )( x )--+\n|  /--[ ]( a )--/            |\n",
+        ),
+        // De Morgan.
+        (
+            "+--\\--[/]( a )--\\--( )( x )--+\n|  /--[/]( b )--/            |\n",
+            "+--[ ]( a )--[ ]( b )--(/)( x )--+\n",
+        ),
+        // Twice not.
+        ("+--[ ]( a )--( )( x )--+\n", "+--[/]( a )--[NOT]--( )( x )--+\n"),
+        // A contact that is there twice.
+        (
+            "+--[ ]( a )--[ ]( a )--( )( x )--+\n",
+            "+--[ ]( a )--( )( x )--+\n",
+        ),
+        // Edges that have changed places.
+        (
+            "+--\\--[P]( a )--\\--( )( x )--+\n|  /--[N]( b )--/            |\n",
+            "+--\\--[N]( b )--\\--( )( x )--+\n|  /--[P]( a )--/            |\n",
+        ),
+        // A set coil, written out.
+        (
+            "+--[ ]( a )--(S)( x )--+\n",
+            "+--\\--[ ]( a )--\\--( )( x )--+\n|  /--[ ]( x )--/            |\n",
+        ),
+        // Timers and counters after other conditions that are equal.
+        (
+            "+--[ ]( a )--[ ]( b )--[TON]( t, 5s )--( )( x )--+\n",
+            "+--[ ]( b )--[ ]( a )--[TON]( t, 5000ms )--( )( x )--+\n",
+        ),
+        (
+            "+--[ ]( a )--[ ]( b )--[CTU]( c, 5 )--( )( x )--+\n",
+            "+--[ ]( b )--[ ]( a )--[CTU]( c, 5 )--( )( x )--+\n",
+        ),
+        // Numbers.
+        (
+            "VAR\n    n : INT;\nEND_VAR\n+--[GT]( n, 4 )--( )( x )--+\n",
+            "VAR\n    n : INT;\nEND_VAR\n+--[GE]( n, 5 )--( )( x )--+\n",
+        ),
+        // Jumps.
+        (
+            "+--[ ]( a )--[ ]( b )--<JMP>( On )--+\n\n+--( )( y )--+\n\n+--<LBL>( On )--( )( x )--+\n",
+            "+--[ ]( b )--[ ]( a )--<JMP>( On )--+\n\n+--( )( y )--+\n\n+--<LBL>( On )--( )( x )--+\n",
+        ),
+    ] {
+        assert_eq!(said(old, new), "the same", "{old}{new}");
+    }
+}
+
+#[test]
+fn a_contact_that_is_gone_or_turned() {
+    check(
+        "+--\\--[ ]( start )--\\--[/]( stop )--( )( run )--+\n|  /--[ ]( run )----/                           |\n",
+        "+--\\--[ ]( start )--\\--( )( run )--+\n|  /--[ ]( run )----/              |\n",
+        expect!["with run on and stop on, run goes off in the old and on in the new program"],
+    );
+    check(
+        "+--[ ]( start )--[/]( stop )--( )( run )--+\n",
+        "+--[ ]( start )--[ ]( stop )--( )( run )--+\n",
+        expect!["with start on and stop off, run goes on in the old and off in the new program"],
+    );
+}
+
+#[test]
+fn edges() {
+    check(
+        "+--[ ]( a )--( )( x )--+\n",
+        "+--[P]( a )--( )( x )--+\n",
+        expect!["with a on and a on before, x goes on in the old and off in the new program"],
+    );
+    check(
+        "+--[P]( a )--( )( x )--+\n",
+        "+--[N]( a )--( )( x )--+\n",
+        expect!["with a off and a on before, x goes off in the old and on in the new program"],
+    );
+}
+
+#[test]
+fn timers_and_counters() {
+    check(
+        "+--[ ]( a )--[TON]( t, 5s )--( )( x )--+\n",
+        "+--[ ]( a )--[TON]( t, 6s )--( )( x )--+\n",
+        expect![
+            "with a on, t.R off, t begun T#5s ago and t running, x goes on in the old and off in the new program"
+        ],
+    );
+    check(
+        "+--[ ]( a )--[TON]( t, 5s )--( )( x )--+\n",
+        "+--[ ]( a )--[TOF]( t, 5s )--( )( x )--+\n",
+        expect!["declared differently: t"],
+    );
+    check(
+        "+--[ ]( a )--[CTU]( c, 5 )--( )( x )--+\n",
+        "+--[ ]( a )--[CTU]( c, 6 )--( )( x )--+\n",
+        expect![
+            "with a on, c.R off, c.CV 4 and c.CU before off, x goes on in the old and off in the new program"
+        ],
+    );
+    check(
+        "+--[ ]( a )--[TON]( t, 5s )--( )( x )--+\n",
+        "+--[/]( a )--[TON]( t, 5s )--( )( x )--+\n",
+        expect!["with a on, t.R off and t done, x goes on in the old and off in the new program"],
+    );
+}
+
+#[test]
+fn numbers() {
+    check(
+        "VAR\n    n : INT;\nEND_VAR\n+--[GT]( n, 4 )--( )( x )--+\n",
+        "VAR\n    n : INT;\nEND_VAR\n+--[GE]( n, 4 )--( )( x )--+\n",
+        expect!["with n 4, x goes off in the old and on in the new program"],
+    );
+    check(
+        "VAR\n    n, m : INT;\nEND_VAR\n+--[ADD]( m, n, 1 )--+\n",
+        "VAR\n    n, m : INT;\nEND_VAR\n+--[ADD]( m, n, 2 )--+\n",
+        expect!["with n 0, m becomes 1 in the old and 2 in the new program"],
+    );
+    check(
+        "VAR\n    n : INT;\nEND_VAR\n+--[GT]( n, 4 )--( )( x )--+\n",
+        "VAR\n    n : DINT;\nEND_VAR\n+--[GE]( n, 5 )--( )( x )--+\n",
+        expect!["declared differently: n"],
+    );
+}
+
+#[test]
+fn where_execution_goes_on() {
+    check(
+        "+--[ ]( a )--<JMP>( On )--+\n\n+--( )( y )--+\n\n+--<LBL>( On )--( )( x )--+\n",
+        "+--[/]( a )--<JMP>( On )--+\n\n+--( )( y )--+\n\n+--<LBL>( On )--( )( x )--+\n",
+        expect!["with a off, it jumps to on in the new and not in the old program"],
+    );
+    check(
+        "+--[ ]( a )--<END>--+\n",
+        "+--[ ]( a )--<RET>--+\n",
+        expect!["with a on, the program ends in the old and not in the new program"],
+    );
+}
+
+#[test]
+fn what_is_not_followed() {
+    check(
+        "VAR\n    s : STRING;\nEND_VAR\n+--[ ]( a )--[MOVE]( s, 'a' )--+\n",
+        "VAR\n    s : STRING;\nEND_VAR\n+--[ ]( a )--[MOVE]( s, 'b' )--+\n",
+        expect!["not decided: texts are not followed"],
+    );
+    check(
+        "VAR\n    p, q, r : REAL;\nEND_VAR\n+--[ ]( a )--[ADD]( p, q, r )--+\n",
+        "VAR\n    p, q, r : REAL;\nEND_VAR\n+--[ ]( a )--[SUB]( p, q, r )--+\n",
+        expect!["not decided: arithmetic of reals is not tracked"],
+    );
+    check(
+        "VAR\n    p, q, r : DINT;\nEND_VAR\n+--[ ]( a )--[MUL]( p, q, r )--+\n",
+        "VAR\n    p, q, r : DINT;\nEND_VAR\n+--[ ]( a )--[MUL]( p, r, q )--+\n",
+        expect!["the same"],
+    );
+}
