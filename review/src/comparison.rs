@@ -3,6 +3,7 @@
 use crate::matching::{Pair, pairs};
 use crate::outline::{Entry, Outline};
 use crate::verdict::Verdict;
+use ladder_prover::Meaning;
 use std::collections::BTreeMap;
 
 /// Two programs, and what became of each entry.
@@ -17,10 +18,12 @@ pub struct Comparison<'o> {
 }
 
 /// What became of an entry. Of one that holds others it says what became of its first line.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct Change<'o> {
     /// What became of it.
     pub verdict: Verdict,
+    /// Of an edited network what it does now, once that was asked: see [`Comparison::decide`].
+    pub meaning: Option<Meaning>,
     /// It is elsewhere among the others now.
     pub moved: bool,
     /// As it was. None: it is new.
@@ -119,6 +122,7 @@ impl<'o> Comparison<'o> {
     fn add(&mut self, verdict: Verdict, moved: bool, old: Option<&'o Entry>, new: Option<&'o Entry>) {
         self.changes.push(Change {
             verdict,
+            meaning: None,
             moved,
             old,
             new,

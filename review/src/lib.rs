@@ -10,19 +10,23 @@
 //! three outlines --merge--> one text, with a conflict where both sides edited the same entry
 //! ```
 //!
-//! Nothing here reads a file or asks what a program does: a change is one of what is written.
+//! Nothing here reads a file. A change is one of what is written; what an edited network does is asked of the prover, in
+//! [`meaning`].
 
 mod canonical;
 pub mod comparison;
 pub mod drawing;
 mod matching;
+pub mod meaning;
 pub mod merge;
 pub mod outline;
 mod reader;
 pub mod report;
 pub mod verdict;
+pub mod whole;
 
 pub use comparison::{Change, Comparison, compare};
+pub use ladder_prover::Meaning;
 pub use merge::{Merged, NotMerged, Sides, merge};
 pub use outline::Outline;
 pub use verdict::Verdict;

@@ -2,8 +2,7 @@
 
 /// What became of an entry from the old text to the new one.
 ///
-/// Whether an edited entry does the same as before is not known here: it is a question to a prover, whose answers are
-/// further variants of this enum in the place of [`Verdict::Edited`].
+/// Whether an edited network does the same as before is said by the [`Meaning`](ladder_prover::Meaning) of its change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Verdict {
     /// The same, to the letter but for blanks at its ends.

@@ -41,12 +41,9 @@ pub(crate) fn follow_alone(
     stretch: Range<u32>,
 ) -> Left {
     let memory = Memory::new(&compiled.initial, Some(cells));
-    let rail = world.shared(&InputTag {
-        name: String::from("SYS.RAIL"),
-        ty: Scalar::Bool,
-    });
+    let rail = rail(world);
     let mut scan = Scan::new(world, &compiled.code, memory, (Times::Exact, INTERVAL), Lit::TRUE);
-    scan.frame.rail = rail.bit(0);
+    scan.frame.rail = rail;
     scan.alone = Some(stretch.clone());
     scan.stretch(stretch.start);
     Left {
@@ -57,6 +54,13 @@ pub(crate) fn follow_alone(
         jumps: std::mem::take(&mut scan.pending).into_iter().collect(),
         rail: scan.frame.rail,
     }
+}
+
+/// Whether the left rail is live before the network.
+pub(crate) fn rail(world: &mut World) -> Lit {
+    let name = String::from("SYS.RAIL");
+    let ty = Scalar::Bool;
+    world.shared(&InputTag { name, ty }).bit(0)
 }
 
 impl Cells {

@@ -21,7 +21,7 @@ mod timers;
 mod uses;
 mod world;
 
-pub(crate) use alone::{Left, follow_alone};
+pub(crate) use alone::{Left, follow_alone, rail};
 pub(crate) use cells::{Cells, InputTag};
 pub(crate) use memory::Memory;
 pub(crate) use world::{Input, World};

@@ -2,7 +2,7 @@
 //!
 //! The page holds all that it needs and asks nobody for anything. Nothing of a program is markup or script in it.
 
-use super::{Compared, heading, summary};
+use super::{Compared, heading, reason, summary};
 use crate::comparison::{Change, Comparison};
 use crate::drawing::{Drawn, changed_parts, draw, draw_both};
 use crate::outline::{Entry, Kind, Outline};
@@ -74,9 +74,13 @@ fn program(file: &Compared<'_>, out: &mut String) {
         let title = heading(comparison, change);
         let _ = write!(
             out,
-            "<section class=\"change\" tabindex=\"0\">\n<h3>{}</h3>\n<div class=\"forms\">\n",
+            "<section class=\"change\" tabindex=\"0\">\n<h3>{}</h3>\n",
             Escaped(&title)
         );
+        if let Some(reason) = reason(change) {
+            let _ = writeln!(out, "<p>{}</p>", Escaped(&reason));
+        }
+        out.push_str("<div class=\"forms\">\n");
         forms(comparison, change, &pictures, out);
         out.push_str("</div>\n</section>\n");
     }

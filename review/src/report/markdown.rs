@@ -1,6 +1,6 @@
 //! A comparison for a pull request.
 
-use super::{Compared, heading, summary, text};
+use super::{Compared, heading, reason, summary, text};
 
 /// The report of some files.
 pub fn report(files: &[Compared<'_>]) -> String {
@@ -20,6 +20,9 @@ pub fn report(files: &[Compared<'_>]) -> String {
         ));
         for change in file.comparison.changes.iter().filter(|change| change.is_change()) {
             out.push_str(&format!("\n{}\n", escaped(&heading(&file.comparison, change))));
+            if let Some(reason) = reason(change) {
+                out.push_str(&format!("\n{}\n", escaped(&reason)));
+            }
             let mut lines = Vec::new();
             text::drawn(&file.comparison, change, &mut lines);
             if lines.is_empty() {

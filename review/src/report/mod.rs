@@ -6,6 +6,7 @@ pub mod text;
 
 use crate::comparison::{Change, Comparison};
 use crate::outline::Kind;
+use ladder_prover::Meaning;
 
 /// Two files that are compared, by the names that they go by.
 #[derive(Debug)]
@@ -34,6 +35,11 @@ pub fn heading(comparison: &Comparison<'_>, change: &Change<'_>) -> String {
         (true, verdict) => heading.push_str(&format!("moved, {}", verdict.text())),
         (false, verdict) => heading.push_str(verdict.text()),
     }
+    heading.push_str(match &change.meaning {
+        Some(Meaning::Same) => ", does the same",
+        Some(Meaning::Other(_)) => ", does another thing",
+        Some(Meaning::Declared(_) | Meaning::NotDecided(_)) | None => "",
+    });
     heading.push_str(": ");
     heading.push_str(entry.kind.text());
     if matches!(entry.kind, Kind::Declaration | Kind::Structure | Kind::Block) && !entry.title.is_empty() {
@@ -60,6 +66,20 @@ pub fn heading(comparison: &Comparison<'_>, change: &Change<'_>) -> String {
         heading.push_str(&format!(", writes {}", shortened(&entry.title)));
     }
     heading
+}
+
+/// What is known of what an edited network does, besides its heading: the values that show a difference, or why it is not
+/// known.
+pub fn reason(change: &Change<'_>) -> Option<String> {
+    match change.meaning.as_ref()? {
+        Meaning::Same => None,
+        Meaning::Other(difference) => Some(difference.to_string()),
+        Meaning::Declared(tags) => Some(match tags.as_slice() {
+            [tag] => format!("{tag} is declared differently"),
+            tags => format!("{} are declared differently", tags.join(", ")),
+        }),
+        Meaning::NotDecided(cause) => Some(format!("whether it does the same is not decided: {cause}")),
+    }
 }
 
 /// A list of names that fits on the line.

@@ -1,6 +1,6 @@
 //! A comparison for a terminal: what changed is drawn, in the old form and the new, what did not is a line.
 
-use super::{Compared, heading, summary};
+use super::{Compared, heading, reason, summary};
 use crate::comparison::{Change, Comparison};
 use crate::drawing::{Drawn, DrawnLine, draw, draw_both};
 use crate::verdict::Verdict;
@@ -80,6 +80,9 @@ pub fn changes(comparison: &Comparison<'_>, lines: &mut Vec<Line>) {
         folded(&mut same, lines);
         lines.push(plain(LineKind::Plain, String::new()));
         lines.push(plain(LineKind::Heading, heading(comparison, change)));
+        if let Some(reason) = reason(change) {
+            lines.push(plain(LineKind::Plain, format!("    {reason}")));
+        }
         drawn(comparison, change, lines);
     }
     folded(&mut same, lines);

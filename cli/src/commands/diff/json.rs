@@ -2,8 +2,8 @@
 
 use super::settings::SettingsDiff;
 use ladder_review::outline::{Entry, Outline};
-use ladder_review::report::Compared;
-use ladder_review::{Change, Verdict};
+use ladder_review::report::{Compared, reason};
+use ladder_review::{Change, Meaning, Verdict};
 use serde::Serialize;
 
 /// A file that is compared.
@@ -32,6 +32,10 @@ pub(super) struct Changed<'c> {
     place: &'c str,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     names: Vec<&'c str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    meaning: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reason: Option<String>,
     old: Option<Form<'c>>,
     new: Option<Form<'c>>,
 }
@@ -52,6 +56,8 @@ impl<'c> File<'c> {
             kind: change.entry().kind.text(),
             place: &change.entry().place,
             names: names(change.entry()),
+            meaning: change.meaning.as_ref().map(meaning),
+            reason: reason(change),
             old: change.old.map(|entry| form(comparison.old, entry)),
             new: change.new.map(|entry| form(comparison.new, entry)),
         };
@@ -74,6 +80,16 @@ impl<'c> File<'c> {
             new: diff.new.as_deref(),
             lines: &diff.lines,
         }
+    }
+}
+
+/// What an edited network does: one word.
+const fn meaning(meaning: &Meaning) -> &'static str {
+    match meaning {
+        Meaning::Same => "same",
+        Meaning::Other(_) => "other",
+        Meaning::Declared(_) => "declared",
+        Meaning::NotDecided(_) => "unknown",
     }
 }
 

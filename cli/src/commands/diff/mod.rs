@@ -1,6 +1,7 @@
 //! `ladder diff`: what changed between two programs, network by network.
 
 mod json;
+mod same;
 mod settings;
 mod side;
 
@@ -22,6 +23,7 @@ use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -29,6 +31,7 @@ Examples:
   ladder diff HEAD:motor.clad motor.clad     what is not committed yet
   ladder diff main: .                        all programs of a repository
   ladder diff v1:plant/ v2:plant/            two revisions of a folder
+  ladder diff --same old.clad new.clad       whether both do the same
   ladder diff motor.L5X motor.clad           other systems' files, as they are
   ladder diff HEAD: . --format markdown      for a pull request
   ladder diff HEAD: . --format html -o changes.html
@@ -40,7 +43,8 @@ Exit status: 0 the same, 1 something is different, 2 a file cannot be read.";
 ///
 /// Programs are compared by what they say, not by their lines: a network that is drawn in another way is the same,
 /// and one that is elsewhere has moved. What was edited is drawn in both forms, with marks at what is different; what is
-/// the same is left out. OLD and NEW are files, folders, or `REV:path` as `git show` takes it. Of folders the
+/// the same is left out. Of an edited network it is said whether it does the same, or with which values it does not.
+/// OLD and NEW are files, folders, or `REV:path` as `git show` takes it. Of folders the
 /// programs (.clad) and ladder.toml are compared. Files of other systems are read as ladder text.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -50,6 +54,13 @@ pub(crate) struct Arguments {
 
     /// The new file or folder, or `REV:path`
     new: PathBuf,
+
+    /// Say whether the programs do the same, and nothing else
+    ///
+    /// They do if each network of the old program is in the new one and does the same there, in an order that is the same
+    /// or does not matter. What cannot be decided network by network is said, and counts as a difference.
+    #[arg(long, conflicts_with_all = ["format", "output"])]
+    same: bool,
 
     /// How to show what changed
     #[arg(long, value_enum, default_value_t = Format::Text)]
@@ -75,6 +86,9 @@ enum Format {
     /// One array of objects
     Json,
 }
+
+/// How long may be asked what edited networks do.
+const TIME: Duration = Duration::from_secs(20);
 
 /// Two files that are compared. None: there is no such file on that side.
 struct Pair {
@@ -121,7 +135,15 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         new: texts.new.as_ref().map(|named| named.name.as_str()),
         comparison: compare(old, new),
     });
-    let compared: Vec<Compared<'_>> = compared.filter(is_different).collect();
+    let mut compared: Vec<Compared<'_>> = compared.filter(is_different).collect();
+    let end = Instant::now() + TIME;
+    for compared in &mut compared {
+        let left = end.saturating_duration_since(Instant::now());
+        compared.comparison.decide(left);
+    }
+    if arguments.same {
+        return Ok(same::print(&compared, &settings)?);
+    }
     let mut out = Output::open(arguments.output.as_deref(), Existing::by(arguments.force))?;
     match arguments.format {
         Format::Text => write_text(&compared, &settings, &mut out)?,

@@ -1,0 +1,56 @@
+//! What edited networks do, next to what they did.
+
+use crate::comparison::Comparison;
+use crate::outline::{Entry, Kind, Outline};
+use crate::verdict::Verdict;
+use ladder_analysis::analyze_context;
+use ladder_analysis::program::Program;
+use ladder_prover::{Compared, Meaning};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// For one network.
+const TIME: Duration = Duration::from_secs(2);
+
+impl Comparison<'_> {
+    /// Asks of each edited network whether it does the same, for no longer than `time` in all.
+    pub fn decide(&mut self, time: Duration) {
+        let end = Instant::now() + time;
+        let is_asked = |change: &crate::Change<'_>| {
+            change.verdict == Verdict::Edited && change.entry().kind == Kind::Network
+        };
+        if !self.changes.iter().any(is_asked) {
+            return;
+        }
+        let compared = self.compared();
+        for change in self.changes.iter_mut().filter(|change| is_asked(change)) {
+            let numbers = [change.old, change.new].map(|entry| entry.and_then(number));
+            let [Some(old), Some(new)] = numbers else { continue };
+            let left = end.saturating_duration_since(Instant::now());
+            change.meaning = Some(match &compared {
+                Ok(compared) => compared.networks(old, new, left.min(TIME)),
+                Err(cause) => Meaning::NotDecided(cause.clone()),
+            });
+        }
+    }
+
+    /// Both programs, compiled.
+    ///
+    /// # Errors
+    /// One of them does not run: why.
+    pub(crate) fn compared(&self) -> Result<Compared, String> {
+        let (old, new) = (program(self.old, "old")?, program(self.new, "new")?);
+        Compared::new(&old, &new)
+    }
+}
+
+/// The number of a network in its program.
+pub(crate) fn number(entry: &Entry) -> Option<usize> {
+    entry.network
+}
+
+fn program(outline: &Outline, which: &str) -> Result<Arc<Program>, String> {
+    let analysis = analyze_context(None, Arc::clone(&outline.context), &Default::default());
+    let program = analysis.program().cloned();
+    program.ok_or_else(|| format!("the {which} program has errors, or uses other files"))
+}
