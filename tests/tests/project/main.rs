@@ -25,6 +25,7 @@ mod rename;
 mod rooms;
 mod rule_index;
 mod safe_fixes;
+mod same_networks;
 mod scenarios;
 mod settings_reference;
 mod structured_text;
