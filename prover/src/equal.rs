@@ -227,6 +227,7 @@ impl Compared {
             .map(|(_, old, new)| !graph.equal(old, new))
             .collect();
         let any = world.graph.any(differs.iter().copied());
+        let edges_agree = edges_of_a_tag_agree(&mut world);
         let assumed = std::mem::take(&mut world.valid);
         let model = Model {
             world,
@@ -242,6 +243,14 @@ impl Compared {
                 return Err(OWN_MEMORY.into());
             }
             Found::No => return Ok(Meaning::Same),
+            Found::Unknown => return Err(String::from("it takes too long")),
+            Found::Yes => {}
+        }
+        // Edges of one tag in a network hold the same as a rule: which is whose does not matter then.
+        let edges_agree = solver.lit(0, edges_agree);
+        solver.require(edges_agree);
+        match solver.ask(&[any], CONFLICTS) {
+            Found::No => return Err(String::from("edges of one tag in it have changed places")),
             Found::Unknown => return Err(String::from("it takes too long")),
             Found::Yes => {}
         }
@@ -327,6 +336,24 @@ impl Compared {
         add(Effect::GoesOn, before.goes_on, after.goes_on);
         Ok(Both { values })
     }
+}
+
+/// High where the memories of all edges of one tag hold the same.
+fn edges_of_a_tag_agree(world: &mut World) -> Lit {
+    let mut first: BTreeMap<String, Lit> = BTreeMap::new();
+    let mut edges: Vec<(String, Lit)> = Vec::new();
+    for ((name, _), value) in &world.shared {
+        if let Some((tag, _)) = name.split_once(" before ").filter(|(tag, _)| !tag.is_empty()) {
+            edges.push((tag.to_owned(), value.bit(0)));
+        }
+    }
+    let mut agree = Lit::TRUE;
+    for (tag, edge) in edges {
+        let other = *first.entry(tag).or_insert(edge);
+        let same = world.graph.same(edge, other);
+        agree = world.graph.and(agree, same);
+    }
+    agree
 }
 
 /// Whether two tags of one name are not declared in the same way, as far as a network can tell.

@@ -38,6 +38,9 @@ pub fn whole(comparison: &Comparison<'_>) -> Whole {
         if let Some(reason) = reason(change) {
             said.push_str(&format!(": {reason}"));
         }
+        if change.moved && says_the_same(change) {
+            said.push_str(": it has passed networks, and the order may matter");
+        }
         match change.meaning {
             Some(Meaning::Other(_)) => others.push(said),
             _ => open.push(said),

@@ -36,7 +36,8 @@ fn the_same_and_drawn_differently_and_different() {
         +++ edited.clad
             1 edited
 
-        edited: network, line 1, writes run
+        edited, does another thing: network, line 1, writes run
+            with run on and stop off, run goes on in the old and off in the new program
         - +--\--[ ]( start )--\--[/]( stop )-------------------------------( )( run )--+
                                  ^^^^^^^^^^^
         - |  /--[ ]( run )----/                                                        |
@@ -95,7 +96,8 @@ fn folders_with_their_settings() {
         +++ new/a.clad
             1 edited
 
-        edited: network, line 1, writes run
+        edited, does another thing: network, line 1, writes run
+            with run on and stop off, run goes on in the old and off in the new program
         - +--\--[ ]( start )--\--[/]( stop )-------------------------------( )( run )--+
                                  ^^^^^^^^^^^
         - |  /--[ ]( run )----/                                                        |
@@ -131,7 +133,9 @@ fn folders_with_their_settings() {
 
         1 edited
 
-        edited: network, line 1, writes run
+        edited, does another thing: network, line 1, writes run
+
+        with run on and stop off, run goes on in the old and off in the new program
 
         ```diff
         - +--\--[ ]( start )--\--[/]( stop )-------------------------------( )( run )--+
@@ -201,6 +205,8 @@ fn for_machines() {
                 "names": [
                   "run"
                 ],
+                "meaning": "other",
+                "reason": "with run on and stop off, run goes on in the old and off in the new program",
                 "old": {
                   "line": 1,
                   "text": "+--\\--[ ]( start )--\\--[/]( stop )---------------------------------( )( run )--+\n|  /--[ ]( run )----/                                                          |\n"
@@ -243,7 +249,10 @@ fn programs_of_other_systems() {
     for old in ["a.L5X", "a.clad"] {
         let shown = folder.ladder(&["diff", old, "b.L5X"]);
         assert_eq!(shown.status, Some(1), "{shown}");
-        assert!(shown.stdout.contains("edited: network"), "{shown}");
+        assert!(
+            shown.stdout.contains("edited, does another thing: network"),
+            "{shown}"
+        );
         assert!(!shown.stdout.contains("gone: network"), "{shown}");
     }
 }
@@ -259,4 +268,83 @@ fn nothing_of_a_program_is_a_command_to_the_terminal() {
     }
     let shown = folder.ladder(&["diff", "a.clad", "b.clad", "--format", "markdown"]);
     assert!(shown.stdout.contains("\n````diff\n"), "{shown}");
+}
+
+/// A program and one whose networks are written in another way, one of them moved.
+const SAFE: [&str; 2] = [
+    "\
++--\\--[/]( guard )--\\----------------------------------------------( )( alarm )--+
+|  /--[ ]( stop )---/                                                            |
+
++--[ ]( door )---------------------------------------------------( )( lamp )--+
+",
+    "\
++--[ ]( door )---------------------------------------------------( )( lamp )--+
+
++--[ ]( guard )--[/]( stop )---------------------------------------(/)( alarm )--+
+",
+];
+
+#[test]
+fn programs_that_do_the_same() {
+    let folder = Folder::with(&[
+        ("old.clad", SAFE[0]),
+        ("new.clad", SAFE[1]),
+        ("other.clad", &SAFE[1].replace("[/]( stop )", "[ ]( stop )")),
+        ("moved.clad", &SAFE[1].replace("( lamp )", "( guard )")),
+        ("order.clad", &SAFE[0].replace("( lamp )", "( guard )")),
+        ("more.clad", &format!("{}\n+--[ ]( a )--( )( b )--+\n", SAFE[0])),
+        ("broken.clad", &SAFE[0].replace("( lamp )", "( 5 )")),
+    ]);
+    let said = |old: &str, new: &str| folder.ladder(&["diff", "--same", old, new]).to_string();
+    let all = [
+        said("old.clad", "new.clad"),
+        said("old.clad", "other.clad"),
+        said("order.clad", "moved.clad"),
+        said("old.clad", "more.clad"),
+        said("old.clad", "broken.clad"),
+    ];
+    expect![[r#"
+        exit status 0
+        -- stdout
+        the same
+        exit status 1
+        -- stdout
+        not the same
+          other.clad: moved, edited, does another thing: network, line 3 (was line 1), writes alarm: with guard on and stop off, alarm goes off in the old and on in the new program
+        exit status 1
+        -- stdout
+        not decided
+          moved.clad: moved, edited, does the same: network, line 3 (was line 1), writes alarm: it has passed networks, and the order may matter
+        exit status 1
+        -- stdout
+        not decided
+          more.clad: new: network, line 6, writes b
+        exit status 1
+        -- stdout
+        not decided
+          broken.clad: the new program has errors, or uses other files
+    "#]].assert_eq(&all.concat());
+    folder
+        .ladder(&["diff", "--same", "old.clad", "none.clad"])
+        .refused_with("none.clad: no such file or folder");
+}
+
+#[test]
+fn every_form_says_what_an_edited_network_does() {
+    let folder = Folder::with(&[("old.clad", MOTOR), ("new.clad", &edited())]);
+    for format in ["text", "html", "markdown", "json"] {
+        let run = folder
+            .ladder(&["diff", "old.clad", "new.clad", "--format", format])
+            .to_string();
+        let run = run.replace('\\', "");
+        assert!(
+            run.contains("run goes on in the old and off in the new program"),
+            "{run}"
+        );
+        assert!(
+            run.contains("does another thing") || run.contains("\"meaning\": \"other\""),
+            "{run}"
+        );
+    }
 }

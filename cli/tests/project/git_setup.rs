@@ -226,7 +226,10 @@ fn git_shows_what_changed() {
     repository.commit("p.L5X", &logix("XIC(a)OTE(x);"));
     repository.write("p.clad", &BASE.replace("[ ]( a )", "[/]( a )"));
     let shown = repository.shell("git difftool -y -t ladder -- p.clad");
-    assert!(shown.contains("edited: network, line 1, writes x\n"), "{shown}");
+    assert!(
+        shown.contains("edited, does another thing: network, line 1, writes x\n"),
+        "{shown}"
+    );
     assert!(shown.contains("^^^^^^^^"), "{shown}");
     repository.write("p.L5X", &logix("XIO(a)OTE(x);"));
     let shown = repository.shell("git diff -- p.L5X");
@@ -253,7 +256,8 @@ fn revisions_are_compared_from_any_folder() {
         let (said, status) = repository.run(command);
         assert_eq!(status, Some(1), "{command}\n{said}");
         assert_eq!(
-            said.matches("edited: network, line 1").count(),
+            said.matches("edited, does another thing: network, line 1")
+                .count(),
             1,
             "{command}\n{said}"
         );
@@ -309,5 +313,5 @@ fn programs_of_other_systems_in_a_revision() {
     repository.write("p.L5X", &logix("XIO(a)OTE(x);"));
     let (said, status) = repository.run("ladder diff HEAD:p.L5X p.L5X");
     assert_eq!(status, Some(1), "{said}");
-    assert!(said.contains("edited: network"), "{said}");
+    assert!(said.contains("edited, does another thing: network"), "{said}");
 }

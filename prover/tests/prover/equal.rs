@@ -114,6 +114,36 @@ fn edges() {
 }
 
 #[test]
+fn edges_of_one_tag_that_change_places() {
+    let rung = |upper: &str, lower: &str| {
+        format!(
+            "+--\\--{upper}( a )--[ ]( b )--\\--( )( x )--+\n|  /--{lower}( a )--[/]( b )--/            |\n"
+        )
+    };
+    check(
+        &rung("[P]", "[N]"),
+        &rung("[N]", "[P]"),
+        expect!["with a on, b off and a off before, x goes off in the old and on in the new program"],
+    );
+    let [old, new] = [("[ ]", "[/]"), ("[/]", "[ ]")].map(|(one, other)| {
+        format!(
+            "+--\\--[P]( a )--{one}( b )--\\--( )( x )--+\n|  /--[N]( a )--{other}( b )--/            |\n"
+        )
+    });
+    check(
+        &old,
+        &new,
+        expect!["with a on, b off and a off before, x goes off in the old and on in the new program"],
+    );
+    let new = "+--\\--[N]( a )--[/]( b )--\\--( )( x )--+\n|  /--[P]( a )--[ ]( b )--/            |\n";
+    check(
+        &old,
+        new,
+        expect!["not decided: edges of one tag in it have changed places"],
+    );
+}
+
+#[test]
 fn timers_and_counters() {
     check(
         "+--[ ]( a )--[TON]( t, 5s )--( )( x )--+\n",
