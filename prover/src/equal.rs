@@ -164,10 +164,10 @@ impl Compared {
     /// # Errors
     /// One takes more memory than there is: why.
     pub fn new(old: &Arc<Program>, new: &Arc<Program>) -> Result<Compared, String> {
-        Ok(Compared {
-            old: Form::new(old)?,
-            new: Form::new(new)?,
-        })
+        let (mut old, mut new) = (Form::new(old)?, Form::new(new)?);
+        old.cells.keep_idle(&new.cells);
+        new.cells.keep_idle(&old.cells);
+        Ok(Compared { old, new })
     }
 
     /// Whether two networks of the new program may change places: neither writes what the other reads or writes, and neither

@@ -124,6 +124,15 @@ impl Cells {
         cells
     }
 
+    /// A member that neither program writes stays low.
+    pub(crate) fn keep_idle(&mut self, other: &Cells) {
+        for (name, at) in &self.idle {
+            if other.idle.contains_key(name) {
+                self.inputs_at_bits.remove(at);
+            }
+        }
+    }
+
     /// What has a name is seen from outside.
     fn are_no_temporaries(&mut self) {
         let (bits, words) = (&self.inputs_at_bits, &self.inputs_at_words);
@@ -167,6 +176,11 @@ impl Cells {
                     &["Q1"]
                 };
                 for (n, member) in bit_names.iter().enumerate() {
+                    let at = Bit(bits.0 + n as u32);
+                    if ["R", "CD", "LD"].contains(member) && !self.bit_changes(at) {
+                        let name = format!("{}.{member}", tag.name).to_ascii_lowercase();
+                        self.idle.insert(name, at.0);
+                    }
                     self.name_bit(bits.0 + n as u32, format!("{}.{member}", tag.name));
                 }
                 let word_names = if state.is_timer() {

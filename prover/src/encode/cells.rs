@@ -30,6 +30,8 @@ pub(crate) struct Cells {
     pub(crate) elapsed: FxHashSet<u32>,
     /// Of a network that is followed alone the timers by their first bits. All that it finds is an input then.
     pub(crate) alone: Option<FxHashMap<u32, String>>,
+    /// Of such a network the members of timers and counters that its program never writes, such as `t1.R`, by their names.
+    pub(crate) idle: FxHashMap<String, u32>,
 }
 
 impl Cells {
