@@ -3,8 +3,8 @@
 use crate::comparison::Comparison;
 use crate::outline::{Entry, Kind, Outline};
 use crate::verdict::Verdict;
-use ladder_analysis::analyze_context;
 use ladder_analysis::program::Program;
+use ladder_analysis::{RuleSettings, analyze_context};
 use ladder_prover::{Compared, Meaning};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -50,7 +50,7 @@ pub(crate) fn number(entry: &Entry) -> Option<usize> {
 }
 
 fn program(outline: &Outline, which: &str) -> Result<Arc<Program>, String> {
-    let analysis = analyze_context(None, Arc::clone(&outline.context), &Default::default());
+    let analysis = analyze_context(None, Arc::clone(&outline.context), &RuleSettings::default());
     let program = analysis.program().cloned();
     program.ok_or_else(|| format!("the {which} program has errors, or uses other files"))
 }
