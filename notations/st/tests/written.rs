@@ -9,7 +9,7 @@ use std::sync::Arc;
 /// The whole text, or why there is none.
 fn written(text: &str) -> Result<String, String> {
     let analysis = ladder_analysis::analyze(&ladder_syntax::parse(text).into(), "plant.clad");
-    match ladder_notation_st::St.write(&analysis) {
+    match St.write(&analysis) {
         Ok(writing) => Ok(String::from_utf8(writing.bytes).expect("text is UTF-8")),
         Err(error) => Err(error.message),
     }
@@ -18,12 +18,14 @@ fn written(text: &str) -> Result<String, String> {
 /// The body of the program, or why there is none.
 #[track_caller]
 fn check(text: &str, expected: Expect) {
-    let body = match written(text) {
-        Ok(text) => {
+    let analysis = ladder_analysis::analyze(&ladder_syntax::parse(text).into(), "plant.clad");
+    let body = match St.write(&analysis) {
+        Ok(writing) => {
+            let text = String::from_utf8(writing.bytes).expect("text is UTF-8");
             let program = text.split_once("PROGRAM plant\n").expect("a program").1;
             program.split_once("END_PROGRAM").expect("its end").0.to_owned()
         }
-        Err(why) => why,
+        Err(error) => error.message,
     };
     expected.assert_eq(&body);
 }
@@ -247,6 +249,7 @@ fn blocks_and_functions_of_other_files_are_written_along() {
             END_CONFIGURATION
         "#]],
     );
+}
 
 #[test]
 fn an_array_in_an_array_has_a_type_with_a_name_and_indices_of_its_own() {

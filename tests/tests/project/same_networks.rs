@@ -185,10 +185,11 @@ fn contact(dice: &mut Dice) -> String {
 /// A rung, and one that does the same: its branches swapped, its parts in another order, and power negated twice.
 fn rewritten(dice: &mut Dice) -> (String, String) {
     let mut parts: Vec<Part> = Vec::new();
-    for _ in 0..1 + dice.below(4) {
-        parts.push(match dice.one_in(2) {
-            true => Part::One(contact(dice)),
-            false => Part::Either(contact(dice), contact(dice)),
+    for _ in 0..=dice.below(4) {
+        parts.push(if dice.one_in(2) {
+            Part::One(contact(dice))
+        } else {
+            Part::Either(contact(dice), contact(dice))
         });
     }
     let old = rung(&parts);
