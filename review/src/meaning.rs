@@ -28,6 +28,9 @@ impl Comparison<'_> {
             let [Some(old), Some(new)] = numbers else { continue };
             let left = end.saturating_duration_since(Instant::now());
             change.meaning = Some(match &compared {
+                Ok(_) if left.is_zero() => {
+                    Meaning::NotDecided("the edits of all programs together take too long".into())
+                }
                 Ok(compared) => compared.networks(old, new, left.min(TIME)),
                 Err(cause) => Meaning::NotDecided(cause.clone()),
             });

@@ -50,8 +50,8 @@ return function(t)
     t.equal('the tags', {
       'step Phase internal FILLING',
       '▾ lines ARRAY[1..2] OF Motor internal',
-      ' ▸ lines[1] Motor internal',
-      ' ▾ lines[2] Motor internal',
+      ' ▸ lines[1] Motor internal speed=50.0',
+      ' ▾ lines[2] Motor internal speed=50.0',
       ' lines[2].speed REAL internal 50.0',
       ' lines[2].delay.Q BOOL internal 0',
       ' lines[2].delay.ET TIME internal 0ms',
