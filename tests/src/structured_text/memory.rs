@@ -93,7 +93,9 @@ impl Memory {
                 let value = match expr {
                     super::syntax::Expr::Literal(value) => value.clone(),
                     super::syntax::Expr::Unary(_, inner) => match &**inner {
-                        super::syntax::Expr::Literal(Value::Int(n, ty)) => Value::Int(n.wrapping_neg(), ty.clone()),
+                        super::syntax::Expr::Literal(Value::Int(n, ty)) => {
+                            Value::Int(n.wrapping_neg(), ty.clone())
+                        }
                         super::syntax::Expr::Literal(Value::Real(n, ty)) => Value::Real(-n, *ty),
                         other => return Err(format!("{other:?} is no constant")),
                     },
