@@ -19,7 +19,6 @@ mod checks;
 mod comment;
 mod convert;
 mod curve;
-mod declare;
 mod expression;
 mod flow;
 mod literal;

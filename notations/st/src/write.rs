@@ -1,9 +1,9 @@
 //! From a program to the text.
 
 use crate::comment;
-use crate::declare::{self, Variable};
 use crate::names;
 use crate::pieces;
+use crate::project::declare::{self, Variable};
 use crate::project::{Project, Service, Stop, UnitKind};
 use crate::states::piece_of;
 use crate::term::{Binding, Term};

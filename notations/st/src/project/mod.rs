@@ -1,5 +1,6 @@
 //! What all units of a program share: the names of types, blocks and values, and which tags they share.
 
+pub(crate) mod declare;
 mod types;
 
 use crate::names::{self, Names};
@@ -172,7 +173,7 @@ impl<'p> Project<'p> {
             }
         }
         for block in std::iter::once(None).chain((0..program.blocks.len()).map(Some)) {
-            let variables = crate::declare::variables(program, block).into_iter();
+            let variables = declare::variables(program, block).into_iter();
             let types = variables.map(|variable| ((block, variable.root), variable.ty));
             project.declared.extend(types);
         }
