@@ -22,7 +22,7 @@ return function(t, messages)
       return vim.bo.filetype == 'ladder_diff'
     end)
     local lines = vim.api.nvim_buf_get_lines(0, 0, -1, false)
-    t.equal('the heading', true, vim.tbl_contains(lines, 'edited: network, line 1, writes x'))
+    t.equal('the heading', true, vim.tbl_contains(lines, 'edited, does another thing: network, line 1, writes x'))
     t.equal('a mark', true, vim.tbl_contains(lines, '     ^^^^^^^^'))
     t.equal('whether it can be edited', false, vim.bo.modifiable)
     vim.api.nvim_feedkeys('q', 'xt', false)
