@@ -554,6 +554,25 @@ pub enum BinaryOperator {
     Power,
 }
 
+impl BinaryOperator {
+    /// The instruction that does the same.
+    pub const fn op(self) -> Op {
+        match self {
+            BinaryOperator::Or => Op::Or,
+            BinaryOperator::Xor => Op::Xor,
+            BinaryOperator::And => Op::And,
+            BinaryOperator::Shl => Op::Shl,
+            BinaryOperator::Shr => Op::Shr,
+            BinaryOperator::Add => Op::Add,
+            BinaryOperator::Sub => Op::Sub,
+            BinaryOperator::Mul => Op::Mul,
+            BinaryOperator::Div => Op::Div,
+            BinaryOperator::Mod => Op::Mod,
+            BinaryOperator::Power => Op::Exp,
+        }
+    }
+}
+
 /// A member of a timer, counter or bistable (LANGUAGE §4, Members).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[allow(missing_docs)]
@@ -578,6 +597,27 @@ pub enum Member {
 }
 
 impl Member {
+    /// As programs write it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Member::In => "IN",
+            Member::Pt => "PT",
+            Member::Q => "Q",
+            Member::Et => "ET",
+            Member::Cu => "CU",
+            Member::Cd => "CD",
+            Member::R => "R",
+            Member::Ld => "LD",
+            Member::Pv => "PV",
+            Member::Cv => "CV",
+            Member::Qu => "QU",
+            Member::Qd => "QD",
+            Member::Q1 => "Q1",
+            Member::Changed => "CC",
+            Member::Timing => "TT",
+        }
+    }
+
     /// The member's type where blocks have these differences: what a timer counts is TIME, or scans and steps.
     pub const fn ty(self, semantics: &Semantics) -> Scalar {
         match (self, semantics.timing) {

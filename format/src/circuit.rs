@@ -14,6 +14,19 @@ pub enum Circuit<T> {
     Parallel(Vec<Circuit<T>>),
 }
 
+impl<T> Circuit<T> {
+    /// The same circuit with something else in the place of each element.
+    #[must_use]
+    pub fn replaced<U>(self, by: &dyn Fn(T) -> Circuit<U>) -> Circuit<U> {
+        let all = |parts: Vec<Circuit<T>>| parts.into_iter().map(|part| part.replaced(by)).collect();
+        match self {
+            Circuit::Element(element) => by(element),
+            Circuit::Series(parts) => Circuit::Series(all(parts)),
+            Circuit::Parallel(branches) => Circuit::Parallel(all(branches)),
+        }
+    }
+}
+
 /// One thing on a rung of a drawn circuit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Piece<'c, T> {

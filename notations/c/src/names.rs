@@ -77,7 +77,7 @@ pub(crate) fn library(program: &str) -> String {
     let name = identifier(program);
     let is_taken = TAKEN.contains(&name.as_str())
         || OWN.contains(&name.as_str())
-        || crate::pieces::named(&name).is_some();
+        || crate::pieces::PIECES.named(&name).is_some();
     if is_taken { name + "_program" } else { name }
 }
 

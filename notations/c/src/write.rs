@@ -2,7 +2,8 @@
 
 use crate::code::{self, Body};
 use crate::interface::{self, Field, Interface};
-use crate::{data, header, names, pieces, retained};
+use crate::pieces::PIECES;
+use crate::{data, header, names, retained};
 use ladder_analysis::Analysis;
 use ladder_analysis::program::{Clock, Location};
 use ladder_notation::{Companion, LineColumn, Lines, Report, WriteError, Writing};
@@ -93,7 +94,7 @@ fn source(p: &str, interface: &Interface, compiled: &Compiled, body: &Body) -> S
         used.insert("mod_floor");
     }
     let has_operands = body.says("operands + ");
-    let runtime = pieces::text(&used);
+    let runtime = PIECES.text(&used);
     let mut out = format!("/* The ladder program {p}; see {p}.h. */\n#include \"{p}.h\"\n\n");
     for (header, sign) in [
         ("inttypes.h", "PRI"),

@@ -18,32 +18,25 @@ pub fn series_parallel(network: &Network) -> Option<Circuit<usize>> {
     let mut graph = Graph::of(network)?;
     graph.reduce();
     let circuit = graph.only_edge()?;
-    let mut last = None;
-    in_order(&circuit, &mut last).then(|| with_blocks(circuit, network))
+    let block_of = |step: usize| match network.steps[step] {
+        Step::Block { block, .. } => Circuit::Element(block),
+        Step::Start { .. } | Step::Join { .. } => Circuit::Series(Vec::new()),
+    };
+    in_order(&circuit).then(|| circuit.replaced(&block_of))
 }
 
 /// A network with more steps is not checked: circuits nest, and what walks them has only so much stack.
 const MOST_STEPS: usize = 8_192;
 
-/// Whether the steps are in their order when they are read from left to right and top to bottom.
-fn in_order(circuit: &Circuit<usize>, last: &mut Option<usize>) -> bool {
-    match circuit {
-        Circuit::Element(step) => last.replace(*step) < Some(*step),
-        Circuit::Series(parts) | Circuit::Parallel(parts) => parts.iter().all(|part| in_order(part, last)),
+/// Whether the elements are in their order when they are read from left to right and top to bottom.
+pub fn in_order(circuit: &Circuit<usize>) -> bool {
+    fn follow(circuit: &Circuit<usize>, last: &mut Option<usize>) -> bool {
+        match circuit {
+            Circuit::Element(element) => last.replace(*element) < Some(*element),
+            Circuit::Series(parts) | Circuit::Parallel(parts) => parts.iter().all(|part| follow(part, last)),
+        }
     }
-}
-
-/// The circuit with blocks in the place of steps.
-fn with_blocks(circuit: Circuit<usize>, network: &Network) -> Circuit<usize> {
-    let all = |parts: Vec<Circuit<usize>>| parts.into_iter().map(|part| with_blocks(part, network)).collect();
-    match circuit {
-        Circuit::Element(step) => match network.steps[step] {
-            Step::Block { block, .. } => Circuit::Element(block),
-            Step::Start { .. } | Step::Join { .. } => Circuit::Series(Vec::new()),
-        },
-        Circuit::Series(parts) => Circuit::Series(all(parts)),
-        Circuit::Parallel(branches) => Circuit::Parallel(all(branches)),
-    }
+    follow(circuit, &mut None)
 }
 
 /// The wires of a drawing, each from one point to another with the elements on it: from the left rail

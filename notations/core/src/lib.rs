@@ -18,6 +18,7 @@ mod finding;
 mod foreign;
 mod no_program;
 mod notation;
+pub mod pieces;
 mod place;
 mod reading;
 mod remark;
@@ -26,6 +27,7 @@ mod source;
 pub mod stand_in;
 mod with_library;
 mod written;
+pub mod xml;
 
 pub use convert::{Converted, convert};
 pub use error::{ReadError, WriteError};

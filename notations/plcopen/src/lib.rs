@@ -26,7 +26,6 @@ mod scope;
 mod sketch;
 mod standard;
 mod write;
-pub mod xml;
 
 #[cfg(test)]
 mod counts;

@@ -36,6 +36,11 @@ pub(crate) fn values(block: &Block, from: usize) -> Option<Vec<&Expr>> {
     values.collect()
 }
 
+/// The second operand, if this and all after it are values.
+pub(crate) fn second(block: &Block) -> Option<&Expr> {
+    values(block, 1)?.first().copied()
+}
+
 pub(crate) fn place(argument: Option<&Argument>) -> Option<(&Place, Scalar)> {
     match argument {
         Some(Argument::Place(place, ty)) => Some((place, *ty)),

@@ -65,7 +65,7 @@ impl Unit<'_, '_> {
                 let power = self.entering(en, step);
                 self.powers[step] = power.clone();
                 if let Some(rail) = self.rail.clone() {
-                    let term = power.term().unwrap_or_else(|| Term::whole("TRUE"));
+                    let term = power.or_true();
                     self.line(format!("{rail} := {};", term.text));
                 }
             }
@@ -233,7 +233,7 @@ impl Unit<'_, '_> {
     pub(crate) fn edge_of_power(&mut self, en: usize, base: &str, rises: bool) -> Term {
         let power = self.entering(en, en);
         let instance = self.edge_instance(base, rises);
-        let term = power.term().unwrap_or_else(|| Term::whole("TRUE"));
+        let term = power.or_true();
         self.line(format!("{instance}(CLK := {});", term.text));
         of_instance(&instance, "Q")
     }
@@ -244,7 +244,7 @@ impl Unit<'_, '_> {
         let targets = self.coil_targets(block, &mut checks)?;
         let written: BTreeSet<String> = targets.iter().map(|target| target.variable.clone()).collect();
         let value = |power: &Power| {
-            let term = power.term().unwrap_or_else(|| Term::whole("TRUE"));
+            let term = power.or_true();
             match (follows, term.text.as_str()) {
                 (true, _) => term,
                 (false, "TRUE") => Term::whole("FALSE"),
@@ -257,14 +257,8 @@ impl Unit<'_, '_> {
             let done = self.done(step);
             self.keep(Some(&written));
             let term = value(&power);
-            let mut lines: Vec<String> = targets.iter().flat_map(|target| target.assign(&term)).collect();
-            if let Some(done) = &done {
-                let power = power.term().unwrap_or_else(|| Term::whole("TRUE"));
-                lines.push(format!("{done} := {};", power.text));
-                self.line(format!("{done} := FALSE;"));
-            }
-            self.guarded(None, checks, &lines, None);
-            self.is_done(step, done);
+            let lines = targets.iter().flat_map(|target| target.assign(&term)).collect();
+            self.all_or_low(checks, lines, &power.or_true(), (step, done));
             return Ok(());
         }
         let power = self.powers[en].clone();
@@ -323,15 +317,8 @@ impl Unit<'_, '_> {
             self.powers[step] = Power::of(number, after);
             return Ok(());
         }
-        let lines = when_lines(&power, &lines);
         let done = self.done(step);
-        let mut lines = lines;
-        if let Some(done) = &done {
-            self.line(format!("{done} := FALSE;"));
-            lines.push(format!("{done} := {};", after.text));
-        }
-        self.guarded(None, checks, &lines, None);
-        self.is_done(step, done);
+        self.all_or_low(checks, when_lines(&power, &lines), &after, (step, done));
         Ok(())
     }
 
@@ -355,14 +342,7 @@ impl Unit<'_, '_> {
         }
         self.keep(Some(&written));
         let done = self.done(step);
-        let mut lines = when_lines(&power, &lines);
-        if let Some(done) = &done {
-            let power = power.term().unwrap_or_else(|| Term::whole("TRUE"));
-            self.line(format!("{done} := FALSE;"));
-            lines.push(format!("{done} := {};", power.text));
-        }
-        self.guarded(None, checks, &lines, None);
-        self.is_done(step, done);
+        self.all_or_low(checks, when_lines(&power, &lines), &power.or_true(), (step, done));
         Ok(())
     }
 
@@ -378,7 +358,7 @@ impl Unit<'_, '_> {
         let edge = self.edge_of_power(en, &base, rises);
         let written: BTreeSet<String> = targets.iter().map(|target| target.variable.clone()).collect();
         self.keep(Some(&written));
-        let mut lines: Vec<String> = targets.iter().flat_map(|target| target.assign(&edge)).collect();
+        let lines: Vec<String> = targets.iter().flat_map(|target| target.assign(&edge)).collect();
         if checks.is_empty() {
             for line in &lines {
                 self.line(line);
@@ -386,13 +366,7 @@ impl Unit<'_, '_> {
             return Ok(());
         }
         let done = self.done(step);
-        if let Some(done) = &done {
-            let power = power.term().unwrap_or_else(|| Term::whole("TRUE"));
-            self.line(format!("{done} := FALSE;"));
-            lines.push(format!("{done} := {};", power.text));
-        }
-        self.guarded(None, checks, &lines, None);
-        self.is_done(step, done);
+        self.all_or_low(checks, lines, &power.or_true(), (step, done));
         Ok(())
     }
 

@@ -58,6 +58,23 @@ impl Unit<'_, '_> {
         Term::call(piece, &[term])
     }
 
+    /// Writes statements that are run if all that is checked holds, and the power that a step leaves after them. Where it does not
+    /// hold, that is low. `done` is its variable, if anything asks.
+    pub(crate) fn all_or_low(
+        &mut self,
+        checks: Checks,
+        mut lines: Vec<String>,
+        power: &Term,
+        (step, done): (usize, Option<String>),
+    ) {
+        if let Some(done) = &done {
+            self.line(format!("{done} := FALSE;"));
+            lines.push(format!("{done} := {};", power.text));
+        }
+        self.guarded(None, checks, &lines, None);
+        self.is_done(step, done);
+    }
+
     /// Writes statements that are run with this power, if what is checked before holds. Whether it does is what comes back, if it
     /// is asked for.
     pub(crate) fn guarded(

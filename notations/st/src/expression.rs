@@ -5,7 +5,7 @@ use crate::place::{bits_of, conversion};
 use crate::project::Result;
 use crate::term::{Binding, Term};
 use crate::unit::Unit;
-use ladder_analysis::program::{BinaryOperator, Expr, ExprKind, UnaryOperator};
+use ladder_analysis::program::{Expr, ExprKind, UnaryOperator};
 use ladder_analysis::values::types::{Scalar, common};
 use ladder_analysis::values::value::Value;
 use ladder_instructions::Op;
@@ -38,22 +38,7 @@ impl Unit<'_, '_> {
                 let value = self.value(inner, checks)?;
                 Ok(self.not(value, expr.ty, checks))
             }
-            ExprKind::Binary(operator, a, b) => {
-                let op = match operator {
-                    BinaryOperator::Or => Op::Or,
-                    BinaryOperator::Xor => Op::Xor,
-                    BinaryOperator::And => Op::And,
-                    BinaryOperator::Shl => Op::Shl,
-                    BinaryOperator::Shr => Op::Shr,
-                    BinaryOperator::Add => Op::Add,
-                    BinaryOperator::Sub => Op::Sub,
-                    BinaryOperator::Mul => Op::Mul,
-                    BinaryOperator::Div => Op::Div,
-                    BinaryOperator::Mod => Op::Mod,
-                    BinaryOperator::Power => Op::Exp,
-                };
-                self.function(op, expr.ty, &[a, b], checks)
-            }
+            ExprKind::Binary(operator, a, b) => self.function(operator.op(), expr.ty, &[a, b], checks),
             ExprKind::Compare(op, a, b) => self.comparison(*op, a, b, checks),
             ExprKind::Call(op, arguments) => {
                 let arguments: Vec<&Expr> = arguments.iter().collect();

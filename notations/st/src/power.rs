@@ -52,6 +52,11 @@ impl Power {
         }
     }
 
+    /// As an expression, `TRUE` where it is always there.
+    pub(crate) fn or_true(&self) -> Term {
+        self.term().unwrap_or_else(|| Term::whole("TRUE"))
+    }
+
     /// Where two wires meet. What both have passed is said once.
     pub(crate) fn or(&self, other: &Power, number: usize) -> Power {
         let (Power::Live(upper), Power::Live(lower)) = (self, other) else {

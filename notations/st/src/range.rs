@@ -1,6 +1,6 @@
 //! Ranges of arrays, and whole structures and arrays.
 
-use crate::arguments::{by_place, values};
+use crate::arguments::{by_place, second};
 use crate::checks::{Check, Checks};
 use crate::place::Target;
 use crate::project::Result;
@@ -135,11 +135,7 @@ impl Unit<'_, '_> {
         };
         if op == Op::Fill {
             let targets = self.element_targets(to, checks)?;
-            let Some([value]) = values(block, 1)
-                .as_deref()
-                .and_then(<[&Expr]>::first_chunk::<1>)
-                .copied()
-            else {
+            let Some(value) = second(block) else {
                 return self.stop("a value that is none");
             };
             let ty = value.ty;
@@ -230,11 +226,7 @@ impl Unit<'_, '_> {
         };
         let mut checks = Checks::new();
         let targets = self.element_targets(range, &mut checks)?;
-        let Some([value]) = values(block, 1)
-            .as_deref()
-            .and_then(<[&Expr]>::first_chunk::<1>)
-            .copied()
-        else {
+        let Some(value) = second(block) else {
             return self.stop("a value that is none");
         };
         let entering = self.settled(value, &mut checks)?;

@@ -1,6 +1,6 @@
 //! Timers, counters, bistables: calls of the standard's blocks, or of those that are written along.
 
-use crate::arguments::{by_place, values};
+use crate::arguments::{by_place, second};
 use crate::checks::Checks;
 use crate::power::Power;
 use crate::project::{Result, Service};
@@ -41,11 +41,7 @@ impl Unit<'_, '_> {
     pub(crate) fn timer(&mut self, block: &Block, en: usize, step: usize) -> Result<()> {
         let mut checks = Checks::new();
         let state = self.state(by_place(block).first().copied(), &mut checks)?;
-        let Some([preset]) = values(block, 1)
-            .as_deref()
-            .and_then(<[&Expr]>::first_chunk::<1>)
-            .copied()
-        else {
+        let Some(preset) = second(block) else {
             return self.stop("a timer without its time");
         };
         let mut inputs = vec![("PT", self.preset(preset, &mut checks)?)];
@@ -86,11 +82,7 @@ impl Unit<'_, '_> {
     pub(crate) fn counter(&mut self, block: &Block, en: usize, step: usize) -> Result<()> {
         let mut checks = Checks::new();
         let state = self.state(by_place(block).first().copied(), &mut checks)?;
-        let Some([preset]) = values(block, 1)
-            .as_deref()
-            .and_then(<[&Expr]>::first_chunk::<1>)
-            .copied()
-        else {
+        let Some(preset) = second(block) else {
             return self.stop("a counter without its number");
         };
         let mut inputs = Vec::new();
@@ -133,7 +125,7 @@ impl Unit<'_, '_> {
         }
         let power = self.entering(en, en);
         self.keep(Some(&BTreeSet::from([state.variable.clone()])));
-        let term = power.term().unwrap_or_else(|| Term::whole("TRUE"));
+        let term = power.or_true();
         let mut arguments = vec![format!("{input} := {}", term.text)];
         arguments.extend(
             inputs
@@ -153,13 +145,7 @@ impl Unit<'_, '_> {
             return;
         }
         let done = self.done(step);
-        let mut lines = vec![call];
-        if let Some(done) = &done {
-            self.line(format!("{done} := FALSE;"));
-            lines.push(format!("{done} := {};", q.text));
-        }
-        self.guarded(None, checks, &lines, None);
-        self.is_done(step, done);
+        self.all_or_low(checks, vec![call], &q, (step, done));
     }
 
     /// `(RES)`, and `(R)` on a timer or counter: the block that is written along clears itself.

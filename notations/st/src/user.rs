@@ -103,7 +103,7 @@ impl Unit<'_, '_> {
         self.keep(Some(&written));
         let root = instance.split(['.', '[']).next().unwrap_or_default().to_owned();
         self.keep(Some(&BTreeSet::from([root.clone()])));
-        let term = power.term().unwrap_or_else(|| Term::whole("TRUE"));
+        let term = power.or_true();
         arguments.insert(0, format!("power_in := {}", term.text));
         let mut lines = vec![format!("{instance}({});", arguments.join(", "))];
         lines.extend(after);
@@ -117,12 +117,7 @@ impl Unit<'_, '_> {
             self.powers[step] = Power::of(number, out);
         } else {
             let done = self.done(step);
-            if let Some(done) = &done {
-                self.line(format!("{done} := FALSE;"));
-                lines.push(format!("{done} := {};", out.text));
-            }
-            self.guarded(None, checks, &lines, None);
-            self.is_done(step, done);
+            self.all_or_low(checks, lines, &out, (step, done));
         }
         if user.shape == Shape::Function && self.leaves(UnitKind::Block(index)) {
             return self.stop("a block that returns or jumps where it stands: write that next to it");

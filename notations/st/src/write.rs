@@ -2,7 +2,7 @@
 
 use crate::comment;
 use crate::names;
-use crate::pieces;
+use crate::pieces::PIECES;
 use crate::project::declare::{self, Variable};
 use crate::project::{Project, Service, Stop, UnitKind};
 use crate::states::piece_of;
@@ -249,7 +249,7 @@ fn assembled(project: &Project<'_>, name: &str, prelude: &[String], bodies: &[Bo
     shared.extend(&bodies[0].shared);
     let mut out = format!("(* The ladder program {name}. *)\n\n");
     out.push_str(&project.types());
-    let pieces = pieces::text(&project.pieces);
+    let pieces = PIECES.text(&project.pieces);
     out.push_str(&pieces);
     for (index, body) in callees_first(program, bodies) {
         let name = match body.kind {

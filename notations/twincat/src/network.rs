@@ -1,9 +1,9 @@
 //! Networks: trees of boxes as elements and wires.
 
 use crate::archive::Object;
+use ladder_notation::xml::Xml;
 use ladder_notation::{LineColumn, Report};
 use ladder_notation_plcopen::graph::{Edge, End, Graph, Kind, Modifier, Node, Output, Pin, Storage};
-use ladder_notation_plcopen::xml::Xml;
 use std::collections::HashMap;
 
 /// What operands and boxes are apart from what they name: these bits of their flags.

@@ -2,10 +2,10 @@
 
 use crate::archive::Object;
 use crate::network;
+use ladder_notation::xml::{Element, Xml};
 use ladder_notation::{LineColumn, ReadError};
 use ladder_notation_plcopen::declarations;
 use ladder_notation_plcopen::model::{Body, Evaluation, Project};
-use ladder_notation_plcopen::xml::{Element, Xml};
 use roxmltree::Node;
 
 /// The project that a file is: one unit.

@@ -161,20 +161,7 @@ impl Compiler<'_> {
     }
 
     fn binary(&mut self, operator: BinaryOperator, ty: Scalar, a: &Expr, b: &Expr) -> Result<Slot> {
-        let op = match operator {
-            BinaryOperator::Or => Op::Or,
-            BinaryOperator::Xor => Op::Xor,
-            BinaryOperator::And => Op::And,
-            BinaryOperator::Shl => Op::Shl,
-            BinaryOperator::Shr => Op::Shr,
-            BinaryOperator::Add => Op::Add,
-            BinaryOperator::Sub => Op::Sub,
-            BinaryOperator::Mul => Op::Mul,
-            BinaryOperator::Div => Op::Div,
-            BinaryOperator::Mod => Op::Mod,
-            BinaryOperator::Power => Op::Exp,
-        };
-        match self.function(op, ty, &[a, b])? {
+        match self.function(operator.op(), ty, &[a, b])? {
             Some(value) => Ok(value),
             None => Err(self.unknown_expression()),
         }

@@ -2,7 +2,7 @@
 
 use super::Simulation;
 use crate::tags::Point;
-use ladder_analysis::program::{BinaryOperator, Chosen, Expr, ExprKind, Member, Place, TagId};
+use ladder_analysis::program::{BinaryOperator, Chosen, Expr, ExprKind, Place, TagId};
 use ladder_analysis::values::value::Value;
 
 impl Simulation {
@@ -39,18 +39,14 @@ pub(crate) fn name(simulation: &Simulation, place: &Place) -> Option<String> {
     let tag = |tag: &TagId| simulation.program().tags[tag.0 as usize].name.clone();
     Some(match place {
         Place::Tag(it) => tag(it),
-        Place::Member(it, member) => format!("{}.{}", tag(it), member_name(*member)),
+        Place::Member(it, member) => format!("{}.{}", tag(it), member.name()),
         Place::Element(it, index) => {
             let index = number(simulation, index)?;
             simulation.program().tags[it.0 as usize].element_name(index)
         }
         Place::Chosen(chosen) => tag(&chosen_tag(simulation, chosen)?),
         Place::ChosenMember(chosen, member) => {
-            format!(
-                "{}.{}",
-                tag(&chosen_tag(simulation, chosen)?),
-                member_name(*member)
-            )
+            format!("{}.{}", tag(&chosen_tag(simulation, chosen)?), member.name())
         }
         Place::Bit(word, _, bit) => format!("{}.{bit}", name(simulation, word)?),
         Place::As(inner, ..) => name(simulation, inner)?,
@@ -98,25 +94,5 @@ pub(crate) fn number(simulation: &Simulation, index: &Expr) -> Option<i64> {
     match value {
         Value::Int(number) => Some(number),
         _ => None,
-    }
-}
-
-const fn member_name(member: Member) -> &'static str {
-    match member {
-        Member::In => "IN",
-        Member::Pt => "PT",
-        Member::Q => "Q",
-        Member::Et => "ET",
-        Member::Cu => "CU",
-        Member::Cd => "CD",
-        Member::R => "R",
-        Member::Ld => "LD",
-        Member::Pv => "PV",
-        Member::Cv => "CV",
-        Member::Qu => "QU",
-        Member::Qd => "QD",
-        Member::Q1 => "Q1",
-        Member::Changed => "CC",
-        Member::Timing => "TT",
     }
 }

@@ -100,8 +100,6 @@ fn may_use(name: &str, used: &str) -> bool {
         "notation-c" if used == "simulator" => true,
         // The same networks in other files.
         "notation-openplc" | "notation-twincat" if used == "notation-plcopen" => true,
-        // XML within bounds is read in one way.
-        "notation-simatic" if used == "notation-plcopen" => true,
         _ if name.starts_with("notation-") => LANGUAGE.contains(&used) || used == "notation",
         _ => {
             let (_, own) = RULES.iter().find(|(other, _)| *other == name).expect(name);

@@ -4,7 +4,7 @@ mod arithmetic;
 mod flow;
 mod states;
 
-use crate::pieces;
+use crate::pieces::PIECES;
 use ladder_analysis::program::Location;
 use ladder_analysis::values::compound::EnumId;
 use ladder_simulator::compiled::{Bit, CALL_DEPTH, Code, Compiled, Instr, Routine, TYPES, Test, Width, Word};
@@ -575,7 +575,7 @@ impl Emitter<'_> {
             return;
         }
         let name = format!("{routine:?}");
-        let known = pieces::named(&name).filter(|_| !Self::needs_more(routine, pool));
+        let known = PIECES.named(&name).filter(|_| !Self::needs_more(routine, pool));
         let Some(piece) = known else {
             self.body.missing.push((at, name));
             return;

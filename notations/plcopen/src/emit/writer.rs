@@ -1,5 +1,7 @@
 //! XML as text: elements with their attributes, indented.
 
+use ladder_notation::xml::escape;
+
 /// A document on its way.
 #[derive(Debug, Default)]
 pub(super) struct Xml {
@@ -66,21 +68,5 @@ impl Xml {
         self.out.push_str("</");
         self.out.push_str(name);
         self.out.push_str(">\n");
-    }
-}
-
-/// What stands in a text or an attribute. What XML cannot hold at all is left out.
-fn escape(out: &mut String, text: &str) {
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\n' | '\t' => out.push(c),
-            '\r' => out.push_str("&#13;"),
-            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => out.push(' '),
-            c => out.push(c),
-        }
     }
 }

@@ -3,8 +3,8 @@
 use super::Reader;
 use crate::graph::{Edge, End, Graph, Kind, Modifier, Node as Drawn, Output, Pin, Storage};
 use crate::model::{Body, Part};
-use crate::xml::Element;
 use ladder_notation::LineColumn;
+use ladder_notation::xml::Element;
 use roxmltree::Node;
 use std::collections::HashMap;
 
@@ -96,6 +96,32 @@ impl<'x> Reader<'x, '_> {
         said
     }
 
+    /// Joins continuations to the connectors of their names; `why` is what is wrong where there is none.
+    pub(super) fn continued(
+        &mut self,
+        graph: &mut Graph,
+        connectors: &HashMap<String, usize>,
+        continuations: Vec<(usize, String)>,
+        why: &str,
+    ) {
+        for (node, name) in continuations {
+            match connectors.get(&name) {
+                Some(connector) => graph.nodes[node].inputs.push(Pin {
+                    from: vec![End {
+                        node: *connector,
+                        output: 0,
+                    }],
+                    ..Pin::default()
+                }),
+                None => {
+                    let place = graph.nodes[node].place;
+                    let shown = format!("continuation {name}");
+                    self.project.report.refused(place, shown, why);
+                }
+            }
+        }
+    }
+
     fn graph(&mut self, elements: impl Iterator<Item = Node<'x, 'x>>) -> Graph {
         let mut reading = Reading::default();
         for node in elements {
@@ -108,24 +134,12 @@ impl<'x> Reader<'x, '_> {
             connectors,
             continuations,
         } = reading;
-        for (node, name) in continuations {
-            let place = graph.nodes[node].place;
-            match connectors.get(&name) {
-                Some(connector) => graph.nodes[node].inputs.push(Pin {
-                    from: vec![End {
-                        node: *connector,
-                        output: 0,
-                    }],
-                    ..Pin::default()
-                }),
-                None => {
-                    let why = "no connector has this name";
-                    self.project
-                        .report
-                        .refused(place, format!("continuation {name}"), why);
-                }
-            }
-        }
+        self.continued(
+            &mut graph,
+            &connectors,
+            continuations,
+            "no connector has this name",
+        );
         for connection in connections {
             let Some(&node) = by_id.get(&connection.to) else {
                 let shown = format!("connection to {}", connection.to);

@@ -2,8 +2,8 @@
 
 use super::Reader;
 use crate::model::{Initial, Role, Type, TypeDeclaration, Variable};
-use crate::xml::Element;
 use ladder_format::program::Qualifier;
+use ladder_notation::xml::Element;
 use roxmltree::Node;
 
 /// Types and values nest no deeper.

@@ -5,8 +5,8 @@ mod interface;
 mod ten;
 
 use super::model::{Body, Evaluation, Part, Project, Role, Task, Unit, UnitKind};
-use super::xml::{Element, Xml};
 use ladder_notation::ReadError;
+use ladder_notation::xml::{Element, Xml};
 use roxmltree::Node;
 
 /// How a namespace of PLCopen begins, and the one of IEC 61131-10.
@@ -160,7 +160,7 @@ impl<'x> Reader<'x, '_> {
         let returns = returns.and_then(|node| node.elements().next());
         let returns = returns.map(|node| self.ty(node, 0));
         let mut variables = Vec::new();
-        for list in interface.iter().flat_map(super::xml::Element::elements) {
+        for list in interface.iter().flat_map(ladder_notation::xml::Element::elements) {
             if let Some(role) = role(list) {
                 variables.extend(self.variable_list(list, role, 0));
             }

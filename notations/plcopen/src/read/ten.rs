@@ -6,9 +6,9 @@ use super::body::storage;
 use super::interface::{comment, initial};
 use crate::graph::{Edge, End, Graph, Kind, Modifier, Node as Drawn, Output, Pin};
 use crate::model::{Body, Evaluation, Role, Task, Type, TypeDeclaration, Unit, UnitKind, Variable};
-use crate::xml::Element;
 use ladder_format::program::Qualifier;
 use ladder_notation::LineColumn;
+use ladder_notation::xml::Element;
 use roxmltree::Node;
 use std::collections::HashMap;
 
@@ -346,24 +346,8 @@ impl<'x> Reader<'x, '_> {
                 }
             }
         }
-        for (node, name) in continuations {
-            match connectors.get(&name) {
-                Some(connector) => graph.nodes[node].inputs.push(Pin {
-                    from: vec![End {
-                        node: *connector,
-                        output: 0,
-                    }],
-                    ..Pin::default()
-                }),
-                None => {
-                    let place = graph.nodes[node].place;
-                    let why = "no connector of the rung has this name";
-                    self.project
-                        .report
-                        .refused(place, format!("continuation {name}"), why);
-                }
-            }
-        }
+        let why = "no connector of the rung has this name";
+        self.continued(graph, &connectors, continuations, why);
         bottom + 100.0
     }
 

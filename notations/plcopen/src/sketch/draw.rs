@@ -7,7 +7,7 @@ use crate::graph::{Edge, End, Kind, Modifier};
 use crate::standard::StandardBlock;
 use ladder_format::Circuit;
 use ladder_format::program::Element;
-use ladder_notation::circuit::Wires;
+use ladder_notation::circuit::{Wires, in_order};
 use std::collections::{HashMap, HashSet};
 
 /// What a network is for.
@@ -123,30 +123,9 @@ impl Drawn {
         for (from, to, elements) in wires {
             all.add(from, to, elements);
         }
-        let circuit = all.into_circuit().filter(|circuit| in_order(circuit, &mut None));
-        Ok(circuit.map(|circuit| done(Some(with_elements(circuit, &elements)))))
-    }
-}
-
-/// Whether the elements are in their order when they are read from left to right and top to bottom.
-fn in_order(circuit: &Circuit<usize>, last: &mut Option<usize>) -> bool {
-    match circuit {
-        Circuit::Element(element) => last.replace(*element) < Some(*element),
-        Circuit::Series(parts) | Circuit::Parallel(parts) => parts.iter().all(|part| in_order(part, last)),
-    }
-}
-
-fn with_elements(circuit: Circuit<usize>, elements: &[Element]) -> Circuit<Element> {
-    let all = |parts: Vec<Circuit<usize>>| {
-        parts
-            .into_iter()
-            .map(|part| with_elements(part, elements))
-            .collect()
-    };
-    match circuit {
-        Circuit::Element(element) => Circuit::Element(elements[element].clone()),
-        Circuit::Series(parts) => Circuit::Series(all(parts)),
-        Circuit::Parallel(branches) => Circuit::Parallel(all(branches)),
+        let circuit = all.into_circuit().filter(in_order);
+        let element = |number: usize| Circuit::Element(elements[number].clone());
+        Ok(circuit.map(|circuit| done(Some(circuit.replaced(&element)))))
     }
 }
 

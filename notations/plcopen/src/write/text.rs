@@ -274,7 +274,7 @@ impl Words<'_> {
                     Member::Changed | Member::Timing => {
                         return Err(format!("timers and counters there have no `{}`", word.text));
                     }
-                    other => member_name(*other),
+                    other => other.name(),
                 };
                 Ok(format!("{}.{name}", self.node(base)?))
             }
@@ -295,26 +295,6 @@ fn indices_of(node: &Node) -> (&Node, Vec<(&Node, &Node)>) {
     }
     indices.reverse();
     (base, indices)
-}
-
-fn member_name(member: Member) -> &'static str {
-    match member {
-        Member::In => "IN",
-        Member::Pt => "PT",
-        Member::Q => "Q",
-        Member::Et => "ET",
-        Member::Cu => "CU",
-        Member::Cd => "CD",
-        Member::R => "R",
-        Member::Ld => "LD",
-        Member::Pv => "PV",
-        Member::Cv => "CV",
-        Member::Qu => "QU",
-        Member::Qd => "QD",
-        Member::Q1 => "Q1",
-        Member::Changed => "CC",
-        Member::Timing => "TT",
-    }
 }
 
 /// A member; a bit is its number.

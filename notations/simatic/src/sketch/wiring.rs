@@ -5,7 +5,7 @@ use super::rungs;
 use crate::model::RAIL;
 use ladder_format::Circuit;
 use ladder_format::program::{Drawing, Element};
-use ladder_notation::circuit::Wires;
+use ladder_notation::circuit::{Wires, in_order};
 
 /// A network with more is drawn in pieces: what draws it nests as deep as its branches do.
 const MOST_STRANDS: usize = 400;
@@ -196,28 +196,5 @@ fn in_series_and_parallel(strands: &[Strand], order: &[usize], points: usize) ->
         wires.add(place(strand.from), to, (first..elements.len()).collect());
     }
     let circuit = wires.into_circuit()?;
-    let mut last = None;
-    in_order(&circuit, &mut last).then(|| with_elements(circuit, &elements))
-}
-
-/// Whether the elements are in their order when they are read from left to right and top to bottom.
-fn in_order(circuit: &Circuit<usize>, last: &mut Option<usize>) -> bool {
-    match circuit {
-        Circuit::Element(element) => last.replace(*element) < Some(*element),
-        Circuit::Series(parts) | Circuit::Parallel(parts) => parts.iter().all(|part| in_order(part, last)),
-    }
-}
-
-fn with_elements(circuit: Circuit<usize>, elements: &[&Element]) -> Circuit<Element> {
-    let all = |parts: Vec<Circuit<usize>>| {
-        parts
-            .into_iter()
-            .map(|part| with_elements(part, elements))
-            .collect()
-    };
-    match circuit {
-        Circuit::Element(element) => Circuit::Element(elements[element].clone()),
-        Circuit::Series(parts) => Circuit::Series(all(parts)),
-        Circuit::Parallel(branches) => Circuit::Parallel(all(branches)),
-    }
+    in_order(&circuit).then(|| circuit.replaced(&|number| Circuit::Element(elements[number].clone())))
 }

@@ -1,6 +1,6 @@
 //! What is read and written in a network, as source documents write it.
 
-use ladder_notation_plcopen::xml::Element;
+use ladder_notation::xml::Element;
 use roxmltree::Node;
 
 /// Indices nest no deeper.

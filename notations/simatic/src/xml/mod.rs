@@ -6,8 +6,8 @@ mod network;
 use crate::cursor::{Cursor, Result};
 use crate::model::{Kind, Role, Type, Unit, Variable};
 use crate::read::type_of;
+use ladder_notation::xml::{Element, Xml};
 use ladder_notation::{Lines, ReadError};
-use ladder_notation_plcopen::xml::{Element, Xml};
 use roxmltree::Node;
 
 /// Structures nest no deeper.

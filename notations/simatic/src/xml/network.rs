@@ -6,7 +6,7 @@ use crate::model::{
 };
 use crate::standard::{of_xml, power_pins};
 use ladder_notation::LineColumn;
-use ladder_notation_plcopen::xml::{Element, Xml};
+use ladder_notation::xml::{Element, Xml};
 use roxmltree::Node;
 use std::collections::HashMap;
 

@@ -95,33 +95,30 @@ impl Project<'_> {
 
     fn number_of(&self, id: EnumId) -> String {
         let name = self.scalar_name(Scalar::Enum(id));
-        let mut out = format!("FUNCTION {name}_NUMBER : DINT\nVAR_INPUT\n    X : {name};\nEND_VAR\n");
-        for (n, (_, number)) in id.get().values.iter().enumerate() {
-            let value = self
-                .value_name(id, i64::from(*number))
-                .cloned()
-                .unwrap_or_default();
-            let word = if n == 0 { "IF" } else { "ELSIF" };
-            out.push_str(&format!(
-                "    {word} X = {value} THEN\n        {name}_NUMBER := {number};\n"
-            ));
-        }
-        out.push_str("    END_IF;\nEND_FUNCTION\n\n");
-        out
+        let head = format!("FUNCTION {name}_NUMBER : DINT\nVAR_INPUT\n    X : {name};\nEND_VAR\n");
+        let line = |value: &str, number| format!("X = {value} THEN\n        {name}_NUMBER := {number}");
+        self.function_of_enumeration(id, head, line)
     }
 
     fn value_of(&self, id: EnumId) -> String {
         let name = self.scalar_name(Scalar::Enum(id));
-        let mut out = format!("FUNCTION {name}_VALUE : {name}\nVAR_INPUT\n    X : LINT;\nEND_VAR\n");
+        let head = format!("FUNCTION {name}_VALUE : {name}\nVAR_INPUT\n    X : LINT;\nEND_VAR\n");
+        let line = |value: &str, number| format!("X = {number} THEN\n        {name}_VALUE := {value}");
+        self.function_of_enumeration(id, head, line)
+    }
+
+    /// A function that finds out which value it is; `case` is a condition, and what it has for a result.
+    fn function_of_enumeration(
+        &self,
+        id: EnumId,
+        mut out: String,
+        case: impl Fn(&str, i32) -> String,
+    ) -> String {
         for (n, (_, number)) in id.get().values.iter().enumerate() {
-            let value = self
-                .value_name(id, i64::from(*number))
-                .cloned()
-                .unwrap_or_default();
+            let value = self.value_name(id, i64::from(*number));
             let word = if n == 0 { "IF" } else { "ELSIF" };
-            out.push_str(&format!(
-                "    {word} X = {number} THEN\n        {name}_VALUE := {value};\n"
-            ));
+            let case = case(value.map_or("", String::as_str), *number);
+            out.push_str(&format!("    {word} {case};\n"));
         }
         out.push_str("    END_IF;\nEND_FUNCTION\n\n");
         out

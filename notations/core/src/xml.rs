@@ -1,6 +1,6 @@
 //! XML within bounds: no document types, so no entities; not too many nodes.
 
-use ladder_notation::{LineColumn, Lines, ReadError};
+use crate::{LineColumn, Lines, ReadError};
 use roxmltree::{Document, Error, Node, ParsingOptions};
 
 /// A file with more elements, texts and attributes is not read.
@@ -103,5 +103,21 @@ impl<'a, 't: 'a> Element<'a, 't> for Node<'a, 't> {
 
     fn flag(&self, name: &str) -> bool {
         matches!(self.attribute(name), Some("true" | "1"))
+    }
+}
+
+/// Appends what stands for a text in a text or an attribute. What XML cannot hold at all is left out.
+pub fn escape(out: &mut String, text: &str) {
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\n' | '\t' => out.push(c),
+            '\r' => out.push_str("&#13;"),
+            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => out.push(' '),
+            c => out.push(c),
+        }
     }
 }
