@@ -28,6 +28,18 @@ impl From<Outcome> for ExitCode {
     }
 }
 
+/// Says which files cannot be read; the others go on.
+pub(crate) fn unreadable(errors: &[FileError]) -> Outcome {
+    for error in errors {
+        terminal::error(error);
+    }
+    if errors.is_empty() {
+        Outcome::Fine
+    } else {
+        Outcome::Failed
+    }
+}
+
 /// Says what went wrong, if anything did, and gives the exit status.
 pub(crate) fn exit(result: Result<Outcome, Failure>) -> ExitCode {
     match result {

@@ -18,7 +18,7 @@ use std::time::{Duration, Instant};
 pub struct Options {
     /// For all properties of a file.
     pub time: Duration,
-    /// How many scans from the cold start are looked at.
+    /// How many scans from the cold start are searched.
     pub scans: usize,
 }
 
@@ -225,7 +225,7 @@ fn note_untriggered(model: &Model, answers: &mut [Answer], end: Instant) {
     }
 }
 
-/// The timers on which a literal depends and that take longer than was looked at.
+/// The timers on which a literal depends and that take longer than was searched.
 fn long_timers(
     simulation: &Simulation,
     model: &Model,

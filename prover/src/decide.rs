@@ -171,7 +171,7 @@ fn induce(
             loop {
                 match step.ask(&question, STEP_CONFLICTS) {
                     Found::No => break,
-                    // A run that comes back to where it was is none that must be looked at.
+                    // A run that comes back to where it was need not be followed.
                     Found::Yes if repeats < MOST_REPEATS && forbid_repeat(step, states, scan) => repeats += 1,
                     _ => {
                         open.retain(|other| *other != n);

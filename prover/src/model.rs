@@ -139,7 +139,7 @@ impl<'w, 'c> Builder<'w, 'c> {
         let mut assumed: Vec<Lit> = Vec::new();
         for assumption in &watched.assumptions {
             let holds = self.holds(assumption);
-            // After the end nothing is looked at.
+            // Nothing is checked after the end.
             assumed.push(self.world.graph.or(holds, self.is_over));
         }
         let mut properties = Vec::new();

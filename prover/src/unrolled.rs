@@ -108,7 +108,7 @@ impl<'m> Unrolled<'m> {
         })
     }
 
-    /// Adds a scan of which only what it begins with is looked at.
+    /// Adds a scan of which only what it begins with is used.
     pub(crate) fn add_next(&mut self) {
         self.scans.push(FxHashMap::default());
     }

@@ -17,14 +17,7 @@ impl Scan<'_, '_> {
         [to, a, b]: [Word; 3],
         when: Option<[Bit; 2]>,
     ) {
-        let power = match when {
-            Some([out, en]) => {
-                let power = self.bit(en);
-                self.write_bit(out, power);
-                power
-            }
-            None => Lit::TRUE,
-        };
+        let power = self.passed(when);
         let (a, b) = (self.word(a), self.word(b));
         let (value, fault) = self.integer_value(at, op, width, &a, &b);
         let fault = self.world.graph.and(power, fault);

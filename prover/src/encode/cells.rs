@@ -35,7 +35,7 @@ pub(crate) struct Cells {
 }
 
 impl Cells {
-    /// What is known of a program's cells; those of `seen` are looked at from outside.
+    /// What is known of a program's cells; those of `seen` are read from outside.
     pub(crate) fn of(program: &Program, compiled: &Compiled, seen: &[PointSlot]) -> Cells {
         let mut cells = Cells::default();
         let mut tag_bits = FxHashSet::default();

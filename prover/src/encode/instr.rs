@@ -19,6 +19,16 @@ impl Scan<'_, '_> {
     }
 
     /// Writes a bit where execution is.
+    /// The power of a block that passes it on, from the second of these cells to the first; of one without it is always there.
+    pub(super) fn passed(&mut self, when: Option<[Bit; 2]>) -> Lit {
+        let Some([out, en]) = when else {
+            return Lit::TRUE;
+        };
+        let power = self.bit(en);
+        self.write_bit(out, power);
+        power
+    }
+
     pub(super) fn write_bit(&mut self, to: Bit, value: Lit) {
         if to == Bit::LOW || to == Bit::HIGH {
             return;

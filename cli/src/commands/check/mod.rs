@@ -9,7 +9,7 @@ mod watch;
 use super::test;
 use crate::findings::{Problem, Source, Workspaces};
 use crate::form::{self, Form};
-use crate::outcome::{Failure, Outcome};
+use crate::outcome::{Failure, Outcome, unreadable};
 use crate::terminal;
 use annotate_snippets::Renderer;
 use clap::{Args, ValueEnum};
@@ -172,14 +172,7 @@ fn check_files(arguments: &Arguments) -> Result<Round, Failure> {
     if arguments.force_exclude {
         files.retain(|file| !ladder_workspace::is_excluded(file));
     }
-    for error in &errors {
-        terminal::error(error);
-    }
-    let mut outcome = if errors.is_empty() {
-        Outcome::Fine
-    } else {
-        Outcome::Failed
-    };
+    let mut outcome = unreadable(&errors);
     let mut report = Report::new(arguments.format, arguments.statistics, Target::Stdout);
     let renderer = report.renderer().clone();
     let mut workspaces = Workspaces::default();

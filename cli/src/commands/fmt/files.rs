@@ -2,7 +2,7 @@
 
 use super::{Arguments, Task, diff, layout, would_change};
 use crate::form::{self, Form};
-use crate::outcome::{Failure, Outcome};
+use crate::outcome::{Failure, Outcome, unreadable};
 use crate::settings::SettingsFiles;
 use crate::terminal::{self, Stdout};
 use ladder_format::Options;
@@ -18,14 +18,7 @@ pub(super) fn format(arguments: &Arguments) -> Result<Outcome, Failure> {
     if arguments.range.is_some() && files.len() > 1 {
         return Err(Failure::new("--range needs exactly one file"));
     }
-    for error in &errors {
-        terminal::error(error);
-    }
-    let mut outcome = if errors.is_empty() {
-        Outcome::Fine
-    } else {
-        Outcome::Failed
-    };
+    let mut outcome = unreadable(&errors);
     let mut out = Stdout::new();
     let jobs = with_options(files, config.as_ref());
     // In batches, so that what a run has to say about a great many files need not wait in memory.

@@ -40,7 +40,7 @@ struct Property<'a> {
     /// In which scan, from 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     scan: Option<usize>,
-    /// How many scans were looked at, where it is not decided.
+    /// How many scans were searched, where it is not decided.
     #[serde(skip_serializing_if = "Option::is_none")]
     scans: Option<usize>,
     never_triggered: bool,

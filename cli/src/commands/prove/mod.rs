@@ -5,7 +5,7 @@ mod json;
 mod people;
 
 use crate::findings::Workspaces;
-use crate::outcome::{Failure, Outcome};
+use crate::outcome::{Failure, Outcome, unreadable};
 use crate::output::{Existing, may_write};
 use crate::terminal::{self, Stdout, stdout_has_colours};
 use annotate_snippets::Renderer;
@@ -98,14 +98,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         )));
     }
     let (files, errors) = ladder_workspace::find_scenarios(&arguments.paths);
-    for error in &errors {
-        terminal::error(error);
-    }
-    let mut outcome = if errors.is_empty() {
-        Outcome::Fine
-    } else {
-        Outcome::Failed
-    };
+    let mut outcome = unreadable(&errors);
     if let Some(file) = &arguments.write {
         if file == Path::new("-") {
             return Err(Failure::new("--write needs a file: stdout has the answers"));

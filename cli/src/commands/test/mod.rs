@@ -11,7 +11,7 @@ mod suite;
 mod watch;
 
 use crate::findings::{Problem, Source};
-use crate::outcome::{Failure, Outcome};
+use crate::outcome::{Failure, Outcome, unreadable};
 use crate::output::{Existing, may_write};
 use crate::terminal::{self, Stdout, stdout_has_colours};
 use annotate_snippets::Renderer;
@@ -149,14 +149,7 @@ fn run_files(arguments: &Arguments) -> Result<Round, Failure> {
         ));
     }
     let (files, errors) = ladder_workspace::find_scenarios(&arguments.paths);
-    for error in &errors {
-        terminal::error(error);
-    }
-    let mut outcome = if errors.is_empty() {
-        Outcome::Fine
-    } else {
-        Outcome::Failed
-    };
+    let mut outcome = unreadable(&errors);
     if let Some(file) = &arguments.coverage_output {
         may_write(file, Existing::by(arguments.force))?;
     }
