@@ -6,14 +6,7 @@ local M = {}
 --- @param source integer the buffer of the program
 --- @param lines string[]
 local function show(source, lines)
-  local old = vim.fn.bufnr(('^ladder://diff/%d$'):format(source))
-  if old > 0 then
-    vim.api.nvim_buf_delete(old, { force = true })
-  end
-  local bufnr = side_buffer.create('diff', source)
-  vim.bo[bufnr].modifiable = true
-  vim.api.nvim_buf_set_lines(bufnr, 0, -1, false, lines)
-  vim.bo[bufnr].modifiable = false
+  local bufnr = side_buffer.with_lines('diff', source, lines)
   -- Its signs are those of any difference.
   vim.bo[bufnr].syntax = 'diff'
   side_buffer.map(bufnr, {

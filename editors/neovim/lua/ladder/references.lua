@@ -61,14 +61,8 @@ function M.open(source)
       return vim.notify('ladder: ' .. failed.message, vim.log.levels.ERROR)
     end
     local lines, places = M.lines(answer)
-    local old = vim.fn.bufnr(('^ladder://references/%d$'):format(source))
-    if old > 0 then
-      vim.api.nvim_buf_delete(old, { force = true })
-    end
-    local bufnr = side_buffer.create('references', source)
-    vim.bo[bufnr].modifiable = true
-    vim.api.nvim_buf_set_lines(bufnr, 0, -1, false, #lines > 0 and lines or { 'The program has no tags.' })
-    vim.bo[bufnr].modifiable = false
+    local shown = #lines > 0 and lines or { 'The program has no tags.' }
+    local bufnr = side_buffer.with_lines('references', source, shown)
     for index, line in ipairs(lines) do
       local tag = line:match('^%S+')
       local from, to = line:find('^    %S+ ?%a* ?%a*')

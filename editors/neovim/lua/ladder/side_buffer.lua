@@ -15,6 +15,23 @@ function M.create(kind, source)
   return bufnr
 end
 
+--- A buffer with these lines, in the place of the last one of its kind for this program.
+--- @param kind string what it shows, in one word
+--- @param source integer the buffer of the program
+--- @param lines string[]
+--- @return integer
+function M.with_lines(kind, source, lines)
+  local old = vim.fn.bufnr(('^ladder://%s/%d$'):format(kind, source))
+  if old > 0 then
+    vim.api.nvim_buf_delete(old, { force = true })
+  end
+  local bufnr = M.create(kind, source)
+  vim.bo[bufnr].modifiable = true
+  vim.api.nvim_buf_set_lines(bufnr, 0, -1, false, lines)
+  vim.bo[bufnr].modifiable = false
+  return bufnr
+end
+
 --- @param bufnr integer
 --- @param actions table<string, function> by their keys
 function M.map(bufnr, actions)
