@@ -20,18 +20,23 @@ impl Writer<'_> {
     ///
     /// # Errors
     ///
-    /// If it is a tag of the program.
-    pub(super) fn visible(&self, name: &str) -> super::Result<()> {
-        let Some(body) = self.body else { return Ok(()) };
+    /// If it is a tag of the program, or one that cannot be declared there.
+    pub(super) fn visible(&mut self, name: &str) -> super::Result<()> {
         let scopes = &self.analysis.context.scopes;
-        let scope = scopes.iter().find(|scope| scope.block == Some(body));
+        let scope = scopes.iter().find(|scope| scope.block == self.body);
         let tag = scope.and_then(|scope| scope.tags.get(scope.find(&Name::new(name))?));
-        match tag {
-            Some(tag) if !tag.is_alias() && tag.origin != Origin::Shared => Ok(()),
-            Some(_) => Err(format!(
-                "an Add-On Instruction does not see the tag `{name}` of the program"
-            )),
-            None => Ok(()),
+        let Some(tag) = tag else { return Ok(()) };
+        if tag.is_alias() || tag.origin == Origin::Shared {
+            return match self.body {
+                Some(_) => Err(format!(
+                    "an Add-On Instruction does not see the tag `{name}` of the program"
+                )),
+                None => Ok(()),
+            };
+        }
+        match tag.ty.map(|ty| self.ty(ty)) {
+            Some(Err(why)) => Err(format!("`{name}` cannot be declared: {why}")),
+            _ => Ok(()),
         }
     }
 

@@ -54,7 +54,7 @@ pub(super) fn number_of(value: Option<&Value>, scalar: Option<Scalar>) -> Result
 
 /// A type there: its name, and the size of each dimension.
 #[derive(Debug, Clone)]
-struct There {
+pub(super) struct There {
     name: String,
     dimensions: Vec<u32>,
 }
@@ -149,7 +149,7 @@ impl Writer<'_> {
         })
     }
 
-    fn ty(&mut self, ty: Type) -> Result<There> {
+    pub(super) fn ty(&mut self, ty: Type) -> Result<There> {
         let scalar = |name: String| There {
             name,
             dimensions: Vec::new(),

@@ -299,3 +299,16 @@ fn the_library_keeps_its_own_arithmetic() {
         .message;
     expect!["2:4: `$Hysteresis` of the library counts and times as IEC 61131-3 says, and this program as logix does: draw what it does on rungs of the program"].assert_eq(&why);
 }
+
+#[test]
+fn rungs_of_a_tag_that_cannot_be_declared_are_refused_with_it() {
+    check(
+        "TYPE Row : ARRAY[0..2] OF INT; END_TYPE\nVAR rows : ARRAY[0..1] OF Row; n : INT; END_VAR\n\
+         +--[MOV]( n, rows[1, 2] )--+\n+--[MOV]( n, 1 )--+\n",
+        expect![[r#"
+            NOP();
+            MOV(1,n);
+            2:5 tag rows: Refused("an array of arrays has no counterpart there")
+            3:1 network: Refused("`[MOV]( n, rows[1, 2] )`: `rows` cannot be declared: an array of arrays has no counterpart there")"#]],
+    );
+}
