@@ -4,59 +4,69 @@
 use crate::replay::Shown;
 use ladder_analysis::values::types::Scalar;
 use ladder_analysis::values::value::Value;
-use ladder_simulator::{Point, scenario, value_text};
-use std::fmt::Write;
+use ladder_simulator::scenario::{self, RunCell, RunRow, run_text};
+use ladder_simulator::{Point, value_text};
 
-/// A scenario of this name, one column a scan.
-pub fn scenario_of(name: &str, shown: &Shown, is_about_faults: bool) -> String {
+/// A scenario of this name. `interval` is the time from scan to scan, in nanoseconds.
+pub fn scenario_of(name: &str, shown: &Shown, interval: i64, is_about_faults: bool) -> String {
     let name: String = name.chars().filter(|c| *c != '"' && !c.is_control()).collect();
-    let mut text = format!("scenario \"{name}\"\n");
-    // SYS.FAULT shows the fault one scan later.
-    let later = usize::from(is_about_faults);
-    let mut rows = 0;
-    for (point, values) in &shown.given {
-        let last = values.last().cloned();
-        let values: Vec<Value> = values
-            .iter()
-            .cloned()
-            .chain(last.into_iter().take(later))
-            .collect();
-        row(&mut text, point, "", &values);
-    }
+    let mut rows: Vec<RunRow> = shown
+        .given
+        .iter()
+        .map(|(point, values)| row(point, values, false))
+        .collect();
     if is_about_faults {
-        let before = ".".repeat(shown.scans());
-        let _ = writeln!(text, "SYS.FAULT => {before}-");
-        return text;
-    }
-    for (point, values) in &shown.seen {
-        row(&mut text, point, "=> ", values);
-        rows += 1;
-    }
-    if rows == 0 {
-        // A scenario expects something.
-        match shown.given.first() {
-            Some((point, values)) => row(&mut text, point, "=> ", values),
-            None => {
-                let _ = writeln!(text, "SYS.ON => {}", "-".repeat(shown.scans()));
-            }
+        for row in &mut rows {
+            row.cells.extend(row.cells.last().cloned());
+        }
+        // It shows the fault one scan later.
+        let mut cells = vec![RunCell::Nothing; shown.scans()];
+        cells.push(RunCell::New("TRUE".to_owned()));
+        rows.push(level_expected("SYS.FAULT", cells));
+    } else {
+        let seen = shown.seen.iter().map(|(point, values)| row(point, values, true));
+        rows.extend(seen);
+        if shown.seen.is_empty() {
+            // A scenario expects something.
+            rows.push(match shown.given.first() {
+                Some((point, values)) => row(point, values, true),
+                None => level_expected("SYS.ON", vec![RunCell::New("TRUE".to_owned()); shown.scans()]),
+            });
         }
     }
-    text
+    run_text(rows, interval, &name)
 }
 
-fn row(text: &mut String, point: &Point, arrow: &str, values: &[Value]) {
-    let cells: Vec<String> = values
-        .iter()
-        .map(|value| match value {
-            Value::Bool(high) => String::from(if *high { "-" } else { "_" }),
-            value => value_text::display(value, point.ty),
-        })
-        .collect();
-    let between = if point.ty == Scalar::Bool { "" } else { " " };
-    let _ = writeln!(text, "{} {arrow}{}", point.name, cells.join(between));
+fn level_expected(tag: &str, cells: Vec<RunCell>) -> RunRow {
+    RunRow {
+        name: tag.to_owned(),
+        is_expected: true,
+        is_level: true,
+        goes_on: true,
+        cells,
+    }
 }
 
-/// A scenario file of these scenarios, in its layout.
+fn row(point: &Point, values: &[Value], is_expected: bool) -> RunRow {
+    let cell = |(scan, value): (usize, &Value)| {
+        let text = value_text::display(value, point.ty);
+        let is_still = scan > 0 && values[scan - 1] == *value;
+        if is_still {
+            RunCell::Still(text)
+        } else {
+            RunCell::New(text)
+        }
+    };
+    RunRow {
+        name: point.name.clone(),
+        is_expected,
+        is_level: point.ty == Scalar::Bool,
+        goes_on: true,
+        cells: values.iter().enumerate().map(cell).collect(),
+    }
+}
+
+/// A scenario file of these scenarios, in its layout. `interval` is in nanoseconds.
 pub fn scenario_file(program: &str, interval: i64, scenarios: &[String]) -> String {
     let mut text = format!("program {program}\ninterval {}\n", value_text::duration(interval));
     for scenario in scenarios {

@@ -76,7 +76,7 @@ fn json_has_the_same() {
         expect![[r#"
             exit status 1
             -- stdout
-            {"files":[{"file":"motor.ladder-test","program":"motor.clad","seconds":T,"interval_ns":100000000,"mistakes":[],"properties":[{"name":"stop wins","line":4,"column":10,"verdict":"proved","times":"any","never_triggered":false,"open":[]},{"name":"ready comes at once","line":7,"column":10,"verdict":"violated","scan":10,"never_triggered":false,"open":[],"trace":[{"tag":"start","given":true,"values":["TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE"]},{"tag":"stop","given":true,"values":["FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE"]},{"tag":"run","given":false,"values":["TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE"]},{"tag":"ready","given":false,"values":["FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE"]}],"scenario":"scenario \"ready comes at once is violated\"\nstart -----------\nstop ___________\nrun => -----------\nready => ___________\n"},{"name":"possible ready","line":10,"column":1,"verdict":"possible","scan":20,"never_triggered":false,"open":[],"trace":[{"tag":"start","given":true,"values":["TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE"]},{"tag":"stop","given":true,"values":["FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE"]},{"tag":"ready","given":false,"values":["FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","TRUE"]}],"scenario":"scenario \"possible ready is possible\"\nstart ---------------------\nstop _____________________\nready => ____________________-\n"}]}],"seconds":T}
+            {"files":[{"file":"motor.ladder-test","program":"motor.clad","seconds":T,"interval_ns":100000000,"mistakes":[],"properties":[{"name":"stop wins","line":4,"column":10,"verdict":"proved","times":"any","never_triggered":false,"open":[]},{"name":"ready comes at once","line":7,"column":10,"verdict":"violated","scan":10,"never_triggered":false,"open":[],"trace":[{"tag":"start","given":true,"values":["TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE"]},{"tag":"stop","given":true,"values":["FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE"]},{"tag":"run","given":false,"values":["TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE"]},{"tag":"ready","given":false,"values":["FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE"]}],"scenario":"scenario \"ready comes at once is violated\"\nstart    -----------\nstop     ___________\nrun   => -----------\nready => ___________\n"},{"name":"possible ready","line":10,"column":1,"verdict":"possible","scan":20,"never_triggered":false,"open":[],"trace":[{"tag":"start","given":true,"values":["TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE","TRUE"]},{"tag":"stop","given":true,"values":["FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE"]},{"tag":"ready","given":false,"values":["FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","FALSE","TRUE"]}],"scenario":"scenario \"possible ready is possible\"\nstart    ---------------------\nstop     _____________________\nready => ____________________-\n"}]}],"seconds":T}
         "#]],
     );
 }
@@ -310,6 +310,40 @@ fn the_runs_are_scenarios_that_pass() {
     assert!(
         again.contains("ends with --force") || again.contains("end with --force"),
         "{again}"
+    );
+}
+
+#[test]
+fn a_long_run_has_a_column_for_each_stretch_in_which_nothing_changes() {
+    let text = "program motor.clad\ninterval 10ms\nproperty \"never warm\"\nnever ready and not was(stop)\n";
+    let folder = Folder::with(&[("motor.clad", MOTOR), ("motor.ladder-test", text)]);
+    let arguments = ["prove", "motor.ladder-test", "--write", "found.ladder-test"];
+    folder.ladder(&arguments);
+    expect![[r#"
+        program motor.clad
+        interval 10ms
+
+        scenario "never warm is violated"
+        time     1.13s 70ms 800ms .
+        stop     _     _    _     _
+        start    -     _    -     -
+        ready => _     _    _     -
+    "#]]
+    .assert_eq(&folder.read("found.ladder-test"));
+    let tested = folder.ladder(&["test", "found.ladder-test"]).to_string();
+    assert!(tested.contains("1 passed"), "{tested}");
+}
+
+#[test]
+fn every_example_has_properties_and_all_are_proved() {
+    let examples = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples");
+    let proved = Folder::with(&[]).ladder(&["prove", examples]).to_string();
+    assert!(proved.starts_with("exit status 0"), "{proved}");
+    let total = proved.lines().rfind(|line| line.contains(" properties in "));
+    let total = total.unwrap_or_default();
+    assert!(
+        total.contains("in 10 files") && !total.contains("possible"),
+        "{total}"
     );
 }
 

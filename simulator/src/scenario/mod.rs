@@ -23,8 +23,8 @@ mod property;
 #[cfg(test)]
 mod property_tests;
 mod record;
-mod recorded_text;
 mod run;
+mod run_text;
 mod steps;
 #[cfg(test)]
 mod tests;
@@ -41,5 +41,6 @@ pub use play::Unmet;
 pub use property::{FORMS, Form, PROPERTY, Property, Span, Written};
 pub use record::{Recordable, Recorded, Wanted, passes, record, recordable, recorded_file};
 pub use run::{Difference, Ran, run};
+pub use run_text::{RunCell, RunRow, run_text};
 pub use tolerance::Tolerance;
 pub use words::{Line as TextLine, Word};

@@ -7,8 +7,8 @@
 use super::bind::{MOST_SCANS, bind};
 use super::parse::parse;
 use super::played::{Choice, Played};
-use super::recorded_text::{self, Cell, Lengths, WrittenRow};
 use super::run::{MOST_BLOCKS, run};
+use super::run_text::{self, Lengths, RunCell, RunRow};
 use crate::session::{MOST_GIVEN, NotKnown, Session};
 use crate::simulation::{Simulation, Status};
 use crate::tags::Point;
@@ -157,7 +157,7 @@ pub fn record(session: &Session, wanted: Wanted<'_>) -> Result<Recorded, String>
     fits(ends.len() as u64, rows.len() + played.tracks.len(), scans)?;
     let columns: Vec<u64> = begins.iter().zip(&ends).map(|(begin, end)| end - begin).collect();
     let given_rows = order.iter().map(|name| rows[name].written(name, &begins));
-    let expected_rows = played.tracks.iter().map(|track| WrittenRow {
+    let expected_rows = played.tracks.iter().map(|track| RunRow {
         name: track.point.name.clone(),
         is_expected: true,
         is_level: track.point.ty == Scalar::Bool,
@@ -165,10 +165,10 @@ pub fn record(session: &Session, wanted: Wanted<'_>) -> Result<Recorded, String>
         cells: track
             .held
             .iter()
-            .map(|value| written(value, track.point.ty).map_or(Cell::Nothing, Cell::New))
+            .map(|value| written(value, track.point.ty).map_or(RunCell::Nothing, RunCell::New))
             .collect(),
     });
-    let all: Vec<WrittenRow> = given_rows.chain(expected_rows).collect();
+    let all: Vec<RunRow> = given_rows.chain(expected_rows).collect();
     let lengths = Lengths {
         columns: &columns,
         interval: options.interval,
@@ -177,7 +177,7 @@ pub fn record(session: &Session, wanted: Wanted<'_>) -> Result<Recorded, String>
         text: format!(
             "program {}\n{}",
             quoted(wanted.program),
-            recorded_text::text(&all, lengths, wanted.name)
+            run_text::text(&all, lengths, wanted.name)
         ),
         expected: played
             .tracks
@@ -271,7 +271,7 @@ struct Row {
 
 impl Row {
     /// What is written of it, for columns that begin before these scans.
-    fn written(&self, name: &str, begins: &BTreeSet<u64>) -> WrittenRow {
+    fn written(&self, name: &str, begins: &BTreeSet<u64>) -> RunRow {
         // A level that nothing but the outside changes is drawn as it is.
         let is_level = self.point.ty == Scalar::Bool;
         let is_drawn = is_level && !self.is_overwritten;
@@ -281,11 +281,11 @@ impl Row {
                 if is_drawn {
                     level = Some(text.clone());
                 }
-                Cell::New(text.clone())
+                RunCell::New(text.clone())
             }
-            None => level.clone().map_or(Cell::Nothing, Cell::Still),
+            None => level.clone().map_or(RunCell::Nothing, RunCell::Still),
         });
-        WrittenRow {
+        RunRow {
             cells: cells.collect(),
             name: name.to_owned(),
             is_expected: false,

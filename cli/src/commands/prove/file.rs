@@ -148,7 +148,7 @@ fn decide(
                     Verdict::Possible(_) => format!("{} is possible", property.name),
                     _ => format!("{} is violated", property.name),
                 };
-                Some(scenario_of(&name, shown, is_about_faults))
+                Some(scenario_of(&name, shown, answers.interval, is_about_faults))
             }
             _ => None,
         };

@@ -106,10 +106,10 @@ fn examples_as_plcopen() {
         pump_alternation.clad: not the same again, 0 remarks on that
             31:5: the standard has no RTO
             31:14: the standard has no RTO
-            41:1: the type of `hours_1` has no counterpart
-            42:1: the type of `hours_1` has no counterpart
-            53:1: the standard has no [RTO]
-            54:1: the standard has no [RTO]
+            43:1: the type of `hours_1` has no counterpart
+            44:1: the type of `hours_1` has no counterpart
+            55:1: the standard has no [RTO]
+            56:1: the standard has no [RTO]
         pump_group.clad: not the same again, 0 remarks on that
             37:1: the standard has no loops of networks
             38:1: the standard has no loops of networks

@@ -1,4 +1,4 @@
-//! A recorded session as text: a letter a step where that is short, else a column for each stretch in which nothing
+//! A run as the text of a scenario: a letter a step where that is short, else a column for each stretch in which nothing
 //! changes, in pieces that fit on a screen.
 
 use super::layout::layout;
@@ -12,24 +12,27 @@ use unicode_width::UnicodeWidthStr;
 /// Lines are not wider than this, if that can be.
 const WIDTH: usize = 80;
 
+/// Up to as many scans each has a column of its own.
+const MOST_SCANS: usize = 60;
+
 /// A row of a scenario that is to be written.
 #[derive(Debug)]
-pub(super) struct WrittenRow {
+pub struct RunRow {
     /// The tag.
-    pub(super) name: String,
+    pub name: String,
     /// Whether it has an arrow.
-    pub(super) is_expected: bool,
+    pub is_expected: bool,
     /// Whether its cells are levels.
-    pub(super) is_level: bool,
+    pub is_level: bool,
     /// Whether what is new goes on to be shown in the steps after it.
-    pub(super) goes_on: bool,
+    pub goes_on: bool,
     /// For each column what is written there.
-    pub(super) cells: Vec<Cell>,
+    pub cells: Vec<RunCell>,
 }
 
 /// What is written in a column.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum Cell {
+pub enum RunCell {
     /// Given before its first scan, or expected after its last.
     New(String),
     /// The level that it has already.
@@ -38,11 +41,11 @@ pub(super) enum Cell {
     Nothing,
 }
 
-impl Cell {
+impl RunCell {
     fn text(&self, is_level: bool) -> &str {
         let text = match self {
-            Cell::New(text) | Cell::Still(text) => text,
-            Cell::Nothing => return ".",
+            RunCell::New(text) | RunCell::Still(text) => text,
+            RunCell::Nothing => return ".",
         };
         match text.as_str() {
             "TRUE" if is_level => "-",
@@ -69,18 +72,58 @@ impl Lengths<'_> {
     }
 }
 
+/// A scenario of which every scan is known, with the rows' cells one for each; its steps are scans of this interval, in nanoseconds.
+/// A column is a scan, or in a long run a stretch in which nothing changes.
+pub fn run_text(mut rows: Vec<RunRow>, interval: i64, name: &str) -> String {
+    let scans = rows.first().map_or(0, |row| row.cells.len());
+    let each: Vec<u64> = vec![1; scans];
+    let lengths = Lengths {
+        columns: &each,
+        interval,
+    };
+    let heading = heading(name);
+    if scans <= MOST_SCANS
+        && let Some(even) = even(&rows, lengths, 1)
+    {
+        return layout(&(heading + &even));
+    }
+    let changes = |scan: &usize| {
+        let text = |row: &RunRow, scan: usize| row.cells[scan].text(row.is_level).to_owned();
+        *scan == 0 || rows.iter().any(|row| text(row, *scan) != text(row, *scan - 1))
+    };
+    let begins: Vec<usize> = (0..scans).filter(changes).collect();
+    let ends = begins.iter().skip(1).copied().chain([scans]);
+    let columns: Vec<u64> = begins
+        .iter()
+        .zip(ends)
+        .map(|(begin, end)| (end - begin) as u64)
+        .collect();
+    for row in &mut rows {
+        row.cells = begins.iter().map(|begin| row.cells[*begin].clone()).collect();
+    }
+    let lengths = Lengths {
+        columns: &columns,
+        interval,
+    };
+    layout(&(heading + &by_change(&rows, lengths, 1)))
+}
+
+fn heading(name: &str) -> String {
+    format!("scenario \"{}\"\n", name.replace('"', "'"))
+}
+
 /// The file, below its line with the program.
-pub(super) fn text(rows: &[WrittenRow], lengths: Lengths<'_>, name: &str) -> String {
+pub(super) fn text(rows: &[RunRow], lengths: Lengths<'_>, name: &str) -> String {
     let step = lengths.step();
     let mut text = format!(
-        "step {}\ninterval {}\n\nscenario \"{}\"\n",
+        "step {}\ninterval {}\n\n{}",
         short_duration(
             i64::try_from(step)
                 .unwrap_or(i64::MAX)
                 .saturating_mul(lengths.interval)
         ),
         short_duration(lengths.interval),
-        name.replace('"', "'")
+        heading(name)
     );
     let by_change = by_change(rows, lengths, step);
     match even(rows, lengths, step) {
@@ -91,7 +134,7 @@ pub(super) fn text(rows: &[WrittenRow], lengths: Lengths<'_>, name: &str) -> Str
 }
 
 /// All columns as long as the step, if that fits.
-fn even(rows: &[WrittenRow], lengths: Lengths<'_>, step: u64) -> Option<String> {
+fn even(rows: &[RunRow], lengths: Lengths<'_>, step: u64) -> Option<String> {
     let steps = lengths.columns.iter().sum::<u64>() / step;
     if steps > WIDTH as u64 {
         return None;
@@ -118,7 +161,7 @@ fn even(rows: &[WrittenRow], lengths: Lengths<'_>, step: u64) -> Option<String> 
 }
 
 /// A column for each stretch in which nothing changes.
-fn by_change(rows: &[WrittenRow], lengths: Lengths<'_>, step: u64) -> String {
+fn by_change(rows: &[RunRow], lengths: Lengths<'_>, step: u64) -> String {
     let times: Vec<String> = lengths
         .columns
         .iter()
@@ -137,12 +180,12 @@ fn by_change(rows: &[WrittenRow], lengths: Lengths<'_>, step: u64) -> String {
     while from < times.len() {
         let to = fitting(rows, &times, from, room);
         // Of what is given only what is new is needed, and above all what the scenario begins with.
-        let is_needed = |row: &&WrittenRow| {
+        let is_needed = |row: &&RunRow| {
             from == 0
                 || row.is_expected
                 || row.cells[from..to]
                     .iter()
-                    .any(|cell| matches!(cell, Cell::New(_)))
+                    .any(|cell| matches!(cell, RunCell::New(_)))
         };
         let _ = writeln!(text, "{TIME} {}", times[from..to].join(" "));
         for row in rows.iter().filter(is_needed) {
@@ -159,7 +202,7 @@ fn by_change(rows: &[WrittenRow], lengths: Lengths<'_>, step: u64) -> String {
 }
 
 /// The first column that does not fit after those from here on; at least one does.
-fn fitting(rows: &[WrittenRow], times: &[String], from: usize, room: usize) -> usize {
+fn fitting(rows: &[RunRow], times: &[String], from: usize, room: usize) -> usize {
     let mut used = 0;
     for (column, time) in times.iter().enumerate().skip(from) {
         let cells = rows
