@@ -21,8 +21,8 @@ impl Root {
     /// # Errors
     /// The path is relative and the process has no current folder.
     pub fn of(program: &Path) -> io::Result<Root> {
-        let program = without_parents(std::path::absolute(program)?);
-        let folder = program.parent().unwrap_or(&program);
+        let program = std::path::absolute(program)?;
+        let folder = &without_parents(program.parent().unwrap_or(&program));
         let settings = folder
             .ancestors()
             .find(|above| is_settings_file(&above.join(SETTINGS_FILE)));
@@ -54,16 +54,9 @@ fn is_settings_file(path: &Path) -> bool {
         .is_ok_and(|metadata| metadata.is_file() || metadata.is_symlink())
 }
 
-/// What is above `plant/../line` is not above `plant`.
-fn without_parents(program: PathBuf) -> PathBuf {
-    let folder = program
-        .parent()
-        .filter(|folder| folder.components().any(|part| part == Component::ParentDir));
-    match (
-        folder.and_then(|folder| folder.canonicalize().ok()),
-        program.file_name(),
-    ) {
-        (Some(folder), Some(name)) => folder.join(name),
-        _ => program,
-    }
+/// The folder without `..`: what is above `plant/../line` is not above `plant`. Links in it are then resolved too.
+pub(crate) fn without_parents(folder: &Path) -> PathBuf {
+    let climbs = folder.components().any(|part| part == Component::ParentDir);
+    let canonical = climbs.then(|| folder.canonicalize().ok()).flatten();
+    canonical.unwrap_or_else(|| folder.to_owned())
 }

@@ -2,6 +2,7 @@
 
 use super::name::PathComponent;
 use crate::error::Problem;
+use crate::root::without_parents;
 use std::collections::VecDeque;
 use std::ffi::OsString;
 use std::io;
@@ -87,14 +88,15 @@ fn follow(
     Ok(path)
 }
 
-/// The path from the top of the disk on; none at all is the current folder.
+/// The path from the top of the disk on, as [`Root::of`](crate::root::Root::of) has it; none at all is the current folder.
 fn whole(path: &Path) -> Result<PathBuf, Problem> {
     let path = if path.as_os_str().is_empty() {
         Path::new(".")
     } else {
         path
     };
-    std::path::absolute(path).map_err(Problem::Read)
+    let path = std::path::absolute(path).map_err(Problem::Read)?;
+    Ok(without_parents(&path))
 }
 
 /// A link that names its target from the top of the disk: inside if it begins with the workspace's folder, by any of its

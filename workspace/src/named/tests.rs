@@ -81,6 +81,21 @@ fn without_a_settings_file_the_own_folder_is_all() {
     assert_eq!(read(&folder, "../motor.clad"), OUTSIDE);
 }
 
+#[test]
+fn the_path_of_the_file_itself_may_climb() {
+    let folder = plant();
+    let climbing = folder.path().join("plant/tests/../../plant/tests/a.ladder-test");
+    for (name, expected) in [
+        ("pump.clad", "pump"),
+        ("../motor.clad", "motor"),
+        ("../../secret.clad", OUTSIDE),
+    ] {
+        let read = Named::in_file(&climbing, name).read();
+        let read = read.unwrap_or_else(|error| error.problem.to_string());
+        assert_eq!(read, expected, "{name}");
+    }
+}
+
 #[cfg(unix)]
 mod unix {
     use super::*;
