@@ -9,14 +9,14 @@ use crate::lanes::Lanes;
 use crate::model::Model;
 use crate::number::Number;
 use crate::unrolled::{Found, From, Unrolled};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// Of more bits pairs are not compared.
 const MOST_BITS: usize = 150;
 /// Of more waits and ages the rest is not compared.
 const MOST_PAIRS: usize = 200;
-/// How long guesses are checked.
-const MOST_TIME: Duration = Duration::from_millis(1_500);
+/// The part of the time that guesses may take.
+const TIME_DIVISOR: u32 = 4;
 const CONFLICTS: u64 = 5_000;
 
 /// What was seen of numbers in runs: for each wait and age by how much the wait was longer at most.
@@ -28,7 +28,8 @@ struct Pair {
 
 /// Finds what always holds and adds it to the model.
 pub(crate) fn add(model: &mut Model, targets: &[Lit], end: Instant) {
-    let end = end.min(Instant::now() + MOST_TIME);
+    let now = Instant::now();
+    let end = now + end.saturating_duration_since(now) / TIME_DIVISOR;
     let guesses = guess(model, targets, end);
     model.lemmas = keep(model, guesses, end);
 }
@@ -226,7 +227,7 @@ mod tests {
         let depth = Depth {
             base: 5,
             step: 5,
-            end: Instant::now() + Duration::from_secs(20),
+            end: Instant::now() + std::time::Duration::from_secs(20),
         };
         assert_eq!(decide(&model, &targets, depth).0, [Known::NotIn(5)]);
         add(&mut model, &targets, depth.end);

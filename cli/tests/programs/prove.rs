@@ -337,7 +337,9 @@ fn a_long_run_has_a_column_for_each_stretch_in_which_nothing_changes() {
 #[test]
 fn every_example_has_properties_and_all_are_proved() {
     let examples = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples");
-    let proved = Folder::with(&[]).ladder(&["prove", examples]).to_string();
+    let proved = Folder::with(&[])
+        .ladder(&["prove", "--time", "120", examples])
+        .to_string();
     assert!(proved.starts_with("exit status 0"), "{proved}");
     let total = proved.lines().rfind(|line| line.contains(" properties in "));
     let total = total.unwrap_or_default();
