@@ -9,7 +9,7 @@ use ladder_analysis::networks::{BlockAt, NetworkAt};
 use ladder_format::{Options, display_width, format_text};
 use ladder_syntax::SyntaxKind::{BOM, COMMENT, NEWLINE, STRING, WHITESPACE};
 use ladder_syntax::wiring::{self, PartKind};
-use ladder_syntax::{LineKind, Name, NodeOrToken, TextRange, parse};
+use ladder_syntax::{LineKind, Name, NodeOrToken, TextRange, TextSize, parse};
 use similar::{Algorithm, DiffTag, capture_diff_slices};
 use std::ops::Range;
 use std::sync::Arc;
@@ -199,21 +199,37 @@ fn words(text: &str) -> Vec<Piece> {
     let read = parse(&format!("{BEFORE}{text}\n"));
     let tokens = read.syntax().descendants_with_tokens();
     let tokens = tokens.filter_map(NodeOrToken::into_token);
-    let words = tokens.filter_map(|token| {
+    let before = TextSize::of(BEFORE);
+    let mut words = Vec::new();
+    for token in tokens {
+        let range = token.text_range();
+        if range.start() < before || range.end() > before + TextSize::of(text) {
+            continue;
+        }
+        let range = range - before;
         let key = match token.kind() {
-            WHITESPACE | NEWLINE | BOM => return None,
-            STRING | COMMENT => token.text().to_owned(),
+            WHITESPACE | NEWLINE | BOM => continue,
+            COMMENT => {
+                words.extend(words_of_comment(token.text(), range.start()));
+                continue;
+            }
+            STRING => token.text().to_owned(),
             _ => Name::new(token.text()).as_str().to_owned(),
         };
-        let range = token.text_range();
-        let before = (BEFORE.len() as u32).into();
-        let shown = range.start() >= before && usize::from(range.end()) <= BEFORE.len() + text.len();
-        shown.then(|| Piece {
-            key,
-            range: range - before,
-        })
-    });
-    words.collect()
+        words.push(Piece { key, range });
+    }
+    words
+}
+
+/// The words of a comment that begins here.
+fn words_of_comment(text: &str, start: TextSize) -> impl Iterator<Item = Piece> {
+    text.split_whitespace().map(move |word| {
+        let at = word.as_ptr() as usize - text.as_ptr() as usize;
+        Piece {
+            key: word.to_owned(),
+            range: TextRange::at(start + TextSize::of(&text[..at]), TextSize::of(word)),
+        }
+    })
 }
 
 /// What is on the rungs of a text, and the comments in it.
@@ -225,10 +241,10 @@ fn elements(context: &Context) -> Vec<Piece> {
         if line.kind != LineKind::Rung {
             let tokens = line.syntax().descendants_with_tokens();
             let tokens = tokens.filter_map(NodeOrToken::into_token);
-            pieces.extend(tokens.filter(|token| token.kind() == COMMENT).map(|token| Piece {
-                key: token.text().to_owned(),
-                range: token.text_range() + start,
-            }));
+            for comment in tokens.filter(|token| token.kind() == COMMENT) {
+                let at = comment.text_range().start() + start;
+                pieces.extend(words_of_comment(comment.text(), at));
+            }
             continue;
         }
         // A rung that begins is a difference that has no place of its own.

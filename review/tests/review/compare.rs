@@ -150,19 +150,19 @@ fn comments_alone() {
 
             other comments: declaration of run, line 7
             - run   : BOOL;  # the contactor #
-                             ^^^^^^^^^^^^^^^^^
+                               ^^^ ^^^^^^^^^
             + run   : BOOL;  # K1 #
-                             ^^^^^^
+                               ^^
 
                 ... 2 the same
 
             other comments: network, line 15, writes run
             - # Start/stop with a seal-in contact #
-              ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+                           ^^^^ ^ ^^^^^^^ ^^^^^^^
             - +--\--[ ]( start )--\--[/]( stop )-------------------------------( )( run )--+
             - |  /--[ ]( run )----/                                                        |
             + # Start/stop and hold #
-              ^^^^^^^^^^^^^^^^^^^^^^^
+                           ^^^ ^^^^
             + +--\--[ ]( start )--\--[/]( stop )-------------------------------( )( run )--+
             + |  /--[ ]( run )----/                                                        |
 
@@ -316,9 +316,9 @@ END_TYPE
 
             edited: setting, line 2
             - # ladder: cycle 10ms #
-              ^^^^^^^^^^^^^^^^^^^^^^
+                              ^^^^
             + # ladder: cycle 20ms #
-              ^^^^^^^^^^^^^^^^^^^^^^
+                              ^^^^
 
             edited: declaration of Phase, line 4
             - Phase : (IDLE, RUN);
