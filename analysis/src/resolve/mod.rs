@@ -15,6 +15,7 @@ pub(crate) mod numbers;
 mod parts;
 mod passed;
 mod path;
+mod path_ranges;
 mod place;
 mod ranges;
 mod search;
