@@ -71,8 +71,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     terminal::plain(&format_args!(
         "made {}: a program, {name}.clad, its scenarios and what checks them. In that folder\n\n  \
          ladder test .\n  \
+         ladder prove .\n  \
          ladder sim {name}.clad\n\n\
-         run the scenarios, and the program live on this terminal.",
+         run the scenarios, decide what must hold in every run, and run the program live on this terminal.",
         shown::path(folder)
     ));
     Ok(Outcome::Fine)

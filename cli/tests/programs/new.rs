@@ -13,9 +13,10 @@ fn what_it_makes_passes_as_it_is() {
         made lines/press-2: a program, press-2.clad, its scenarios and what checks them. In that folder
 
           ladder test .
+          ladder prove .
           ladder sim press-2.clad
 
-        run the scenarios, and the program live on this terminal.
+        run the scenarios, decide what must hold in every run, and run the program live on this terminal.
     "#]]
     .assert_eq(&run.to_string());
     let checked = folder.ladder(&["check", "--deny", "warnings", "lines"]);
@@ -30,6 +31,8 @@ fn what_it_makes_passes_as_it_is() {
         "{tested}"
     );
     assert!(!tested.stdout.contains("never"), "{tested}");
+    let proved = folder.ladder(&["prove", "lines"]);
+    assert!(proved.stdout.contains(": 2 proved, in "), "{proved}");
     expect![[r#"
         # `pre-commit install` runs these before every commit: https://pre-commit.com
         repos:
