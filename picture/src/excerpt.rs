@@ -7,9 +7,9 @@ use super::svg::write;
 use std::collections::{HashMap, HashSet};
 use std::fmt::Write;
 
-/// What a page needs that shows excerpts.
-pub fn style_sheet() -> String {
-    sheet(Theme::Auto)
+/// What a page needs that shows excerpts in these colours.
+pub fn style_sheet(theme: Theme) -> String {
+    sheet(theme)
 }
 
 /// The networks of a scene, for those who want some of them one by one.

@@ -15,6 +15,11 @@ const TIME: Duration = Duration::from_secs(2);
 impl Comparison<'_> {
     /// Asks of each edited network whether it does the same, for no longer than `time` in all.
     pub fn decide(&mut self, time: Duration) {
+        self.decide_while(time, &|| true);
+    }
+
+    /// The same while it is wanted: that is asked before each network.
+    pub fn decide_while(&mut self, time: Duration, wanted: &dyn Fn() -> bool) {
         let end = Instant::now() + time;
         let is_asked = |change: &crate::Change<'_>| {
             change.verdict == Verdict::Edited && change.entry().kind == Kind::Network
@@ -23,7 +28,8 @@ impl Comparison<'_> {
             return;
         }
         let compared = self.compared();
-        for change in self.changes.iter_mut().filter(|change| is_asked(change)) {
+        let asked = self.changes.iter_mut().filter(|change| is_asked(change));
+        for change in asked.take_while(|_| wanted()) {
             let numbers = [change.old, change.new].map(|entry| entry.and_then(number));
             let [Some(old), Some(new)] = numbers else { continue };
             let left = end.saturating_duration_since(Instant::now());

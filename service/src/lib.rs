@@ -19,6 +19,7 @@
 //!   two layers, each once, when first asked: the names of its text, and what is found in it. Most features ask
 //!   for names only, and wait for no rule.
 //! - `language` is where the server asks about a text: findings, hovers, layout, in bytes.
+//! - `compare` says what changed in a program since an earlier text; a page is built without it.
 //! - `diagram` draws programs for a page next to their text, `diagram_text` with characters.
 //! - `simulation` runs programs for the editor, on the scan engine. It knows the custom messages, but nothing of
 //!   the framework.
@@ -34,6 +35,8 @@
 
 mod busy;
 mod cancel;
+#[cfg(feature = "review")]
+mod compare;
 mod cross_reference;
 pub mod debug;
 mod diagram;
@@ -55,6 +58,8 @@ mod simulation;
 pub mod typing_messages;
 
 pub use busy::{Busy, Work};
+#[cfg(feature = "review")]
+pub use compare::{Changed, Compare, CompareTheme, ComparedTexts};
 pub use cross_reference::{CrossReference, CrossReferenced, ReferencedPlace, ReferencedTag};
 pub use diagram::{Diagram, Drawn, DrawnPiece, PieceKind};
 pub use diagram_text::{DiagramText, DrawnBlock, DrawnLine, DrawnText, InkName};

@@ -8,7 +8,7 @@ use crate::drawing::{Drawn, changed_parts, draw, draw_both};
 use crate::outline::{Entry, Kind, Outline};
 use crate::verdict::Verdict;
 use ladder_picture::excerpt::{Excerpts, style_sheet};
-use ladder_picture::{Options, scene};
+use ladder_picture::{Options, Theme, scene};
 use ladder_syntax::xml::Escaped;
 use std::fmt::Write;
 
@@ -21,11 +21,10 @@ pub fn report(files: &[Compared<'_>], settings: &[(&str, &[String])]) -> String 
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"generator\" content=\"ladder\">\n\
          <meta name=\"viewport\" content=\"width=device-width\">\n\
-         <title>What changed</title>\n<style>\n{}{}</style>\n</head>\n<body>\n\
+         <title>What changed</title>\n<style>\n{}</style>\n</head>\n<body>\n\
          <h1>What changed</h1>\n\
          <p class=\"keys\"><kbd>n</kbd> goes to the next change, <kbd>p</kbd> to the one before.</p>\n",
-        style_sheet(),
-        include_str!("page.css"),
+        style(Theme::Auto),
     );
     for file in files {
         program(file, &mut out);
@@ -48,6 +47,39 @@ pub fn report(files: &[Compared<'_>], settings: &[(&str, &[String])]) -> String 
     out
 }
 
+/// The style sheet that the report has in these colours.
+pub fn style(theme: Theme) -> String {
+    style_sheet(theme) + include_str!("page.css")
+}
+
+/// What the report shows of each change: a heading, what is known of it, and both forms.
+pub fn sections(comparison: &Comparison<'_>) -> Vec<String> {
+    let (old, new) = (
+        scene(&comparison.old.context, &Options::default()),
+        scene(&comparison.new.context, &Options::default()),
+    );
+    let pictures = Pictures {
+        old: Excerpts::new(&old),
+        new: Excerpts::new(&new),
+    };
+    let changes = comparison.changes.iter().filter(|change| change.is_change());
+    let section = |change| {
+        let title = heading(comparison, change);
+        let mut out = format!(
+            "<section class=\"change\" tabindex=\"0\">\n<h3>{}</h3>\n",
+            Escaped(&title)
+        );
+        if let Some(reason) = reason(change) {
+            // Writing to a String does not fail.
+            let _ = writeln!(out, "<p>{}</p>", Escaped(&reason));
+        }
+        out.push_str("<div class=\"forms\">\n");
+        forms(comparison, change, &pictures, &mut out);
+        out + "</div>\n</section>\n"
+    };
+    changes.map(section).collect()
+}
+
 fn program(file: &Compared<'_>, out: &mut String) {
     let comparison = &file.comparison;
     let names = match (file.old, file.new) {
@@ -62,28 +94,7 @@ fn program(file: &Compared<'_>, out: &mut String) {
         Escaped(&names),
         Escaped(&summary(comparison))
     );
-    let (old, new) = (
-        scene(&comparison.old.context, &Options::default()),
-        scene(&comparison.new.context, &Options::default()),
-    );
-    let pictures = Pictures {
-        old: Excerpts::new(&old),
-        new: Excerpts::new(&new),
-    };
-    for change in comparison.changes.iter().filter(|change| change.is_change()) {
-        let title = heading(comparison, change);
-        let _ = write!(
-            out,
-            "<section class=\"change\" tabindex=\"0\">\n<h3>{}</h3>\n",
-            Escaped(&title)
-        );
-        if let Some(reason) = reason(change) {
-            let _ = writeln!(out, "<p>{}</p>", Escaped(&reason));
-        }
-        out.push_str("<div class=\"forms\">\n");
-        forms(comparison, change, &pictures, out);
-        out.push_str("</div>\n</section>\n");
-    }
+    out.push_str(&sections(comparison).concat());
 }
 
 /// The pictures of both programs.

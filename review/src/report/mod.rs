@@ -5,7 +5,7 @@ pub mod markdown;
 pub mod text;
 
 use crate::comparison::{Change, Comparison};
-use crate::outline::Kind;
+use crate::outline::{Entry, Kind};
 use ladder_prover::Meaning;
 
 /// Two files that are compared, by the names that they go by.
@@ -79,6 +79,26 @@ pub fn reason(change: &Change<'_>) -> Option<String> {
             tags => format!("{} are declared differently", tags.join(", ")),
         }),
         Meaning::NotDecided(cause) => Some(format!("whether it does the same is not decided: {cause}")),
+    }
+}
+
+/// What an edited network does, as it is called in JSON: one word.
+pub const fn word(meaning: &Meaning) -> &'static str {
+    match meaning {
+        Meaning::Same => "same",
+        Meaning::Other(_) => "other",
+        Meaning::Declared(_) => "declared",
+        Meaning::NotDecided(_) => "unknown",
+    }
+}
+
+/// The tags that an entry writes, or the names that it declares, as they are written.
+pub fn names(entry: &Entry) -> Vec<&str> {
+    match entry.kind {
+        Kind::Network | Kind::Declaration | Kind::Structure | Kind::Block => {
+            entry.title.split(", ").filter(|name| !name.is_empty()).collect()
+        }
+        _ => Vec::new(),
     }
 }
 

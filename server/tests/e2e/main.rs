@@ -3,6 +3,7 @@
 mod click;
 mod client;
 mod companions;
+mod compare;
 mod completion;
 mod configuration;
 mod debugged;

@@ -177,6 +177,11 @@ async fn the_page_shows_every_command_whole() {
                 is_whole::<ladder_service::ScenariosRun>(answer);
                 continue;
             }
+            "compare" => {
+                is_whole::<ladder_service::Compare>(argument);
+                is_whole::<ladder_service::ComparedTexts>(answer);
+                continue;
+            }
             "crossReference" => {
                 is_whole::<CrossReference>(argument);
                 is_whole::<CrossReferenced>(answer);

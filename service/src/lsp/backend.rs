@@ -44,6 +44,8 @@ use tower_lsp::{Client, LanguageServer};
 use crate::busy::Busy;
 use crate::host::Host;
 use crate::lsp::documents::{configuration, file_operations, folders, pull, sync, typed, watch};
+#[cfg(feature = "review")]
+use crate::lsp::features::compare;
 use crate::lsp::features::{
     call_hierarchy, code_action, code_lens, comment, completion, cross_reference, debug, diagram,
     diagram_text, edit, fence, folding,
@@ -371,6 +373,8 @@ impl LanguageServer for Backend {
             comment::COMMENT => comment::execute(&self.shared, params).await,
             rule_page::RULE_PAGE => rule_page::execute(params),
             run_scenarios::RUN_SCENARIOS => run_scenarios::execute(&self.shared, params).await,
+            #[cfg(feature = "review")]
+            compare::COMPARE => compare::execute(&self.shared, params).await,
             library_block::LIBRARY_BLOCK => library_block::execute(params),
             command if notations::COMMANDS.contains(&command) => {
                 notations::execute(&self.shared, params).await

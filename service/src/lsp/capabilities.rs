@@ -103,6 +103,7 @@ pub(crate) fn offered(agreed: Agreed) -> ServerCapabilities {
                     run_scenarios::RUN_SCENARIOS,
                     library_block::LIBRARY_BLOCK,
                 ])
+                .chain(COMPARING)
                 .map(ToString::to_string)
                 .collect(),
             ..ExecuteCommandOptions::default()
@@ -110,6 +111,12 @@ pub(crate) fn offered(agreed: Agreed) -> ServerCapabilities {
         ..ServerCapabilities::default()
     }
 }
+
+/// What compares programs, where that is built in.
+const COMPARING: &[&str] = &[
+    #[cfg(feature = "review")]
+    crate::lsp::features::compare::COMPARE,
+];
 
 fn on_type_formatting() -> DocumentOnTypeFormattingOptions {
     let mut triggers = TRIGGERS.iter().map(ToString::to_string);

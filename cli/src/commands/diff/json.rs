@@ -2,8 +2,8 @@
 
 use super::settings::SettingsDiff;
 use ladder_review::outline::{Entry, Outline};
-use ladder_review::report::{Compared, reason};
-use ladder_review::{Change, Meaning, Verdict};
+use ladder_review::report::{Compared, names, reason, word};
+use ladder_review::{Change, Verdict};
 use serde::Serialize;
 
 /// A file that is compared.
@@ -56,7 +56,7 @@ impl<'c> File<'c> {
             kind: change.entry().kind.text(),
             place: &change.entry().place,
             names: names(change.entry()),
-            meaning: change.meaning.as_ref().map(meaning),
+            meaning: change.meaning.as_ref().map(word),
             reason: reason(change),
             old: change.old.map(|entry| form(comparison.old, entry)),
             new: change.new.map(|entry| form(comparison.new, entry)),
@@ -80,26 +80,6 @@ impl<'c> File<'c> {
             new: diff.new.as_deref(),
             lines: &diff.lines,
         }
-    }
-}
-
-/// What an edited network does: one word.
-const fn meaning(meaning: &Meaning) -> &'static str {
-    match meaning {
-        Meaning::Same => "same",
-        Meaning::Other(_) => "other",
-        Meaning::Declared(_) => "declared",
-        Meaning::NotDecided(_) => "unknown",
-    }
-}
-
-fn names(entry: &Entry) -> Vec<&str> {
-    use ladder_review::outline::Kind;
-    match entry.kind {
-        Kind::Network | Kind::Declaration | Kind::Structure | Kind::Block => {
-            entry.title.split(", ").filter(|name| !name.is_empty()).collect()
-        }
-        _ => Vec::new(),
     }
 }
 

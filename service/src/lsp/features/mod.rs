@@ -5,6 +5,8 @@ pub(crate) mod call_hierarchy;
 pub(crate) mod code_action;
 pub(crate) mod code_lens;
 pub(crate) mod comment;
+#[cfg(feature = "review")]
+pub(crate) mod compare;
 pub(crate) mod completion;
 mod conversion;
 pub(crate) mod cross_reference;

@@ -1,0 +1,104 @@
+//! What changed in an open program since an earlier text of it.
+
+use serde_json::{Value, json};
+
+use crate::client::{Answer, Client, URI};
+
+const BASE: &str = "\
++--[ ]( a )--[ ]( b )--( )( x )--+
+
++--[ ]( a )--( )( y )--+
+
++--[ ]( c )--( )( z )--+
+
++--[ ]( c )--( )( w )--+
+";
+
+const NOW: &str = "\
+# swapped #
++--[ ]( b )--[ ]( a )--( )( x )--+
+
++--[/]( a )--( )( y )--+
+
++--[ ]( c )--( )( w )--+
+
++--[ ]( d )--( )( v )--+
+";
+
+async fn asked(client: &mut Client, argument: Value) -> Answer {
+    let params = json!({"command": "ladder.compare", "arguments": [argument]});
+    client.request("workspace/executeCommand", params).await
+}
+
+fn said(change: &Value) -> String {
+    let lines = |side: &str| match &change[side] {
+        Value::Null => String::from("none"),
+        lines => format!("{}-{}", lines["first"], lines["last"]),
+    };
+    let word = |name: &str| change[name].as_str().unwrap_or("-").to_owned();
+    let (old, new) = (lines("old"), lines("new"));
+    let moved = if change["moved"] == true { "moved " } else { "" };
+    let line = &change["line"];
+    format!(
+        "{line}: {moved}{} {} {old} {new}",
+        word("change"),
+        word("meaning")
+    )
+}
+
+#[tokio::test]
+async fn each_network_is_said_with_its_lines_in_both() {
+    let mut client = Client::new().await;
+    client.open(NOW).await;
+    let answer = asked(&mut client, json!({"uri": URI, "base": BASE}))
+        .await
+        .unwrap();
+    assert_eq!((&answer["version"], answer.get("style")), (&json!(1), None));
+    let changes = answer["changes"].as_array().unwrap();
+    assert_eq!(
+        changes.iter().map(said).collect::<Vec<_>>(),
+        [
+            "1: edited same 0-0 1-1",
+            "3: edited other 2-2 3-3",
+            "5: gone - 4-4 none",
+            "7: new - none 7-7",
+        ]
+    );
+    assert_eq!(
+        changes[1]["reason"],
+        "with a off, y goes off in the old and on in the new program"
+    );
+    assert_eq!(changes[1]["names"], json!(["y"]));
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn drawings_come_if_they_are_wanted() {
+    let mut client = Client::new().await;
+    client.open(NOW).await;
+    let argument = json!({"uri": URI, "base": BASE, "drawings": "dark"});
+    let answer = asked(&mut client, argument).await.unwrap();
+    let style = answer["style"].as_str().unwrap();
+    assert!(style.contains(".change") && style.contains(".line {"), "{style}");
+    let drawing = answer["changes"][1]["drawing"].as_str().unwrap();
+    assert_eq!(drawing.matches("<svg ").count(), 2, "{drawing}");
+    assert!(!drawing.contains("<script"), "{drawing}");
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn nothing_has_changed() {
+    let mut client = Client::new().await;
+    client.open(NOW).await;
+    let base = NOW.replace('\n', "\r\n");
+    let answer = asked(&mut client, json!({"uri": URI, "base": base}))
+        .await
+        .unwrap();
+    assert_eq!(answer["changes"], json!([]));
+    assert!(
+        asked(&mut client, json!({"uri": "file:///none.clad", "base": ""}))
+            .await
+            .is_err()
+    );
+    client.finish().await;
+}
