@@ -1,4 +1,5 @@
 // What the simulator of the language server says and is asked, as docs/protocol.md of the project defines it.
+import type { Compared } from './compare/messages.ts';
 import type { CrossReferenced } from './crossReference.ts';
 import type { Drawn, Lines } from './diagram/messages.ts';
 import type { Traced, TraceAsked } from './trace/messages.ts';
@@ -308,6 +309,8 @@ export interface OtherCommands {
         argument: { uri: string; lines: Lines; rail: number; known: readonly string[] };
         answer: Drawn;
     };
+    /** What changed since an earlier text. */
+    'ladder.compare': { argument: { uri: string; base: string; drawings?: 'light' | 'dark' }; answer: Compared };
     'ladder.crossReference': { argument: { uri: string }; answer: CrossReferenced };
     'ladder.cursor': { argument: { uri: string; line: number | null }; answer: null };
     'ladder.preview': { argument: { uri: string }; answer: Previewed };

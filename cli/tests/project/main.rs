@@ -11,6 +11,8 @@ mod generated;
 mod git;
 #[cfg(unix)]
 mod git_setup;
+#[cfg(unix)]
+mod gitlab_recipe;
 mod options;
 #[cfg(unix)]
 mod review_script;

@@ -5,6 +5,7 @@ import type { Speed, Tag } from '../../../panels/protocol.ts';
 import type { WhyRow } from '../../../panels/whyTree.ts';
 import { CLICK, type Click } from './click.ts';
 import { convert, exportAs } from './conversion.ts';
+import type { ComparePanels } from './compare/panel.ts';
 import type { CrossReferenceView } from './crossReferenceView.ts';
 import type { DiagramEditors } from './diagram/editor.ts';
 import { editDrawing, toggleComment } from './edit.ts';
@@ -139,6 +140,7 @@ export interface Views {
     readonly why: WhyView;
     readonly trace: TraceView;
     readonly diagrams: DiagramEditors;
+    readonly compare: ComparePanels;
 }
 
 export function registerCommands(server: Server, simulation: Simulation, click: Click, tests: TestExplorer, views: Views): vscode.Disposable {
@@ -167,6 +169,7 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
         'ladder.simulation.forceOn': (tag) => forceTo(simulation, tag, true),
         'ladder.simulation.forceOff': (tag) => forceTo(simulation, tag, false),
         'ladder.openDiagram': (uri) => views.diagrams.open(uri),
+        'ladder.compareWithHead': (given) => views.compare.open(given),
         'ladder.diagram.reveal': (context) => views.diagrams.reveal(context),
         'ladder.diagram.breakpoint': (context) => views.diagrams.toggleBreakpoint(context),
         'ladder.test': (uri?: unknown) => tests.runFile(typeof uri === 'string' ? uri : undefined),

@@ -1,9 +1,13 @@
 // The extension's beginning and end: what there is, and what is wired to what.
 import * as vscode from 'vscode';
 
+import type { MarkedLine } from '../../../panels/compare/marks.ts';
 import type { State } from '../../../panels/protocol.ts';
 import { Click } from './click.ts';
 import { registerCommands } from './commands.ts';
+import { Comparisons } from './compare/comparisons.ts';
+import { ReviewMarks } from './compare/marks.ts';
+import { ComparePanels } from './compare/panel.ts';
 import { CrossReferenceView } from './crossReferenceView.ts';
 import { registerDebugger } from './debugger.ts';
 import { showPower } from './decorations.ts';
@@ -31,6 +35,8 @@ let server: Server | undefined;
 export interface Api {
     /** The last state of the current simulation, with all that is known of what is shown. */
     state(): State | undefined;
+    /** The marks next to what is not as HEAD has it. */
+    marks(document: vscode.TextDocument): readonly MarkedLine[];
     /** What the preview of Markdown documents asks for. */
     extendMarkdownIt: Fences['plugin'];
 }
@@ -44,11 +50,14 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
         (text) => server?.execute('ladder.fence', { text }) ?? Promise.reject(new Error('no server')),
         () => void vscode.commands.executeCommand('markdown.preview.refresh'),
     );
+    const comparisons = new Comparisons(server);
+    const marks = new ReviewMarks(comparisons);
     const views = {
         references: new CrossReferenceView(server),
         why: new WhyView(simulation),
         trace: new TraceView(simulation, context),
         diagrams: new DiagramEditors(context.extensionUri, server, simulation),
+        compare: new ComparePanels(context.extensionUri, comparisons),
     };
     context.subscriptions.push(
         server,
@@ -60,6 +69,9 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
         views.why,
         views.trace,
         views.diagrams,
+        views.compare,
+        marks,
+        comparisons,
         registerCommands(server, simulation, click, tests, views),
         registerDebugger(server, simulation),
         registerTasks(server),
@@ -83,6 +95,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
     await server.start();
     return {
         extendMarkdownIt: fences.plugin,
+        marks: (document) => marks.lines(document),
         state: () => {
             const session = simulation.current;
             const power = [...(session?.power.values() ?? [])].flatMap((line) => [...line.values()]);

@@ -29,6 +29,36 @@ return function(t, messages)
     t.equal('the window', file, vim.api.nvim_buf_get_name(0))
   end)
 
+  t.step(':Ladder review has a sign for each rung that is not as the last commit has it', function()
+    local function signs()
+      local namespace = vim.api.nvim_get_namespaces().ladder_review
+      return vim.tbl_map(function(mark)
+        return ('%d%s'):format(mark[2] + 1, vim.trim(mark[4].sign_text))
+      end, vim.api.nvim_buf_get_extmarks(0, namespace, 0, -1, { details = true }))
+    end
+    local function eventually(wanted)
+      local ok = pcall(t.eventually, 'the signs', function()
+        return vim.deep_equal(signs(), wanted)
+      end)
+      if not ok then
+        t.equal('the signs', wanted, signs())
+      end
+    end
+    vim.cmd('Ladder review')
+    eventually({ '1≠' })
+    vim.api.nvim_win_set_cursor(0, { 1, 0 })
+    vim.cmd('Ladder review reason')
+    local said = 'ladder: edited, does another thing: network, line 1, writes x: with a off, x goes off in the old and on in the new program'
+    t.equal('the reason', said, messages[#messages])
+    -- They follow the text, whose version the answer is of.
+    vim.api.nvim_buf_set_lines(0, 2, 3, false, { '+--[ ]( b )--[ ]( b )--( )( y )--+', '', '+--[ ]( c )--( )( z )--+' })
+    vim.cmd('doautocmd TextChanged')
+    eventually({ '1≠', '3=', '5+' })
+    vim.cmd('Ladder review')
+    t.equal('the signs', {}, signs())
+    vim.cmd('silent write')
+  end)
+
   t.step(':Ladder diff says that nothing changed, and what is wrong', function()
     git('commit', '-qam', 'y')
     vim.cmd('Ladder diff')

@@ -8,6 +8,7 @@ import { access, SEEN, SEEN_TEXT } from './access.mjs';
 import { openBrowser, QUIET, removeScratch, scratchFolder, serve, until } from './codeServer.mjs';
 import { book, emptyFiles } from './book.mjs';
 import { changing, CHANGING, CHANGING_TEXT } from './changing.mjs';
+import { comparedProgram, comparing } from './comparing.mjs';
 import { debug, PROGRAM, TEXT } from './debug.mjs';
 import { diagram, programs } from './diagram.mjs';
 import { drawing, NAME as DRAWN, TEXT as DRAWN_TEXT } from './drawing.mjs';
@@ -48,6 +49,7 @@ function prepare() {
     writeFileSync(join(scratch, 'project', SAVED), `${CROOKED}\n`);
     writeFileSync(join(scratch, 'project/watch.clad'), '+--[TON]( clock, T#1h )--( )( late )--+\n');
     writeFileSync(join(scratch, 'project', DRAWN), DRAWN_TEXT);
+    comparedProgram(join(scratch, 'project'));
     emptyFiles(join(scratch, 'project'));
     for (const [name, text] of Object.entries({ ...programs, ...PROGRAMS, ...SCENARIOS })) {
         writeFileSync(join(scratch, 'project', name), text);
@@ -364,6 +366,7 @@ const parts = (page) => ({
     book: () => book(page, { step, until, project: join(scratch, 'project') }),
     debug: () => debug(page, { step, until, weights, screenshot }),
     scenarios: () => scenarios(page, { step, until, screenshot, holdTest }),
+    comparing: () => comparing(page, { step, until, screenshot }),
     // Its last step loads the page again.
     diagram: () => diagram(page, { step, until, screenshot }),
 });

@@ -305,6 +305,18 @@ pub const SECTIONS: &[Section] = &[
             about: "How much of the talk with the language server goes into the log: the names of the messages, or all of them. It is logged only while the log's level is *Trace* (command *Developer: Set Log Level*).",
         }],
     },
+    Section {
+        name: "review",
+        about: "What changed since the last commit.",
+        settings: &[Setting {
+            key: "marks",
+            kind: Kind::Switch,
+            place: SetBy::Extension,
+            default: Some("true"),
+            example: "false",
+            about: "Marks next to the networks that are not as the last commit has them: whether each does the same (`=`), another thing (`≠`), or that is not decided (`?`), and what is new, gone, or only drawn or placed differently.",
+        }],
+    },
 ];
 
 /// The names of the settings in a section, of those that the source may set.

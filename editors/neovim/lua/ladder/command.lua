@@ -256,6 +256,20 @@ local subcommands = {
       require('ladder.diff').open(buffer(), arguments[1])
     end,
   },
+  review = {
+    run = function(arguments)
+      if not arguments[1] then
+        require('ladder.review').toggle(buffer())
+      elseif arguments[1] == 'reason' then
+        require('ladder.review').reason(buffer())
+      else
+        refuse(('":Ladder review" takes nothing, or "reason" for the rung at the cursor; not "%s".'):format(arguments[1]))
+      end
+    end,
+    complete = function(arguments)
+      return #arguments == 0 and { 'reason' } or {}
+    end,
+  },
   diagram = {
     run = function()
       require('ladder.diagram').toggle(drawing())
