@@ -1,7 +1,7 @@
 //! What is on the command line.
 
 use crate::commands::{
-    check, convert, dap, diff, explain, fmt, git, lsp, merge, new, prove, render, sim, tags, test, tree,
+    check, convert, dap, diff, explain, fmt, git, lsp, merge, new, prove, render, sim, tags, test, tree, why,
 };
 #[cfg(feature = "pages")]
 use crate::commands::{completions, man, pages};
@@ -56,6 +56,7 @@ enum Command {
     Merge(merge::Arguments),
     Git(git::Arguments),
     Tags(tags::Arguments),
+    Why(why::Arguments),
     Convert(convert::Arguments),
     Explain(explain::Arguments),
     Lsp(lsp::Arguments),
@@ -90,6 +91,7 @@ impl Ladder {
             Command::Merge(arguments) => merge::run(&arguments),
             Command::Git(arguments) => git::run(&arguments),
             Command::Tags(arguments) => tags::run(&arguments),
+            Command::Why(arguments) => why::run(&arguments),
             Command::Convert(arguments) => convert::run(&arguments),
             Command::Explain(arguments) => explain::run(&arguments),
             Command::Tree(arguments) => tree::run(&arguments),

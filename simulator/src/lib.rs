@@ -106,7 +106,8 @@ pub use inputs::{Inputs, InputsError};
 pub use members::members_of;
 pub use retain::Kept;
 pub use session::{
-    Breakpoint, Cause, HistoryLimits, Hit, Reason, Session, Since, StepBy, Stop, Why, Wording, Write,
+    Breakpoint, Cause, HistoryLimits, Hit, Judged, Judgement, Moment, Reason, Session, Since, StepBy, Stop,
+    Why, Wording, Write,
 };
 pub use simulation::{
     Activation, Instance, Options, Routine, Simulation, State, Status, Stepped, ValueRefused,

@@ -275,6 +275,27 @@ impl Timer {
         timer.outputs(phase & ON != 0, et.min(limit))
     }
 
+    /// Its members were written from outside: what it is doing is made to fit them, so that it goes on from there.
+    pub(crate) fn follow_members(self, memory: &mut Memory, state: StateType, now: i64) {
+        let timer = self.view::<false>(memory);
+        let (q, et) = (timer.bits[Q as usize] != 0, timer.et());
+        let is_high = timer.bits[IN as usize] != 0;
+        timer.words[SINCE as usize] = now.saturating_sub(et);
+        timer.bits[PHASE as usize] = match state {
+            StateType::Ton if q => DONE,
+            StateType::Ton if et > 0 => RUNNING,
+            StateType::Tof if is_high => ARMED,
+            StateType::Tof if q => RUNNING,
+            StateType::Tof => DONE,
+            // Of one moment no rise is known.
+            StateType::Tp if q => RUNNING | WAS_HIGH,
+            StateType::Tp if et > 0 => DONE | WAS_HIGH,
+            StateType::Tp => IDLE | WAS_HIGH,
+            StateType::Rtof => FELL | if q { ON } else { 0 },
+            _ => IDLE,
+        };
+    }
+
     /// `(RES)`: like an R that ends with it. A pulse timer remembers EN: what is high then is not a rise.
     pub(crate) fn clear<const FORCED: bool>(self, memory: &mut Memory, state: StateType) {
         let mut timer = self.view::<FORCED>(memory);

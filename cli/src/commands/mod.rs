@@ -22,3 +22,4 @@ pub(crate) mod sim;
 pub(crate) mod tags;
 pub(crate) mod test;
 pub(crate) mod tree;
+pub(crate) mod why;

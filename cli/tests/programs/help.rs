@@ -4,7 +4,7 @@ use crate::harness::Folder;
 use expect_test::expect_file;
 
 /// Every command of `ladder`.
-const COMMANDS: [&str; 15] = [
+const COMMANDS: [&str; 16] = [
     "new",
     "check",
     "fmt",
@@ -17,6 +17,7 @@ const COMMANDS: [&str; 15] = [
     "explain",
     "lsp",
     "tags",
+    "why",
     "tree",
     "completions",
     "man",

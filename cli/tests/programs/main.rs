@@ -42,3 +42,4 @@ mod sim_formats;
 mod tags;
 mod tree;
 mod watch;
+mod why;

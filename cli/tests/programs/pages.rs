@@ -91,6 +91,7 @@ fn manual_pages() {
         ladder-tags.1
         ladder-test.1
         ladder-tree.1
+        ladder-why.1
         ladder.1
         ldfmt.1"#]]
     .assert_eq(&pages.join("\n"));

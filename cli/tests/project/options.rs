@@ -4,7 +4,7 @@ use ladder_tests::{book, project};
 use std::collections::BTreeSet;
 use std::process::Command;
 
-const COMMANDS: [&str; 14] = [
+const COMMANDS: [&str; 15] = [
     "check",
     "fmt",
     "sim",
@@ -18,6 +18,7 @@ const COMMANDS: [&str; 14] = [
     "explain",
     "lsp",
     "tree",
+    "why",
     "completions",
 ];
 

@@ -39,7 +39,7 @@ use std::cell::OnceCell;
 use std::collections::VecDeque;
 use std::sync::Arc;
 use why::Writers;
-pub use why::{Cause, Reason, Since, Why, Wording, Write};
+pub use why::{Cause, Judged, Judgement, Moment, Reason, Since, Why, Wording, Write};
 
 /// This many faults are kept: those that happened last.
 const FAULTS: usize = 4096;

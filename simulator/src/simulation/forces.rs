@@ -154,7 +154,7 @@ impl Simulation {
     }
 
     /// Writes past all forces.
-    fn write(&mut self, point: &Point, value: &Value) {
+    pub(crate) fn write(&mut self, point: &Point, value: &Value) {
         let memory = &mut self.machine.memory;
         match (point.slot, value) {
             (PointSlot::Bit(slot), Value::Bool(high)) => memory.set_bit(slot, *high),

@@ -4,7 +4,7 @@
 mod pdf;
 #[cfg(feature = "png")]
 mod raster;
-mod text;
+pub(crate) mod text;
 #[cfg(feature = "pdf")]
 mod title_block;
 

@@ -20,6 +20,13 @@ pub(super) fn drawn(source: &Source, simulation: Option<&Simulation>, style: Sty
     letters::text(&pieces, style)
 }
 
+/// A stretch of the diagram, as it is.
+pub(crate) fn network(source: &Source, simulation: &Simulation, stretch: TextRange) -> String {
+    let live = live(source, simulation);
+    let pieces = letters::pieces(&source.analyze().context, stretch, RAIL, Some(&live));
+    letters::text(&pieces, Style::default())
+}
+
 /// How the parts of the drawing are.
 fn live(source: &Source, simulation: &Simulation) -> Live {
     let context = &source.analyze().context;

@@ -11,7 +11,7 @@
 
 use super::question::{Change, Found, FoundReason, FoundWrite, Question, When, before, written_out};
 use super::reasons::{self, Blocker};
-use super::trace::{self, Limit, Traced, en_of};
+use super::trace::{self, Limit, Traced};
 use super::writers::Writers;
 use super::{Cause, Why, place};
 use crate::places::BlockAt;
@@ -341,11 +341,7 @@ impl Inquiry<'_> {
         let traced = trace::last_write(self.simulation, self.writers, blocks, &point, when.limit)?;
         let program = self.simulation.program().clone();
         let network = &program.networks[traced.at.network];
-        let lists: Vec<Vec<Blocker>> = if traced.power {
-            vec![reasons::passed(network, traced.en, &traced.powers)]
-        } else {
-            reasons::missing(network, traced.en, &traced.powers, &traced.conducts)
-        };
+        let lists = traced.ways(network);
         let mut ways = Vec::with_capacity(lists.len());
         for list in lists {
             let mut way = Vec::with_capacity(list.len());
@@ -390,23 +386,9 @@ impl Inquiry<'_> {
                 because: Vec::new(),
             };
         };
-        let mut looked_at = vec![index];
-        if let Some(en) = en_of(network, index)
-            && reasons::inverts(network, index)
-            && traced.powers[en]
-        {
-            // It passes nothing on because power reaches it.
-            looked_at = reasons::passed(network, en, &traced.powers)
-                .into_iter()
-                .filter_map(|blocker| match blocker {
-                    Blocker::Block(index) => Some(index),
-                    Blocker::Rail => None,
-                })
-                .collect();
-        }
         let mut values = Vec::new();
         let mut because = Vec::new();
-        for index in looked_at {
+        for index in reasons::deciding(network, index, &traced.powers) {
             let of_block = traced.values.get(&index).cloned().unwrap_or_default();
             because.extend(self.because(&of_block, traced, index, entry, asker));
             values.extend(of_block);

@@ -5,6 +5,7 @@
 //! the history and run again, until the last write of the tag has been seen.
 
 mod inquiry;
+mod moment;
 mod place;
 mod question;
 mod reasons;
@@ -18,6 +19,7 @@ use crate::tags::Point;
 pub(super) use inquiry::Inquiry;
 use ladder_analysis::program::Location;
 use ladder_analysis::values::value::Value;
+pub use moment::{Judged, Judgement, Moment};
 pub use text::Wording;
 pub(super) use writers::Writers;
 

@@ -1,5 +1,6 @@
 //! The boolean network before a block: how power came to it, or what it would take.
 
+use super::trace::en_of;
 use ladder_analysis::program::{BlockKind, Network, Step};
 use ladder_instructions::Power;
 use std::collections::HashMap;
@@ -75,6 +76,19 @@ pub(super) fn missing(
         ways.push(smallest(here));
     }
     ways.pop().unwrap_or_default()
+}
+
+/// The blocks whose operands decide that one passes power on or stops it: itself, or what brings power to one that inverts.
+pub(super) fn deciding(network: &Network, block: usize, powers: &[bool]) -> Vec<usize> {
+    let en = en_of(network, block).filter(|en| inverts(network, block) && powers[*en]);
+    let Some(en) = en else { return vec![block] };
+    // It passes nothing on because power reaches it.
+    let passed = passed(network, en, powers).into_iter();
+    let blocks = passed.filter_map(|blocker| match blocker {
+        Blocker::Block(index) => Some(index),
+        Blocker::Rail => None,
+    });
+    blocks.collect()
 }
 
 /// Whether a block gives power when none reaches it.

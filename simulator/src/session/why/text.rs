@@ -1,6 +1,6 @@
 //! Reasons in words: each node of the tree has a sentence, and the text for a terminal is made of them.
 
-use super::{Cause, Reason, Since, Why, Write};
+use super::{Cause, Judged, Judgement, Reason, Since, Why, Write};
 use crate::tags::Point;
 use crate::value_text;
 use ladder_analysis::program::{Location, Role};
@@ -67,6 +67,42 @@ impl<'t> Wording<'t> {
         line
     }
 
+    /// Why a tag holds what a table says, or what contradicts that: one sentence, without the tags that it was followed back to.
+    pub fn judged(&self, judged: &Judged) -> String {
+        let point = &judged.point;
+        let mut line = format!("{} is {}", point.name, value(point, &judged.value));
+        if !judged.is_given {
+            line.push_str(", though not in the table");
+        }
+        if judged.contradiction().is_some() {
+            line.push_str(", against the program");
+        } else if !judged.missing.is_empty() {
+            line.push_str(", as far as the table goes");
+        }
+        let blocks = match (judged.writers, judged.judgements.is_empty()) {
+            (0, _) if point.role == Role::Input => "it is an input".to_owned(),
+            (0, _) => "no network writes it".to_owned(),
+            (1, true) => "the block that writes it is not reached".to_owned(),
+            (writers, true) => format!("none of the {writers} blocks that write it is reached"),
+            _ => {
+                let blocks = judged.judgements.iter();
+                let blocks: Vec<String> = blocks.map(|it| self.judgement(point, it)).collect();
+                blocks.join("; then ")
+            }
+        };
+        format!("{line}: {blocks}")
+    }
+
+    fn judgement(&self, point: &Point, judgement: &Judgement) -> String {
+        let (line, _, block) = self.place(judgement.write.block);
+        let does = if judgement.writes {
+            format!("writes {}", value(point, &judgement.leaves))
+        } else {
+            "does not write it".to_owned()
+        };
+        format!("line {line}, {block} {does}; {}", self.way(&judgement.write))
+    }
+
     fn lines(&self, why: &Why, depth: usize, lines: &mut Vec<String>) {
         let line = self.why(why);
         // The same tag may be in several contacts.
@@ -131,15 +167,17 @@ impl<'t> Wording<'t> {
         self.place(block).2
     }
 
-    /// Line, column and text of a block.
-    fn place(&self, location: Location) -> (u32, u32, &'t str) {
+    /// Line, column and text of a block, as far as its first line goes.
+    pub fn place(&self, location: Location) -> (u32, u32, &'t str) {
         let file = location.file as usize;
         let (Some(text), Some(index)) = (self.texts.get(file), self.indexes.get(file)) else {
             return (0, 0, "");
         };
-        let place = index.line_column(text, location.range.start());
         let range = usize::from(location.range.start())..usize::from(location.range.end());
-        let drawn = text.get(range).unwrap_or_default();
+        let Some(drawn) = text.get(range) else {
+            return (0, 0, "");
+        };
+        let place = index.line_column(text, location.range.start());
         (place.line, place.column, drawn.lines().next().unwrap_or_default())
     }
 }

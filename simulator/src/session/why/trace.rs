@@ -2,6 +2,7 @@
 //! may write the tag: there it halts in front of each block and after it.
 
 use super::place;
+use super::reasons::{self, Blocker};
 use super::writers::Writers;
 use crate::code::{Code, stop};
 use crate::machine::Until;
@@ -52,6 +53,17 @@ pub(super) struct Traced {
     pub(super) positions: HashMap<usize, Limit>,
 }
 
+impl Traced {
+    /// With power the blocks that it came through; without it what is missing, in each way.
+    pub(super) fn ways(&self, network: &Network) -> Vec<Vec<Blocker>> {
+        if self.power {
+            vec![reasons::passed(network, self.en, &self.powers)]
+        } else {
+            reasons::missing(network, self.en, &self.powers, &self.conducts)
+        }
+    }
+}
+
 /// A block that is about to run.
 struct Next {
     at: BlockAt,
@@ -67,22 +79,64 @@ pub(super) fn last_write(
     point: &Point,
     limit: Limit,
 ) -> Option<Traced> {
+    let mut last = None;
+    let found = &mut |_: &Simulation, traced, has_written| {
+        if has_written {
+            last = Some(traced);
+        }
+    };
     let halts = Halts::of(simulation, blocks, limit);
-    halts.mark(&mut simulation.compiled.code, true);
-    let found = run(simulation, writers, blocks, &halts, point, limit);
-    halts.mark(&mut simulation.compiled.code, false);
-    found
+    let asked = Asked {
+        writers,
+        blocks,
+        point,
+        limit,
+    };
+    run(simulation, halts, &asked, &mut |_, _| {}, found);
+    last
+}
+
+/// Runs a whole scan, with a halt at these instructions as well; every block that may write the point, and whether it did.
+pub(super) fn all_writes(
+    simulation: &mut Simulation,
+    writers: &Writers,
+    (blocks, point): (&[BlockAt], &Point),
+    also: &[u32],
+    halted: &mut dyn FnMut(&mut Simulation, u32),
+    found: &mut dyn FnMut(&Simulation, Traced, bool),
+) {
+    let mut halts = Halts::of(simulation, blocks, Limit::End);
+    halts.all.extend(also);
+    let asked = Asked {
+        writers,
+        blocks,
+        point,
+        limit: Limit::End,
+    };
+    run(simulation, halts, &asked, halted, found);
+}
+
+/// Whose writes are looked for in a scan, and how far.
+struct Asked<'a> {
+    writers: &'a Writers,
+    blocks: &'a [BlockAt],
+    point: &'a Point,
+    limit: Limit,
 }
 
 fn run(
     simulation: &mut Simulation,
-    writers: &Writers,
-    blocks: &[BlockAt],
-    halts: &Halts,
-    point: &Point,
-    limit: Limit,
-) -> Option<Traced> {
-    let mut found = None;
+    halts: Halts,
+    &Asked {
+        writers,
+        blocks,
+        point,
+        limit,
+    }: &Asked<'_>,
+    halted: &mut dyn FnMut(&mut Simulation, u32),
+    found: &mut dyn FnMut(&Simulation, Traced, bool),
+) {
+    halts.mark(&mut simulation.compiled.code, true);
     let mut next: Option<Next> = None;
     let mut seen = Seen::default();
     simulation.begin_scan();
@@ -96,13 +150,13 @@ fn run(
             seen.look_after(simulation, ran.at, position);
             if let Some(before) = ran.before {
                 let traced = seen.traced(simulation, writers, ran.at);
-                if has_written(simulation, point, (ran.at, before), traced.power) {
-                    found = Some(traced);
-                }
+                let has_written = has_written(simulation, point, (ran.at, before), traced.power);
+                found(simulation, traced, has_written);
             }
         }
         let Stepped::At(_) = stepped else { break };
         let pc = simulation.machine.open_scan().pc();
+        halted(simulation, pc);
         let Some(&at) = halts.blocks.get(&pc) else {
             continue;
         };
@@ -113,7 +167,7 @@ fn run(
             before: is_writer.then(|| simulation.value(point)),
         });
     }
-    found
+    halts.mark(&mut simulation.compiled.code, false);
 }
 
 /// Where the scan halts.

@@ -1,0 +1,82 @@
+//! The values of a table, as those of a program's tags.
+
+use super::table::{self, Row};
+use crate::outcome::Failure;
+use ladder_analysis::values::types::Scalar;
+use ladder_analysis::values::value::Value;
+use ladder_simulator::{Point, Simulation, value_text};
+use ladder_workspace::shown;
+use std::collections::HashMap;
+use std::path::Path;
+
+/// What a table gives to a program.
+pub(super) struct Given {
+    /// The tags that it has, with their values.
+    pub(super) values: Vec<(Point, Value)>,
+    /// Names that the program does not have, with their lines.
+    pub(super) unknown: Vec<(u64, String)>,
+    /// Constants of the program that have another value in the table.
+    pub(super) constants: Vec<String>,
+}
+
+impl Given {
+    /// Reads a table.
+    ///
+    /// # Errors
+    /// It cannot be read, a value is none of its tag's type, or a tag has two.
+    pub(super) fn read(file: &Path, simulation: &Simulation) -> Result<Given, Failure> {
+        let text = ladder_workspace::read(file)?;
+        let failed = |line: u64, message: &str| {
+            let message = format!("{}: line {line}: {message}", shown::path(file));
+            Failure::new(message)
+        };
+        let rows = table::parse(&text).map_err(|broken| failed(broken.line, &broken.message))?;
+        let mut given = Given {
+            values: Vec::new(),
+            unknown: Vec::new(),
+            constants: Vec::new(),
+        };
+        let mut lines: HashMap<String, (u64, Value)> = HashMap::new();
+        for Row { line, name, value } in rows {
+            let Ok(point) = simulation.resolve(&name) else {
+                given.unknown.push((line, name));
+                continue;
+            };
+            let value = value_of(&value, point.ty).map_err(|problem| failed(line, &problem))?;
+            if let Some((first, other)) = lines.get(&point.name) {
+                if *other != value {
+                    return Err(failed(
+                        line,
+                        &format!("`{name}` has another value in line {first}"),
+                    ));
+                }
+                continue;
+            }
+            lines.insert(point.name.clone(), (line, value.clone()));
+            if !point.read_only {
+                given.values.push((point, value));
+            } else if simulation.value(&point) != value && !name.contains('.') {
+                let own = value_text::display(&simulation.value(&point), point.ty);
+                let table = value_text::display(&value, point.ty);
+                given
+                    .constants
+                    .push(format!("{} is {own}, not {table} (line {line})", point.name));
+            }
+        }
+        Ok(given)
+    }
+}
+
+/// A value as controllers write it: a duration as a number of milliseconds too, a number with a comma.
+fn value_of(text: &str, ty: Scalar) -> Result<Value, String> {
+    if ty == Scalar::Time
+        && let Ok(milliseconds) = text.parse::<i64>()
+    {
+        let nanoseconds = milliseconds.checked_mul(1_000_000).map(Value::Int);
+        return nanoseconds.ok_or_else(|| format!("`{text}` milliseconds are more than a TIME holds"));
+    }
+    if ty.is_real() && text.contains(',') && !text.contains('.') {
+        return value_text::parse(&text.replace(',', "."), ty);
+    }
+    value_text::parse(text, ty)
+}

@@ -1,0 +1,217 @@
+//! `ladder why`: why a tag holds what it holds, from values that were taken from a controller, without a run.
+
+mod given;
+mod json;
+mod table;
+
+use crate::commands::render::text;
+use crate::findings::Source;
+use crate::form;
+use crate::json::to_writer_pretty;
+use crate::outcome::{Failure, Outcome};
+use crate::run::program;
+use crate::terminal::Stdout;
+use clap::{Args, ValueEnum};
+use given::Given;
+use ladder_analysis::program::Program;
+use ladder_simulator::{Judged, Moment, Options, Simulation, Wording};
+use ladder_workspace::shown;
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+const EXAMPLES: &str = "\
+Examples:
+  ladder why press.clad run --tags values.csv
+  ladder why press.clad run --tags values.csv --format json
+
+The table has a name and a value a row, with `,`, `;` or tabs between them:
+
+  start,1
+  stop,FALSE
+  warmup.ACC,1500
+
+A header may say which columns they are in: `name` or `tag`, `value` or `Monitor value`.
+
+Exit status: 0 the program explains the value, 1 the values contradict it, some that are needed are not there, or the
+program has errors, 2 a file cannot be read, or there is no such tag.";
+
+/// Say why a tag holds what it holds, from values that were taken from a controller
+///
+/// The networks that write the tag are run once, each from the values of the table, and drawn with their power: no time passes, and no
+/// edge comes through. What decides is followed back to other tags. Values that contradict the program are said, and which are needed and
+/// not in the table.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// The program
+    file: PathBuf,
+
+    /// The tag
+    tag: String,
+
+    /// The table of values, in CSV
+    #[arg(long, value_name = "FILE")]
+    tags: PathBuf,
+
+    /// The notation of the program, as for `ladder convert`; without it its content decides
+    #[arg(long, value_name = "NOTATION", value_parser = form::names(), hide_possible_values = true)]
+    from: Option<String>,
+
+    /// How the answer is written
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// For people, with the networks drawn
+    Text,
+    /// One object
+    Json,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let source = Source::read(&arguments.file, arguments.from.as_deref().map(form::named))?;
+    let Some(program) = program(&source) else {
+        return Ok(Outcome::Findings);
+    };
+    // No time passes.
+    let options = Options {
+        interval: 0,
+        ..Options::default()
+    };
+    let simulation = Simulation::new(program, options).map_err(|error| Failure::new(error.message))?;
+    let point = simulation.resolve(&arguments.tag);
+    let point = point.map_err(|unknown| Failure::new(unknown.to_string()))?;
+    let given = Given::read(&arguments.tags, &simulation)?;
+    let mut moment = Moment::new(simulation, given.values.clone()).map_err(|faults| {
+        let what = faults
+            .first()
+            .map_or_else(String::new, |fault| fault.message.clone());
+        Failure::new(format!(
+            "with these values the program does not come through a scan: {what}"
+        ))
+    })?;
+    let judged = moment.why(&point);
+    let is_sound = !contradicts(&judged) && missing(&judged).is_empty() && given.constants.is_empty();
+    let mut out = Stdout::new();
+    match arguments.format {
+        Format::Text => people(&source, &moment, &judged, &given, &mut out)?,
+        Format::Json => {
+            let program = moment.simulation().program();
+            let texts = texts(&source, program);
+            let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+            to_writer_pretty(
+                &mut out,
+                &json::Answer::of(&judged, &given, &Wording::new(&texts)),
+            )?;
+            writeln!(out)?;
+        }
+    }
+    out.flush()?;
+    Ok(if is_sound {
+        Outcome::Fine
+    } else {
+        Outcome::Findings
+    })
+}
+
+/// The texts of the program's files.
+fn texts(source: &Source, program: &Program) -> Vec<String> {
+    let others = program.files.iter().skip(1);
+    let text = |name: &String| {
+        source
+            .other(name)
+            .map_or_else(String::new, |other| other.text.clone())
+    };
+    std::iter::once(source.text.clone())
+        .chain(others.map(text))
+        .collect()
+}
+
+/// Whether a value contradicts the program, of the tag or of one that it was followed back to.
+fn contradicts(judged: &Judged) -> bool {
+    judged.contradiction().is_some() || judged.because.iter().any(contradicts)
+}
+
+/// The names of the values that are needed and not there. What a given value came from is not needed.
+fn missing(judged: &Judged) -> Vec<String> {
+    let mut names = Vec::new();
+    if !judged.is_given && judged.writers == 0 {
+        names.push(judged.point.name.clone());
+    }
+    add_missing(judged, &mut names);
+    names.sort();
+    names.dedup();
+    names
+}
+
+fn add_missing(judged: &Judged, names: &mut Vec<String>) {
+    names.extend(judged.missing.iter().map(|point| point.name.clone()));
+    let followed = judged.because.iter();
+    for because in followed.filter(|because| judged.missing.contains(&because.point)) {
+        add_missing(because, names);
+    }
+}
+
+fn people(
+    source: &Source,
+    moment: &Moment,
+    judged: &Judged,
+    given: &Given,
+    out: &mut Stdout,
+) -> io::Result<()> {
+    let program = moment.simulation().program();
+    let texts = texts(source, program);
+    let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+    let mut lines = Vec::new();
+    reasons(&Wording::new(&texts), judged, 0, &mut lines);
+    for line in &lines {
+        writeln!(out, "{}", shown::line(line))?;
+    }
+    let mut drawn: Vec<usize> = judged.judgements.iter().map(|it| it.network).collect();
+    drawn.dedup();
+    for network in drawn {
+        let location = program.networks[network].location;
+        if location.file == 0 {
+            let drawing = text::network(source, moment.simulation(), location.range);
+            write!(out, "\n{}", shown::text(&drawing))?;
+        }
+    }
+    let mut note = |what: &str, names: Vec<String>| -> io::Result<()> {
+        if names.is_empty() {
+            return Ok(());
+        }
+        writeln!(out, "\n{what}: {}", shown::line(&names.join(", ")))
+    };
+    if contradicts(judged) {
+        let why = "they were taken in mid-scan, something else writes the tag, or the controller runs another program";
+        note("the values contradict the program", vec![why.to_owned()])?;
+    }
+    note(
+        "needed, and not in the table (taken as they begin)",
+        missing(judged),
+    )?;
+    note(
+        "another value in the program, where these are constants",
+        given.constants.clone(),
+    )?;
+    let unknown = given
+        .unknown
+        .iter()
+        .map(|(line, name)| format!("{name} (line {line})"));
+    note("in the table, and not in the program", unknown.collect())
+}
+
+/// A line for each tag, those that it was followed back to below it.
+fn reasons(wording: &Wording<'_>, judged: &Judged, depth: usize, lines: &mut Vec<String>) {
+    lines.push(format!(
+        "{:indent$}{}",
+        "",
+        wording.judged(judged),
+        indent = depth * 2
+    ));
+    for because in &judged.because {
+        reasons(wording, because, depth + 1, lines);
+    }
+}

@@ -1,0 +1,348 @@
+//! Why tags hold what they hold at one moment of which only the values are known: taken from a controller, without a run.
+//!
+//! Each network is run once, from the values of the moment: what a network has written is put back to what was given before the next
+//! begins. No time passes. Edges hold what their operands hold, so that none of them comes through.
+
+use super::reasons::{self, Blocker};
+use super::trace::{self, Traced};
+use super::writers::Writers;
+use super::{Reason, Write, place};
+use crate::fault::Fault;
+use crate::layout::Home;
+use crate::places::BlockAt;
+use crate::simulation::{Simulation, State, Status};
+use crate::tags::{Point, Within};
+use crate::timers::Timer;
+use ladder_analysis::program::{BlockKind, Network, Step};
+use ladder_analysis::values::value::Value;
+use ladder_instructions::{Group, Op, StateType};
+use std::collections::{BTreeMap, HashMap, HashSet};
+
+/// So many tags are asked about for one question.
+const MOST_ASKED: usize = 40;
+/// So far the chain is followed.
+const DEEPEST: usize = 4;
+
+/// A program, and the values of a moment.
+#[derive(Debug)]
+pub struct Moment {
+    simulation: Simulation,
+    writers: Writers,
+    given: Vec<(Point, Value)>,
+    /// The timers of which something was given.
+    timers: Vec<(Timer, StateType)>,
+    names: HashSet<String>,
+    /// Of each network the given values that it may write over.
+    written: HashMap<usize, Vec<usize>>,
+    /// The given values in the states of blocks.
+    inside: Vec<usize>,
+    /// The first instruction of each network.
+    starts: HashMap<u32, usize>,
+    /// Before the scan in which the networks are seen.
+    settled: State,
+}
+
+/// What the program says of a tag's value.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Judged {
+    /// The tag.
+    pub point: Point,
+    /// What it holds: what was given, or what it begins with.
+    pub value: Value,
+    /// Whether that was given.
+    pub is_given: bool,
+    /// What the blocks that may write it do, in their order; those that are not reached are not there.
+    pub judgements: Vec<Judgement>,
+    /// How many blocks may write it.
+    pub writers: usize,
+    /// What was not given and may decide what these networks do with the tag.
+    pub missing: Vec<Point>,
+    /// The same of the tags that were read.
+    pub because: Vec<Judged>,
+}
+
+/// What a block that may write a tag does.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Judgement {
+    /// How power comes to it, or what stops it. Its scan means nothing.
+    pub write: Write,
+    /// Whether it writes the tag.
+    pub writes: bool,
+    /// What the tag holds after it.
+    pub leaves: Value,
+    /// The network that it is in.
+    pub network: usize,
+}
+
+impl Judged {
+    /// What contradicts the value: the last block that writes the tag leaves another one, whatever was not given.
+    pub fn contradiction(&self) -> Option<&Judgement> {
+        let last = self.judgements.iter().rfind(|judgement| judgement.writes)?;
+        (self.is_given && self.missing.is_empty() && last.leaves != self.value).then_some(last)
+    }
+}
+
+impl Moment {
+    /// A program before its first scan, whose interval should be 0, with the values of a moment.
+    ///
+    /// # Errors
+    /// With these values it does not come through a scan: its faults.
+    pub fn new(mut simulation: Simulation, given: Vec<(Point, Value)>) -> Result<Moment, Vec<Fault>> {
+        let writers = Writers::of(&simulation);
+        let mut written: HashMap<usize, Vec<usize>> = HashMap::new();
+        let mut inside = Vec::new();
+        let mut timers = Vec::new();
+        let mut last = None;
+        for (index, (point, _)) in given.iter().enumerate() {
+            if point.within == Within::Block {
+                inside.push(index);
+            }
+            let tag = place::tag_of(&simulation, point);
+            if let Some(Home::State { state, bits, words }) =
+                tag.map(|tag| simulation.compiled.homes[tag.0 as usize])
+                && state.is_timer()
+                && last != tag
+            {
+                timers.push((Timer { bits, words }, state));
+                last = tag;
+            }
+            let mut networks: Vec<usize> = writers.of_tag(tag).iter().map(|at| at.network).collect();
+            networks.dedup();
+            for network in networks {
+                written.entry(network).or_default().push(index);
+            }
+        }
+        let stretches = simulation.compiled.stretches.iter().enumerate();
+        let starts = stretches.filter(|(_, stretch)| stretch.start < stretch.end);
+        let starts = starts
+            .map(|(network, stretch)| (stretch.start, network))
+            .collect();
+        let settled = simulation.state();
+        simulation.set_brake(None);
+        let mut moment = Moment {
+            names: given.iter().map(|(point, _)| point.name.clone()).collect(),
+            simulation,
+            writers,
+            given,
+            timers,
+            written,
+            inside,
+            starts,
+            settled,
+        };
+        // Edges and timers get to know the values.
+        if let Some(any) = moment.simulation.points().first().cloned() {
+            moment.see(&any, &[]);
+        }
+        if moment.simulation.status == Status::Faulted {
+            return Err(moment.simulation.take_faults());
+        }
+        moment.settled = moment.simulation.state();
+        Ok(moment)
+    }
+
+    /// The program after a scan in which each network was run from the values, which are all there again.
+    pub fn simulation(&self) -> &Simulation {
+        &self.simulation
+    }
+
+    /// Why a point holds its value, or what contradicts that.
+    pub fn why(&mut self, point: &Point) -> Judged {
+        let mut asked = HashSet::new();
+        self.judge(point, DEEPEST, &mut asked)
+    }
+
+    fn judge(&mut self, point: &Point, depth: usize, asked: &mut HashSet<String>) -> Judged {
+        asked.insert(point.name.clone());
+        let blocks = self
+            .writers
+            .of_tag(place::tag_of(&self.simulation, point))
+            .to_vec();
+        let found = self.see(point, &blocks);
+        let program = self.simulation.program().clone();
+        let mut judgements = Vec::with_capacity(found.len());
+        let (mut read, mut missing): (Vec<Point>, Vec<Point>) = (Vec::new(), Vec::new());
+        for (traced, writes, leaves) in found {
+            let network = &program.networks[traced.at.network];
+            for needed in self.open_values(network, &traced) {
+                if !missing.contains(&needed) {
+                    missing.push(needed);
+                }
+            }
+            let write = write_of(network, &traced, point);
+            let reasons = write.reasons.iter().flatten().flat_map(|reason| &reason.values);
+            for (point, _) in reasons.chain(&write.read) {
+                if !point.is_constant() && !point.is_system() && !read.contains(point) {
+                    read.push(point.clone());
+                }
+            }
+            judgements.push(Judgement {
+                write,
+                writes,
+                leaves,
+                network: traced.at.network,
+            });
+        }
+        let value = self.simulation.value(point);
+        let mut because = Vec::new();
+        for point in read {
+            if depth > 0 && asked.len() < MOST_ASKED && !asked.contains(&point.name) {
+                because.push(self.judge(&point, depth - 1, asked));
+            }
+        }
+        Judged {
+            is_given: self.names.contains(&point.name),
+            point: point.clone(),
+            value,
+            judgements,
+            writers: blocks.len(),
+            missing,
+            because,
+        }
+    }
+
+    /// What was not given and may decide what a block does.
+    fn open_values(&self, network: &Network, traced: &Traced) -> Vec<Point> {
+        let is_open = |(point, _): &&(Point, Value)| {
+            !point.is_constant() && !point.is_system() && !self.names.contains(&point.name)
+        };
+        let of_block = |block: &usize| traced.values.get(block).into_iter().flatten().filter(is_open);
+        let mut blocks: Vec<usize> = traced.values.keys().copied().collect();
+        blocks.sort_unstable();
+        blocks.retain(|block| of_block(block).next().is_some());
+        if is_certain(network, traced, &blocks) {
+            blocks.retain(|block| *block == traced.at.block && traced.power);
+        }
+        blocks
+            .iter()
+            .flat_map(of_block)
+            .map(|(point, _)| point.clone())
+            .collect()
+    }
+
+    /// Runs the scan; what each of these blocks does to a point, in their order.
+    fn see(&mut self, point: &Point, blocks: &[BlockAt]) -> Vec<(Traced, bool, Value)> {
+        let Moment {
+            simulation,
+            writers,
+            given,
+            timers,
+            written,
+            inside,
+            starts,
+            settled,
+            ..
+        } = self;
+        simulation.restore(settled);
+        simulation.machine.faults.clear();
+        let put_all = |simulation: &mut Simulation| {
+            for (point, value) in given.iter() {
+                simulation.write(point, value);
+            }
+            let now = simulation.time();
+            for &(timer, state) in timers.iter() {
+                timer.follow_members(&mut simulation.machine.memory, state, now);
+            }
+        };
+        put_all(simulation);
+        let asked: HashSet<usize> = blocks.iter().map(|at| at.network).collect();
+        let also: Vec<u32> = starts.keys().copied().collect();
+        let mut last: Option<usize> = None;
+        let mut halted = |simulation: &mut Simulation, pc: u32| {
+            let Some(&network) = starts.get(&pc) else { return };
+            if asked.contains(&network) {
+                put_all(simulation);
+            } else if let Some(last) = last {
+                let calls = simulation.program().networks[last].blocks.iter();
+                let has_body = calls
+                    .into_iter()
+                    .any(|block| matches!(block.kind, BlockKind::User(_)));
+                let own = written.get(&last).into_iter().flatten();
+                for &index in own.chain(inside.iter().filter(|_| has_body)) {
+                    let (point, value) = &given[index];
+                    simulation.write(point, value);
+                }
+            }
+            last = Some(network);
+        };
+        let mut found = BTreeMap::new();
+        let mut note = |simulation: &Simulation, traced: Traced, writes: bool| {
+            let leaves = simulation.value(point);
+            found.insert((traced.at.network, traced.at.block), (traced, writes, leaves));
+        };
+        trace::all_writes(
+            simulation,
+            writers,
+            (blocks, point),
+            &also,
+            &mut halted,
+            &mut note,
+        );
+        put_all(simulation);
+        found.into_values().collect()
+    }
+}
+
+/// Whether power comes to a block, or does not, whatever the blocks do of which not all values are known.
+fn is_certain(network: &Network, traced: &Traced, open: &[usize]) -> bool {
+    let mut known: Vec<Option<bool>> = Vec::with_capacity(traced.en + 1);
+    for (at, step) in network.steps[..=traced.en].iter().enumerate() {
+        let power = traced.powers[at];
+        known.push(match *step {
+            Step::Start { .. } => Some(power),
+            Step::Join { upper, lower } => match (known[upper], known[lower]) {
+                (Some(true), _) | (_, Some(true)) => Some(true),
+                (Some(false), Some(false)) => Some(false),
+                _ => None,
+            },
+            Step::Block { block, en } => {
+                let is_open = open.contains(&block);
+                let needs_power = match network.blocks[block].kind {
+                    BlockKind::Instruction(row) => row.op == Op::Ton || row.group == Group::Condition,
+                    BlockKind::User(_) => false,
+                };
+                match known[en] {
+                    Some(_) if !is_open => Some(power),
+                    Some(false) if needs_power && !reasons::inverts(network, block) => Some(false),
+                    None if !is_open && traced.conducts.get(&block) == Some(&false) && needs_power => {
+                        Some(false)
+                    }
+                    _ => None,
+                }
+            }
+        });
+    }
+    known[traced.en].is_some()
+}
+
+fn write_of(network: &Network, traced: &Traced, point: &Point) -> Write {
+    let of_block = |block: usize| traced.values.get(&block).cloned().unwrap_or_default();
+    let reason = |blocker: &Blocker| match *blocker {
+        Blocker::Rail => Reason {
+            block: network.location,
+            is_rail: true,
+            values: Vec::new(),
+            because: Vec::new(),
+        },
+        Blocker::Block(block) => Reason {
+            block: network.blocks[block].location,
+            is_rail: false,
+            values: reasons::deciding(network, block, &traced.powers)
+                .into_iter()
+                .flat_map(of_block)
+                .collect(),
+            because: Vec::new(),
+        },
+    };
+    let ways = traced.ways(network);
+    let mut read = of_block(traced.at.block);
+    read.retain(|(read, _)| traced.power && read.name != point.name);
+    Write {
+        scan: 0,
+        block: network.blocks[traced.at.block].location,
+        power: traced.power,
+        reasons: ways.iter().map(|way| way.iter().map(reason).collect()).collect(),
+        read,
+        because: Vec::new(),
+    }
+}
