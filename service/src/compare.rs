@@ -140,13 +140,12 @@ pub(crate) fn compare_with(
 
 fn changed(comparison: &Comparison<'_>, at: usize, change: &Change<'_>, drawing: Option<String>) -> Changed {
     let new = change.new.map(|entry| lines(comparison.new, entry));
-    let line = new.map(|lines| lines.first).unwrap_or_else(|| {
-        let next = comparison.changes[at..].iter().find_map(|change| change.new);
-        match next {
-            Some(next) => comparison.new.line(next) as u32 - 1,
-            None => comparison.new.context.line_number(comparison.new.end.end()) as u32 - 1,
-        }
-    });
+    // What is gone was above what follows it.
+    let next = comparison.changes[at..].iter().find_map(|change| change.new);
+    let line = match next {
+        Some(next) => comparison.new.line(next),
+        None => comparison.new.context.line_number(comparison.new.end.end()),
+    };
     Changed {
         change: change.verdict.word().to_owned(),
         moved: change.moved,
@@ -155,7 +154,7 @@ fn changed(comparison: &Comparison<'_>, at: usize, change: &Change<'_>, drawing:
         meaning: change.meaning.as_ref().map(|meaning| word(meaning).to_owned()),
         reason: reason(change),
         title: heading(comparison, change),
-        line,
+        line: line as u32 - 1,
         new,
         old: change.old.map(|entry| lines(comparison.old, entry)),
         drawing,

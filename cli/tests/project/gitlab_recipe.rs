@@ -23,7 +23,10 @@ fn recipe() -> Vec<String> {
             Some(command) => commands.push(command.to_owned()),
             None => {
                 let command = commands.last_mut().expect("a command goes on");
-                *command = format!("{command} {line}").trim().to_owned();
+                if !command.is_empty() {
+                    command.push(' ');
+                }
+                command.push_str(line);
             }
         }
     }

@@ -11,7 +11,7 @@ pub(super) struct Answer {
     missing: Vec<String>,
     unknown: Vec<Unknown>,
     constants: Vec<String>,
-    reason: Tag,
+    reason: Followed,
 }
 
 #[derive(Serialize)]
@@ -21,7 +21,7 @@ struct Unknown {
 }
 
 #[derive(Serialize)]
-struct Tag {
+struct Followed {
     tag: String,
     #[serde(rename = "type")]
     ty: String,
@@ -30,7 +30,7 @@ struct Tag {
     contradiction: bool,
     text: String,
     writes: Vec<Write>,
-    because: Vec<Tag>,
+    because: Vec<Followed>,
 }
 
 #[derive(Serialize)]
@@ -41,12 +41,12 @@ struct Write {
     power: bool,
     writes: bool,
     leaves: String,
-    ways: Vec<Vec<Block>>,
+    ways: Vec<Vec<Passed>>,
     read: Vec<Read>,
 }
 
 #[derive(Serialize)]
-struct Block {
+struct Passed {
     /// None of the left rail.
     block: Option<String>,
     line: u32,
@@ -77,7 +77,7 @@ impl Answer {
     }
 }
 
-fn tag(judged: &Judged, wording: &Wording<'_>) -> Tag {
+fn tag(judged: &Judged, wording: &Wording<'_>) -> Followed {
     let write = |judgement: &Judgement| {
         let write = &judgement.write;
         let (line, column, block) = wording.place(write.block);
@@ -97,7 +97,7 @@ fn tag(judged: &Judged, wording: &Wording<'_>) -> Tag {
             read: write.read.iter().map(read).collect(),
         }
     };
-    Tag {
+    Followed {
         tag: judged.point.name.clone(),
         ty: judged.point.ty.to_string(),
         value: value_text::cell(&judged.value, judged.point.ty),
@@ -113,9 +113,9 @@ fn tag(judged: &Judged, wording: &Wording<'_>) -> Tag {
     }
 }
 
-fn block(reason: &Reason, stops: bool, wording: &Wording<'_>) -> Block {
+fn block(reason: &Reason, stops: bool, wording: &Wording<'_>) -> Passed {
     let (line, column, block) = wording.place(reason.block);
-    Block {
+    Passed {
         block: (!reason.is_rail).then(|| block.to_owned()),
         line,
         column,

@@ -122,10 +122,13 @@ mod tests {
 
     fn check(text: &str, expected: Expect) {
         let shown = match parse(text) {
-            Ok(rows) => rows
-                .iter()
-                .map(|row| format!("{}: {} = {}\n", row.line, row.name, row.value))
-                .collect(),
+            Ok(rows) => {
+                let rows = rows.iter();
+                let rows: Vec<String> = rows
+                    .map(|row| format!("{}: {} = {}\n", row.line, row.name, row.value))
+                    .collect();
+                rows.concat()
+            }
             Err(broken) => format!("line {}: {}\n", broken.line, broken.message),
         };
         expected.assert_eq(&shown);
