@@ -1,12 +1,12 @@
 //! A program with its properties as one machine of bits: what is remembered, what goes in, and for each property a bit that is
 //! high in a scan that violates it.
 
-use crate::encode::{Cells, Memory, Scan, Times, World};
+use crate::encode::{Cells, Gap, Memory, Scan, Times, World};
 use crate::graph::Lit;
 use crate::number::Number;
 use crate::system;
 use ladder_analysis::values::types::Scalar;
-use ladder_simulator::compiled::{Compiled, Instr, PointSlot};
+use ladder_simulator::compiled::{Compiled, Instr, PointSlot, Routine};
 use ladder_simulator::expression::{Expression, Kind, Past, PastKind, Source};
 use ladder_simulator::scenario::{Form, Watched};
 use ladder_simulator::{Options, Point, Simulation};
@@ -109,18 +109,30 @@ impl<'w, 'c> Builder<'w, 'c> {
         let interval = options.interval;
         let mut memory = Memory::new(&compiled.initial, Some(cells));
         let had_fault = system::set(world, &mut memory, interval);
-        let may_end = compiled
-            .code
-            .instrs
-            .iter()
-            .any(|instr| matches!(instr, Instr::End { .. }));
+        let may_end = compiled.code.instrs.iter().any(|instr| {
+            matches!(
+                instr,
+                Instr::End { .. }
+                    | Instr::Routine {
+                        routine: Routine::EndOnDivision,
+                        ..
+                    }
+            )
+        }) || compiled.code.relays.stop.is_some();
         let over = may_end.then(|| world.remember(false));
         let is_over = over.map_or(Lit::FALSE, |(leaf, _)| leaf);
         let scan = Scan::new(world, &compiled.code, memory, (times, interval), !is_over);
         let mut scan = scan.within(options.watchdog);
+        if cells.has_unknown_writes {
+            scan.stop("an index reaches into something that is not known", 0);
+        }
         scan.run();
-        let (faulted, ended) = (scan.faulted, scan.ended);
-        let memory = scan.memory;
+        let (faulted, mut ended) = (scan.faulted, scan.ended);
+        let mut memory = scan.memory;
+        if let Some(stop) = compiled.code.relays.stop {
+            let stops = memory.bit(world, stop);
+            ended = world.graph.or(ended, stops);
+        }
         world.states[had_fault].next = faulted;
         if let Some((leaf, number)) = over {
             world.states[number].next = world.graph.or(leaf, ended);
@@ -271,8 +283,13 @@ impl<'w, 'c> Builder<'w, 'c> {
                 _ => {}
             }
         }
-        let mut scan = Scan::of_expression(self.world, &compiled.code, memory);
+        let mut scan = Scan::of_expression(self.world, (&compiled.code, &compiled.initial), memory);
         scan.run();
+        if scan.has_lost() {
+            let what = String::from("an expression of a property is not followed");
+            let bits = self.world.open_bits(Gap { what, location: None }, 64);
+            return Number::of_bits(bits);
+        }
         let (faulted, mut memory) = (scan.faulted, scan.memory);
         let value = match result.slot() {
             PointSlot::Bit(bit) => Number::of_bit(memory.bit(self.world, bit)),

@@ -65,7 +65,8 @@ fn clock_bit(world: &mut World, period: i64, interval: i64) -> Lit {
     high
 }
 
-fn common(mut a: i64, mut b: i64) -> i64 {
+/// The greatest common divisor.
+pub(crate) fn common(mut a: i64, mut b: i64) -> i64 {
     while b != 0 {
         (a, b) = (b, a % b);
     }

@@ -1,12 +1,14 @@
 //! Whole numbers, and elements whose index is computed.
 
 use super::Scan;
+use super::controller::Relay;
+use super::uses::Cell;
 use crate::graph::Lit;
 use crate::number::Number;
 use ladder_simulator::compiled::{Bit, IntegerOp, Width, Word};
 
 /// An array with more elements than this is not followed element by element.
-const MOST_ELEMENTS: u32 = 1024;
+pub(super) const MOST_ELEMENTS: usize = 1024;
 
 impl Scan<'_, '_> {
     pub(super) fn integer(
@@ -21,7 +23,8 @@ impl Scan<'_, '_> {
         let (a, b) = (self.word(a), self.word(b));
         let (value, fault) = self.integer_value(at, op, width, &a, &b);
         let fault = self.world.graph.and(power, fault);
-        self.fault(at, fault);
+        let relay = matches!(op, IntegerOp::Div | IntegerOp::Mod).then_some(Relay::Zero);
+        self.fault_of(at, relay, fault);
         let value = value.wrapped(width);
         if when.is_some() {
             self.write_word_if(power, to, &value);
@@ -127,44 +130,38 @@ impl Scan<'_, '_> {
         let below = graph.less(&index, &Number::constant(place.first));
         let above = graph.less(&Number::constant(place.last), &index);
         let outside = graph.or(below, above);
-        self.fault(at, outside);
+        self.fault_of(at, Some(Relay::Address), outside);
         let base = Number::constant(i64::from(place.base) - place.first);
         let slot = self.world.graph.add(&index, &base);
-        let count = (place.last - place.first + 1) as u32;
-        self.addresses.insert(to, (place.base, count));
         self.write_word(to, slot.as_word());
     }
 
-    /// The slots that a word may mean, each with whether it does.
-    fn slots(&mut self, at: u32, slot: Word) -> Vec<(u32, Lit)> {
+    /// The slots that a word may mean, each with whether it does. None: they are too many, or not known.
+    fn slots(&mut self, slot: Word) -> Option<Vec<(u32, Lit)>> {
         let number = self.word(slot);
         if let Some(known) = number.known() {
-            return vec![(known as u32, Lit::TRUE)];
+            return Some(vec![(known as u32, Lit::TRUE)]);
         }
-        let Some(&(base, count)) = self
-            .addresses
-            .get(&slot)
-            .filter(|(_, count)| *count <= MOST_ELEMENTS)
-        else {
-            self.block(
-                "an index reaches into an array that is not known here, or is very large",
-                at,
-            );
-            return Vec::new();
-        };
-        let each = (base..base + count).map(|element| {
+        let slots = self
+            .reach
+            .slots(slot)
+            .filter(|slots| slots.count() <= MOST_ELEMENTS)?;
+        let each = slots.each().map(|element| {
             let is_it = self
                 .world
                 .graph
                 .equal(&number, &Number::constant(i64::from(element)));
             (element, is_it)
         });
-        each.collect()
+        Some(each.collect())
     }
 
     pub(super) fn load_bit(&mut self, at: u32, to: Bit, slot: Word) {
+        let Some(slots) = self.slots(slot) else {
+            return self.open_cells(at, vec![Cell::Bit(to)], VERY_LARGE);
+        };
         let mut value = Lit::FALSE;
-        for (element, is_it) in self.slots(at, slot) {
+        for (element, is_it) in slots {
             let bit = self.bit(Bit(element));
             value = self.world.graph.choose(is_it, bit, value);
         }
@@ -172,8 +169,11 @@ impl Scan<'_, '_> {
     }
 
     pub(super) fn load_word(&mut self, at: u32, to: Word, slot: Word) {
+        let Some(slots) = self.slots(slot) else {
+            return self.open_cells(at, vec![Cell::Word(to)], VERY_LARGE);
+        };
         let mut value = Number::constant(0);
-        for (n, (element, is_it)) in self.slots(at, slot).into_iter().enumerate() {
+        for (n, (element, is_it)) in slots.into_iter().enumerate() {
             let word = self.word(Word(element));
             value = match n {
                 0 => word,
@@ -185,15 +185,31 @@ impl Scan<'_, '_> {
 
     pub(super) fn store_bit(&mut self, at: u32, slot: Word, from: Bit) {
         let value = self.bit(from);
-        for (element, is_it) in self.slots(at, slot) {
+        let Some(slots) = self.slots(slot) else {
+            return self.open_elements(at, slot, &|slot| Cell::Bit(Bit(slot)));
+        };
+        for (element, is_it) in slots {
             self.write_bit_if(is_it, Bit(element), value);
         }
     }
 
     pub(super) fn store_word(&mut self, at: u32, slot: Word, from: Word) {
         let value = self.word(from);
-        for (element, is_it) in self.slots(at, slot) {
+        let Some(slots) = self.slots(slot) else {
+            return self.open_elements(at, slot, &|slot| Cell::Word(Word(slot)));
+        };
+        for (element, is_it) in slots {
             self.write_word_if(is_it, Word(element), &value);
         }
     }
+
+    /// One of very many elements is written: each may be it.
+    fn open_elements(&mut self, at: u32, slot: Word, cell: &dyn Fn(u32) -> Cell) {
+        let Some(slots) = self.reach.slots(slot) else {
+            return self.stop(VERY_LARGE, at);
+        };
+        self.open_cells(at, slots.each().map(cell).collect(), VERY_LARGE);
+    }
 }
+
+const VERY_LARGE: &str = "an index reaches into a very large array";

@@ -1,6 +1,7 @@
 //! The cells of memory: which of them the code writes, and how many bits their values take.
 
-use super::uses::{Access, Cell, for_each_use, routine_uses};
+use super::slots::Reach;
+use super::uses::{Access, Cell, chosen, for_each_access};
 use ladder_analysis::program::{Program, Role};
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_simulator::compiled::{Bit, Compiled, Home, Instr, PointSlot, Word, counter, timer};
@@ -30,6 +31,10 @@ pub(crate) struct Cells {
     pub(crate) elapsed: FxHashSet<u32>,
     /// Of a network that is followed alone the timers by their first bits. All that it finds is an input then.
     pub(crate) alone: Option<FxHashMap<u32, String>>,
+    /// Which cells computed slots may mean.
+    pub(crate) reach: Reach,
+    /// Something writes to a cell that is not known.
+    pub(crate) has_unknown_writes: bool,
     /// Of such a network the members of timers and counters that its program never writes, such as `t1.R`, by their names.
     pub(crate) idle: FxHashMap<String, u32>,
 }
@@ -105,73 +110,51 @@ impl Cells {
 
     fn uses(&mut self, compiled: &Compiled) {
         let code = &compiled.code;
+        self.reach = Reach::of(code, &compiled.initial, |at| self.types.contains_key(&at));
         let mut bits: FxHashMap<u32, Uses> = FxHashMap::default();
         let mut words: FxHashMap<u32, Uses> = FxHashMap::default();
-        let mut routines: Vec<u32> = (code.instrs.iter())
-            .filter_map(|instr| match instr {
-                Instr::Routine { operands, .. } => Some(*operands),
-                _ => None,
-            })
-            .collect();
-        routines.sort_unstable();
-        let mut arrays: FxHashMap<u32, (u32, u32)> = FxHashMap::default();
-        for (at, instr) in code.instrs.iter().enumerate() {
-            let block = code.block_at(at as u32);
-            if let Instr::Index { to, array, .. } = *instr {
-                let place = code.arrays[array as usize];
-                arrays.insert(to.0, (place.base, (place.last - place.first + 1) as u32));
-            }
-            for_each_use(instr, &mut |cell, access| {
-                let uses = match cell {
-                    Cell::Bit(Bit(at)) => bits.entry(at),
-                    Cell::Word(Word(at)) => words.entry(at),
-                };
-                uses.or_default().add(access, block);
-            });
-            match *instr {
-                Instr::StoreBit { at, .. } => {
-                    let (base, len) = arrays.get(&at.0).copied().unwrap_or_default();
-                    for n in 0..len {
-                        bits.entry(base + n).or_default().add(Access::Change, block);
-                    }
+        let mut has_unknown = false;
+        let all = 0..code.instrs.len() as u32;
+        for_each_access(code, &self.reach, all, &mut |at, cell, access| {
+            let uses = match cell {
+                Cell::Bit(Bit(at)) => bits.entry(at),
+                Cell::Word(Word(at)) => words.entry(at),
+                Cell::Timer(_) => return,
+                Cell::Unknown => {
+                    has_unknown = true;
+                    return;
                 }
-                Instr::StoreWord { at, .. } => {
-                    let (base, len) = arrays.get(&at.0).copied().unwrap_or_default();
-                    for n in 0..len {
-                        words.entry(base + n).or_default().add(Access::Change, block);
-                    }
-                }
-                Instr::Routine { routine, operands } => {
-                    let next = routines.partition_point(|&other| other <= operands);
-                    let end = routines
-                        .get(next)
-                        .map_or(code.operands.len(), |&end| end as usize);
-                    let pool = &code.operands[operands as usize..end];
-                    routine_uses(routine, pool, &compiled.initial, &mut |cell, access| {
-                        let uses = match cell {
-                            Cell::Bit(Bit(at)) => bits.entry(at),
-                            Cell::Word(Word(at)) => words.entry(at),
-                        };
-                        uses.or_default().add(access, block);
-                    });
-                }
-                _ => {}
+            };
+            uses.or_default().add(access, code.block_at(at));
+        });
+        let relays = &code.relays;
+        for relay in [
+            relays.zero,
+            relays.range,
+            relays.address,
+            relays.math,
+            relays.stop,
+        ] {
+            // Any block may report an error there.
+            if let Some(Bit(at)) = relay {
+                bits.entry(at).or_default().add(Access::Change, u32::MAX);
             }
         }
+        self.has_unknown_writes = has_unknown;
         let mut elapsed = FxHashSet::default();
         for instr in &code.instrs {
-            if let Instr::Ton { words: at, .. }
-            | Instr::Tof { words: at, .. }
-            | Instr::Tp { words: at, .. }
-            | Instr::Rto { words: at, .. }
-            | Instr::Rtof { words: at, .. } = instr
-            {
-                elapsed.insert(at.0 + timer::ET);
+            let each = chosen(&self.reach, instr).into_iter().flatten();
+            for instr in each.map(|(_, _, instr)| instr).chain([*instr]) {
+                if let Instr::Ton { words: at, .. }
+                | Instr::Tof { words: at, .. }
+                | Instr::Tp { words: at, .. }
+                | Instr::Rto { words: at, .. }
+                | Instr::Rtof { words: at, .. } = instr
+                {
+                    elapsed.insert(at.0 + timer::ET);
+                }
             }
         }
-        // What `for_each_use` says of a timer does not hold its ET: another use that writes it is someone else's.
-        elapsed.retain(|at| words.get(at).is_none_or(|uses| uses.writes == 0));
-        self.elapsed = elapsed;
         self.temporary_bits = temporary(&bits);
         self.temporary_words = temporary(&words)
             .into_iter()
@@ -179,16 +162,10 @@ impl Cells {
             .collect();
         self.written_bits = written(&bits);
         self.written_words = written(&words);
-        for instr in &code.instrs {
-            if let Instr::Ton { words, .. }
-            | Instr::Tof { words, .. }
-            | Instr::Tp { words, .. }
-            | Instr::Rto { words, .. }
-            | Instr::Rtof { words, .. } = instr
-            {
-                self.written_words.insert(words.0 + timer::ET);
-            }
-        }
+        self.written_words.extend(&elapsed);
+        // What `for_each_use` says of a timer does not hold its ET: another use that writes it is someone else's.
+        elapsed.retain(|at| words.get(at).is_none_or(|uses| uses.writes == 0));
+        self.elapsed = elapsed;
     }
 }
 

@@ -2,15 +2,16 @@
 
 use super::{MOST_NODES, Region, Scan};
 use crate::graph::Lit;
+use crate::number::Number;
 use ladder_simulator::compiled::{CALL_DEPTH, Instr};
 
 /// What a call, or the body of a user-defined block, has of its own.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct Frame {
     /// The rail is live.
     pub(super) rail: Lit,
     /// Who makes turns at the end of the network, and how many.
-    noted: (Lit, i64),
+    noted: (Lit, Number),
     /// The number of the turn.
     turn: i64,
 }
@@ -19,7 +20,7 @@ impl Default for Frame {
     fn default() -> Frame {
         Frame {
             rail: Lit::TRUE,
-            noted: (Lit::FALSE, 0),
+            noted: (Lit::FALSE, Number::constant(0)),
             turn: 0,
         }
     }
@@ -36,16 +37,16 @@ impl Scan<'_, '_> {
                 return None;
             }
             let instr = *self.code.instrs.get(pc as usize)?;
-            if self.world.blocked.is_some() {
+            if self.is_stopped || self.world.blocked.is_some() {
                 return None;
             }
             let Some(budget) = self.budget.checked_sub(1) else {
-                self.block("the loops of the program make too many turns to be followed", pc);
+                self.stop("the loops of the program make too many turns to be followed", pc);
                 return None;
             };
             self.budget = budget;
             if self.world.graph.len() > MOST_NODES {
-                self.block("the program computes too much in a scan to be followed", pc);
+                self.stop("the program computes too much in a scan to be followed", pc);
                 return None;
             }
             pc += 1;
@@ -61,7 +62,7 @@ impl Scan<'_, '_> {
                         act: self.act,
                         without,
                         leaks: false,
-                        frame: self.frame,
+                        frame: self.frame.clone(),
                         frames: self.frames.clone(),
                     });
                     self.act = self.world.graph.and(self.act, power);
@@ -90,21 +91,15 @@ impl Scan<'_, '_> {
                 }
                 Instr::Again => return Some(pc - 1),
                 Instr::For { en, turns } => {
-                    let (power, turns) = (self.taken(en), self.word(turns));
-                    match turns.known() {
-                        Some(turns) => self.frame.noted = (power, turns),
-                        None if power == Lit::FALSE => self.frame.noted = (power, 0),
-                        None => self.block("a loop makes as many turns as a tag says", pc - 1),
-                    }
+                    self.frame.noted = (self.taken(en), self.word(turns));
                 }
                 Instr::Enter { body, after } => pc = self.enter(body, after)?,
                 Instr::Turn { to, width } => {
                     let turn = width.wrap(self.frame.turn);
-                    self.write_word(to, crate::number::Number::constant(turn));
+                    self.write_word(to, Number::constant(turn));
                 }
                 Instr::EnterBody => {
-                    self.frames.push(self.frame);
-                    self.frame = Frame::default();
+                    self.frames.push(std::mem::take(&mut self.frame));
                 }
                 Instr::LeaveBody => self.frame = self.frames.pop().unwrap_or_default(),
                 other if self.act != Lit::FALSE => self.instr(pc - 1, other),
@@ -166,12 +161,12 @@ impl Scan<'_, '_> {
             return self.leave(taken, to);
         }
         if to <= from {
-            return self.block("a jump goes back", from);
+            return self.lose(taken, to, "a jump goes back", from);
         }
         let enters =
             |&(body, after): &(u32, u32)| (body + 1..after).contains(&to) && !(body..after).contains(&from);
         if self.loops.iter().any(enters) {
-            return self.block("a jump goes into a loop", from);
+            return self.lose(taken, from.min(to), "a jump goes into a loop", from);
         }
         self.leave(taken, to);
     }
@@ -183,7 +178,7 @@ impl Scan<'_, '_> {
             return;
         }
         if self.open.contains(&to) || self.open.len() == CALL_DEPTH {
-            return self.block("a function calls itself", at);
+            return self.lose(taken, 0, "a function calls itself", at);
         }
         self.open.push(to);
         let act = std::mem::replace(&mut self.act, taken);
@@ -202,25 +197,45 @@ impl Scan<'_, '_> {
 
     /// The turns of a loop, one after the other. Returns where it goes on.
     fn enter(&mut self, body: u32, after: u32) -> Option<u32> {
-        let (who, turns) = std::mem::replace(&mut self.frame.noted, (Lit::FALSE, 0));
-        let turning = self.world.graph.and(self.act, who);
-        if turns <= 0 || turning == Lit::FALSE {
+        let nothing = (Lit::FALSE, Number::constant(0));
+        let (who, turns) = std::mem::replace(&mut self.frame.noted, nothing.clone());
+        let graph = &mut self.world.graph;
+        let some = graph.less(&Number::constant(0), &turns);
+        let turning = graph.all([self.act, who, some]);
+        if turning == Lit::FALSE {
             return Some(after);
         }
-        let passing = self.world.graph.and(self.act, !who);
+        let passing = graph.and(self.act, !turning);
         self.leave(passing, after);
         self.act = turning;
         let outer = self.frame.turn;
+        let most = turns.known().unwrap_or(MOST_TURNS);
         let mut last = None;
-        for turn in 1..=turns {
-            self.frame.turn = turn;
-            self.frame.noted = (Lit::FALSE, 0);
-            last = Some(self.stretch(body)?);
+        for turn in 1..=most {
+            if turn > 1 {
+                let is_over = self.world.graph.less(&turns, &Number::constant(turn));
+                let done = self.world.graph.and(self.act, is_over);
+                self.leave(done, after);
+            }
             if self.act == Lit::FALSE {
                 break;
             }
+            self.frame.turn = turn;
+            self.frame.noted = nothing.clone();
+            last = Some(self.stretch(body)?);
         }
         self.frame.turn = outer;
+        let more = self.world.graph.less(&Number::constant(most), &turns);
+        let more = self.world.graph.and(self.act, more);
+        self.lose(
+            more,
+            body,
+            "a loop may make more turns than are followed",
+            body - 1,
+        );
         last.map(|again| again + 1)
     }
 }
+
+/// Of a loop whose turns a tag says so many are followed.
+const MOST_TURNS: i64 = 64;

@@ -1,6 +1,7 @@
 //! The instructions that run straight through.
 
 use super::Scan;
+use super::controller::Relay;
 use super::world::Gap;
 use crate::graph::Lit;
 use crate::number::Number;
@@ -85,17 +86,23 @@ impl Scan<'_, '_> {
 
     /// A fault where this holds: the block has no power, and what follows it goes on.
     pub(super) fn fault(&mut self, at: u32, condition: Lit) {
+        self.fault_of(at, None, condition);
+    }
+
+    /// The same, with what a controller that has relays for errors reports it with.
+    pub(super) fn fault_of(&mut self, at: u32, relay: Option<Relay>, condition: Lit) {
         let faults = self.world.graph.and(self.act, condition);
         if faults == Lit::FALSE {
             return;
         }
         let Some(block) = self.code.blocks.get(self.code.block_at(at) as usize) else {
-            return self.block("a fault outside of all blocks", at);
+            return self.stop("a fault outside of all blocks", at);
         };
         if block.controller == Controller::Banks {
-            return self.block("errors are relays of the controller", at);
+            self.signal(at, relay, faults);
+        } else {
+            self.faulted = self.world.graph.or(self.faulted, faults);
         }
-        self.faulted = self.world.graph.or(self.faulted, faults);
         if block.out != Bit::LOW && block.out != Bit::HIGH {
             let power = self.bit(block.out);
             let power = self.world.graph.and(power, !faults);
@@ -384,9 +391,7 @@ impl Scan<'_, '_> {
                 bits,
                 words,
             } => self.clear(en, state, bits, words),
-            I::StateAt { .. } | I::ClearAt { .. } => {
-                self.block("an index chooses a timer, counter or bistable", at);
-            }
+            I::StateAt { bits, .. } | I::ClearAt { bits, .. } => self.chosen_state(at, instr, bits),
             I::Routine { routine, operands } => self.routine(at, routine, operands),
             I::Record { .. } | I::Records { .. } => self.block("code that was put together", at),
             I::Rail { .. }

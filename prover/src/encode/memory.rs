@@ -1,7 +1,7 @@
 //! The memory of a scan that is followed: what each cell holds, as far as it was touched.
 
 use super::cells::{Cells, InputTag};
-use super::ranges::range_of;
+use super::slots::Reach;
 use super::world::World;
 use crate::graph::Lit;
 use crate::number::Number;
@@ -45,9 +45,29 @@ impl<'c> Memory<'c> {
         }
     }
 
-    /// A range whose ends are known.
-    pub(super) fn range(&self, words: [u32; 2]) -> Option<std::ops::Range<u32>> {
-        range_of(self.initial, self.cells, words)
+    /// Which cells computed slots may mean.
+    pub(super) fn reach(&self) -> Option<&'c Reach> {
+        Some(&self.cells?.reach)
+    }
+
+    /// Whether a word was put in or touched.
+    pub(super) fn holds(&self, Word(at): Word) -> bool {
+        self.words.contains_key(&at)
+    }
+
+    /// Whether a word may hold something else than at the start.
+    pub(super) fn changes(&self, word: Word) -> bool {
+        self.cells.is_some_and(|cells| cells.word_changes(word))
+    }
+
+    /// The type of a word that is a tag.
+    pub(super) fn type_of(&self, word: Word) -> Option<Scalar> {
+        self.cells?.type_of(word)
+    }
+
+    /// How many scans ago a timer began, where that is told.
+    pub(super) fn known_age(&self, timer: Bit) -> Option<Number> {
+        self.ages.get(&timer.0).cloned()
     }
 
     pub(crate) fn set_bit(&mut self, Bit(at): Bit, value: Lit) {
@@ -114,7 +134,15 @@ impl<'c> Memory<'c> {
             return value;
         }
         let is_own = self.cells.is_some_and(|cells| cells.elapsed.contains(&word.0));
-        if !is_own || self.words.contains_key(&word.0) {
+        if !is_own {
+            return self.word(world, word);
+        }
+        self.up_to(world, word, most)
+    }
+
+    /// A word that only one block uses and that holds 0 to this.
+    pub(crate) fn up_to(&mut self, world: &mut World, word: Word, most: i64) -> Number {
+        if self.words.contains_key(&word.0) || self.cells.is_none_or(|cells| cells.alone.is_some()) {
             return self.word(world, word);
         }
         let count = (64 - most.max(0).leading_zeros()) as usize;

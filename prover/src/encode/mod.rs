@@ -10,26 +10,38 @@
 mod alone;
 mod arithmetic;
 mod cells;
+mod chosen;
+mod controller;
+mod cycles;
 mod flow;
+mod formula;
 mod instr;
+mod lost;
 mod memory;
 mod ranges;
 mod real;
 mod routine;
+mod routine_uses;
+mod search;
+mod slots;
 mod state;
+mod ticks;
 mod timers;
+mod units;
 mod uses;
 mod world;
 
 pub(crate) use alone::{Left, follow_alone, rail};
 pub(crate) use cells::{Cells, InputTag};
 pub(crate) use memory::Memory;
-pub(crate) use world::{Input, World};
+pub(crate) use world::{Gap, Input, World};
 
 use crate::graph::Lit;
 use flow::Frame;
-use ladder_simulator::compiled::{Code, Instr, Word};
-use rustc_hash::FxHashMap;
+use ladder_simulator::compiled::{Code, Instr, Memory as Banks, Word};
+use lost::Lost;
+use slots::Reach;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -65,8 +77,12 @@ pub(crate) struct Scan<'w, 'c> {
     loops: Vec<(u32, u32)>,
     /// How many instructions may still be followed.
     budget: usize,
-    /// The words that hold a slot, and the slots that may be meant: the first, and how many.
-    addresses: FxHashMap<Word, (u32, u32)>,
+    /// Which cells computed slots may mean.
+    reach: Cow<'c, Reach>,
+    /// Who goes on in a way that is not followed.
+    lost: Vec<Lost>,
+    /// Nothing more is followed.
+    is_stopped: bool,
     pub(crate) times: Times,
     interval: i64,
     /// Its blocks are places in the program, not those of the small program of an expression.
@@ -103,6 +119,7 @@ impl<'w, 'c> Scan<'w, 'c> {
         (times, interval): (Times, i64),
         act: Lit,
     ) -> Scan<'w, 'c> {
+        let reach = memory.reach().map_or(Cow::Owned(Reach::default()), Cow::Borrowed);
         Scan {
             world,
             code,
@@ -122,7 +139,9 @@ impl<'w, 'c> Scan<'w, 'c> {
                 })
                 .collect(),
             budget: MOST_FOLLOWED,
-            addresses: FxHashMap::default(),
+            reach,
+            lost: Vec::new(),
+            is_stopped: false,
             times,
             interval,
             located: true,
@@ -131,8 +150,14 @@ impl<'w, 'c> Scan<'w, 'c> {
     }
 
     /// The code of an expression's small program.
-    pub(crate) fn of_expression(world: &'w mut World, code: &'c Code, memory: Memory<'c>) -> Scan<'w, 'c> {
+    pub(crate) fn of_expression(
+        world: &'w mut World,
+        (code, initial): (&'c Code, &'c Banks),
+        memory: Memory<'c>,
+    ) -> Scan<'w, 'c> {
+        let reach = Reach::of(code, initial, |word| memory.holds(Word(word)));
         let mut scan = Scan::new(world, code, memory, (Times::Exact, 1), Lit::TRUE);
+        scan.reach = Cow::Owned(reach);
         scan.located = false;
         scan
     }
@@ -147,5 +172,8 @@ impl<'w, 'c> Scan<'w, 'c> {
     /// Follows the code to its end.
     pub(crate) fn run(&mut self) {
         self.stretch(0);
+        if self.located {
+            self.open_lost();
+        }
     }
 }

@@ -1,6 +1,7 @@
-//! Routines: the rarer work. What is not followed leaves what it writes open, or says that it cannot be followed.
+//! Routines: the rarer work. What is not followed leaves what it writes open.
 
 use super::Scan;
+use super::controller::Relay;
 use crate::graph::Lit;
 use crate::number::Number;
 use ladder_simulator::compiled::{Bit, Routine, Word};
@@ -8,11 +9,11 @@ use ladder_simulator::compiled::{Bit, Routine, Word};
 impl Scan<'_, '_> {
     pub(super) fn routine(&mut self, at: u32, routine: Routine, operands: u32) {
         let pool = &self.code.operands[operands as usize..];
-        if self.on_ranges(at, routine, pool) {
-            return;
-        }
         if self.alone.is_some() && writes_unseen(routine) {
             return self.block("texts are not followed", at);
+        }
+        if self.on_ranges(at, routine, pool) {
+            return;
         }
         match (routine, pool) {
             (Routine::SelectBit, [to, selector, count, list @ ..]) => {
@@ -39,48 +40,70 @@ impl Scan<'_, '_> {
             (Routine::SelectText, [_, selector, count, ..]) => {
                 self.selected(at, Word(*selector), *count as usize);
             }
-            (Routine::ParseBit, [to, ..]) => {
-                let bits = self.open_bits("texts are not tracked", at, 2);
-                self.fault(at, bits[1]);
-                self.write_bit(Bit(*to), bits[0]);
-            }
-            (
-                Routine::FillTexts
-                | Routine::RepeatTexts
-                | Routine::ShiftTexts
-                | Routine::Concat
-                | Routine::Format
-                | Routine::FormatBit
-                | Routine::Send
-                | Routine::SendText,
-                _,
-            ) => {}
-            (
-                Routine::Left
-                | Routine::Right
-                | Routine::Middle
-                | Routine::Insert
-                | Routine::Delete
-                | Routine::Replace,
-                _,
-            ) => {
-                let fault = self.open_bits("texts are not tracked", at, 1)[0];
-                self.fault(at, fault);
-            }
             (Routine::Length | Routine::Find, [to, ..]) => {
-                let bits = self.open_bits("texts are not tracked", at, 16);
+                let bits = self.open_bits(TEXTS, at, 16);
                 self.write_word(Word(*to), Number::unsigned(bits));
             }
-            (Routine::Curve, [to, ..]) => {
-                let mut bits = self.open_bits("points on curves are not tracked", at, 65);
-                let fault = bits.pop().unwrap_or(Lit::FALSE);
-                self.fault(at, fault);
-                self.write_word(Word(*to), Number::of_bits(bits));
+            (Routine::Search, _) => {
+                if self.search(pool).is_none() {
+                    self.open_routine(at, routine, pool, "searches for texts and reals are not tracked");
+                }
             }
-            (other, _) => {
-                let name = format!("{other:?}");
-                self.block(format!("this block is not followed ({name})"), at);
+            (Routine::OpenTable | Routine::OpenCurve, _) => {
+                if self.open_table(routine, pool).is_none() {
+                    self.open_routine(at, routine, pool, CURVES);
+                }
             }
+            (Routine::Curve, _) => self.open_routine(at, routine, pool, CURVES),
+            (Routine::ScanTon | Routine::ScanTof | Routine::ScanRto, _) => self.scan_timer(routine, pool),
+            (Routine::WrappingCtu | Routine::WrappingCtd | Routine::WrappingCtc, _) => {
+                self.wrapping_counter(routine, pool);
+            }
+            (Routine::TickTon | Routine::TickTof, _) => self.tick_timer(routine, pool),
+            (Routine::TickReset, _) => self.reset_tick_timer(pool),
+            (Routine::LatchingCtu | Routine::LatchingCtd, _) => self.latching_counter(routine, pool),
+            (Routine::LatchingReset, _) => self.reset_latching_counter(pool),
+            (Routine::UnitTon | Routine::UnitTof | Routine::UnitRto | Routine::UnitRtof, _) => {
+                if !self.unit_timer(routine, pool) {
+                    self.open_routine(at, routine, pool, "timers whose unit is a tag are not tracked");
+                }
+            }
+            (Routine::ComparingCtu | Routine::ComparingCtd | Routine::ComparingCtud, _) => {
+                self.comparing_counter(routine, pool);
+            }
+            (Routine::Step, _) => {
+                if self.step(pool).is_none() {
+                    self.open_routine(
+                        at,
+                        routine,
+                        pool,
+                        "powers, and arithmetic of reals, are not tracked",
+                    );
+                }
+            }
+            (Routine::Cut | Routine::Clamp | Routine::Round, _) => {
+                if self.brought(routine, pool).is_none() {
+                    self.open_routine(
+                        at,
+                        routine,
+                        pool,
+                        "reals that become whole numbers are not tracked",
+                    );
+                }
+            }
+            (Routine::Controller, _) => self.controller(pool),
+            (Routine::EndOnDivision, [division, ..]) => {
+                let division = self.bit(Bit(*division));
+                let ends = self.world.graph.and(self.act, division);
+                self.faulted = self.world.graph.or(self.faulted, ends);
+                self.ended = self.world.graph.or(self.ended, ends);
+            }
+            (Routine::Receive | Routine::ReceiveNewest, [to, came, ..]) => {
+                let bits = self.open_bits("the serial port is not tracked", at, 9);
+                self.write_bit(Bit(*came), bits[8]);
+                self.write_word_if(bits[8], Word(*to), &Number::unsigned(bits[..8].to_vec()));
+            }
+            (other, _) => self.open_routine(at, other, pool, TEXTS),
         }
     }
 
@@ -91,10 +114,13 @@ impl Scan<'_, '_> {
             .map(|n| self.world.graph.equal(&selector, &Number::constant(n as i64)))
             .collect();
         let some = self.world.graph.any(which.iter().copied());
-        self.fault(at, !some);
+        self.fault_of(at, Some(Relay::Other), !some);
         which
     }
 }
+
+const TEXTS: &str = "texts and the serial port are not tracked";
+const CURVES: &str = "points on curves are not tracked";
 
 /// Whether it writes something that is not tracked: texts, and the serial port.
 const fn writes_unseen(routine: Routine) -> bool {
@@ -104,11 +130,15 @@ const fn writes_unseen(routine: Routine) -> bool {
             | Routine::FillTexts
             | Routine::RepeatTexts
             | Routine::ShiftTexts
+            | Routine::CopyTexts
             | Routine::Concat
             | Routine::Format
             | Routine::FormatBit
             | Routine::Send
             | Routine::SendText
+            | Routine::SendTextSlowly
+            | Routine::SendWhenFree
+            | Routine::SendScanTime
             | Routine::Left
             | Routine::Right
             | Routine::Middle

@@ -7,7 +7,7 @@ use crate::number::Number;
 use ladder_simulator::compiled::{Bit, Word, timer};
 
 /// An age that no preset of a tag is larger than: 292 years in milliseconds take no more.
-const ANY_AGE: u64 = 1 << 44;
+pub(super) const ANY_AGE: u64 = 1 << 44;
 
 /// A timer that is evaluated: what it is given, and what it compares.
 struct Timer {
@@ -299,7 +299,7 @@ impl Scan<'_, '_> {
 }
 
 /// How many scans a preset takes: none where it is not above 0.
-fn scans_of(pt: i64, interval: i64) -> u64 {
+pub(super) fn scans_of(pt: i64, interval: i64) -> u64 {
     let interval = interval.max(1);
     (pt.max(0) / interval + i64::from(pt.max(0) % interval != 0)).unsigned_abs()
 }

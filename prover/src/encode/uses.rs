@@ -1,7 +1,10 @@
 //! Which cells instructions read and write.
 
-use super::ranges::range_of;
-use ladder_simulator::compiled::{Bit, Instr, Memory as Banks, Routine, Word, counter, timer};
+pub(super) use super::routine_uses::routine_uses;
+use super::slots::Reach;
+use ladder_instructions::Op;
+use ladder_simulator::compiled::{Bit, Code, Instr, Word, counter, timer};
+use std::ops::Range;
 
 /// How a cell is used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -14,10 +17,109 @@ pub(super) enum Access {
 }
 
 /// A cell of memory.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(super) enum Cell {
     Bit(Bit),
     Word(Word),
+    /// What a timer is doing, and since when: by its first bit.
+    Timer(Bit),
+    /// Any: it is not known which.
+    Unknown,
+}
+
+/// Each use of a cell in a stretch of code, with its instruction.
+pub(super) fn for_each_access(
+    code: &Code,
+    reach: &Reach,
+    stretch: Range<u32>,
+    each: &mut dyn FnMut(u32, Cell, Access),
+) {
+    for at in stretch {
+        let Some(instr) = code.instrs.get(at as usize) else {
+            return;
+        };
+        let each = &mut |cell, access| each(at, cell, access);
+        for_each_use(instr, each);
+        match *instr {
+            Instr::StoreBit { at: slot, .. } => stored(reach, slot, &|n| Cell::Bit(Bit(n)), each),
+            Instr::StoreWord { at: slot, .. } => stored(reach, slot, &|n| Cell::Word(Word(n)), each),
+            Instr::StateAt { .. } | Instr::ClearAt { .. } => match chosen(reach, instr) {
+                None => each(Cell::Unknown, Access::Change),
+                Some(all) => all.for_each(|(_, _, instr)| for_each_use(&instr, each)),
+            },
+            Instr::Routine { routine, operands } => {
+                routine_uses(routine, &code.operands[operands as usize..], reach, each);
+            }
+            _ => {}
+        }
+    }
+}
+
+fn stored(reach: &Reach, slot: Word, cell: &dyn Fn(u32) -> Cell, each: &mut dyn FnMut(Cell, Access)) {
+    match reach.slots(slot) {
+        Some(slots) => slots.each().for_each(|n| each(cell(n), Access::Change)),
+        None => each(Cell::Unknown, Access::Change),
+    }
+}
+
+/// The instructions that one whose timer, counter or bistable is chosen by an index may be: with the slots of their bits and
+/// words. None: it is not known which.
+pub(super) fn chosen(
+    reach: &Reach,
+    instr: &Instr,
+) -> Option<impl Iterator<Item = (u32, u32, Instr)> + use<>> {
+    let (bits, words) = match *instr {
+        Instr::StateAt { bits, words, .. } | Instr::ClearAt { bits, words, .. } => (bits, words),
+        _ => return None,
+    };
+    let (bits, words) = (reach.slots(bits)?, reach.slots(words)?);
+    // A bistable has no words.
+    if words.count() != 1 && words.count() != bits.count() {
+        return None;
+    }
+    let instr = *instr;
+    let last = words.each().last()?;
+    let words = words.each().chain(std::iter::repeat(last));
+    Some(
+        bits.each()
+            .zip(words)
+            .map(move |(bits, words)| (bits, words, fixed(instr, Bit(bits), Word(words)))),
+    )
+}
+
+/// The same for a timer, counter or bistable that is known.
+fn fixed(instr: Instr, bits: Bit, words: Word) -> Instr {
+    use Instr as I;
+    let (op, out, en, operand) = match instr {
+        I::StateAt {
+            op, out, en, operand, ..
+        } => (op, out, en, operand),
+        I::ClearAt { en, state, .. } => {
+            return I::Clear {
+                en,
+                state,
+                bits,
+                words,
+            };
+        }
+        other => return other,
+    };
+    let (pt, pv, reset) = (Word(operand), Word(operand), Bit(operand));
+    #[rustfmt::skip]
+    let instr = match op {
+        Op::Tof => I::Tof { out, en, pt, bits, words },
+        Op::Tp => I::Tp { out, en, pt, bits, words },
+        Op::Rto => I::Rto { out, en, pt, bits, words },
+        Op::Rtof => I::Rtof { out, en, pt, bits, words },
+        Op::Ctu => I::Ctu { out, en, pv, bits, words },
+        Op::Ctd => I::Ctd { out, en, pv, bits, words },
+        Op::Ctud => I::Ctud { out, en, pv, bits, words },
+        Op::Ctc => I::Ctc { out, en, pv, bits, words },
+        Op::Sr => I::Sr { out, en, reset, bits },
+        Op::Rs => I::Rs { out, en, reset, bits },
+        _ => I::Ton { out, en, pt, bits, words },
+    };
+    instr
 }
 
 /// The cells that an instruction names. Those of elements are found by its array.
@@ -85,7 +187,13 @@ pub(super) fn for_each_use(instr: &Instr, each: &mut dyn FnMut(Cell, Access)) {
             word(words.offset(counter::PV), Change);
             word(words.offset(counter::CV), Change);
         }
-        I::Clear { state, words, .. } if state.is_counter() => word(words.offset(counter::CV), Change),
+        I::Clear { state, words, .. } if state.is_counter() => {
+            word(words.offset(counter::CV), Change);
+        }
+        I::StateAt { bits, words, .. } | I::ClearAt { bits, words, .. } => {
+            word(bits, Read);
+            word(words, Read);
+        }
         I::For { turns, .. } => word(turns, Read),
         _ => {}
     }
@@ -108,7 +216,6 @@ pub(super) fn for_each_use(instr: &Instr, each: &mut dyn FnMut(Cell, Access)) {
         | I::RealWhen { out, .. }
         | I::LoadBitOf { to: out, .. }
         | I::LoadBit { to: out, .. }
-        | I::StateAt { out, .. }
         | I::Coil { tag: out, .. }
         | I::NegatedCoil { tag: out, .. }
         | I::MoveBit { to: out, .. }
@@ -130,6 +237,7 @@ pub(super) fn for_each_use(instr: &Instr, each: &mut dyn FnMut(Cell, Access)) {
             bit(bits.offset(timer::IN), Change);
             bit(bits.offset(timer::Q), Change);
             bit(out, Write);
+            each(Cell::Timer(bits), Change);
         }
         I::Ctu { out, bits, .. }
         | I::Ctd { out, bits, .. }
@@ -159,89 +267,10 @@ pub(super) fn for_each_use(instr: &Instr, each: &mut dyn FnMut(Cell, Access)) {
             for n in 0..count {
                 bit(bits.offset(n), Change);
             }
+            if state.is_timer() {
+                each(Cell::Timer(bits), Change);
+            }
         }
         _ => {}
-    }
-}
-
-/// The cells of a routine. Of one that is not encoded each number may be a bit or a word that it writes.
-pub(super) fn routine_uses(
-    routine: Routine,
-    pool: &[u32],
-    initial: &Banks,
-    each: &mut dyn FnMut(Cell, Access),
-) {
-    let bit = |at: u32| Cell::Bit(Bit(at));
-    let word = |at: u32| Cell::Word(Word(at));
-    // A range that is known only while the program runs blocks it, so what is noted here of one does not matter.
-    let mut range = |words: [u32; 2], cell: &dyn Fn(u32) -> Cell, access: Access| {
-        for at in words {
-            each(word(at), Access::Read);
-        }
-        for slot in range_of(initial, None, words).unwrap_or_default() {
-            each(cell(slot), access);
-        }
-    };
-    match (routine, pool) {
-        (Routine::AllHigh | Routine::AllLow, [to, start, count, ..]) => {
-            range([*start, *count], &bit, Access::Read);
-            each(bit(*to), Access::Change);
-        }
-        (Routine::FillBits | Routine::ShiftBits, [start, count, from, ..]) => {
-            range([*start, *count], &bit, Access::Change);
-            each(bit(*from), Access::Read);
-        }
-        (Routine::FillWords | Routine::ShiftWords, [start, count, from, ..]) => {
-            range([*start, *count], &word, Access::Change);
-            each(word(*from), Access::Read);
-        }
-        (Routine::SetBits | Routine::ResetBits, [en, start, count, ..]) => {
-            range([*start, *count], &bit, Access::Change);
-            each(bit(*en), Access::Read);
-        }
-        (Routine::CopyBits, [to, to_count, from, from_count, ..]) => {
-            range([*to, *to_count], &bit, Access::Change);
-            range([*from, *from_count], &bit, Access::Read);
-        }
-        (Routine::CopyWords, [to, to_count, from, from_count, ..]) => {
-            range([*to, *to_count], &word, Access::Change);
-            range([*from, *from_count], &word, Access::Read);
-        }
-        (Routine::PackBits, [to, _, start, count, ..]) => {
-            range([*start, *count], &bit, Access::Read);
-            each(word(*to), Access::Change);
-        }
-        (Routine::UnpackBits, [start, count, from, ..]) => {
-            range([*start, *count], &bit, Access::Change);
-            each(word(*from), Access::Read);
-        }
-        (Routine::Sum, [to, _, start, count, ..]) => {
-            range([*start, *count], &word, Access::Read);
-            each(word(*to), Access::Change);
-        }
-        (Routine::Enumerate, [to, _, from, ..]) => {
-            each(word(*from), Access::Read);
-            each(word(*to), Access::Change);
-        }
-        (Routine::SelectBit, [to, selector, count, list @ ..]) => {
-            each(word(*selector), Access::Read);
-            for from in &list[..(*count as usize).min(list.len())] {
-                each(bit(*from), Access::Read);
-            }
-            each(bit(*to), Access::Change);
-        }
-        (Routine::SelectWord, [to, selector, count, list @ ..]) => {
-            each(word(*selector), Access::Read);
-            for from in &list[..(*count as usize).min(list.len())] {
-                each(word(*from), Access::Read);
-            }
-            each(word(*to), Access::Change);
-        }
-        _ => {
-            for &number in pool {
-                each(bit(number), Access::Change);
-                each(word(number), Access::Change);
-            }
-        }
     }
 }

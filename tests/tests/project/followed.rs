@@ -17,9 +17,9 @@ struct Tally {
     blocked: BTreeMap<String, usize>,
 }
 
-/// How many programs of a kind there are: LADDER_PROVED says another number.
+/// How many programs of a kind there are: `GENERATED_PROGRAMS=500 cargo test -p ladder-tests followed` tries more.
 pub(crate) fn programs() -> u64 {
-    let asked = std::env::var("LADDER_PROVED").ok();
+    let asked = std::env::var("GENERATED_PROGRAMS").ok();
     asked.and_then(|asked| asked.parse().ok()).unwrap_or(20)
 }
 
