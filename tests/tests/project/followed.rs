@@ -10,11 +10,11 @@ use std::collections::BTreeMap;
 
 /// What was compared.
 #[derive(Debug, Default)]
-struct Tally {
-    equal: usize,
-    open: usize,
+pub(crate) struct Tally {
+    pub(crate) equal: usize,
+    pub(crate) open: usize,
     /// Programs that cannot be followed, by why.
-    blocked: BTreeMap<String, usize>,
+    pub(crate) blocked: BTreeMap<String, usize>,
 }
 
 /// How many programs of a kind there are: `GENERATED_PROGRAMS=500 cargo test -p ladder-tests followed` tries more.
@@ -39,7 +39,7 @@ pub(crate) fn value(dice: &mut Dice, ty: Scalar) -> Value {
 }
 
 /// Compares one program over so many scans; the difference, if there is one.
-fn compare(text: &str, seed: u64, scans: usize, tally: &mut Tally) -> Option<String> {
+pub(crate) fn compare(text: &str, seed: u64, scans: usize, tally: &mut Tally) -> Option<String> {
     let program = compile(text)?;
     let options = Options {
         watchdog: 20_000,

@@ -9,6 +9,7 @@ mod click_traces;
 mod crates;
 mod every_feature;
 mod followed;
+mod followed_profiles;
 mod fuzz_words;
 mod incremental;
 mod instruction_reference;
