@@ -62,6 +62,7 @@ mod settings;
 mod small_pages;
 mod stdin;
 mod terminal;
+mod xml;
 
 use clap::Parser;
 use std::process::ExitCode;

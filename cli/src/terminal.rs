@@ -45,6 +45,16 @@ pub(crate) fn clear() {
     }
 }
 
+/// Says on stderr what is being done, on a line that the next such text replaces; an empty one takes it away.
+pub(crate) fn passing(text: &str) {
+    let mut stderr = io::stderr().lock();
+    if stderr.is_terminal() {
+        let text: String = text.chars().take(width() - 1).collect();
+        // Nobody reads a stderr that was closed.
+        let _ = write!(stderr, "\r\x1b[K{text}").and_then(|()| stderr.flush());
+    }
+}
+
 fn say(style: Style, kind: &str, message: &dyn Display) {
     let mut stderr = anstream::stderr();
     // Nobody reads a stderr that was closed.

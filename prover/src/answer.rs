@@ -1,16 +1,18 @@
 //! The answers: what is known of each property, and why no more.
 
-use crate::decide::{Depth, Known, decide, reach};
+use crate::causes::{left_open, what_takes_long};
+use crate::decide::{Depth, Known, decide};
 use crate::encode;
 use crate::graph::Lit;
 use crate::lemmas;
 use crate::model::{Model, build};
 pub use crate::replay::Shown;
-use crate::replay::replay;
+use crate::replay::{Wanted, replay};
+use crate::unrolled::End;
 use ladder_analysis::program::Location;
 use ladder_simulator::Simulation;
-use ladder_simulator::compiled::Home;
 use ladder_simulator::scenario::{Form, Watched};
+use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 /// How much may be done.
@@ -20,6 +22,8 @@ pub struct Options {
     pub time: Duration,
     /// How many scans from the cold start are searched.
     pub scans: usize,
+    /// High where the answers that are there are wanted at once.
+    pub stop: Option<&'static AtomicBool>,
 }
 
 impl Default for Options {
@@ -28,6 +32,7 @@ impl Default for Options {
         Options {
             time: Duration::from_secs(20),
             scans: 200,
+            stop: None,
         }
     }
 }
@@ -67,6 +72,14 @@ pub struct Answer {
     pub open: Vec<(String, Option<Location>)>,
     /// What is on its left side never happens.
     pub never_triggered: bool,
+    /// The first scan known after which a fault happens in one of its expressions, which makes that FALSE.
+    pub fault: Option<usize>,
+    /// Of what is proved or impossible over how many scans the induction goes.
+    pub k: Option<usize>,
+    /// How many clauses the solver had when it was decided.
+    pub clauses: u64,
+    /// How long it took until then, with the properties that are decided together with it.
+    pub time: Duration,
 }
 
 /// A run that was found and does not happen in the simulator, though nothing was left open: an error of the prover.
@@ -85,30 +98,23 @@ pub fn prove(
     watched: &mut Watched,
     options: Options,
 ) -> Result<Vec<Answer>, Refuted> {
-    let end = Instant::now() + options.time;
-    let is_open: Vec<bool> = vec![true; watched.properties.len()];
-    let mut answers: Vec<Option<Answer>> = vec![None; is_open.len()];
+    let began = Instant::now();
+    let end = End::new(began + options.time, options.stop);
+    let mut answers: Vec<Option<Answer>> = vec![None; watched.properties.len()];
     // First with times that may be anything: what holds then needs no counting.
     let open = build(simulation, watched, encode::Times::Open);
-    if let Some(gap) = &open.world.blocked {
-        let cause = vec![(gap.what.clone(), gap.location)];
-        let unknown = Answer {
-            verdict: Verdict::Unknown(0),
-            open: cause,
-            never_triggered: false,
-        };
-        return Ok(vec![unknown; is_open.len()]);
-    }
     let targets: Vec<Lit> = open.properties.iter().map(|property| property.bad).collect();
     let depth = Depth {
         base: 5,
         step: 5,
         end,
     };
-    for (n, known) in decide(&open, &targets, depth).0.into_iter().enumerate() {
+    let (known, clauses) = decide(&open, &targets, depth);
+    for (n, known) in known.into_iter().enumerate() {
         if matches!(known, Known::Never(_) | Known::Vacuous) {
             let cause = left_open(&open, targets[n]);
-            answers[n] = Some(answer(watched, n, known, Times::Any, cause));
+            let answer = answer(watched, n, known, Times::Any, cause);
+            answers[n] = Some(answer.after(clauses, began));
         }
     }
     let rest: Vec<usize> = (0..answers.len()).filter(|n| answers[*n].is_none()).collect();
@@ -121,18 +127,19 @@ pub fn prove(
             step: 20,
             end,
         };
-        let (known, _) = decide(&exact, &targets, depth);
+        let (known, clauses) = decide(&exact, &targets, depth);
         for (n, known) in rest.into_iter().zip(known) {
             let cause = left_open(&exact, exact.properties[n].bad);
             let found = match known {
                 Known::Found(run) => {
-                    let shown = replay(simulation, watched, n, (&run, &exact.world.inputs));
+                    let shown = replay(
+                        simulation,
+                        watched,
+                        (n, Wanted::Property),
+                        (&run, &exact.world.inputs),
+                    );
                     match shown {
-                        Some(shown) => Answer {
-                            verdict: found(watched, n, shown),
-                            open: cause,
-                            never_triggered: false,
-                        },
+                        Some(shown) => Answer::of(found(watched, n, shown), cause),
                         None if cause.is_empty() => {
                             return Err(Refuted {
                                 name: watched.properties[n].name.clone(),
@@ -143,19 +150,41 @@ pub fn prove(
                 }
                 known => answer(watched, n, known, Times::Exact, cause),
             };
-            answers[n] = Some(found);
+            answers[n] = Some(found.after(clauses, began));
         }
     }
     let mut answers: Vec<Answer> = answers.into_iter().flatten().collect();
     for (answer, property) in answers.iter_mut().zip(&exact.properties) {
         if let Verdict::Unknown(scans) = answer.verdict {
-            answer
-                .open
-                .extend(long_timers(simulation, &exact, property.bad, scans));
+            let long = what_takes_long(simulation, &exact, property.bad, scans);
+            answer.open.extend(long);
         }
     }
     note_untriggered(&exact, &mut answers, end);
+    note_faults(simulation, watched, &exact, &mut answers, end);
     Ok(answers)
+}
+
+impl Answer {
+    fn of(verdict: Verdict, open: Vec<(String, Option<Location>)>) -> Answer {
+        Answer {
+            verdict,
+            open,
+            never_triggered: false,
+            fault: None,
+            k: None,
+            clauses: 0,
+            time: Duration::ZERO,
+        }
+    }
+
+    fn after(self, clauses: u64, began: Instant) -> Answer {
+        Answer {
+            clauses,
+            time: began.elapsed(),
+            ..self
+        }
+    }
 }
 
 fn is_possible(watched: &Watched, property: usize) -> bool {
@@ -177,6 +206,10 @@ fn answer(
     times: Times,
     open: Vec<(String, Option<Location>)>,
 ) -> Answer {
+    let k = match known {
+        Known::Never(k) => Some(k),
+        _ => None,
+    };
     let verdict = match known {
         Known::Never(_) if is_possible(watched, property) => Verdict::Impossible(times),
         Known::Never(_) => Verdict::Proved(times),
@@ -185,28 +218,13 @@ fn answer(
         Known::Found(run) => Verdict::Unknown(run.scans.saturating_sub(1)),
     };
     Answer {
-        verdict,
-        open,
-        never_triggered: false,
+        k,
+        ..Answer::of(verdict, open)
     }
 }
 
-/// What was left open that a literal depends on.
-fn left_open(model: &Model, target: Lit) -> Vec<(String, Option<Location>)> {
-    let nodes = reach(model, std::iter::once(target));
-    let gaps = &model.world.gaps;
-    let mut found: Vec<usize> = (model.world.open.iter())
-        .filter(|(node, _)| nodes.contains(node))
-        .map(|(_, gap)| *gap)
-        .collect();
-    found.sort_unstable();
-    found.dedup();
-    let found = found.into_iter().map(|gap| &gaps[gap]);
-    found.map(|gap| (gap.what.clone(), gap.location)).collect()
-}
-
 /// Asks of what is proved and has a left side whether that is ever so.
-fn note_untriggered(model: &Model, answers: &mut [Answer], end: Instant) {
+fn note_untriggered(model: &Model, answers: &mut [Answer], end: End) {
     let asked: Vec<(usize, Lit)> = (answers.iter().zip(&model.properties).enumerate())
         .filter(|(_, (answer, _))| matches!(answer.verdict, Verdict::Proved(_)))
         .filter_map(|(n, (_, property))| Some((n, property.trigger?)))
@@ -218,45 +236,44 @@ fn note_untriggered(model: &Model, answers: &mut [Answer], end: Instant) {
     let depth = Depth {
         base: 8,
         step: 8,
-        end: end.min(Instant::now() + Duration::from_secs(2)),
+        end: end.within(Duration::from_secs(2)),
     };
     for ((n, _), known) in asked.into_iter().zip(decide(model, &targets, depth).0) {
         answers[n].never_triggered = matches!(known, Known::Never(_));
     }
 }
 
-/// The timers on which a literal depends and that take longer than was searched.
-fn long_timers(
-    simulation: &Simulation,
+/// Looks for runs in which a fault happens in an expression of a property.
+fn note_faults(
+    simulation: &mut Simulation,
+    watched: &mut Watched,
     model: &Model,
-    target: Lit,
-    scans: usize,
-) -> Vec<(String, Option<Location>)> {
-    let nodes = reach(model, std::iter::once(target));
-    let matters = |ages: &Vec<usize>| {
-        let mut leaves = ages.iter().map(|n| model.world.states[*n].leaf.node());
-        leaves.any(|node| nodes.contains(&node))
+    answers: &mut [Answer],
+    end: End,
+) {
+    let faults = model.properties.iter().map(|property| property.fault);
+    let asked: Vec<(usize, Lit)> = faults
+        .enumerate()
+        .filter(|(_, fault)| *fault != Lit::FALSE)
+        .collect();
+    if asked.is_empty() {
+        return;
+    }
+    let targets: Vec<Lit> = asked.iter().map(|(_, fault)| *fault).collect();
+    let depth = Depth {
+        base: 20,
+        step: 4,
+        end: end.within(Duration::from_secs(2)),
     };
-    let program = simulation.program();
-    let tags = program.tags.iter().zip(&simulation.compiled().homes);
-    let mut found = Vec::new();
-    for (tag, home) in tags {
-        let Home::State { bits, .. } = home else { continue };
-        let is_in_it = model.world.timers.iter().zip(&model.world.ages);
-        let mut is_in_it = is_in_it.filter(|(timer, ages)| **timer == bits.0 && matters(ages));
-        if is_in_it.next().is_none() {
-            continue;
-        }
-        match model.world.presets.get(&bits.0) {
-            Some(Some(preset)) if *preset >= scans as u64 => {
-                found.push((format!("{} takes {preset} scans", tag.name), Some(tag.location)));
-            }
-            Some(None) => found.push((
-                format!("{} has a preset that changes", tag.name),
-                Some(tag.location),
-            )),
-            _ => {}
+    for ((n, _), known) in asked.into_iter().zip(decide(model, &targets, depth).0) {
+        if let Known::Found(run) = known {
+            let shown = replay(
+                simulation,
+                watched,
+                (n, Wanted::Fault),
+                (&run, &model.world.inputs),
+            );
+            answers[n].fault = shown.and_then(|shown| shown.scans().checked_sub(1));
         }
     }
-    found
 }

@@ -7,9 +7,9 @@ use crate::encode::Input;
 use crate::graph::{Lit, Node};
 use crate::lanes::Lanes;
 use crate::model::Model;
-use crate::unrolled::{Found, From, Unrolled};
+use crate::unrolled::{End, Found, From, Unrolled};
 use rustc_hash::FxHashSet;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// How far is looked.
 #[derive(Debug, Clone, Copy)]
@@ -19,7 +19,7 @@ pub(crate) struct Depth {
     /// Scans of the induction.
     pub(crate) step: usize,
     /// When it must be done.
-    pub(crate) end: Instant,
+    pub(crate) end: End,
 }
 
 /// What is known of a property.
@@ -66,7 +66,7 @@ pub(crate) fn decide(model: &Model, targets: &[Lit], depth: Depth) -> (Vec<Known
         if scan == TRIED_AT {
             try_runs(model, targets, &mut known, depth.end);
         }
-        let is_late = Instant::now() >= depth.end || base.is_full();
+        let is_late = depth.end.is_over() || base.is_full();
         if known.iter().all(Option::is_some) || is_late {
             break;
         }
@@ -118,17 +118,17 @@ pub(crate) fn decide(model: &Model, targets: &[Lit], depth: Depth) -> (Vec<Known
 }
 
 /// Runs with inputs that are held for a while: many scans, and some of what is far away happens in them.
-fn try_runs(model: &Model, targets: &[Lit], known: &mut [Option<Known>], end: Instant) {
+fn try_runs(model: &Model, targets: &[Lit], known: &mut [Option<Known>], end: End) {
     let open: Vec<usize> = (0..targets.len()).filter(|n| known[*n].is_none()).collect();
     let wanted: Vec<Lit> = open.iter().map(|n| targets[*n]).collect();
     if wanted.is_empty() {
         return;
     }
-    let end = end.min(Instant::now() + TRIED_TIME);
+    let end = end.within(TRIED_TIME);
     for (round, hold) in [(1u64, 64u64), (2, 512), (3, 8)] {
         let mut lanes = Lanes::new(model, &wanted, round * 0x1234_5677, hold);
         for _ in 0..TRIED_SCANS {
-            if Instant::now() >= end || open.iter().all(|n| known[*n].is_some()) {
+            if end.is_over() || open.iter().all(|n| known[*n].is_some()) {
                 return;
             }
             lanes.scan();
@@ -257,23 +257,17 @@ const READABLE: Duration = Duration::from_secs(2);
 const READABLE_CONFLICTS: u64 = 1_000;
 
 /// The run that was found, with as few changes of its inputs as can be had by asking for each whether it may be as before.
-fn readable(
-    base: &mut Unrolled<'_>,
-    model: &Model,
-    last: usize,
-    (target, bad): (Lit, Lit),
-    end: Instant,
-) -> Run {
+fn readable(base: &mut Unrolled<'_>, model: &Model, last: usize, (target, bad): (Lit, Lit), end: End) -> Run {
     let inputs = inputs_of(model, target);
     let mut run = read(base, model, &inputs, last);
-    let end = end.min(Instant::now() + READABLE);
+    let end = end.within(READABLE);
     let mut fixed = vec![bad];
     for (number, input) in model.world.inputs.iter().enumerate() {
         if !inputs[number] {
             continue;
         }
         for scan in 0..=last {
-            if Instant::now() >= end {
+            if end.is_over() {
                 return run;
             }
             let Some(as_before) = as_before(base, input, scan) else {

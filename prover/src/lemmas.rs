@@ -8,13 +8,17 @@ use crate::graph::Lit;
 use crate::lanes::Lanes;
 use crate::model::Model;
 use crate::number::Number;
-use crate::unrolled::{Found, From, Unrolled};
-use std::time::Instant;
+use crate::unrolled::{End, Found, From, Unrolled};
+use std::collections::BTreeSet;
 
 /// Of more bits pairs are not compared.
 const MOST_BITS: usize = 150;
 /// Of more waits and ages the rest is not compared.
 const MOST_PAIRS: usize = 200;
+/// Of a number that had more values nothing is guessed.
+const MOST_VALUES: usize = 8;
+/// Of more numbers the rest is not looked into.
+const MOST_NUMBERS: usize = 60;
 /// The part of the time that guesses may take.
 const TIME_DIVISOR: u32 = 4;
 const CONFLICTS: u64 = 5_000;
@@ -27,9 +31,8 @@ struct Pair {
 }
 
 /// Finds what always holds and adds it to the model.
-pub(crate) fn add(model: &mut Model, targets: &[Lit], end: Instant) {
-    let now = Instant::now();
-    let end = now + end.saturating_duration_since(now) / TIME_DIVISOR;
+pub(crate) fn add(model: &mut Model, targets: &[Lit], end: End) {
+    let end = end.part(TIME_DIVISOR);
     let guesses = guess(model, targets, end);
     model.lemmas = keep(model, guesses, end);
 }
@@ -55,7 +58,7 @@ fn bits(model: &mut Model, targets: &[Lit]) -> Vec<Lit> {
     bits
 }
 
-fn guess(model: &mut Model, targets: &[Lit], end: Instant) -> Vec<Lit> {
+fn guess(model: &mut Model, targets: &[Lit], end: End) -> Vec<Lit> {
     let bits = bits(model, targets);
     let compared = bits.len().min(MOST_BITS);
     let mut pairs: Vec<Pair> = Vec::new();
@@ -69,6 +72,7 @@ fn guess(model: &mut Model, targets: &[Lit], end: Instant) -> Vec<Lit> {
         }
     }
     pairs.truncate(MOST_PAIRS);
+    let mut sets = ValueSets::of(model, targets);
     // Of each bit whether it was ever low and high; of each pair which of the four were seen.
     let mut seen = vec![[false; 2]; bits.len()];
     let mut both = vec![0u8; compared * compared];
@@ -77,7 +81,7 @@ fn guess(model: &mut Model, targets: &[Lit], end: Instant) -> Vec<Lit> {
     for round in 0..4u64 {
         let mut lanes = Lanes::new(model, &all, 0x9E37_79B9 + round * 77, 4 << round);
         for _ in 0..60 {
-            if Instant::now() >= end {
+            if end.is_over() {
                 break;
             }
             lanes.scan();
@@ -97,6 +101,7 @@ fn guess(model: &mut Model, targets: &[Lit], end: Instant) -> Vec<Lit> {
                         | u8::from(a_is & b_is & alive != 0) << 3;
                 }
             }
+            sets.note(model, &lanes);
             for pair in &mut pairs {
                 let (waits, ages) = (&model.world.waits[pair.wait], &model.world.ages[pair.age]);
                 for lane in (0..64).filter(|lane| alive >> lane & 1 == 1) {
@@ -140,6 +145,7 @@ fn guess(model: &mut Model, targets: &[Lit], end: Instant) -> Vec<Lit> {
             }
         }
     }
+    guesses.extend(sets.guesses(model));
     for pair in pairs
         .iter()
         .filter(|pair| (i64::MIN + 1..=2).contains(&pair.most))
@@ -161,8 +167,63 @@ fn guess(model: &mut Model, targets: &[Lit], end: Instant) -> Vec<Lit> {
     guesses
 }
 
+/// Numbers that are remembered, with the values that were seen.
+struct ValueSets {
+    numbers: Vec<(Vec<usize>, BTreeSet<u64>)>,
+}
+
+impl ValueSets {
+    /// Of those that matter.
+    fn of(model: &Model, targets: &[Lit]) -> ValueSets {
+        let reached = reach(model, targets.iter().copied());
+        let matters = |bits: &&Vec<usize>| {
+            let mut leaves = bits.iter().map(|n| model.world.states[*n].leaf.node());
+            leaves.any(|node| reached.contains(&node))
+        };
+        let numbers = model.world.numbers.iter().filter(matters).take(MOST_NUMBERS);
+        ValueSets {
+            numbers: numbers.map(|bits| (bits.clone(), BTreeSet::new())).collect(),
+        }
+    }
+
+    fn note(&mut self, model: &Model, lanes: &Lanes<'_>) {
+        for (bits, seen) in &mut self.numbers {
+            let bits: Vec<u64> = bits
+                .iter()
+                .map(|n| lanes.value(model.world.states[*n].leaf))
+                .collect();
+            for lane in (0..64).filter(|lane| lanes.alive >> lane & 1 == 1) {
+                if seen.len() > MOST_VALUES {
+                    break;
+                }
+                let value = bits.iter().enumerate();
+                seen.insert(value.fold(0, |value, (n, bit)| value | (bit >> lane & 1) << n));
+            }
+        }
+        self.numbers.retain(|(_, seen)| seen.len() <= MOST_VALUES);
+    }
+
+    /// That each has one of the values that were seen.
+    fn guesses(&self, model: &mut Model) -> Vec<Lit> {
+        let mut guesses = Vec::new();
+        for (bits, seen) in self.numbers.iter().filter(|(_, seen)| seen.len() > 1) {
+            let leaves: Vec<Lit> = bits.iter().map(|n| model.world.states[*n].leaf).collect();
+            let graph = &mut model.world.graph;
+            let is_one: Vec<Lit> = (seen.iter())
+                .map(|value| {
+                    let bits = leaves.iter().enumerate();
+                    let bits = bits.map(|(n, leaf)| leaf.negated_if(value >> n & 1 == 0));
+                    graph.all(bits)
+                })
+                .collect();
+            guesses.push(graph.any(is_one));
+        }
+        guesses
+    }
+}
+
 /// Those that one scan cannot break while all of them hold.
-fn keep(model: &Model, mut guesses: Vec<Lit>, end: Instant) -> Vec<Lit> {
+fn keep(model: &Model, mut guesses: Vec<Lit>, end: End) -> Vec<Lit> {
     let mut step = Unrolled::new(model, From::Anywhere, end);
     if guesses.is_empty() || !step.add_scan() {
         return Vec::new();
@@ -227,7 +288,7 @@ mod tests {
         let depth = Depth {
             base: 5,
             step: 5,
-            end: Instant::now() + std::time::Duration::from_secs(20),
+            end: (std::time::Instant::now() + std::time::Duration::from_secs(20)).into(),
         };
         assert_eq!(decide(&model, &targets, depth).0, [Known::NotIn(5)]);
         add(&mut model, &targets, depth.end);

@@ -6,6 +6,7 @@
 //! ```
 
 mod answer;
+mod causes;
 mod concrete;
 mod decide;
 mod encode;

@@ -30,6 +30,8 @@ pub(crate) struct Target {
     pub(crate) bad: Lit,
     /// High in a scan in which what is on its left side is so.
     pub(crate) trigger: Option<Lit>,
+    /// High in a scan after which a fault happens in one of its expressions.
+    pub(crate) fault: Lit,
 }
 
 /// Builds the model of a program; one that cannot be followed is blocked, and its properties mean nothing.
@@ -95,6 +97,8 @@ struct Builder<'w, 'c> {
     faulted: Lit,
     /// An earlier scan ended the program.
     is_over: Lit,
+    /// A fault happens in the expressions that were added last.
+    fault: Lit,
     interval: i64,
 }
 
@@ -142,6 +146,7 @@ impl<'w, 'c> Builder<'w, 'c> {
             memory,
             faulted,
             is_over,
+            fault: Lit::FALSE,
             interval,
         }
     }
@@ -156,9 +161,10 @@ impl<'w, 'c> Builder<'w, 'c> {
         }
         let mut properties = Vec::new();
         for property in &watched.properties {
+            self.fault = Lit::FALSE;
             let (bad, trigger) = self.form(&property.form);
-            let bad = self.world.graph.and(bad, !self.is_over);
-            properties.push(Target { bad, trigger });
+            let [bad, fault] = [bad, self.fault].map(|lit| self.world.graph.and(lit, !self.is_over));
+            properties.push(Target { bad, trigger, fault });
         }
         self.memory.finish(self.world);
         assumed.append(&mut self.world.valid);
@@ -291,6 +297,7 @@ impl<'w, 'c> Builder<'w, 'c> {
             return Number::of_bits(bits);
         }
         let (faulted, mut memory) = (scan.faulted, scan.memory);
+        self.fault = self.world.graph.or(self.fault, faulted);
         let value = match result.slot() {
             PointSlot::Bit(bit) => Number::of_bit(memory.bit(self.world, bit)),
             PointSlot::Word(word) => memory.word(self.world, word),

@@ -26,11 +26,20 @@ impl Shown {
     }
 }
 
-/// Plays a run. None: the property is not violated in its last scan, or what is assumed does not hold.
+/// What a run is to show in its last scan.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Wanted {
+    /// That the property is violated, or has come true.
+    Property,
+    /// A fault in one of its expressions.
+    Fault,
+}
+
+/// Plays a run. None: what it is to show does not happen in its last scan, or what is assumed does not hold.
 pub(crate) fn replay(
     simulation: &mut Simulation,
     watched: &mut Watched,
-    property: usize,
+    (property, wanted): (usize, Wanted),
     (run, inputs): (&Run, &[Input]),
 ) -> Option<Shown> {
     simulation.unforce_all();
@@ -66,7 +75,7 @@ pub(crate) fn replay(
     shown
         .seen
         .retain(|(point, _)| !shown.given.iter().any(|(given, _)| given.name == point.name));
-    let mut is_violated = false;
+    let mut is_shown = false;
     for scan in 0..run.scans {
         for (point, values) in &shown.given {
             simulation.set(point, values[scan].clone()).ok()?;
@@ -80,13 +89,18 @@ pub(crate) fn replay(
                 return None;
             }
         }
-        is_violated = watched.properties[property].violates(simulation, faulted);
+        let monitor = &mut watched.properties[property];
+        let violates = monitor.violates(simulation, faulted);
+        is_shown = match wanted {
+            Wanted::Property => violates,
+            Wanted::Fault => monitor.faulted(),
+        };
         shown.faults.push(faulted);
         for (point, values) in &mut shown.seen {
             values.push(simulation.value(point));
         }
     }
-    is_violated.then_some(shown)
+    is_shown.then_some(shown)
 }
 
 /// The tags that a property names.

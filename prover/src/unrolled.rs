@@ -5,7 +5,8 @@ use crate::model::Model;
 use batsat::{Callbacks, Solver, SolverInterface, SolverOpts, lbool};
 use rustc_hash::FxHashMap;
 use std::cell::Cell;
-use std::time::Instant;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
 
 /// Where the scans begin.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,6 +20,46 @@ pub(crate) enum From {
 /// More nodes, of all scans, are too many.
 const MOST_NODES: usize = 10_000_000;
 
+/// When all must be done.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct End {
+    at: Instant,
+    /// High where it must be done at once.
+    stop: Option<&'static AtomicBool>,
+}
+
+impl End {
+    /// At a time, or as soon as this is high.
+    pub(crate) const fn new(at: Instant, stop: Option<&'static AtomicBool>) -> End {
+        End { at, stop }
+    }
+
+    /// In so long, if not before.
+    #[must_use]
+    pub(crate) fn within(self, time: Duration) -> End {
+        End {
+            at: self.at.min(Instant::now() + time),
+            ..self
+        }
+    }
+
+    /// After a part of the time that is left.
+    #[must_use]
+    pub(crate) fn part(self, divisor: u32) -> End {
+        self.within(self.at.saturating_duration_since(Instant::now()) / divisor)
+    }
+
+    pub(crate) fn is_over(self) -> bool {
+        self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed)) || Instant::now() >= self.at
+    }
+}
+
+impl std::convert::From<Instant> for End {
+    fn from(at: Instant) -> End {
+        End::new(at, None)
+    }
+}
+
 /// What came of a question.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Found {
@@ -30,8 +71,7 @@ pub(crate) enum Found {
 
 /// Stops a question that takes too long.
 struct Limits {
-    /// When all must be done.
-    end: Instant,
+    end: End,
     /// Conflicts that this question may still have.
     conflicts: Cell<u64>,
     asked: Cell<u32>,
@@ -48,7 +88,7 @@ impl Callbacks for Limits {
     fn stop(&self) -> bool {
         let asked = self.asked.get().wrapping_add(1);
         self.asked.set(asked);
-        if asked.is_multiple_of(256) && Instant::now() >= self.end {
+        if asked.is_multiple_of(256) && self.end.is_over() {
             self.is_late.set(true);
         }
         self.is_late.get() || self.conflicts.get() == 0
@@ -71,7 +111,8 @@ pub(crate) struct Unrolled<'m> {
 }
 
 impl<'m> Unrolled<'m> {
-    pub(crate) fn new(model: &'m Model, from: From, end: Instant) -> Unrolled<'m> {
+    pub(crate) fn new(model: &'m Model, from: From, end: impl Into<End>) -> Unrolled<'m> {
+        let end = end.into();
         let states = model.world.states.iter().enumerate();
         let limits = Limits {
             end,
@@ -243,7 +284,7 @@ impl<'m> Unrolled<'m> {
         let lits: Vec<Lit> = lits.iter().copied().filter(|lit| *lit != Lit::TRUE).collect();
         let assumptions: Vec<batsat::Lit> = lits.into_iter().map(|lit| self.solver_lit(lit)).collect();
         self.solver.cb().conflicts.set(conflicts);
-        if Instant::now() >= self.solver.cb().end {
+        if self.solver.cb().end.is_over() {
             return Found::Unknown;
         }
         let answer = self.solver.solve_limited(&assumptions);

@@ -119,7 +119,7 @@ impl Cells {
             let uses = match cell {
                 Cell::Bit(Bit(at)) => bits.entry(at),
                 Cell::Word(Word(at)) => words.entry(at),
-                Cell::Timer(_) => return,
+                Cell::Timer(_) | Cell::Elapsed(_) => return,
                 Cell::Unknown => {
                     has_unknown = true;
                     return;

@@ -56,6 +56,7 @@ impl Scan<'_, '_> {
         self.write_bit(bits.offset(c::CU), en);
         self.write_word(words.offset(c::PV), most.clone());
         let was = self.word(words.offset(c::CV));
+        self.world.counts.push((words.0, was.bit(0), most.known()));
         let graph = &mut self.world.graph;
         let step = Number::constant(if routine == Routine::WrappingCtd { -1 } else { 1 });
         let mut next = graph.add(&was, &step).wrapped(Width::I16);

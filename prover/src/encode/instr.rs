@@ -71,8 +71,12 @@ impl Scan<'_, '_> {
         self.located.then_some(block.location)
     }
 
-    /// Nothing can be said of the program.
+    /// Nothing can be said of a network that is followed alone, and of a program nothing of what it writes.
     pub(super) fn block(&mut self, what: impl Into<String>, at: u32) {
+        let what = what.into();
+        if self.alone.is_none() {
+            return self.stop(&what, at);
+        }
         let location = self.location(at);
         self.world.block(what, location);
     }

@@ -67,7 +67,8 @@ impl Scan<'_, '_> {
                 Cell::Bit(Bit(at)) => (0, at),
                 Cell::Word(Word(at)) => (1, at),
                 Cell::Timer(Bit(at)) => (2, at),
-                Cell::Unknown => (3, 0),
+                Cell::Elapsed(Word(at)) => (3, at),
+                Cell::Unknown => (4, 0),
             });
             for cell in cells {
                 self.open_cell(cell, lost.who, &lost.gap);
@@ -109,7 +110,7 @@ impl Scan<'_, '_> {
                 let value = self.world.graph.choose(who, open, old);
                 self.memory.set_bit(bit, value);
             }
-            Cell::Word(word) if !self.memory.is_temporary_word(word) => {
+            Cell::Word(word) | Cell::Elapsed(word) if !self.memory.is_temporary_word(word) => {
                 let open = self.open_value(word, gap);
                 let old = self.word(word);
                 let value = self.world.graph.choose_number(who, &open, &old);
@@ -171,7 +172,7 @@ impl Scan<'_, '_> {
                     let open = self.world.open_bits(gap.clone(), 1)[0];
                     self.write_bit(bit, open);
                 }
-                Cell::Word(word) => {
+                Cell::Word(word) | Cell::Elapsed(word) => {
                     let open = self.open_value(word, &gap);
                     self.write_word(word, open);
                 }

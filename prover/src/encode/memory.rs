@@ -121,6 +121,7 @@ impl<'c> Memory<'c> {
 
     fn remember_word(&mut self, world: &mut World, at: u32, width: Width, initial: i64) -> Number {
         let (leaves, numbers) = remember(world, width.bits() as usize, initial);
+        world.numbers.push(numbers.clone());
         self.remembered.push(Remembered::Word(at, numbers));
         Number::of_bits(leaves).wrapped(width)
     }

@@ -35,13 +35,15 @@ impl Scan<'_, '_> {
             self.world.graph.and(high, !was)
         };
         let down = rise(cd, counter::DOWN_BEFORE);
+        let count = self.word(words.offset(counter::CV));
+        self.world.counts.push((words.0, count.bit(0), pv.known()));
         Counter {
             up,
             down,
             reset: self.bit(bits.offset(counter::R)),
             load: self.bit(bits.offset(counter::LD)),
             pv,
-            count: self.word(words.offset(counter::CV)),
+            count,
         }
     }
 

@@ -82,6 +82,9 @@ impl Scan<'_, '_> {
         self.write_word(words.offset(t::PT), preset.clone());
         let (was_done, count) = (self.bit(bits.offset(t::Q)), self.word(words.offset(t::ET)));
         let base = self.word(Word(base));
+        let scans = base.known().zip(preset.known());
+        let scans = scans.map(|(base, preset)| scans_of(base.saturating_mul(preset), self.interval));
+        self.world.presets.insert(bits.0, scans);
         let over = self.base_is_over(bits, words, &base);
         let graph = &mut self.world.graph;
         let steps = graph.all([en, !was_done, over]);
@@ -125,6 +128,7 @@ impl Scan<'_, '_> {
         self.write_word(words.offset(c::PV), preset.clone());
         let (was_done, counted) = (self.bit(bits.offset(c::Q)), self.bit(bits.offset(c::CHANGED)));
         let count = self.word(words.offset(c::CV));
+        self.world.counts.push((words.0, count.bit(0), preset.known()));
         let is_up = routine == Routine::LatchingCtu;
         let graph = &mut self.world.graph;
         let counts = graph.and(en, !counted);

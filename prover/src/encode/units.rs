@@ -30,6 +30,11 @@ impl Scan<'_, '_> {
         let en = self.world.graph.and(en, !reset);
         self.write_bit(bits.offset(t::IN), en);
         self.write_word(words.offset(t::PT), preset.clone());
+        let nanoseconds = unit.saturating_mul(common);
+        let scans = preset
+            .known()
+            .map(|preset| scans_of(preset.saturating_mul(nanoseconds), interval));
+        self.world.presets.insert(bits.0, scans);
         let phase = self.memory.phase(self.world, bits);
         let was_counting = phase[0];
         let is_off = matches!(routine, Routine::UnitTof | Routine::UnitRtof);
@@ -144,6 +149,7 @@ impl Scan<'_, '_> {
         let [first, second] = rises.map(Number::of_bit);
         let (reset, load) = (self.bit(bits.offset(c::R)), self.bit(bits.offset(c::LD)));
         let before = self.word(words.offset(c::CV));
+        self.world.counts.push((words.0, before.bit(0), preset.known()));
         let zero = Number::constant(0);
         let graph = &mut self.world.graph;
         let step = match routine {

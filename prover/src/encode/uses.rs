@@ -23,6 +23,8 @@ pub(super) enum Cell {
     Word(Word),
     /// What a timer is doing, and since when: by its first bit.
     Timer(Bit),
+    /// The ET of a timer, which it writes.
+    Elapsed(Word),
     /// Any: it is not known which.
     Unknown,
 }
@@ -228,16 +230,17 @@ pub(super) fn for_each_use(instr: &Instr, each: &mut dyn FnMut(Cell, Access)) {
             bit(before, Change);
             bit(out, Write);
         }
-        I::Ton { out, bits, .. }
-        | I::Tof { out, bits, .. }
-        | I::Tp { out, bits, .. }
-        | I::Rto { out, bits, .. }
-        | I::Rtof { out, bits, .. } => {
+        I::Ton { out, bits, words, .. }
+        | I::Tof { out, bits, words, .. }
+        | I::Tp { out, bits, words, .. }
+        | I::Rto { out, bits, words, .. }
+        | I::Rtof { out, bits, words, .. } => {
             bit(bits.offset(timer::R), Read);
             bit(bits.offset(timer::IN), Change);
             bit(bits.offset(timer::Q), Change);
             bit(out, Write);
             each(Cell::Timer(bits), Change);
+            each(Cell::Elapsed(words.offset(timer::ET)), Change);
         }
         I::Ctu { out, bits, .. }
         | I::Ctd { out, bits, .. }
@@ -262,13 +265,16 @@ pub(super) fn for_each_use(instr: &Instr, each: &mut dyn FnMut(Cell, Access)) {
             bit(bits, Change);
             bit(out, Write);
         }
-        I::Clear { state, bits, .. } => {
+        I::Clear {
+            state, bits, words, ..
+        } => {
             let (count, _) = ladder_simulator::compiled::state_size(state);
             for n in 0..count {
                 bit(bits.offset(n), Change);
             }
             if state.is_timer() {
                 each(Cell::Timer(bits), Change);
+                each(Cell::Elapsed(words.offset(timer::ET)), Change);
             }
         }
         _ => {}

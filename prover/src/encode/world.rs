@@ -41,6 +41,10 @@ pub(crate) struct World {
     pub(crate) gaps: Vec<Gap>,
     /// Leaves that are in the place of times.
     pub(crate) times: Vec<Lit>,
+    /// The words that are remembered, by their bits among the states.
+    pub(crate) numbers: Vec<Vec<usize>>,
+    /// The counters: the first word of each, a bit of what it counts, and what it counts to where that is known.
+    pub(crate) counts: Vec<(u32, Lit, Option<i64>)>,
     /// The numbers that say how long a property waits, by their bits among the states.
     pub(crate) waits: Vec<Vec<usize>>,
     /// The ages of timers likewise.

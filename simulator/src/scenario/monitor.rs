@@ -30,6 +30,8 @@ pub struct Monitor {
     armed: bool,
     /// For how many scans the earliest unanswered one waits.
     waits: Option<u64>,
+    /// See [`Monitor::faulted`].
+    faulted: bool,
 }
 
 /// Binds the properties of a file. With errors, those of the file itself included, none of them is to be watched.
@@ -56,6 +58,7 @@ pub fn bind_properties(suite: &Suite, simulation: &Simulation) -> (Watched, Vec<
                 interval: simulation.options().interval,
                 armed: false,
                 waits: None,
+                faulted: false,
             });
         }
     }
@@ -97,8 +100,13 @@ impl Monitor {
     /// whether it is so. `faulted`: a block has recorded a fault in this scan.
     pub fn violates(&mut self, simulation: &Simulation, faulted: bool) -> bool {
         // A fault in an expression makes it FALSE.
-        let holds = |expression: &mut Expression| expression.holds(simulation).unwrap_or(false);
-        match &mut self.form {
+        let mut fault = false;
+        let mut holds = |expression: &mut Expression| {
+            let holds = expression.holds(simulation);
+            fault |= holds.is_err();
+            holds.unwrap_or(false)
+        };
+        let violates = match &mut self.form {
             Form::Always(e) => !holds(e),
             Form::Never(e) | Form::Possible { what: e, .. } => holds(e),
             Form::When {
@@ -137,6 +145,13 @@ impl Monitor {
                 self.waits.is_some_and(|scans| scans >= most)
             }
             Form::NoFaults => faulted,
-        }
+        };
+        self.faulted = fault;
+        violates
+    }
+
+    /// Whether a fault happened in one of its expressions after the last scan.
+    pub const fn faulted(&self) -> bool {
+        self.faulted
     }
 }

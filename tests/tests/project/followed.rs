@@ -40,13 +40,19 @@ pub(crate) fn value(dice: &mut Dice, ty: Scalar) -> Value {
 
 /// Compares one program over so many scans; the difference, if there is one.
 pub(crate) fn compare(text: &str, seed: u64, scans: usize, tally: &mut Tally) -> Option<String> {
+    compare_two([text, text], (seed, scans), tally)
+}
+
+/// The same of two programs: the simulator runs the first, and the prover has the second.
+fn compare_two([text, other]: [&str; 2], (seed, scans): (u64, usize), tally: &mut Tally) -> Option<String> {
     let program = compile(text)?;
     let options = Options {
         watchdog: 20_000,
         ..Options::default()
     };
     let mut simulation = Simulation::new(program, options).ok()?;
-    let mut followed = match Concrete::new(&simulation) {
+    let other = Simulation::new(compile(other)?, options).ok()?;
+    let mut followed = match Concrete::new(&other) {
         Ok(followed) => followed,
         Err(why) => {
             *tally.blocked.entry(why).or_default() += 1;
@@ -175,4 +181,40 @@ fn times_and_loops_are_followed() {
         tally.equal >= 5_000 && tally.open == 0 && tally.blocked.is_empty(),
         "{tally:?}"
     );
+}
+
+/// A prover that takes one instruction for another is found: here it has another program than the simulator.
+#[test]
+fn planted_errors_are_found() {
+    let planted = [
+        ("[TON]( t1, T#55ms", "[TON]( t1, T#65ms"),
+        ("[TOF]( t4, T#55ms, R := r )", "[TOF]( t4, T#55ms )"),
+        ("[ ]( a )--[TP]", "[/]( a )--[TP]"),
+        ("[RTO]( t8, T#75ms", "[RTO]( t8, T#85ms"),
+        ("[RTOF]( t10, T#75ms", "[RTOF]( t10, T#65ms"),
+        ("[MUL]( tens, ms, 10 )", "[DIV]( tens, ms, 10 )"),
+        ("[ ]( b )--<JMP>", "[/]( b )--<JMP>"),
+        ("[CTU]( c1, 3, R := r )", "[CTU]( c1, 3 )"),
+        ("[CTD]( c2, 3, LD := r )", "[CTD]( c2, 3, R := r )"),
+        ("CD := b, R := r", "CD := a, R := r"),
+        ("[CTC]( c4, 3 )", "[CTC]( c4, 1 )"),
+        ("(RES)( t9 )--", ""),
+        ("[P]( a )", "[N]( a )"),
+        ("<FOR>( 5", "<FOR>( 4"),
+        ("[ADD]( sum, sum", "[SUB]( sum, sum"),
+        ("[GT]( sum, 6 )", "[LT]( sum, 6 )"),
+        ("list[n - 1]", "list[5 - n]"),
+        ("[OSR]", "[OSF]"),
+        ("[EQ]( ms, 3 )--<END>", "[EQ]( ms, 4 )--<END>"),
+    ];
+    let mut missed = Vec::new();
+    for (right, wrong) in planted {
+        let other = TIMES.replace(right, wrong);
+        assert!(other != TIMES && compile(&other).is_some(), "{wrong}\n{other}");
+        let differs = |seed| compare_two([TIMES, &other], (seed, 120), &mut Tally::default());
+        if (0..20).all(|seed| differs(seed).is_none()) {
+            missed.push((right, wrong));
+        }
+    }
+    assert_eq!(missed, []);
 }

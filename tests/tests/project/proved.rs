@@ -36,17 +36,17 @@ fn properties(simulation: &Simulation, dice: &mut Dice) -> String {
     text
 }
 
-/// How many verdicts there were that runs could contradict, and runs that were found.
-fn check(text: &str, seed: u64) -> (usize, usize) {
+/// How many verdicts there were that runs could contradict, runs that were found, and properties.
+fn check(text: &str, seed: u64) -> (usize, usize, usize) {
     let Some(program) = compile(text) else {
-        return (0, 0);
+        return (0, 0, 0);
     };
     let running = Running {
         watchdog: 20_000,
         ..Running::default()
     };
     let Ok(mut simulation) = Simulation::new(program, running) else {
-        return (0, 0);
+        return (0, 0, 0);
     };
     let mut dice = Dice::new(seed);
     let suite = parse(&properties(&simulation, &mut dice));
@@ -56,6 +56,7 @@ fn check(text: &str, seed: u64) -> (usize, usize) {
     let options = Options {
         time: Duration::from_secs(5),
         scans: 12,
+        ..Options::default()
     };
     let answers = prove(&mut simulation, &mut watched, options)
         .unwrap_or_else(|refuted| panic!("seed {seed}: {} does not happen\n{text}", refuted.name));
@@ -102,30 +103,37 @@ fn check(text: &str, seed: u64) -> (usize, usize) {
     let found = answers
         .iter()
         .filter(|answer| matches!(answer.verdict, Verdict::Violated(_) | Verdict::Possible(_)));
-    (never, found.count())
+    (never, found.count(), answers.len())
 }
 
-fn check_all(mode: Mode, least: usize) {
-    let mut tally = (0, 0);
+/// At least so many of each, and of a hundred properties so many are decided.
+fn check_all(mode: Mode, least: usize, decided: usize) {
+    let mut tally = (0, 0, 0);
     for seed in 0..programs() {
-        let (never, found) = check(&program(seed, mode), seed);
-        tally = (tally.0 + never, tally.1 + found);
+        let (never, found, all) = check(&program(seed, mode), seed);
+        tally = (tally.0 + never, tally.1 + found, tally.2 + all);
     }
-    println!("{mode:?}: {} never, {} found", tally.0, tally.1);
+    println!("{mode:?}: {} never, {} found, of {}", tally.0, tally.1, tally.2);
     assert!(tally.0 >= least && tally.1 >= least, "{tally:?}");
+    assert!((tally.0 + tally.1) * 100 >= tally.2 * decided, "{tally:?}");
 }
 
 #[test]
 fn contacts_and_coils_are_decided_right() {
-    check_all(Mode::Boolean, 10);
+    check_all(Mode::Boolean, 10, 99);
 }
 
 #[test]
 fn sensible_programs_are_decided_right() {
-    check_all(Mode::Sensible, 10);
+    check_all(Mode::Sensible, 10, 90);
 }
 
 #[test]
 fn wild_programs_are_decided_right() {
-    check_all(Mode::Wild, 5);
+    check_all(Mode::Wild, 5, 85);
+}
+
+#[test]
+fn programs_with_types_are_decided_right() {
+    check_all(Mode::Typed, 5, 80);
 }

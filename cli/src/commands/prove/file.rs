@@ -8,11 +8,14 @@ use ladder_prover::{Answer, Options, Verdict, prove, scenario_of};
 use ladder_simulator::scenario::Form;
 use std::path::Path;
 use std::sync::Mutex;
+use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 /// What is asked of each file.
 pub(super) struct Wishes {
     pub(super) time: Duration,
+    /// High where the answers that are there are wanted at once.
+    pub(super) stop: Option<&'static AtomicBool>,
     pub(super) renderer: Renderer,
     /// Those of the programs.
     pub(super) workspaces: Mutex<Workspaces>,
@@ -129,6 +132,7 @@ fn decide(
     answers.interval = simulation.options().interval;
     let options = Options {
         time: wishes.time,
+        stop: wishes.stop,
         ..Options::default()
     };
     let found = prove(&mut simulation, &mut watched, options).map_err(|refuted| {

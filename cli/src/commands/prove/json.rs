@@ -43,8 +43,17 @@ struct Property<'a> {
     /// How many scans were searched, where it is not decided.
     #[serde(skip_serializing_if = "Option::is_none")]
     scans: Option<usize>,
+    /// Over how many scans the induction goes that proved it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    k: Option<usize>,
     never_triggered: bool,
+    /// In which scan a fault happens in the property itself, from 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fault_scan: Option<usize>,
     open: Vec<Open<'a>>,
+    /// What the solver had when it was decided, and how long that took with those that were decided with it.
+    clauses: u64,
+    seconds: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     trace: Option<Vec<Row<'a>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -104,7 +113,11 @@ fn property(of: &PropertyAnswer) -> Property<'_> {
             Verdict::Unknown(scans) => Some(scans),
             _ => None,
         },
+        k: of.answer.k,
         never_triggered: of.answer.never_triggered,
+        fault_scan: of.answer.fault,
+        clauses: of.answer.clauses,
+        seconds: of.answer.time.as_secs_f64(),
         open: (of.open.iter())
             .map(|(what, place)| Open {
                 what,

@@ -1,7 +1,9 @@
 //! `ladder prove`: whether the properties of programs hold for all inputs and all runs.
 
 mod file;
+mod interrupt;
 mod json;
+mod junit;
 mod people;
 
 use crate::findings::Workspaces;
@@ -11,10 +13,12 @@ use crate::terminal::{self, Stdout, stdout_has_colours};
 use annotate_snippets::Renderer;
 use clap::{Args, ValueEnum};
 use file::{FileAnswers, Wishes};
+use ladder_syntax::numeral::counted;
 use ladder_workspace::shown;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
+use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 const EXAMPLES: &str = "\
@@ -24,6 +28,9 @@ Examples:
   ladder prove . --time 60                      search longer for what is hard to decide
   ladder prove door.ladder-test --write found.ladder-test
                                                 the runs that were found, as scenarios
+  ladder prove . --format junit > report.xml    for a build server
+
+Ctrl-C shows the answers that are there; a second one ends at once.
 
 Properties are in a file of scenarios, before, between or after these:
 
@@ -83,6 +90,8 @@ enum Format {
     Text,
     /// For machines: one object
     Json,
+    /// For build servers: XML as of JUnit
+    Junit,
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
@@ -114,21 +123,44 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             Renderer::plain()
         },
         workspaces: Mutex::<Workspaces>::default(),
+        stop: interrupt::watched(),
     };
+    let is_stopped = || wishes.stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
+    let shows_progress = arguments.format == Format::Text && terminal::is_interactive();
     let mut out = Stdout::new();
     let mut all: Vec<FileAnswers> = Vec::new();
-    for path in &files {
+    for (number, path) in files.iter().enumerate() {
+        if is_stopped() {
+            let left = counted(files.len() - number, "file");
+            terminal::warning(&format!("stopped: {left} without answers"));
+            outcome = outcome.max(Outcome::Findings);
+            break;
+        }
+        if shows_progress {
+            terminal::passing(&format!(
+                "{} ({} of {})",
+                shown::path(path),
+                number + 1,
+                files.len()
+            ));
+        }
         let answers = file::answers(path, &wishes);
+        if shows_progress {
+            terminal::passing("");
+        }
         if answers.properties.is_empty() && answers.problems.is_empty() {
             continue;
         }
         outcome = outcome.max(answers.outcome(arguments.allow_unknown));
         if arguments.format == Format::Text {
             people::file(&answers, colours, &mut out)?;
+            if shows_progress {
+                out.flush()?;
+            }
         }
         all.push(answers);
     }
-    if all.is_empty() && errors.is_empty() {
+    if all.is_empty() && errors.is_empty() && !is_stopped() {
         return Err(Failure::new(
             "there is no property in these files; write one, as in: never up and down",
         ));
@@ -138,6 +170,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Format::Text if all.is_empty() => {}
         Format::Text => people::end(&all, seconds, colours, &mut out)?,
         Format::Json => json::write(&all, seconds, &mut out)?,
+        Format::Junit => junit::write(&all, arguments.allow_unknown, seconds, &mut out)?,
     }
     out.flush()?;
     if let Some(file) = &arguments.write {

@@ -37,7 +37,7 @@ fn paint(colours: bool, style: Style, text: &str) -> String {
 }
 
 /// What is said next to the name.
-fn note(property: &PropertyAnswer, interval: i64) -> String {
+pub(super) fn note(property: &PropertyAnswer, interval: i64) -> String {
     match &property.answer.verdict {
         Verdict::Proved(Times::Any) | Verdict::Impossible(Times::Any) => "for any times".into(),
         Verdict::Proved(Times::Exact) | Verdict::Impossible(Times::Exact) => {
@@ -83,6 +83,12 @@ pub(super) fn file(answers: &FileAnswers, colours: bool, out: &mut dyn Write) ->
                 "{INDENT}never triggered: what is on its left side never happens"
             )?;
         }
+        if let Some(scan) = property.answer.fault {
+            writeln!(
+                out,
+                "{INDENT}a fault can happen in it (in scan {scan}): its expression is FALSE then"
+            )?;
+        }
         let what = match property.answer.verdict {
             Verdict::Unknown(_) => "not decided",
             _ => "left open",
@@ -108,7 +114,7 @@ pub(super) fn file(answers: &FileAnswers, colours: bool, out: &mut dyn Write) ->
 }
 
 /// The rows of a run, in columns.
-fn drawn(scenario: &str) -> String {
+pub(super) fn drawn(scenario: &str) -> String {
     let file = ladder_simulator::scenario::layout(&format!("program p\n\n{scenario}"));
     let rows = file
         .lines()

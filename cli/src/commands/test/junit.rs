@@ -2,8 +2,7 @@
 
 use super::report::FileReport;
 use super::{All, Writer};
-use ladder_syntax::xml::Escaped;
-use ladder_workspace::shown;
+use crate::xml::{attribute, escaped};
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
@@ -109,14 +108,4 @@ impl Junit {
         }
         writeln!(out, "  </testsuite>")
     }
-}
-
-/// A text in an attribute, on one line.
-fn attribute(text: &str) -> String {
-    escaped(&shown::line(text))
-}
-
-/// Text inside of XML. What a terminal would interpret, including the control characters that are no part of XML, is escaped.
-fn escaped(text: &str) -> String {
-    Escaped(&shown::text(text)).to_string()
 }
