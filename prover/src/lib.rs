@@ -15,6 +15,7 @@ mod graph;
 mod lanes;
 mod lemmas;
 mod model;
+mod never;
 mod number;
 mod replay;
 mod scenario_text;

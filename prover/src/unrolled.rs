@@ -70,12 +70,23 @@ pub(crate) enum Found {
 }
 
 /// Stops a question that takes too long.
-struct Limits {
+pub(crate) struct Limits {
     end: End,
     /// Conflicts that this question may still have.
     conflicts: Cell<u64>,
     asked: Cell<u32>,
     is_late: Cell<bool>,
+}
+
+impl Limits {
+    pub(crate) const fn new(end: End, conflicts: u64) -> Limits {
+        Limits {
+            end,
+            conflicts: Cell::new(conflicts),
+            asked: Cell::new(0),
+            is_late: Cell::new(false),
+        }
+    }
 }
 
 impl Callbacks for Limits {
@@ -114,12 +125,7 @@ impl<'m> Unrolled<'m> {
     pub(crate) fn new(model: &'m Model, from: From, end: impl Into<End>) -> Unrolled<'m> {
         let end = end.into();
         let states = model.world.states.iter().enumerate();
-        let limits = Limits {
-            end,
-            conflicts: Cell::new(u64::MAX),
-            asked: Cell::new(0),
-            is_late: Cell::new(false),
-        };
+        let limits = Limits::new(end, u64::MAX);
         Unrolled {
             model,
             from,

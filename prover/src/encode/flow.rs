@@ -2,6 +2,7 @@
 
 use super::{MOST_NODES, Region, Scan};
 use crate::graph::Lit;
+use crate::never::is_never;
 use crate::number::Number;
 use ladder_simulator::compiled::{CALL_DEPTH, Instr};
 
@@ -217,7 +218,9 @@ impl Scan<'_, '_> {
                 let done = self.world.graph.and(self.act, is_over);
                 self.leave(done, after);
             }
-            if self.act == Lit::FALSE {
+            let is_asked = turn > 1 && (turn - 1) % ASKED_EVERY == 0;
+            if self.act == Lit::FALSE || is_asked && is_never(&self.world.graph, self.act) {
+                self.act = Lit::FALSE;
                 break;
             }
             self.frame.turn = turn;
@@ -239,3 +242,5 @@ impl Scan<'_, '_> {
 
 /// Of a loop whose turns a tag says so many are followed.
 const MOST_TURNS: i64 = 64;
+/// After so many turns it is asked whether one more can be made.
+const ASKED_EVERY: i64 = 8;

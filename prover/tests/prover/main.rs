@@ -1,6 +1,7 @@
 //! What the prover says.
 
 mod equal;
+mod open;
 mod verdicts;
 
 use ladder_prover::{Answer, Options, prove};
