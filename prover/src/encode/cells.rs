@@ -128,17 +128,16 @@ impl Cells {
             uses.or_default().add(access, code.block_at(at));
         });
         let relays = &code.relays;
-        for relay in [
+        let relays = [
             relays.zero,
             relays.range,
             relays.address,
             relays.math,
             relays.stop,
-        ] {
+        ];
+        for Bit(at) in relays.into_iter().flatten() {
             // Any block may report an error there.
-            if let Some(Bit(at)) = relay {
-                bits.entry(at).or_default().add(Access::Change, u32::MAX);
-            }
+            bits.entry(at).or_default().add(Access::Change, u32::MAX);
         }
         self.has_unknown_writes = has_unknown;
         let mut elapsed = FxHashSet::default();

@@ -196,6 +196,15 @@ impl Scan<'_, '_> {
         self.act = self.world.graph.and(act, !ends_here);
     }
 
+    /// Whether a literal is low in all scans, where that is quickly seen; it is not asked for ever.
+    fn is_never(&mut self, lit: Lit) -> bool {
+        let Some(left) = self.questions.checked_sub(1) else {
+            return lit == Lit::FALSE;
+        };
+        self.questions = left;
+        is_never(&self.world.graph, lit)
+    }
+
     /// The turns of a loop, one after the other. Returns where it goes on.
     fn enter(&mut self, body: u32, after: u32) -> Option<u32> {
         let nothing = (Lit::FALSE, Number::constant(0));
@@ -219,7 +228,7 @@ impl Scan<'_, '_> {
                 self.leave(done, after);
             }
             let is_asked = turn > 1 && (turn - 1) % ASKED_EVERY == 0;
-            if self.act == Lit::FALSE || is_asked && is_never(&self.world.graph, self.act) {
+            if self.act == Lit::FALSE || is_asked && self.is_never(self.act) {
                 self.act = Lit::FALSE;
                 break;
             }

@@ -77,6 +77,8 @@ pub(crate) struct Scan<'w, 'c> {
     loops: Vec<(u32, u32)>,
     /// How many instructions may still be followed.
     budget: usize,
+    /// How many questions about loops may still be put to a solver.
+    questions: usize,
     /// Which cells computed slots may mean.
     reach: Cow<'c, Reach>,
     /// Who goes on in a way that is not followed.
@@ -107,6 +109,8 @@ struct Region {
 
 /// More instructions than this, loops written out, are too many: also fewer than the limit of a scan, where that is low.
 const MOST_FOLLOWED: usize = 200_000;
+/// More questions about loops take too long.
+const MOST_QUESTIONS: usize = 50;
 /// More nodes are too many.
 const MOST_NODES: usize = 5_000_000;
 
@@ -139,6 +143,7 @@ impl<'w, 'c> Scan<'w, 'c> {
                 })
                 .collect(),
             budget: MOST_FOLLOWED,
+            questions: MOST_QUESTIONS,
             reach,
             lost: Vec::new(),
             is_stopped: false,

@@ -77,9 +77,9 @@ impl Scan<'_, '_> {
                 break;
             }
             let which = places.bit(stage);
-            let old = |n: usize| match to_front {
-                true => values.get(n + by).unwrap_or(&none),
-                false => n.checked_sub(by).map_or(&none, |n| &values[n]),
+            let old = |n: usize| {
+                let from = if to_front { Some(n + by) } else { n.checked_sub(by) };
+                from.and_then(|from| values.get(from)).unwrap_or(&none)
             };
             let graph = &mut self.world.graph;
             values = (0..values.len())

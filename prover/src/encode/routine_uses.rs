@@ -20,8 +20,16 @@ impl Uses<'_, '_> {
         (self.each)(Cell::Word(Word(at)), access);
     }
 
+    fn bits(&mut self, all: &[u32], access: Access) {
+        for &at in all {
+            self.bit(at, access);
+        }
+    }
+
     fn words(&mut self, all: &[u32], access: Access) {
-        all.iter().for_each(|&at| self.word(at, access));
+        for &at in all {
+            self.word(at, access);
+        }
     }
 
     /// The elements of a range, and the words that tell it.
@@ -36,11 +44,15 @@ impl Uses<'_, '_> {
     }
 
     fn bits_of(&mut self, first: u32, members: &[u32], access: Access) {
-        members.iter().for_each(|n| self.bit(first + n, access));
+        for n in members {
+            self.bit(first + n, access);
+        }
     }
 
     fn words_of(&mut self, first: u32, members: &[u32], access: Access) {
-        members.iter().for_each(|n| self.word(first + n, access));
+        for n in members {
+            self.word(first + n, access);
+        }
     }
 
     /// The power of a block with a state, and what all such blocks have: power, EN, preset.
@@ -134,7 +146,7 @@ pub(super) fn routine_uses(
         (R::SelectBit, [to, selector, count, list @ ..]) => {
             uses.word(*selector, Read);
             let list = &list[..(*count as usize).min(list.len())];
-            list.iter().for_each(|&from| uses.bit(from, Read));
+            uses.bits(list, Read);
             uses.bit(*to, Change);
         }
         (R::SelectWord, [to, selector, count, list @ ..]) => {
@@ -174,7 +186,7 @@ pub(super) fn routine_uses(
             uses.bit(*en, Read);
             uses.word(*number, Read);
             uses.words(&[*free, *sent, *rest], Change);
-            [*before, *blank].iter().for_each(|&at| uses.bit(at, Change));
+            uses.bits(&[*before, *blank], Change);
             uses.bit(*out, Write);
         }
         (R::ScanTon | R::ScanTof | R::ScanRto, [out, en, pt, bits, words, started, ..]) => {
@@ -243,7 +255,7 @@ pub(super) fn routine_uses(
         (R::Step, [to, _, _, a, b, zero, range, ..]) => {
             uses.words(&[*a, *b], Read);
             uses.word(*to, Write);
-            [*zero, *range].iter().for_each(|&at| uses.bit(at, Change));
+            uses.bits(&[*zero, *range], Change);
         }
         (R::Cut | R::Clamp | R::Round, [to, _, from, _, zero, range, ..]) => {
             uses.word(*from, Read);

@@ -135,10 +135,12 @@ impl Scan<'_, '_> {
         let step = Number::constant(if is_up { 1 } else { -1 });
         let next = graph.add(&count, &step).wrapped(WIDTH);
         let count = graph.choose_number(counts, &next, &count);
-        let beyond = match is_up {
-            true => graph.less(&count, &preset),
-            false => graph.less(&preset, &count),
+        let (low, high) = if is_up {
+            (&count, &preset)
+        } else {
+            (&preset, &count)
         };
+        let beyond = graph.less(low, high);
         let reached = graph.and(counts, !beyond);
         let done = graph.or(was_done, reached);
         let power = graph.and(en, done);

@@ -39,31 +39,26 @@ impl Scan<'_, '_> {
         let was_counting = phase[0];
         let is_off = matches!(routine, Routine::UnitTof | Routine::UnitRtof);
         let graph = &mut self.world.graph;
-        let armed = match is_off {
-            true => {
-                let either = graph.or(en, phase[1]);
-                graph.and(!reset, either)
-            }
-            false => Lit::FALSE,
-        };
-        let counts = match is_off {
-            true => graph.and(armed, !en),
-            false => graph.and(!reset, en),
+        let either = graph.or(en, phase[1]);
+        let armed = graph.all([Lit::constant(is_off), !reset, either]);
+        let counts = if is_off {
+            graph.and(armed, !en)
+        } else {
+            graph.and(!reset, en)
         };
         let clears = match routine {
             Routine::UnitTon => graph.or(reset, !en),
             Routine::UnitTof => graph.or(reset, en),
             _ => reset,
         };
-        let (rest_now, passed) = self.passed_steps((bits, rest), was_counting, (unit, step), interval);
         let count = self.word(words.offset(t::ET));
         let zero = Number::constant(0);
-        let graph = &mut self.world.graph;
-        let time = graph.add(&rest_now, &passed);
-        let (units, over) = match unit {
-            1 => (time, zero.clone()),
-            _ => graph.div(&time, &Number::constant(unit)),
+        let rest_now = match unit {
+            1 => zero.clone(),
+            _ => self.memory.up_to(self.world, rest, unit - 1),
         };
+        let (units, over) = self.units_passed(bits, &rest_now, was_counting, (unit, step, interval));
+        let graph = &mut self.world.graph;
         let next = graph.add(&count, &units);
         let next = graph.min(&next, &Number::constant(MOST_UNITS));
         let counting = graph.and(counts, !clears);
@@ -98,37 +93,34 @@ impl Scan<'_, '_> {
         true
     }
 
-    /// What is left of the last unit, and how many steps have passed since the last evaluation: the first one is for a whole
-    /// scan.
-    fn passed_steps(
+    /// How many units are over, and what is left of the last one. The first evaluation is for a whole scan.
+    fn units_passed(
         &mut self,
-        (bits, rest): (Bit, Word),
+        timer: Bit,
+        rest: &Number,
         was_counting: Lit,
-        (unit, step): (i64, i64),
-        interval: i64,
+        (unit, step, interval): (i64, i64, i64),
     ) -> (Number, Number) {
         if self.times == Times::Open {
-            let bits: Vec<Lit> = (0..63).map(|_| self.world.graph.leaf()).collect();
+            let bits: Vec<Lit> = (0..15).map(|_| self.world.graph.leaf()).collect();
             self.world.times.extend(&bits);
-            return (Number::constant(0), Number::unsigned(bits));
+            return (Number::unsigned(bits), rest.clone());
         }
-        let rest = match unit {
-            1 => Number::constant(0),
-            _ => self.memory.up_to(self.world, rest, unit - 1),
-        };
         // More than it can count to makes no difference.
         let longest = MOST_UNITS
             .saturating_add(1)
             .saturating_mul(unit)
             .saturating_mul(interval / step);
         let most = scans_of(longest, interval).clamp(1, ANY_AGE);
-        let age = self.memory.age(self.world, bits, most);
+        let age = self.memory.age(self.world, timer, most);
         let graph = &mut self.world.graph;
         let passed = graph.mul(&age, &Number::constant(step), 64);
-        (
-            rest,
-            graph.choose_number(was_counting, &passed, &Number::constant(step)),
-        )
+        let passed = graph.choose_number(was_counting, &passed, &Number::constant(step));
+        let time = graph.add(rest, &passed);
+        match unit {
+            1 => (time, Number::constant(0)),
+            _ => graph.div(&time, &Number::constant(unit)),
+        }
     }
 
     pub(super) fn comparing_counter(&mut self, routine: Routine, pool: &[u32]) {

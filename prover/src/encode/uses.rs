@@ -70,9 +70,8 @@ pub(super) fn chosen(
     reach: &Reach,
     instr: &Instr,
 ) -> Option<impl Iterator<Item = (u32, u32, Instr)> + use<>> {
-    let (bits, words) = match *instr {
-        Instr::StateAt { bits, words, .. } | Instr::ClearAt { bits, words, .. } => (bits, words),
-        _ => return None,
+    let (Instr::StateAt { bits, words, .. } | Instr::ClearAt { bits, words, .. }) = *instr else {
+        return None;
     };
     let (bits, words) = (reach.slots(bits)?, reach.slots(words)?);
     // A bistable has no words.
