@@ -6,8 +6,9 @@
 use crate::encode::Input;
 use crate::graph::{Lit, Node};
 use crate::lanes::Lanes;
+use crate::limits::End;
 use crate::model::Model;
-use crate::unrolled::{End, Found, From, Unrolled};
+use crate::unrolled::{Found, From, Unrolled};
 use rustc_hash::FxHashSet;
 use std::time::Duration;
 

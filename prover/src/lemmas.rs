@@ -6,9 +6,10 @@
 use crate::decide::reach;
 use crate::graph::Lit;
 use crate::lanes::Lanes;
+use crate::limits::End;
 use crate::model::Model;
 use crate::number::Number;
-use crate::unrolled::{End, Found, From, Unrolled};
+use crate::unrolled::{Found, From, Unrolled};
 use std::collections::BTreeSet;
 
 /// Of more bits pairs are not compared.

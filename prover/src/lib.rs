@@ -14,6 +14,7 @@ mod equal;
 mod graph;
 mod lanes;
 mod lemmas;
+mod limits;
 mod model;
 mod never;
 mod number;

@@ -1,7 +1,7 @@
 //! Whether a function is low for all values of what it is made of, where that is quickly seen.
 
 use crate::graph::{Graph, Lit, Node};
-use crate::unrolled::{End, Limits};
+use crate::limits::{End, Limits};
 use batsat::{Solver, SolverInterface, SolverOpts, lbool};
 use rustc_hash::FxHashMap;
 use std::time::{Duration, Instant};

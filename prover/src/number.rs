@@ -265,6 +265,14 @@ fn signed_digits(value: i64) -> Vec<(Lit, bool)> {
     digits
 }
 
+/// The greatest common divisor.
+pub(crate) fn common(mut a: i64, mut b: i64) -> i64 {
+    while b != 0 {
+        (a, b) = (b, a % b);
+    }
+    a.max(1)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -2,7 +2,7 @@
 
 use crate::encode::{Memory, World};
 use crate::graph::Lit;
-use crate::number::Number;
+use crate::number::{Number, common};
 use ladder_analysis::program::Clock;
 use ladder_simulator::compiled::{Bit, Word};
 
@@ -63,12 +63,4 @@ fn clock_bit(world: &mut World, period: i64, interval: i64) -> Lit {
     let high = !graph.less(&now, &Number::constant(half));
     becomes(world, &numbers, &next);
     high
-}
-
-/// The greatest common divisor.
-pub(crate) fn common(mut a: i64, mut b: i64) -> i64 {
-    while b != 0 {
-        (a, b) = (b, a % b);
-    }
-    a.max(1)
 }

@@ -1,12 +1,10 @@
 //! Scans one after the other: the machine's functions with the values of earlier scans put in, and a solver that knows them.
 
 use crate::graph::{Graph, Lit, Node};
+use crate::limits::{End, Limits};
 use crate::model::Model;
-use batsat::{Callbacks, Solver, SolverInterface, SolverOpts, lbool};
+use batsat::{Solver, SolverInterface, SolverOpts, lbool};
 use rustc_hash::FxHashMap;
-use std::cell::Cell;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
 
 /// Where the scans begin.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,46 +18,6 @@ pub(crate) enum From {
 /// More nodes, of all scans, are too many.
 const MOST_NODES: usize = 10_000_000;
 
-/// When all must be done.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct End {
-    at: Instant,
-    /// High where it must be done at once.
-    stop: Option<&'static AtomicBool>,
-}
-
-impl End {
-    /// At a time, or as soon as this is high.
-    pub(crate) const fn new(at: Instant, stop: Option<&'static AtomicBool>) -> End {
-        End { at, stop }
-    }
-
-    /// In so long, if not before.
-    #[must_use]
-    pub(crate) fn within(self, time: Duration) -> End {
-        End {
-            at: self.at.min(Instant::now() + time),
-            ..self
-        }
-    }
-
-    /// After a part of the time that is left.
-    #[must_use]
-    pub(crate) fn part(self, divisor: u32) -> End {
-        self.within(self.at.saturating_duration_since(Instant::now()) / divisor)
-    }
-
-    pub(crate) fn is_over(self) -> bool {
-        self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed)) || Instant::now() >= self.at
-    }
-}
-
-impl std::convert::From<Instant> for End {
-    fn from(at: Instant) -> End {
-        End::new(at, None)
-    }
-}
-
 /// What came of a question.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Found {
@@ -67,43 +25,6 @@ pub(crate) enum Found {
     No,
     /// It took too long.
     Unknown,
-}
-
-/// Stops a question that takes too long.
-pub(crate) struct Limits {
-    end: End,
-    /// Conflicts that this question may still have.
-    conflicts: Cell<u64>,
-    asked: Cell<u32>,
-    is_late: Cell<bool>,
-}
-
-impl Limits {
-    pub(crate) const fn new(end: End, conflicts: u64) -> Limits {
-        Limits {
-            end,
-            conflicts: Cell::new(conflicts),
-            asked: Cell::new(0),
-            is_late: Cell::new(false),
-        }
-    }
-}
-
-impl Callbacks for Limits {
-    fn on_new_clause(&mut self, _: &[batsat::Lit], kind: batsat::ClauseKind) {
-        if kind == batsat::ClauseKind::Learnt {
-            self.conflicts.set(self.conflicts.get().saturating_sub(1));
-        }
-    }
-
-    fn stop(&self) -> bool {
-        let asked = self.asked.get().wrapping_add(1);
-        self.asked.set(asked);
-        if asked.is_multiple_of(256) && self.end.is_over() {
-            self.is_late.set(true);
-        }
-        self.is_late.get() || self.conflicts.get() == 0
-    }
 }
 
 /// See the module.
@@ -289,8 +210,8 @@ impl<'m> Unrolled<'m> {
         }
         let lits: Vec<Lit> = lits.iter().copied().filter(|lit| *lit != Lit::TRUE).collect();
         let assumptions: Vec<batsat::Lit> = lits.into_iter().map(|lit| self.solver_lit(lit)).collect();
-        self.solver.cb().conflicts.set(conflicts);
-        if self.solver.cb().end.is_over() {
+        self.solver.cb().allow(conflicts);
+        if self.solver.cb().is_over() {
             return Found::Unknown;
         }
         let answer = self.solver.solve_limited(&assumptions);

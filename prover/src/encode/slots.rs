@@ -2,7 +2,7 @@
 //! what is multiplied by and added to it reaches elements at equal distances.
 
 use super::uses::{Access, Cell, for_each_use, routine_uses};
-use crate::system::common;
+use crate::number::common;
 use ladder_simulator::compiled::{Code, Instr, IntegerOp, Memory as Banks, Routine, Width, Word};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;

@@ -22,7 +22,7 @@ impl Scan<'_, '_> {
             return false;
         };
         let (unit, interval) = (unit.max(1), interval.max(1));
-        let common = crate::system::common(unit, interval);
+        let common = crate::number::common(unit, interval);
         let (unit, step) = (unit / common, interval / common);
 
         let reset = self.bit(bits.offset(t::R));
