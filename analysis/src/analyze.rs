@@ -8,6 +8,7 @@ use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::Severity;
 use crate::findings::rule_settings::RuleSettings;
 use crate::names::join::context_after;
+use crate::other_files::link::Linked;
 use crate::other_files::others::Others;
 use crate::program::Program;
 use crate::resolve::{self, Resolved, numbers::Unit};
@@ -25,6 +26,7 @@ pub struct Analysis {
     /// The findings with all that they say, once they are asked for.
     diagnostics: OnceLock<Vec<Diagnostic>>,
     program: OnceLock<Option<Arc<Program>>>,
+    others: Option<Arc<[Arc<Analysis>]>>,
     memo: Memo,
 }
 
@@ -92,13 +94,19 @@ impl Analysis {
         self.program.get_or_init(program).as_ref()
     }
 
-    /// The same file with the program that [`link`](crate::link) made of it and of what it uses.
+    /// The same file with the program that [`link_files`](crate::link_files) made of it and of what it uses.
     #[must_use]
-    pub fn with_program(&self, program: Arc<Program>) -> Analysis {
+    pub fn with_others(&self, linked: Linked) -> Analysis {
         Analysis {
-            program: OnceLock::from(Some(program)),
+            program: OnceLock::from(Some(linked.program)),
+            others: Some(linked.others.into()),
             ..self.clone()
         }
+    }
+
+    /// The other files that its program is made of, if it [has](Analysis::with_others) them.
+    pub fn others(&self) -> Option<&[Arc<Analysis>]> {
+        self.others.as_deref()
     }
 
     /// What keeps the program from being simulated.
@@ -167,6 +175,7 @@ pub fn analyze_while(
         hidden_errors: found.hidden_errors,
         diagnostics: OnceLock::new(),
         program: OnceLock::new(),
+        others: None,
         memo: found.memo,
     })
 }

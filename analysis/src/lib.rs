@@ -61,7 +61,7 @@ pub use networks::access_kind::AccessKind;
 pub use other_files::exporting::exports;
 pub use other_files::exports::{ExportedBlock, ExportedFunction, Exports, Global};
 pub use other_files::import::Import;
-pub use other_files::link::{NotWhole, link};
+pub use other_files::link::{Linked, NotWhole, link, link_files};
 pub use other_files::others::{Exported, Others};
 pub use resolve::in_class;
 pub use still_wanted::BETWEEN;

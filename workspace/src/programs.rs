@@ -6,8 +6,9 @@ use crate::library::folder_errors;
 use crate::settings::Settings;
 use crate::settings::SettingsError;
 use crate::shown::from_here;
-use ladder_analysis::program::Program;
-use ladder_analysis::{Analysis, Exported, Exports, NotWhole, Others, analyze_with, exports, link};
+use ladder_analysis::{
+    Analysis, Exported, Exports, Linked, NotWhole, Others, analyze_with, exports, link_files,
+};
 use ladder_syntax::Parse;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
@@ -151,12 +152,12 @@ impl Workspace {
         ))
     }
 
-    /// What runs: the program with all that it uses of other files.
+    /// What runs: the program with all that it uses of other files, and these.
     ///
     /// # Errors
     /// It, or a file that it uses, has errors.
-    pub fn link(&self, analysis: &Arc<Analysis>) -> Result<Arc<Program>, NotWhole> {
-        link(analysis, &|name| Some(self.analysis(self.program_named(name)?)))
+    pub fn link(&self, analysis: &Arc<Analysis>) -> Result<Linked, NotWhole> {
+        link_files(analysis, &|name| Some(self.analysis(self.program_named(name)?)))
     }
 
     fn exported(&self) -> &Arc<Exported> {

@@ -167,6 +167,11 @@ impl NamedTypes {
         &self.list[..self.own]
     }
 
+    /// Those of other files that its declarations and operands mention.
+    pub fn of_others(&self) -> &[NamedType] {
+        &self.list[self.own..]
+    }
+
     /// All that the file can name, with the files that others are declared in.
     pub fn all(&self) -> impl Iterator<Item = (&DeclaredType, Option<&Arc<str>>)> {
         let own = self.own().iter().map(|ty| (&ty.declaration, None));

@@ -22,6 +22,16 @@ pub enum NotWhole {
     Missing(Arc<str>),
 }
 
+/// A program with the files that it is made of.
+#[derive(Debug, Clone)]
+pub struct Linked {
+    /// The program.
+    pub program: Arc<Program>,
+    /// The other files: those whose functions and blocks it reaches, those of the library among them, and those whose types these
+    /// and it mention.
+    pub others: Vec<Arc<Analysis>>,
+}
+
 /// The bodies that are reached in each file, by its name.
 struct Reached {
     /// The files in the order in which they are reached, the program's own first.
@@ -39,16 +49,30 @@ enum Target {
     Block(Import),
 }
 
-/// The program of a file. `analysis` gives the analysis of another file of the workspace by its name.
+/// The program of a file: see [`link_files`].
 ///
 /// # Errors
-/// The file, or one that it uses, has errors or cannot be had.
+/// Those of `link_files`.
 pub fn link(
     own: &Arc<Analysis>,
     analysis: &dyn Fn(&str) -> Option<Arc<Analysis>>,
 ) -> Result<Arc<Program>, NotWhole> {
+    link_files(own, analysis).map(|linked| linked.program)
+}
+
+/// The program of a file, with the files that it is made of. `analysis` gives the analysis of another file of the workspace by its name.
+///
+/// # Errors
+/// The file, or one that it uses, has errors or cannot be had.
+pub fn link_files(
+    own: &Arc<Analysis>,
+    analysis: &dyn Fn(&str) -> Option<Arc<Analysis>>,
+) -> Result<Linked, NotWhole> {
     if let Some(program) = own.program() {
-        return Ok(Arc::clone(program));
+        return Ok(Linked {
+            program: Arc::clone(program),
+            others: with_types(own, Vec::new(), analysis),
+        });
     }
     if own.has_errors() {
         return Err(NotWhole::Errors(Arc::clone(&own.context.name)));
@@ -67,7 +91,41 @@ pub fn link(
     if resolved.unresolved.is_some() || !resolved.linked {
         return Err(NotWhole::Missing(Arc::clone(&own.context.name)));
     }
-    Ok(Arc::new(resolved.program))
+    let others = reached.files.into_iter().skip(1).map(|(file, _)| file);
+    Ok(Linked {
+        program: Arc::new(resolved.program),
+        others: with_types(own, others.collect(), analysis),
+    })
+}
+
+/// Files, and those that declare the types which they and the program's own mention.
+fn with_types(
+    own: &Arc<Analysis>,
+    mut files: Vec<Arc<Analysis>>,
+    analysis: &dyn Fn(&str) -> Option<Arc<Analysis>>,
+) -> Vec<Arc<Analysis>> {
+    let mut seen: FxHashSet<Arc<str>> = FxHashSet::default();
+    seen.extend(
+        std::iter::once(own)
+            .chain(&files)
+            .map(|file| Arc::clone(&file.context.name)),
+    );
+    let mut next = 0;
+    let mut file = Arc::clone(own);
+    loop {
+        for ty in file.context.types.of_others() {
+            if let Some(name) = &ty.file
+                && seen.insert(Arc::clone(name))
+            {
+                files.extend(analysis(name));
+            }
+        }
+        match files.get(next) {
+            Some(other) => file = Arc::clone(other),
+            None => return files,
+        }
+        next += 1;
+    }
 }
 
 impl Reached {

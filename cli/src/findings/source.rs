@@ -7,7 +7,7 @@
 use crate::form::{self, Form};
 use crate::outcome::Failure;
 use ladder_analysis::program::{Location, Program};
-use ladder_analysis::{Analysis, Diagnostic, NotWhole};
+use ladder_analysis::{Analysis, Diagnostic, Linked, NotWhole};
 use ladder_notations::{Foreign, Mark, ReadError, conversion_of_cplc_draft};
 use ladder_syntax::{LineColumn, LineIndex, TextRange, TextSize};
 use ladder_workspace::{Workspace, shown};
@@ -28,7 +28,7 @@ pub(crate) struct Source {
     /// The workspace around the file, once it is needed. None: there is none that can be used.
     workspace: OnceLock<Option<Arc<Workspace>>>,
     analysis: OnceLock<Arc<Analysis>>,
-    program: OnceLock<Result<Arc<Program>, NotWhole>>,
+    linked: OnceLock<Result<Linked, NotWhole>>,
 }
 
 impl Source {
@@ -41,7 +41,7 @@ impl Source {
             index,
             workspace: OnceLock::new(),
             analysis: OnceLock::new(),
-            program: OnceLock::new(),
+            linked: OnceLock::new(),
         }
     }
 
@@ -167,17 +167,22 @@ impl Source {
 
     /// What runs: the program with what it uses of other files.
     pub(crate) fn program(&self) -> Result<Arc<Program>, NotWhole> {
-        let program = self.program.get_or_init(|| {
+        self.linked().map(|linked| linked.program)
+    }
+
+    /// The same with those files.
+    pub(crate) fn linked(&self) -> Result<Linked, NotWhole> {
+        let linked = self.linked.get_or_init(|| {
             let analysis = self.analyze();
             if self.has_errors() {
                 return Err(NotWhole::Errors(Arc::clone(&analysis.context.name)));
             }
             match self.workspace() {
                 Some(workspace) => workspace.link(&analysis),
-                None => ladder_analysis::link(&analysis, &|_| None),
+                None => ladder_analysis::link_files(&analysis, &|_| None),
             }
         });
-        program.clone()
+        linked.clone()
     }
 
     /// The layout that its workspace asks for.
@@ -202,8 +207,8 @@ impl Source {
 
     /// A place of the program, in whichever file it lies: `motor.clad:3:12`.
     pub(crate) fn place_name(&self, location: Location) -> String {
-        let elsewhere = match (location.file, self.program.get()) {
-            (1.., Some(Ok(program))) => self.other(&program.files[location.file as usize]),
+        let elsewhere = match (location.file, self.linked.get()) {
+            (1.., Some(Ok(linked))) => self.other(&linked.program.files[location.file as usize]),
             _ => None,
         };
         let source = elsewhere.as_ref().unwrap_or(self);

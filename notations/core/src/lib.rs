@@ -25,7 +25,8 @@ mod remark;
 mod report;
 mod source;
 pub mod stand_in;
-mod with_library;
+mod whole;
+mod with_other_files;
 mod written;
 pub mod xml;
 
@@ -42,5 +43,5 @@ pub use reading::{Content, ProjectFile, Reading, Writing};
 pub use remark::{Remark, remarks};
 pub use report::{Entry, Outcome, Report, Tally};
 pub use source::{Companion, Source, text_of};
-pub use with_library::{Unwritable, with_library};
+pub use with_other_files::{Unwritable, with_other_files};
 pub use written::write_checked;

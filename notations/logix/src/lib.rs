@@ -109,6 +109,10 @@ impl Notation for L5x {
         Ok(sketch::sketch(&l5x::read(text)?, text))
     }
 
+    fn writes_other_files(&self) -> bool {
+        true
+    }
+
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
         write::write(analysis)
     }

@@ -60,12 +60,11 @@ impl Notation for Plcopen {
         read::project(source.text_of_project()?).map(reading)
     }
 
+    fn writes_other_files(&self) -> bool {
+        true
+    }
+
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
-        let (project, report) = write::project(analysis)?;
-        Ok(Writing {
-            bytes: emit::project(project).into_bytes(),
-            report,
-            companions: Vec::new(),
-        })
+        write::write(analysis)
     }
 }

@@ -129,6 +129,10 @@ impl Notation for Simatic {
         Ok(sketched(&unit, &companions(source)))
     }
 
+    fn writes_other_files(&self) -> bool {
+        true
+    }
+
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
         write::write(analysis)
     }

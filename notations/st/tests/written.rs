@@ -1,7 +1,7 @@
 //! What comes out: statements as a person writes them.
 
 use expect_test::{Expect, expect};
-use ladder_analysis::{Exported, analyze_in, exports, link};
+use ladder_analysis::{Exported, analyze_in, exports, link_files};
 use ladder_notation::Notation;
 use ladder_notation_st::St;
 use std::sync::Arc;
@@ -174,8 +174,8 @@ fn check_files(files: &[(&str, &str)], expected: Expect) {
         Some(Arc::new(analyze_in(parse, name, &exported.others_of(name))))
     };
     let own = analysis(files[0].0).expect("the first file is one of them");
-    let program = link(&own, &analysis).expect("it is whole");
-    let writing = St.write(&own.with_program(program)).expect("it is written");
+    let linked = link_files(&own, &analysis).expect("it is whole");
+    let writing = St.write(&own.with_others(linked)).expect("it is written");
     let text = String::from_utf8(writing.bytes).expect("text is UTF-8");
     let heads = text.lines().filter(|line| line.starts_with("FUNCTION_BLOCK "));
     let own = text.split_once("PROGRAM plant\n").expect("a program").1;

@@ -85,7 +85,7 @@ fn load_program(world: &World, path: &Path) -> Result<Loaded, String> {
     };
     let source = Source::new(path.to_owned(), text);
     let program = match workspace.link(&analysis) {
-        Ok(program) => program,
+        Ok(linked) => linked.program,
         Err(NotWhole::Missing(file)) => {
             return Err(format!(
                 "{}, which the program uses, cannot be read any more",

@@ -9,8 +9,9 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use ladder_analysis::program::Program;
-use ladder_analysis::{Analysis, Exported, Exports, NotWhole, Others, RuleSettings, analyze_with, link};
+use ladder_analysis::{
+    Analysis, Exported, Exports, Linked, NotWhole, Others, RuleSettings, analyze_with, link_files,
+};
 use ladder_workspace::{Disk, FileError, SETTINGS_FILE, Settings, Simulate};
 
 use super::folder::{Folder, Open, Shown, same};
@@ -346,9 +347,9 @@ impl Neighbours {
         Some((path.clone(), file.text().to_owned()))
     }
 
-    /// What runs: a file's program with what it uses of the others.
-    pub(crate) fn link(&self, path: &Path, own: &Arc<Analysis>) -> Result<Arc<Program>, NotWhole> {
-        link(own, &|name| {
+    /// What runs: a file's program with what it uses of the others, and these.
+    pub(crate) fn link(&self, path: &Path, own: &Arc<Analysis>) -> Result<Linked, NotWhole> {
+        link_files(own, &|name| {
             let mut state = self.lock();
             let (root, folder) = state.folder(path);
             let open = folder

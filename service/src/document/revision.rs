@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use ladder_analysis::program::Program;
-use ladder_analysis::{NotWhole, Others, RuleSettings, analyze, analyze_with, link};
+use ladder_analysis::{Linked, NotWhole, Others, RuleSettings, analyze, analyze_with, link_files};
 use ladder_format::{Edit, Options};
 use ladder_notations::ReadError;
 use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES, Parse, TextRange, TextSize, parse};
@@ -307,10 +307,15 @@ impl Revision {
 
     /// What runs: the program with what it uses of other files; `None` for a text that is too large.
     pub(crate) fn program(&self) -> Option<Result<Arc<Program>, NotWhole>> {
+        Some(self.linked()?.map(|linked| linked.program))
+    }
+
+    /// The same with those files.
+    pub(crate) fn linked(&self) -> Option<Result<Linked, NotWhole>> {
         let analysis = self.analysis()?.whole();
         Some(match &self.place {
             Some(place) => place.neighbours.link(&place.path, analysis),
-            None => link(analysis, &|_| None),
+            None => link_files(analysis, &|_| None),
         })
     }
 

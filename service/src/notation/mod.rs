@@ -3,8 +3,7 @@
 pub mod messages;
 mod opened;
 
-use ladder_analysis::Analysis;
-use ladder_analysis::program::Program;
+use ladder_analysis::{Analysis, Linked};
 use ladder_notations::{
     Finding, Foreign, Form, NOTATIONS, Remark, Report, Source, Tally, remarks, write_checked,
 };
@@ -36,7 +35,7 @@ pub(crate) fn known() -> Notations {
     }
 }
 
-/// Writes a program in another notation. `analysis` is that of ladder text that the editor shows, if it is one, and `program` what it
+/// Writes a program in another notation. `analysis` is that of ladder text that the editor shows, if it is one, and `linked` what it
 /// makes with the files that it uses.
 ///
 /// # Errors
@@ -45,7 +44,7 @@ pub(crate) fn known() -> Notations {
 pub(crate) fn translate(
     task: &Task<'_>,
     analysis: Option<Arc<Analysis>>,
-    program: Option<Arc<Program>>,
+    linked: Option<Linked>,
 ) -> Result<Converted, String> {
     let mut account = Account::default();
     let analyze = |ladder: &str| {
@@ -71,9 +70,9 @@ pub(crate) fn translate(
         Form::Ladder => ladder,
         Form::Foreign(notation) => {
             let own = analysis.or(own).unwrap_or_else(|| analyze(&ladder));
-            let program = program.or_else(|| ladder_analysis::link(&own, &|_| None).ok());
-            let own = match program {
-                Some(program) if notation.writes_other_files() => Arc::new(own.with_program(program)),
+            let linked = linked.or_else(|| ladder_analysis::link_files(&own, &|_| None).ok());
+            let own = match linked {
+                Some(linked) if notation.writes_other_files() => Arc::new(own.with_others(linked)),
                 _ => own,
             };
             let writing = write_checked(notation, &own, &task.source.name);

@@ -7,7 +7,7 @@ mod compared;
 mod run;
 
 use compared::{check, compiled_and_run, compiler};
-use ladder_analysis::{Analysis, analyze, link};
+use ladder_analysis::{Analysis, analyze, link_files};
 use ladder_invariants::generator::{Mode, program};
 use ladder_simulator::{Options, Simulation, scenario};
 use std::path::Path;
@@ -17,8 +17,8 @@ use std::sync::Arc;
 /// A program with what it uses of the library.
 fn analysis(text: &str) -> Analysis {
     let alone = Arc::new(analyze(&Arc::new(ladder_syntax::parse(text)), "program"));
-    match link(&alone, &|_| None) {
-        Ok(program) => alone.with_program(program),
+    match link_files(&alone, &|_| None) {
+        Ok(linked) => alone.with_others(linked),
         Err(_) => Analysis::clone(&alone),
     }
 }

@@ -5,7 +5,7 @@
 use ladder_analysis::program::Program;
 use ladder_analysis::values::types::{Scalar, Type};
 use ladder_analysis::values::value::Value;
-use ladder_analysis::{Analysis, analyze, link};
+use ladder_analysis::{Analysis, analyze, link_files};
 use ladder_instructions::StateType;
 use ladder_invariants::generator::{Dice, Mode, program};
 use ladder_simulator::{Options, Simulation};
@@ -200,8 +200,9 @@ type Inputs = dyn FnMut(&mut Simulation, &[Place], usize) -> Vec<(usize, Value)>
 
 /// Runs a program both ways.
 fn compare(analysis: &Analysis, interval: i64, scans: usize, inputs: &mut Inputs) -> Result<Outcome, String> {
-    let program = link(&Arc::new(analysis.clone()), &|_| None).map_err(|_| "no program".to_owned())?;
-    let text = match written(&analysis.with_program(program.clone())) {
+    let linked = link_files(&Arc::new(analysis.clone()), &|_| None).map_err(|_| "no program".to_owned())?;
+    let program = Arc::clone(&linked.program);
+    let text = match written(&analysis.with_others(linked)) {
         Ok(text) => text,
         Err(why) => return Ok(Outcome::Refused(why)),
     };

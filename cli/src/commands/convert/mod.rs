@@ -147,8 +147,8 @@ fn convert(job: &Job, existing: Existing) -> Result<(Account, Outcome), Failure>
 /// What a notation writes of a program: with what it uses of other files, if the notation can say that.
 fn written_of(ladder: &Source, notation: &dyn Notation) -> Arc<Analysis> {
     let analysis = ladder.analyze();
-    match ladder.program() {
-        Ok(program) if notation.writes_other_files() => Arc::new(analysis.with_program(program)),
+    match ladder.linked() {
+        Ok(linked) if notation.writes_other_files() => Arc::new(analysis.with_others(linked)),
         _ => analysis,
     }
 }

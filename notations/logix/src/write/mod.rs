@@ -30,7 +30,9 @@ use ladder_analysis::Analysis;
 use ladder_analysis::names::scope::TagFacts;
 use ladder_analysis::program::{Program, TagId};
 use ladder_instructions::Profile;
-use ladder_notation::{LineColumn, Lines, Report, Unwritable, WriteError, Writing, stand_in, with_library};
+use ladder_notation::{
+    LineColumn, Lines, Report, Unwritable, WriteError, Writing, stand_in, with_other_files,
+};
 use ladder_syntax::{Name, TextSize};
 use names::{Kind, Names};
 use native::Known;
@@ -102,7 +104,7 @@ struct Writer<'a> {
 
 /// Writes a program.
 pub(crate) fn write(analysis: &Analysis) -> std::result::Result<Writing, WriteError> {
-    with_library(analysis, file)
+    with_other_files(analysis, file)
 }
 
 fn file(analysis: &Analysis, unwritable: &Unwritable) -> std::result::Result<Writing, WriteError> {

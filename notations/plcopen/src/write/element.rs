@@ -403,8 +403,8 @@ impl Writer<'_> {
     fn user(&self, rung: &mut Rung, user: usize, power: Vec<End>) -> Power {
         let known = &self.program.blocks[user];
         let face = self.faces.get(&known.name).ok_or("its block is not written")?;
-        if face.is_broken {
-            return Err(format!("a network of {} is not written", known.name));
+        if let Some(why) = &face.broken {
+            return Err(why.clone());
         }
         let instance = match self.facts.formals.first() {
             Some(ladder_analysis::networks::network::Formal::Instance) => {

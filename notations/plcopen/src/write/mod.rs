@@ -13,32 +13,44 @@ mod text;
 mod touched;
 mod unit;
 
+use super::emit;
 use super::model::{Project, Task, TypeDeclaration, UnitKind};
 use declare::Source;
 use ladder_analysis::context::Body;
 use ladder_analysis::networks::network::Meaning;
 use ladder_analysis::program::Program;
-use ladder_analysis::{Analysis, analyze, library, link};
+use ladder_analysis::{Analysis, analyze_in};
 use ladder_instructions::Profile;
-use ladder_notation::{LineColumn, Report, WriteError, no_program};
+use ladder_notation::{LineColumn, Report, Unwritable, WriteError, Writing, no_program, with_other_files};
 use ladder_syntax::{Name, TextSize};
 use names::{Names, identifier};
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::sync::Arc;
-use unit::{Face, Faces, Parameter, Project as Shared, Unit};
+use unit::{Broken, Face, Faces, Parameter, Project as Shared, Unit};
 
 /// How long a scan is where the program says nothing.
 const CYCLE: i64 = 10_000_000;
 
-/// The project that a program is.
+/// Writes a program.
 ///
 /// # Errors
 ///
 /// If the program has errors, or needs files that are not there.
-pub(super) fn project(analysis: &Analysis) -> Result<(Project, Report), WriteError> {
+pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
+    with_other_files(analysis, |analysis, unwritable| {
+        let (project, report) = project(analysis, unwritable)?;
+        Ok(Writing {
+            bytes: emit::project(project).into_bytes(),
+            report,
+            companions: Vec::new(),
+        })
+    })
+}
+
+/// The project that a program is.
+fn project(analysis: &Analysis, unwritable: &Unwritable) -> Result<(Project, Report), WriteError> {
     let text = analysis.context.parse.to_string();
-    let own = Arc::new(analysis.clone());
-    let Some(program) = program_of(&own) else {
+    let Some(program) = analysis.program() else {
         return Err(no_program(analysis, &text));
     };
     let mut report = Report::default();
@@ -47,80 +59,59 @@ pub(super) fn project(analysis: &Analysis) -> Result<(Project, Report), WriteErr
             "its arithmetic and timing are those of another system here, and those of the standard there";
         report.approximated(LineColumn::START, "profile of the program", why);
     }
-    let reached = |name: &str| {
-        program
-            .blocks
-            .iter()
-            .any(|block| block.name.eq_ignore_ascii_case(name))
+    let whole = with_all_blocks(analysis, program, &text);
+    let (whole, program) = match &whole {
+        Some(whole) => (whole, whole.program().unwrap_or(program)),
+        None => (analysis, program),
     };
-    let (whole, program) = with_all_blocks(&own, &text, reached).unwrap_or((own, program));
     let own = Unit {
-        analysis: &whole,
+        analysis: whole,
         program,
         text: &text,
         end: TextSize::of(text.as_str()),
-        at: None,
     };
-    let of_library = library_of(&own);
-    let library: Vec<Unit<'_>> = of_library
-        .iter()
-        .map(|(analysis, program, text)| Unit {
-            analysis,
-            program: Arc::clone(program),
-            text,
-            end: TextSize::of(*text),
-            at: Some(LineColumn::START),
-        })
-        .collect();
     let mut project = Project::default();
     let mut shared = Shared {
         blocks: Names::default(),
         globals: Names::default(),
         faces: &Faces::default(),
     };
-    for ty in analysis.context.types.own() {
+    let context = own.context();
+    for ty in context.types.own() {
         shared.globals.fresh(&ty.declaration.name);
     }
-    let stem = std::path::Path::new(&*analysis.context.name).file_stem();
+    let stem = std::path::Path::new(&*context.name).file_stem();
     let stem = stem.map_or("Main".into(), |stem| stem.to_string_lossy());
     let name = shared.globals.fresh(if stem.is_empty() { "Main" } else { &stem });
-    let all: Vec<&Unit<'_>> = library.iter().chain([&own]).collect();
-    for unit in &all {
-        let context = unit.context();
-        for block in &context.user_blocks[..context.own_blocks] {
-            let name = shared.globals.fresh(block.name.trim_start_matches('$'));
-            shared.blocks.alias(&block.name, &name);
-        }
+    let blocks = &context.user_blocks[..context.own_blocks];
+    for block in blocks {
+        let name = shared.globals.fresh(block.name.trim_start_matches('$'));
+        shared.blocks.alias(&block.name, &name);
     }
     project.types = types(&own, &shared, &mut report);
-    for unit in &all {
-        project.globals.extend(unit.globals(&mut shared, &mut report));
-    }
-    let mut faces = faces(&all, &shared);
-    let (broken, users) = broken(
-        &all,
+    project.globals = own.globals(&mut shared, &mut report);
+    let mut faces = faces(&own, &shared);
+    let (mut broken, users) = broken(
+        &own,
         &Shared {
             faces: &faces,
             ..shared.clone()
         },
     );
+    broken.extend(unwritable.iter().map(|(block, why)| (block.clone(), why.clone())));
     faces.break_with(broken, &users);
     let shared = Shared {
         faces: &faces,
         ..shared
     };
-    for unit in &all {
-        let context = unit.context();
-        for block in 0..context.own_blocks {
-            let name = shared.blocks.get(&context.user_blocks[block].name);
-            let made = unit.write(
-                &shared,
-                Some(block),
-                name.unwrap_or_default().to_owned(),
-                &mut report,
-            );
-            project.units.push(made);
+    for (number, block) in blocks.iter().enumerate() {
+        if unwritable.contains_key(&block.key) {
+            continue;
         }
+        let name = shared.blocks.get(&block.name).unwrap_or_default().to_owned();
+        project
+            .units
+            .push(own.write(&shared, Some(number), name, &mut report));
     }
     project
         .units
@@ -128,7 +119,7 @@ pub(super) fn project(analysis: &Analysis) -> Result<(Project, Report), WriteErr
     project.tasks.push(Task {
         place: LineColumn::START,
         name: "scan".to_owned(),
-        interval: Some(text::time(analysis.context.cycle.unwrap_or(CYCLE))),
+        interval: Some(text::time(context.cycle.unwrap_or(CYCLE))),
         priority: 0,
         programs: vec![(LineColumn::START, name)],
     });
@@ -142,23 +133,18 @@ pub(super) fn project(analysis: &Analysis) -> Result<(Project, Report), WriteErr
     Ok((project, report))
 }
 
-/// The program of a file, with the blocks of the library.
-fn program_of(analysis: &Arc<Analysis>) -> Option<Arc<Program>> {
-    link(analysis, &library::analysis).ok()
-}
-
-/// A file with its program, in which every block of its own is used: what nothing uses is not in a program. What is added
-/// stands at the end of the text. None: nothing had to be.
-fn with_all_blocks(
-    analysis: &Analysis,
-    text: &str,
-    reached: impl Fn(&str) -> bool,
-) -> Option<(Arc<Analysis>, Arc<Program>)> {
+/// A file in which every block of its own is used: what nothing uses is not in a program. What is added stands at the end of the
+/// text. None: nothing had to be.
+fn with_all_blocks(analysis: &Analysis, program: &Program, text: &str) -> Option<Analysis> {
     let context = &analysis.context;
+    let is_reached = |name: &str| {
+        let mut blocks = program.blocks.iter();
+        blocks.any(|block| block.name.eq_ignore_ascii_case(name))
+    };
     let idle: Vec<&str> = context.user_blocks[..context.own_blocks]
         .iter()
         .map(|block| block.name.as_str())
-        .filter(|name| !reached(name))
+        .filter(|name| !is_reached(name))
         .collect();
     if idle.is_empty() {
         return None;
@@ -168,39 +154,9 @@ fn with_all_blocks(
         more.push_str(&format!("    idle_{} : {name};\n", &name[1..]));
     }
     more.push_str("END_VAR\n");
-    let analysis = Arc::new(analyze(&Arc::new(ladder_syntax::parse(&more)), &context.name));
-    let program = program_of(&analysis)?;
-    Some((analysis, program))
-}
-
-/// A file of the library with its program and text.
-type OfLibrary = (Arc<Analysis>, Arc<Program>, &'static str);
-
-/// The blocks of the library that a file uses, and those that they use: what is used by others comes first.
-fn library_of(own: &Unit<'_>) -> Vec<OfLibrary> {
-    let mut found: Vec<OfLibrary> = Vec::new();
-    let mut waiting: Vec<Arc<str>> = files(own.analysis);
-    let mut seen = HashSet::new();
-    while let Some(file) = waiting.pop() {
-        if !seen.insert(Arc::clone(&file)) {
-            continue;
-        }
-        let (Some(source), Some(analysis)) = (library::source(&file), library::analysis(&file)) else {
-            continue;
-        };
-        if let Some((analysis, program)) = with_all_blocks(&analysis, source.text, |_| false) {
-            waiting.extend(files(&analysis));
-            found.push((analysis, program, source.text));
-        }
-    }
-    found.reverse();
-    found
-}
-
-/// The files of the blocks that a file uses.
-fn files(analysis: &Analysis) -> Vec<Arc<str>> {
-    let blocks = analysis.context.user_blocks.iter();
-    blocks.filter_map(|block| block.file().cloned()).collect()
+    let parse = Arc::new(ladder_syntax::parse(&more));
+    let analysis = analyze_in(&parse, &context.name, &context.others);
+    analysis.program().is_some().then_some(analysis)
 }
 
 /// The types of the file.
@@ -233,29 +189,26 @@ fn types(own: &Unit<'_>, shared: &Shared<'_>, report: &mut Report) -> Vec<TypeDe
 }
 
 /// The blocks of which not all is written, and for each block those that use it.
-fn broken(units: &[&Unit<'_>], shared: &Shared<'_>) -> (Vec<Name>, HashMap<Name, Vec<Name>>) {
-    let (mut broken, mut users) = (Vec::new(), HashMap::<Name, Vec<Name>>::new());
-    for unit in units {
-        let context = unit.context();
-        for block in 0..context.own_blocks {
-            let mut report = Report::default();
-            unit.write(shared, Some(block), String::new(), &mut report);
-            if report.tally().refused > 0 {
-                broken.push(context.user_blocks[block].key.clone());
-            }
+fn broken(own: &Unit<'_>, shared: &Shared<'_>) -> (Broken, HashMap<Name, Broken>) {
+    let (mut broken, mut users) = (Broken::new(), HashMap::<Name, Broken>::new());
+    let why = |name: &str| format!("a network of {name} is not written");
+    let context = own.context();
+    for (number, block) in context.user_blocks[..context.own_blocks].iter().enumerate() {
+        let mut report = Report::default();
+        own.write(shared, Some(number), String::new(), &mut report);
+        if report.tally().refused > 0 {
+            broken.push((block.key.clone(), why(&block.name)));
         }
-        for network in &context.networks {
-            let Body::Block(user) = context.bodies[network.index] else {
-                continue;
-            };
-            for block in network.blocks() {
-                if let Meaning::User(used) = block.meaning {
-                    let used = context.user_blocks[used].key.clone();
-                    users
-                        .entry(used)
-                        .or_default()
-                        .push(context.user_blocks[user].key.clone());
-                }
+    }
+    for network in &context.networks {
+        let Body::Block(user) = context.bodies[network.index] else {
+            continue;
+        };
+        for block in network.blocks() {
+            if let Meaning::User(used) = block.meaning {
+                let users = users.entry(context.user_blocks[used].key.clone()).or_default();
+                let user = &context.user_blocks[user];
+                users.push((user.key.clone(), why(&user.name)));
             }
         }
     }
@@ -263,28 +216,24 @@ fn broken(units: &[&Unit<'_>], shared: &Shared<'_>) -> (Vec<Name>, HashMap<Name,
 }
 
 /// How the blocks look from outside.
-fn faces(units: &[&Unit<'_>], shared: &Shared<'_>) -> Faces {
+fn faces(own: &Unit<'_>, shared: &Shared<'_>) -> Faces {
     let mut faces = Faces::default();
-    for unit in units {
-        let context = unit.context();
-        for (number, block) in context.user_blocks[..context.own_blocks].iter().enumerate() {
-            let scope = unit.scope(shared, number + 1);
-            let (power_in, power_out) = scope.power.unwrap_or_default();
-            let parameters = block.parameters.iter().map(|parameter| Parameter {
-                name: scope.names.get(&parameter.name).unwrap_or_default().to_owned(),
-                kind: parameter.kind,
-            });
-            faces.insert(
-                &block.name,
-                Face {
-                    name: shared.blocks.get(&block.name).unwrap_or_default().to_owned(),
-                    power_in,
-                    power_out,
-                    parameters: parameters.collect(),
-                    is_broken: false,
-                },
-            );
-        }
+    let context = own.context();
+    for (number, block) in context.user_blocks[..context.own_blocks].iter().enumerate() {
+        let scope = own.scope(shared, number + 1);
+        let (power_in, power_out) = scope.power.unwrap_or_default();
+        let parameters = block.parameters.iter().map(|parameter| Parameter {
+            name: scope.names.get(&parameter.name).unwrap_or_default().to_owned(),
+            kind: parameter.kind,
+        });
+        let face = Face {
+            name: shared.blocks.get(&block.name).unwrap_or_default().to_owned(),
+            power_in,
+            power_out,
+            parameters: parameters.collect(),
+            broken: None,
+        };
+        faces.insert(&block.name, face);
     }
     faces
 }

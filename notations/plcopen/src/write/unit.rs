@@ -17,11 +17,13 @@ use ladder_instructions::Op;
 use ladder_notation::{LineColumn, Report, comments};
 use ladder_syntax::{Item, Name, TextSize};
 use std::collections::HashMap;
-use std::sync::Arc;
 
 /// How blocks of one's own are called from outside, by their names.
 #[derive(Default)]
 pub(super) struct Faces(HashMap<Name, Face>);
+
+/// Blocks that cannot be called, with why.
+pub(super) type Broken = Vec<(Name, String)>;
 
 /// A block of one's own as those that use it see it.
 pub(super) struct Face {
@@ -29,8 +31,8 @@ pub(super) struct Face {
     pub(super) power_in: String,
     pub(super) power_out: String,
     pub(super) parameters: Vec<Parameter>,
-    /// Not all of it is written.
-    pub(super) is_broken: bool,
+    /// Why a call of it is not written.
+    pub(super) broken: Option<String>,
 }
 
 /// A parameter of a block.
@@ -49,14 +51,17 @@ impl Faces {
     }
 
     /// Marks these as not whole, and all that use them. `users` has for each block those that use it.
-    pub(super) fn break_with(&mut self, broken: Vec<Name>, users: &HashMap<Name, Vec<Name>>) {
+    pub(super) fn break_with(&mut self, broken: Broken, users: &HashMap<Name, Broken>) {
         let mut waiting = broken;
-        while let Some(name) = waiting.pop() {
-            if let Some(face) = self.0.get_mut(&name)
-                && !std::mem::replace(&mut face.is_broken, true)
-            {
-                waiting.extend(users.get(&name).into_iter().flatten().cloned());
+        while let Some((name, why)) = waiting.pop() {
+            let Some(face) = self.0.get_mut(&name) else {
+                continue;
+            };
+            if face.broken.is_some() {
+                continue;
             }
+            waiting.extend(users.get(&name).into_iter().flatten().cloned());
+            face.broken = Some(why);
         }
     }
 }
@@ -74,12 +79,10 @@ pub(super) struct Project<'p> {
 /// A file whose units are written.
 pub(super) struct Unit<'u> {
     pub(super) analysis: &'u Analysis,
-    pub(super) program: Arc<Program>,
+    pub(super) program: &'u Program,
     pub(super) text: &'u str,
     /// What is declared from here on was added for the writer's own sake.
     pub(super) end: TextSize,
-    /// Where it is reported, if it is not the file that is written.
-    pub(super) at: Option<LineColumn>,
 }
 
 /// The names of a unit's tags.
@@ -94,7 +97,7 @@ impl<'u> Unit<'u> {
     }
 
     fn place(&self, offset: TextSize) -> LineColumn {
-        self.at.unwrap_or_else(|| place(self.context(), offset))
+        place(self.context(), offset)
     }
 
     /// Whether a tag is a global of the workspace, in the eyes of a scope.
@@ -185,9 +188,6 @@ impl<'u> Unit<'u> {
             let global = self.global(tag);
             match declare::variable(&source, global.unwrap_or(tag), name) {
                 Ok(mut variable) => {
-                    if self.at.is_some() {
-                        variable.place = self.place(TextSize::default());
-                    }
                     if global.is_some() {
                         variable.role = Role::External;
                         variable.initial = None;
@@ -255,7 +255,7 @@ impl<'u> Unit<'u> {
         let mut body = Networks {
             unit: self,
             project,
-            program: &self.program,
+            program: self.program,
             graph: Graph::default(),
             report,
             names: &mut own.names,

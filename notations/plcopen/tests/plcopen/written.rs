@@ -484,25 +484,6 @@ END_FUNCTION_BLOCK
                 alarm : BOOL;
             END_VAR
 
-            # A switch made of a push button: each time EN goes high, `q` changes. It begins low; EN that is high in the very first run #
-            # counts as pressed. While `reset` is high `q` is low. The power that leaves the block is `q`. #
-            FUNCTION_BLOCK [$Toggle]
-            VAR_INPUT
-                reset : BOOL := FALSE;  # switches off #
-            END_VAR
-            VAR_OUTPUT
-                q : BOOL;  # switched on #
-            END_VAR
-
-            +--[ ]( EN )-------------------------------------------------------( )( ENO )--+
-
-            +--[P]( EN )-----------------------------------------------[CALC]( q, NOT q )--+
-
-            +--[ ]( reset )------------------------------------------------------(R)( q )--+
-
-            +--[ ]( q )--------------------------------------------------------( )( ENO )--+
-            END_FUNCTION_BLOCK
-
             # It runs #
             FUNCTION_BLOCK [$Motor]
             VAR_INPUT
@@ -524,6 +505,25 @@ END_FUNCTION_BLOCK
             +--[ ]( EN )--[ ]( start )-----------[TON]( t, wait )--( )( run )--( )( ENO )--+
 
             +--[ ]( alarm )-------------------------------------------[MOV]( speed, 0.0 )--+
+            END_FUNCTION_BLOCK
+
+            # A switch made of a push button: each time EN goes high, `q` changes. It begins low; EN that is high in the very first run #
+            # counts as pressed. While `reset` is high `q` is low. The power that leaves the block is `q`. #
+            FUNCTION_BLOCK [$Toggle]
+            VAR_INPUT
+                reset : BOOL := FALSE;  # switches off #
+            END_VAR
+            VAR_OUTPUT
+                q : BOOL;  # switched on #
+            END_VAR
+
+            +--[ ]( EN )-------------------------------------------------------( )( ENO )--+
+
+            +--[P]( EN )-----------------------------------------------[CALC]( q, NOT q )--+
+
+            +--[ ]( reset )------------------------------------------------------(R)( q )--+
+
+            +--[ ]( q )--------------------------------------------------------( )( ENO )--+
             END_FUNCTION_BLOCK
 
             VAR RETAIN

@@ -187,16 +187,16 @@ pub(crate) fn compiled_from(
     if analysis.diagnostics().iter().any(is_error) {
         return Err(errors(&name));
     }
-    let program = shared.neighbours.link(path, analysis).map_err(|_| {
+    let linked = shared.neighbours.link(path, analysis).map_err(|_| {
         NotReady::Errors(format!(
             "a file that {name} uses has errors; its scenarios run when that has none"
         ))
     })?;
-    let mut options = shared.neighbours.simulate(path).options(&program);
+    let mut options = shared.neighbours.simulate(path).options(&linked.program);
     if let Some(interval) = interval {
         options.interval = interval;
     }
-    Simulation::new(program, options).map_err(|_| errors(&name))
+    Simulation::new(linked.program, options).map_err(|_| errors(&name))
 }
 
 fn is_error(finding: &Finding) -> bool {

@@ -50,7 +50,7 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
             to: program.to,
         };
         let analysis = analysis.map(|analysis| Arc::clone(analysis.whole()));
-        let whole = shown.and_then(|revision| revision.program()?.ok());
+        let whole = shown.and_then(|revision| revision.linked()?.ok());
         translate(&task, analysis, whole).map_err(|message| Failure::Failed(program.say(&message)))
     });
     json(&converted.await?.map_err(error)?)

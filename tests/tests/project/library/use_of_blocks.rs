@@ -130,10 +130,10 @@ fn a_block_of_the_workspace_takes_precedence() {
     let workspace = Workspace::of(&program).unwrap();
     let analysis = workspace.analysis(workspace.program_at(&program).unwrap());
     assert!(!analysis.has_errors(), "{:#?}", analysis.diagnostics());
-    let program = workspace
+    let linked = workspace
         .link(&analysis)
         .unwrap_or_else(|_| panic!("it is whole"));
-    let mut simulation = Simulation::new(program, options()).unwrap();
+    let mut simulation = Simulation::new(linked.program, options()).unwrap();
     assert_eq!(after(&mut simulation, 1, "n"), "7");
     assert_eq!(after(&mut simulation, 0, "percent"), "50.0");
 }
