@@ -71,6 +71,7 @@ pub const SOURCES: &[Source] = sources![
     "Drum",
     "FirstOut",
     "Hysteresis",
+    "Interval",
     "PID",
     "Ramp",
     "RunTime",

@@ -82,6 +82,15 @@ impl Elem {
         }
     }
 
+    /// Whether each value of it is one of another type: such a number passes without being converted.
+    pub(crate) const fn widens_to(self, to: Elem) -> bool {
+        match to {
+            Elem::Real => self.is_integer() && self.bits() <= 16,
+            Elem::Lreal => (self.is_integer() && self.bits() <= 32) || matches!(self, Elem::Real),
+            _ => false,
+        }
+    }
+
     /// A number cut to this type.
     pub(crate) const fn wrap(self, number: i64) -> i64 {
         match self {

@@ -6,6 +6,7 @@ mod plcopen;
 mod says;
 mod simatic;
 mod tables;
+mod whole;
 
 use ladder_analysis::analyze;
 use ladder_format::Options;

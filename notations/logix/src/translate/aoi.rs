@@ -129,7 +129,7 @@ impl Translator<'_> {
             return Ok(self.tags.place(self.scope, path, Role::Bit)?.text);
         }
         let (value, own) = self.value(&expr, elem)?;
-        if own.is_none_or(|own| own == elem) {
+        if own.is_none_or(|own| own == elem || own.widens_to(elem)) {
             return Ok(value);
         }
         let helper = self.helper("input", elem, text);

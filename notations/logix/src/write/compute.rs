@@ -34,7 +34,8 @@ impl Writer<'_> {
                 Ok(branch(vec![on, off]))
             }
             (Op::Mov | Op::Typ, [value]) => {
-                let is_between = |ty: Scalar| ty.is_number() || ty.is_bits();
+                // A time is a number of milliseconds, there as in a conversion here.
+                let is_between = |ty: Scalar| ty.is_number() || ty.is_bits() || ty == Scalar::Time;
                 if op == Op::Typ && !(is_between(ty) && is_between(value.ty)) && !ty.is_string() {
                     return Err("this conversion has no counterpart there".to_owned());
                 }
@@ -55,23 +56,27 @@ impl Writer<'_> {
                 on.push(it("MOV", &[&self.value(high)?, &to]));
                 Ok(branch(vec![off, on]))
             }
-            (Op::Min | Op::Max, [first, rest @ ..]) => {
-                let mut legs = vec![vec![it("MOV", &[&self.apart(first, &to)?, &to])]];
-                for other in rest {
-                    let other = self.apart(other, &to)?;
+            (Op::Min | Op::Max, [_, ..]) => {
+                let mut operands: Vec<String> = Vec::new();
+                for value in &all {
+                    operands.push(self.value(value)?);
+                }
+                // The result itself is there already.
+                let first = operands
+                    .iter()
+                    .position(|operand| operand.eq_ignore_ascii_case(&to));
+                let first = operands.remove(first.unwrap_or(0));
+                let mut legs = vec![put(&first, &to)];
+                for other in operands {
                     let name = if op == Op::Min { "LES" } else { "GRT" };
                     legs.push(vec![it(name, &[&other, &to]), it("MOV", &[&other, &to])]);
                 }
                 Ok(branch(legs))
             }
             (Op::Limit, [low, value, high]) => {
-                let [low, value, high] = [
-                    self.apart(low, &to)?,
-                    self.apart(value, &to)?,
-                    self.apart(high, &to)?,
-                ];
+                let [low, value, high] = [self.apart(low, &to)?, self.value(value)?, self.apart(high, &to)?];
                 Ok(branch(vec![
-                    vec![it("MOV", &[&value, &to])],
+                    put(&value, &to),
                     vec![it("LES", &[&to, &low]), it("MOV", &[&low, &to])],
                     vec![it("GRT", &[&to, &high]), it("MOV", &[&high, &to])],
                 ]))
@@ -405,5 +410,13 @@ fn divides_after(formula: &Expr) -> bool {
         ExprKind::Binary(_, left, right) => divides_after(left) || divides_after(right),
         ExprKind::Pass(inner) | ExprKind::Unary(_, inner) => divides_after(inner),
         _ => false,
+    }
+}
+
+/// What moves a value; nothing where it is.
+fn put(value: &str, to: &str) -> Series {
+    match value.eq_ignore_ascii_case(to) {
+        true => Vec::new(),
+        false => vec![it("MOV", &[value, to])],
     }
 }

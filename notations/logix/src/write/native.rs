@@ -5,7 +5,7 @@ use super::rung::{Series, it};
 use super::{Result, Writer};
 use crate::blocks::Blocks;
 use crate::types::Elem;
-use ladder_analysis::program::{Argument, Block, Bound, ParameterKind};
+use ladder_analysis::program::{Argument, Block, Bound, Expr, ExprKind, ParameterKind};
 use ladder_analysis::values::types::Scalar;
 use ladder_notation::Unwritable;
 use ladder_syntax::{LineKind, Name};
@@ -283,9 +283,20 @@ impl Writer<'_> {
                 .find(|bound| bound.parameter == Some(number));
             operands.push(match (given, kind) {
                 (Some(bound), ParameterKind::Input) => match &bound.argument {
+                    // A number is brought to the type of the parameter there, too.
+                    Argument::Value(Expr {
+                        ty,
+                        kind: ExprKind::Pass(inner),
+                        ..
+                    }) if Self::is_simple(inner) && ty.is_number() && inner.ty.is_number() => {
+                        self.value(inner)?
+                    }
                     Argument::Value(value) if !Self::is_simple(value) => {
                         if ty.scalar() == Some(Scalar::Bool) {
                             return Err("there an input takes a tag or a number".to_owned());
+                        }
+                        if !self.is_own {
+                            self.note("there an input is computed only while the block has power");
                         }
                         let text = self.formula(value)?;
                         let like = ty.scalar().and_then(super::data::name_of).unwrap_or("DINT");

@@ -235,45 +235,45 @@ fn blocks_of_the_library_are_add_on_instructions() {
         $Average: false
             10:1 network: Refused("`[$Average]( weight, pieces, begin, average )`: `$Average` of the library has no form there: `[CALC]( count, MIN(count + 1, size) )`: this function has no counterpart there")
             10:34 [$Average]: Refused("`$Average` of the library has no form there: `[CALC]( count, MIN(count + 1, size) )`: this function has no counterpart there")
-        $Blink: false
+        $Blink: true
             3:5 tag on: Approximated("there a time is a DINT in milliseconds")
             4:5 tag off: Approximated("there a time is a DINT in milliseconds")
-            9:1 network: Refused("`[$Blink]( on, off )`: `$Blink` of the library has no form there: `[TON]( clock, T#100000d )`: there a time is at most 2147483647 milliseconds")
-            9:46 [$Blink]: Refused("`$Blink` of the library has no form there: `[TON]( clock, T#100000d )`: there a time is at most 2147483647 milliseconds")
+            9:46 [$Interval]: Approximated("there a time is a DINT in milliseconds")
+            9:46 [$Blink]: Approximated("there a time is a DINT in milliseconds")
         $Debounce: true
             4:5 tag wait: Approximated("there a time is a DINT in milliseconds")
             9:35 [$Debounce]: Approximated("there a time is a DINT in milliseconds")
         $Drum: false
-            15:1 network: Refused("`[$Drum]( patterns, times, count, valves, step, finished, arrived, again, jog, reset )`: `$Drum` of the library has no form there: `[MIN]( step, step, n )`: its result as one of its operands has no counterpart there")
-            15:33 [$Drum]: Refused("`$Drum` of the library has no form there: `[MIN]( step, step, n )`: its result as one of its operands has no counterpart there")
+            15:1 network: Refused("`[$Drum]( patterns, times, count, valves, step, finished, arrived, again, jog, reset )`: `$Drum` of the library has no form there: `[UNPACK]( event[1..16], events )`: it has no counterpart there")
+            15:33 [$Interval]: Approximated("there a time is a DINT in milliseconds")
+            15:33 [$Drum]: Refused("`$Drum` of the library has no form there: `[UNPACK]( event[1..16], events )`: it has no counterpart there")
         $FirstOut: true
         $Hysteresis: true
-        $PID: false
-            17:1 network: Refused("`[$PID]( setpoint, temperature, gain, integral, derivative, least, most, by_hand, hand, heater )`: `$PID` of the library has no form there: `[TON]( clock, T#100000d )`: there a time is at most 2147483647 milliseconds")
-            17:29 [$PID]: Refused("`$PID` of the library has no form there: `[TON]( clock, T#100000d )`: there a time is at most 2147483647 milliseconds")
-        $Ramp: false
-            11:1 network: Refused("`[$Ramp]( speed, up, down, drive, ready )`: `$Ramp` of the library has no form there: `[TON]( clock, T#100000d )`: there a time is at most 2147483647 milliseconds")
-            11:38 [$Ramp]: Refused("`$Ramp` of the library has no form there: `[TON]( clock, T#100000d )`: there a time is at most 2147483647 milliseconds")
-        $RunTime: false
+        $Interval: true
+            5:5 tag passed: Approximated("there a time is a DINT in milliseconds")
+            6:5 tag lasted: Approximated("there a time is a DINT in milliseconds")
+            8:24 [$Interval]: Approximated("there a time is a DINT in milliseconds")
+        $PID: true
+            1:1 $PID: Approximated("its name is PID_own there")
+            17:29 [$Interval]: Approximated("there a time is a DINT in milliseconds")
+            17:29 [$PID]: Approximated("there a time is a DINT in milliseconds")
+        $Ramp: true
+            11:38 [$Interval]: Approximated("there a time is a DINT in milliseconds")
+            11:38 [$Ramp]: Approximated("there a time is a DINT in milliseconds")
+        $RunTime: true
             7:5 tag lasted: Approximated("there a time is a DINT in milliseconds")
-            10:1 network: Refused("`[$RunTime]( serviced, hours, lasted, starts )`: `$RunTime` of the library has no form there: `[RTO]( running, T#100000d, R := reset )`: there a time is at most 2147483647 milliseconds")
-            10:33 [$RunTime]: Refused("`$RunTime` of the library has no form there: `[RTO]( running, T#100000d, R := reset )`: there a time is at most 2147483647 milliseconds")
-        $Scale: false
-            11:1 network: Refused("`[$Scale]( reading, least, most, 0.0, 500.0, litres, broken )`: `$Scale` of the library has no form there: `[PWL]( y, x, x0, y0, x1, y1 )`: it has no counterpart there")
-            11:18 [$Scale]: Refused("`$Scale` of the library has no form there: `[PWL]( y, x, x0, y0, x1, y1 )`: it has no counterpart there")
-        $Step: false
+            10:33 [$Interval]: Approximated("there a time is a DINT in milliseconds")
+            10:33 [$RunTime]: Approximated("there a time is a DINT in milliseconds")
+        $Scale: true
+        $Step: true
             10:5 tag elapsed: Approximated("there a time is a DINT in milliseconds")
-            18:1 network: Refused("`[$Step]( step, 0, start, 1 )`: `$Step` of the library has no form there: `[RTO]( clock, T#100000d, R := elsewhere )`: there a time is at most 2147483647 milliseconds")
-            18:50 [$Step]: Refused("`$Step` of the library has no form there: `[RTO]( clock, T#100000d, R := elsewhere )`: there a time is at most 2147483647 milliseconds")
-            19:1 network: Refused("`[$Step]( step, 1, full, 2, elapsed )`: `$Step` of the library has no form there: `[RTO]( clock, T#100000d, R := elsewhere )`: there a time is at most 2147483647 milliseconds")
-            20:1 network: Refused("`[$Step]( step, 2, empty, 0 )`: `$Step` of the library has no form there: `[RTO]( clock, T#100000d, R := elsewhere )`: there a time is at most 2147483647 milliseconds")
-        $Toggle: false
-            8:1 network: Refused("`[$Toggle]( off )`: `$Toggle` of the library has no form there: `[NOT]( q, q )`: a bit that is computed from itself has no counterpart there")
-            8:49 [$Toggle]: Refused("`$Toggle` of the library has no form there: `[NOT]( q, q )`: a bit that is computed from itself has no counterpart there")
-        $Total: false
+            18:50 [$Interval]: Approximated("there a time is a DINT in milliseconds")
+            18:50 [$Step]: Approximated("there a time is a DINT in milliseconds")
+        $Toggle: true
+        $Total: true
             4:5 tag per: Approximated("there a time is a DINT in milliseconds")
-            10:1 network: Refused("`[$Total]( flow, per, batch, litres )`: `$Total` of the library has no form there: `[TON]( clock, T#100000d )`: there a time is at most 2147483647 milliseconds")
-            10:42 [$Total]: Refused("`$Total` of the library has no form there: `[TON]( clock, T#100000d )`: there a time is at most 2147483647 milliseconds")
+            10:42 [$Interval]: Approximated("there a time is a DINT in milliseconds")
+            10:42 [$Total]: Approximated("there a time is a DINT in milliseconds")
     "#]].assert_eq(&out);
 }
 

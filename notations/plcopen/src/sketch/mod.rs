@@ -11,11 +11,13 @@ mod power;
 mod prepare;
 mod units;
 
-use super::model::{Project, Task, Unit, UnitKind};
+use super::graph::{End, Kind};
+use super::model::{Body, Project, Task, Unit, UnitKind};
 use super::scope::{Scope, Shared};
 use ladder_format::Circuit;
 use ladder_format::program::{Drawing, Element, Item, Network, ProgramSketch};
 use ladder_notation::{Content, Names, ProjectFile, Reading, Report};
+use std::collections::HashSet;
 use units::{Inside, Place, unit_items};
 
 /// The whole project.
@@ -100,6 +102,7 @@ fn push_part(items: &mut Vec<Item>, part: Vec<Item>) {
 /// The function blocks and functions.
 fn blocks(shared: &Shared<'_>, project: &Project, reading: &mut Reading) -> Vec<Item> {
     let mut items = Vec::new();
+    let enabled = enabled(project);
     for unit in &project.units {
         if unit.kind == UnitKind::Program {
             continue;
@@ -128,12 +131,53 @@ fn blocks(shared: &Shared<'_>, project: &Project, reading: &mut Reading) -> Vec<
             items.push(Item::Comment(format!("{} in the project", unit.name)));
         }
         items.extend(unit.comment.iter().cloned().map(Item::Comment));
+        let is_enabled = unit.kind == UnitKind::FunctionBlock && enabled.contains(&unit.name.to_lowercase());
+        let guard = is_enabled.then(|| guard(reading.origin(unit.place)));
         items.push(Item::Block {
             header: format!("[{}]", block.name),
-            items: sections.into_iter().chain(body).collect(),
+            items: sections
+                .into_iter()
+                .chain(guard.into_iter().flatten())
+                .chain(body)
+                .collect(),
         });
     }
     items
+}
+
+/// The units, by their names in small letters, of which something decides when they run: more than the left rail is wired to EN
+/// of a call.
+fn enabled(project: &Project) -> HashSet<String> {
+    let bodies = project.units.iter().flat_map(|unit| {
+        let parts = unit.parts.iter().map(|part| &part.body);
+        parts.chain([&unit.body])
+    });
+    let mut enabled = HashSet::new();
+    for body in bodies {
+        let Body::Graph(graph) = body else { continue };
+        let is_rail =
+            |end: &End| matches!(graph.nodes.get(end.node), Some(node) if node.kind == Kind::LeftRail);
+        for node in &graph.nodes {
+            let mut pins = node.inputs.iter().filter(|pin| blocks::is_enable(&pin.name));
+            if let Kind::Block { name, .. } = &node.kind
+                && pins.any(|pin| !pin.from.iter().all(is_rail))
+            {
+                enabled.insert(name.to_lowercase());
+            }
+        }
+    }
+    enabled
+}
+
+/// What keeps a block from running without power.
+fn guard(origin: u32) -> [Item; 2] {
+    let element = |text: &str| Circuit::Element(Element::block(text.to_owned(), Some(origin)));
+    let drawing = Drawing::Circuit(Circuit::Series(vec![element("[/]( EN )"), element("<RET>")]));
+    let network = Network {
+        comments: Vec::new(),
+        drawing,
+    };
+    [Item::Blank, Item::Network(network)]
 }
 
 /// The programs in the order in which their tasks run them, and whether something is special about how each runs: it

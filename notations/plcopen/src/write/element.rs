@@ -8,7 +8,7 @@ use super::touched::Touched;
 use super::unit::{Faces, Unit};
 use crate::graph::{Edge, End, Kind, Modifier, Pin, Storage};
 use ladder_analysis::networks::BlockAt;
-use ladder_analysis::networks::facts::Node;
+use ladder_analysis::networks::facts::{Node, NodeKind};
 use ladder_analysis::program::ParameterKind::{InOut, Input, Output};
 use ladder_analysis::program::{Argument, Block, BlockKind, Bound, Expr, Program};
 use ladder_analysis::values::types::Scalar;
@@ -78,6 +78,10 @@ impl Writer<'_> {
             Argument::Value(value) => words.value(value, node),
             Argument::Place(place, _) => words.place(place, node),
             Argument::State(_) | Argument::ChosenState(_) | Argument::Parts(_) => words.node(node),
+            // A whole array that a block is handed.
+            Argument::Range(_) if !matches!(node.kind, NodeKind::Range(..)) && bound.parameter.is_some() => {
+                words.node(node)
+            }
             Argument::Range(_) => Err("ranges of arrays have no counterpart".to_owned()),
             _ => Err("an operand of it has no counterpart".to_owned()),
         }

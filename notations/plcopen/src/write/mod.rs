@@ -21,7 +21,10 @@ use ladder_analysis::networks::network::Meaning;
 use ladder_analysis::program::Program;
 use ladder_analysis::{Analysis, analyze_in};
 use ladder_instructions::Profile;
-use ladder_notation::{LineColumn, Report, Unwritable, WriteError, Writing, no_program, with_other_files};
+use ladder_notation::{
+    LineColumn, Report, Unwritable, WriteError, Writing, no_program, with_functions_as_blocks,
+    with_other_files,
+};
 use ladder_syntax::{Name, TextSize};
 use names::{Names, identifier};
 use std::collections::HashMap;
@@ -38,11 +41,13 @@ const CYCLE: i64 = 10_000_000;
 /// If the program has errors, or needs files that are not there.
 pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     with_other_files(analysis, |analysis, unwritable| {
-        let (project, report) = project(analysis, unwritable)?;
-        Ok(Writing {
-            bytes: emit::project(project).into_bytes(),
-            report,
-            companions: Vec::new(),
+        with_functions_as_blocks(analysis, |analysis| {
+            let (project, report) = project(analysis, unwritable)?;
+            Ok(Writing {
+                bytes: emit::project(project).into_bytes(),
+                report,
+                companions: Vec::new(),
+            })
         })
     })
 }
@@ -221,7 +226,9 @@ fn faces(own: &Unit<'_>, shared: &Shared<'_>) -> Faces {
     let context = own.context();
     for (number, block) in context.user_blocks[..context.own_blocks].iter().enumerate() {
         let scope = own.scope(shared, number + 1);
-        let (power_in, power_out) = scope.power.unwrap_or_default();
+        // Of one that does not run without power they are its own there.
+        let power = scope.power.unwrap_or_else(|| ("EN".to_owned(), "ENO".to_owned()));
+        let (power_in, power_out) = power;
         let parameters = block.parameters.iter().map(|parameter| Parameter {
             name: scope.names.get(&parameter.name).unwrap_or_default().to_owned(),
             kind: parameter.kind,

@@ -14,6 +14,7 @@ use ladder_analysis::networks::NetworkAt;
 use ladder_analysis::program::{Network, ParameterKind, Program};
 use ladder_format::program::Qualifier;
 use ladder_instructions::Op;
+use ladder_notation::guard::is_guarded;
 use ladder_notation::{LineColumn, Report, comments};
 use ladder_syntax::{Item, Name, TextSize};
 use std::collections::HashMap;
@@ -123,11 +124,19 @@ impl<'u> Unit<'u> {
             .filter(move |tag| context.place_of(tag).start() < end || end == TextSize::default())
     }
 
+    /// Whether a block does not run without power, here as there: see [`is_guarded`].
+    fn is_guarded(&self, block: usize) -> bool {
+        let facts = &self.context().user_blocks[block];
+        let mut blocks = self.program.blocks.iter();
+        let block = blocks.find(|block| block.name == facts.name);
+        block.is_some_and(|block| is_guarded(self.program, block))
+    }
+
     /// Names for the tags of a scope: 0 the file's, else that of block definition `scope - 1`.
     pub(super) fn scope(&self, project: &Project<'_>, scope: usize) -> Scope {
         let mut names = project.globals.inside();
         let mut power = None;
-        if scope > 0 {
+        if scope > 0 && !self.is_guarded(scope - 1) {
             let (enters, leaves) = (names.fresh("power_in"), names.fresh("power_out"));
             names.alias("EN", &enters);
             names.alias("ENO", &leaves);
@@ -392,6 +401,7 @@ impl Networks<'_, '_> {
         let mut above: Vec<String> = Vec::new();
         let mut of_unit: Vec<String> = Vec::new();
         let mut under = Under::Nothing;
+        let mut is_guard = block.is_some_and(|block| self.unit.is_guarded(block));
         for item in &structure.items {
             let lines = match *item {
                 Item::BlockHeader(number) => {
@@ -433,6 +443,9 @@ impl Networks<'_, '_> {
             }
             let facts = context.networks.at(number);
             self.leave_comments(&mut above);
+            if std::mem::take(&mut is_guard) {
+                continue;
+            }
             let network = by_start.get(&facts.range.start()).copied();
             self.network(facts, network, &mut under);
         }

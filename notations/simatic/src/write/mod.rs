@@ -13,7 +13,8 @@ use ladder_analysis::Analysis;
 use ladder_analysis::program::{Network, Program};
 use ladder_instructions::Profile;
 use ladder_notation::{
-    Companion, LineColumn, Lines, Report, Unwritable, WriteError, Writing, no_program, with_other_files,
+    Companion, LineColumn, Lines, Report, Unwritable, WriteError, Writing, no_program,
+    with_functions_as_blocks, with_other_files,
 };
 use ladder_syntax::{Name, TextSize};
 use power::Power;
@@ -45,7 +46,9 @@ struct Writer<'a> {
 
 /// Writes a program.
 pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
-    with_other_files(analysis, documents)
+    with_other_files(analysis, |analysis, unwritable| {
+        with_functions_as_blocks(analysis, |analysis| documents(analysis, unwritable))
+    })
 }
 
 fn documents(analysis: &Analysis, unwritable: &Unwritable) -> Result<Writing, WriteError> {

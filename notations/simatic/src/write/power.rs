@@ -1,8 +1,8 @@
 //! The power of blocks of one's own. There a block without power does not run, and no body has `EN` and `ENO` as variables:
 //! a block that runs all the same is called from the rail, with the power as an input and an output.
 
-use ladder_analysis::program::{BlockKind, Network, Program, Step, TagId, UserBlock};
-use ladder_instructions::Op;
+use ladder_analysis::program::{Network, Program, Step, UserBlock};
+use ladder_notation::guard::{is_guarded, uses};
 use std::collections::HashMap;
 
 /// The input that `EN` is.
@@ -27,22 +27,10 @@ pub(super) enum Power {
 /// How each block comes by its power.
 pub(super) fn powers(program: &Program) -> Vec<Power> {
     let of = |block: &UserBlock| {
-        let networks = &program.networks[block.networks.clone()];
-        let uses = |networks: &[Network], tag: TagId| {
-            let blocks = networks.iter().flat_map(|network| &network.blocks);
-            blocks.flat_map(|block| &block.arguments).any(|bound| {
-                let mut places = bound.places().into_iter();
-                bound.argument.root() == Some(tag) || places.any(|(place, _)| place.root() == Some(tag))
-            })
-        };
-        if let Some((first, rest)) = networks.split_first()
-            && is_guard(first)
-            && uses(&networks[..1], block.en)
-            && !uses(rest, block.en)
-            && !uses(rest, block.eno)
-        {
+        if is_guarded(program, block) {
             return Power::Guarded;
         }
+        let networks = &program.networks[block.networks.clone()];
         let writes = uses(networks, block.eno);
         Power::Given {
             reads: writes || uses(networks, block.en),
@@ -50,14 +38,6 @@ pub(super) fn powers(program: &Program) -> Vec<Power> {
         }
     };
     program.blocks.iter().map(of).collect()
-}
-
-fn is_guard(network: &Network) -> bool {
-    let ops = network.blocks.iter().map(|block| match block.kind {
-        BlockKind::Instruction(row) => Some(row.op),
-        BlockKind::User(_) => None,
-    });
-    ops.eq([Some(Op::NegatedContact), Some(Op::Ret)])
 }
 
 /// What stands for blocks of a network, as it is written.

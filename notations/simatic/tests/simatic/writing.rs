@@ -532,38 +532,21 @@ fn blocks_of_the_library_are_function_blocks() {
         $Average: false
             10:1 network: Refused("`[$Average]( weight, pieces, begin, average )`: `$Average` of the library has no form there: `[FILL]( values[1..64], 0.0 )`: `[FILL]` has no counterpart")
             10:34 [$Average]: Refused("`$Average` of the library has no form there: `[FILL]( values[1..64], 0.0 )`: `[FILL]` has no counterpart")
-        $Blink: false
-            9:1 network: Refused("`[$Blink]( on, off )`: `$Blink` of the library has no form there: `[TON]( clock, T#100000d )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
-            9:46 [$Blink]: Refused("`$Blink` of the library has no form there: `[TON]( clock, T#100000d )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
+        $Blink: true
         $Debounce: true
         $Drum: false
             15:1 network: Refused("`[$Drum]( patterns, times, count, valves, step, finished, arrived, again, jog, reset )`: `$Drum` of the library has no form there: `[UNPACK]( event[1..16], events )`: `[UNPACK]` has no counterpart")
             15:33 [$Drum]: Refused("`$Drum` of the library has no form there: `[UNPACK]( event[1..16], events )`: `[UNPACK]` has no counterpart")
         $FirstOut: true
         $Hysteresis: true
-        $PID: false
-            17:1 network: Refused("`[$PID]( setpoint, temperature, gain, integral, derivative, least, most, by_hand, hand, heater )`: `$PID` of the library has no form there: `[TON]( clock, T#100000d )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
-            17:29 [$PID]: Refused("`$PID` of the library has no form there: `[TON]( clock, T#100000d )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
-        $Ramp: false
-            11:1 network: Refused("`[$Ramp]( speed, up, down, drive, ready )`: `$Ramp` of the library has no form there: `[TON]( clock, T#100000d )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
-            11:38 [$Ramp]: Refused("`$Ramp` of the library has no form there: `[TON]( clock, T#100000d )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
-        $RunTime: false
-            10:1 network: Refused("`[$RunTime]( serviced, hours, lasted, starts )`: `$RunTime` of the library has no form there: `[RTO]( running, T#100000d, R := reset )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
-            10:33 [$RunTime]: Refused("`$RunTime` of the library has no form there: `[RTO]( running, T#100000d, R := reset )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
-        $Scale: false
-            11:1 network: Refused("`[$Scale]( reading, least, most, 0.0, 500.0, litres, broken )`: `$Scale` of the library has no form there: `[PWL]( y, x, x0, y0, x1, y1 )`: `[PWL]` has no counterpart")
-            11:18 [$Scale]: Refused("`$Scale` of the library has no form there: `[PWL]( y, x, x0, y0, x1, y1 )`: `[PWL]` has no counterpart")
-        $Step: false
-            18:1 network: Refused("`[$Step]( step, 0, start, 1 )`: `$Step` of the library has no form there: `[RTO]( clock, T#100000d, R := elsewhere )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
-            18:50 [$Step]: Refused("`$Step` of the library has no form there: `[RTO]( clock, T#100000d, R := elsewhere )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
-            19:1 network: Refused("`[$Step]( step, 1, full, 2, elapsed )`: `$Step` of the library has no form there: `[RTO]( clock, T#100000d, R := elsewhere )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
-            20:1 network: Refused("`[$Step]( step, 2, empty, 0 )`: `$Step` of the library has no form there: `[RTO]( clock, T#100000d, R := elsewhere )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
-        $Toggle: false
-            8:1 network: Refused("`[$Toggle]( off )`: `$Toggle` of the library has no form there: `[NOT]( q, q )`: `Inv` is for words there, and not for one bit: draw it with contacts")
-            8:49 [$Toggle]: Refused("`$Toggle` of the library has no form there: `[NOT]( q, q )`: `Inv` is for words there, and not for one bit: draw it with contacts")
-        $Total: false
-            10:1 network: Refused("`[$Total]( flow, per, batch, litres )`: `$Total` of the library has no form there: `[TON]( clock, T#100000d )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
-            10:42 [$Total]: Refused("`$Total` of the library has no form there: `[TON]( clock, T#100000d )`: a Time has whole milliseconds, and at most 24 days: `100000D` has no form there")
+        $Interval: true
+        $PID: true
+        $Ramp: true
+        $RunTime: true
+        $Scale: true
+        $Step: true
+        $Toggle: true
+        $Total: true
     "#]].assert_eq(&out);
 }
 

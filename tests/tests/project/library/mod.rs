@@ -70,7 +70,8 @@ fn their_scenarios_pass_and_reach_all_of_them() {
         let unseen = networks
             .map(|network| network.location)
             .chain(parts.map(|part| part.location));
-        for location in unseen {
+        // What is in other blocks of the library their own scenarios reach.
+        for location in unseen.filter(|location| location.file == 0) {
             let part = &text[std::ops::Range::<usize>::from(location.range)];
             problems.push(format!("{}: never exercised: {part}", source.name));
         }

@@ -94,13 +94,11 @@ fn examples_as_plcopen() {
     expect![[r#"
         conveyor.clad: not the same again, 0 remarks on that
         garage_door.clad: not the same again, 0 remarks on that
-            63:1: the standard has no <CALL>
-            67:1: the standard has no functions without parameters
         level_control.clad: not the same again, 0 remarks on that
-            1:1: times, dates and names are converted otherwise there
             19:1: the standard has no SYS.SCAN_TIME
             45:1: a network of $Tank is not written
-            46:1: a network of $PID is not written
+            46:1: `$PID` of the library has no form there: times, dates and names are converted otherwise there
+            46:19: `$PID` of the library has no form there: times, dates and names are converted otherwise there
         mixer.clad: the same again, 0 remarks on that
         motor.clad: the same again, 0 remarks on that
         pump_alternation.clad: not the same again, 0 remarks on that
@@ -119,8 +117,8 @@ fn examples_as_plcopen() {
             45:1: the standard has no loops of networks
         tank.clad: the same again, 0 remarks on that
         tank_level.clad: not the same again, 0 remarks on that
-            1:1: times, dates and names are converted otherwise there
-            56:1: a network of $PID is not written
+            56:1: `$PID` of the library has no form there: times, dates and names are converted otherwise there
+            56:5: `$PID` of the library has no form there: times, dates and names are converted otherwise there
         traffic_light.clad: not the same again, 0 remarks on that
             48:1: the standard has no SYS.CLOCK_1S
     "#]]

@@ -1,0 +1,124 @@
+//! Programs with functions, and with blocks and types of other files, in notations that have blocks of one's own alone: what comes
+//! back is one file, and does the same.
+
+use ladder_analysis::{Analysis, Exported, analyze_in, exports, link_files};
+use ladder_format::Options;
+use ladder_invariants::trace::{Stimulus, next_to};
+use ladder_notations::{Source, by_name, convert, write_checked};
+use ladder_syntax::parse;
+use std::sync::Arc;
+
+/// The first of several files, with what it uses of the others.
+fn linked(files: &[(&str, &str)]) -> Analysis {
+    let parsed = files.iter().map(|(name, text)| (*name, Arc::new(parse(text))));
+    let parsed: Vec<_> = parsed.collect();
+    let summaries = parsed.iter().map(|(name, parse)| Arc::new(exports(parse, name)));
+    let exported = Arc::new(Exported::new(summaries.collect()));
+    let analysis = |wanted: &str| {
+        let (name, parse) = parsed.iter().find(|(name, _)| *name == wanted)?;
+        Some(Arc::new(analyze_in(parse, name, &exported.others_of(name))))
+    };
+    let own = analysis(files[0].0).expect("the first file is one of them");
+    let linked = link_files(&own, &analysis).unwrap_or_else(|why| panic!("{why:?} {:#?}", own.diagnostics()));
+    own.with_others(linked)
+}
+
+/// Writes a program of several files, reads it again, and compares what it does with one file that has all texts. Comes back the
+/// text that was read, and what there was to say.
+#[track_caller]
+fn check(notation: &str, files: &[(&str, &str)]) -> (String, String) {
+    let notation = by_name(notation).expect("the notation is registered");
+    let writing = write_checked(notation, &linked(files), "plant").unwrap_or_else(|error| panic!("{error}"));
+    let shown = String::from_utf8_lossy(&writing.bytes).into_owned();
+    let said = writing.report.remarks();
+    let said = said.map(|entry| format!("{} {}: {:?}\n", entry.place, entry.element, entry.outcome));
+    let said: String = said.collect();
+    let source = Source {
+        companions: writing.companions,
+        ..Source::alone("plant", &writing.bytes)
+    };
+    let back =
+        convert(notation, &source, &Options::default()).unwrap_or_else(|error| panic!("{error}\n{shown}"));
+    let ladder = back.written.text;
+    let texts: Vec<&str> = files.iter().map(|(_, text)| *text).collect();
+    let text = texts.join("\n");
+    for seed in 0..20 {
+        let different = next_to(&text, &ladder, Stimulus { seed, scans: 60 });
+        assert_eq!(different, None, "{ladder}\nof\n{shown}\n{said}");
+    }
+    (ladder, said)
+}
+
+const PLANT: &[(&str, &str)] = &[
+    (
+        "plant.clad",
+        "VAR_INPUT\n    go, stop : BOOL;\nEND_VAR\nVAR_OUTPUT\n    run, warn : BOOL;\nEND_VAR\nVAR\n    m1 : Drive;\nEND_VAR\n\n\
+         +--[ ]( go )--[$Motor]( stop, run )--( )( warn )--+\n\
+         +--[ ]( go )--[ADD]( m1.speed, m1.speed, 1 )--+\n\
+         +--[GT]( m1.speed, 5 )--[$Motor]( stop, run )--+\n",
+    ),
+    (
+        "blocks.clad",
+        "# Runs a motor #\nFUNCTION_BLOCK [$Motor]\nVAR_INPUT\n    stop : BOOL;\nEND_VAR\nVAR_OUTPUT\n    run : BOOL;\nEND_VAR\nVAR\n    d : Drive;\nEND_VAR\n\
+         +--[ ]( EN )--[/]( stop )--[$Late]( T#20ms )--( )( run )--+\n+--[ ]( run )--[ADD]( d.speed, d.speed, 1 )--+\nEND_FUNCTION_BLOCK\n\n\
+         FUNCTION_BLOCK [$Late]\nVAR_INPUT\n    wait : TIME;\nEND_VAR\nVAR\n    t : TON;\nEND_VAR\n+--[ ]( EN )--[TON]( t, wait )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n",
+    ),
+    (
+        "types.clad",
+        "TYPE\n    Drive : STRUCT\n        speed : DINT;  # rpm #\n        ready : BOOL;\n    END_STRUCT;\nEND_TYPE\n",
+    ),
+];
+
+#[test]
+fn blocks_and_types_of_other_files_are_written_along() {
+    for (notation, expected) in [
+        ("plcopen", ""),
+        ("simatic", ""),
+        (
+            "l5x",
+            "11:15 [$Late]: Approximated(\"there a time is a DINT in milliseconds\")\n",
+        ),
+    ] {
+        let (_, said) = check(notation, PLANT);
+        assert_eq!(said, expected, "{notation}");
+    }
+}
+
+const FUNCTIONS: &str = "VAR_INPUT
+    go, wash : BOOL;
+    n        : INT;
+END_VAR
+VAR_OUTPUT
+    pump, lamp : BOOL;
+END_VAR
+VAR
+    t     : TON;
+    count : DINT;
+    last  : ARRAY[1..3] OF INT;
+END_VAR
+
++--[ ]( go )--<CALL>( Rinse )--( )( called )--+
++--[ ]( wash )--<CALL>( Rinse )--+
++--[/]( go )--<CALL>( Count )--+
++--[GT]( count, 5 )--( )( Many )--+
+
+# Rinses #
++--<FUN>( Rinse )--+
++--[ ]( wash )--[TON]( t, T#20ms )--( )( pump )--+
+# Not twice #
++--[P]( go )--<CALL>( Count )--+
++--[GT]( n, 100 )--<RET>--+
++--[ ]( pump )--[$Toggle]( )--( )( lamp )--+
++--[MOV]( last[2], n )--+
+
++--<FUN>( Count )--[P]( wash )--[ADD]( count, count, 1 )--+
++--[ ]( t.Q )--[ADD]( count, count, last[2] )--+
+";
+
+#[test]
+fn functions_are_blocks_that_are_handed_their_tags() {
+    for notation in ["plcopen", "simatic"] {
+        let (ladder, said) = check(notation, &[("plant.clad", FUNCTIONS)]);
+        expect_test::expect_file![format!("{notation}_functions.txt")].assert_eq(&format!("{said}{ladder}"));
+    }
+}
