@@ -4,7 +4,7 @@ use crate::{LineColumn, Lines, ReadError};
 use roxmltree::{Document, Error, Node, ParsingOptions};
 
 /// A file with more elements, texts and attributes is not read.
-const MOST_NODES: u32 = 1_000_000;
+const MOST_NODES: u32 = 2_000_000;
 
 /// A file, with the places of its elements.
 pub struct Xml<'t> {
@@ -116,8 +116,24 @@ pub fn escape(out: &mut String, text: &str) {
             '"' => out.push_str("&quot;"),
             '\n' | '\t' => out.push(c),
             '\r' => out.push_str("&#13;"),
-            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => out.push(' '),
-            c => out.push(c),
+            c => out.push(held(c)),
         }
+    }
+}
+
+/// Appends a text as a section of characters. What XML cannot hold at all is left out.
+pub fn section(out: &mut String, text: &str) {
+    let inside: String = text.chars().map(held).collect();
+    // A section ends at the first of these.
+    let inside = inside.replace("]]>", "]]]]><![CDATA[>");
+    out.push_str(&format!("<![CDATA[{inside}]]>"));
+}
+
+/// A character, or a blank for one that XML cannot hold.
+fn held(c: char) -> char {
+    let is_blank = matches!(c, '\n' | '\t');
+    match (c.is_control() && !is_blank) || matches!(c, '\u{fffe}' | '\u{ffff}') {
+        true => ' ',
+        false => c,
     }
 }

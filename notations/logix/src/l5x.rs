@@ -1,12 +1,11 @@
 //! L5X: the XML that Logix Designer exports, of a whole controller or of a part of one.
 
 use crate::model::{Aoi, DataType, Member, Program, Project, Raw, Routine, Rung, Tag, Usage};
-use ladder_notation::{Lines, ReadError};
-use roxmltree::{Document, Node, ParsingOptions};
+use ladder_notation::ReadError;
+use ladder_notation::xml::Xml;
+use roxmltree::Node;
 use std::collections::HashSet;
 
-/// A file with more elements, attributes and texts is not read.
-const MOST_NODES: u32 = 4_000_000;
 /// Values nest no deeper.
 const DEEPEST: usize = 40;
 
@@ -19,23 +18,15 @@ pub(crate) const ROOT: &str = "RSLogix5000Content";
 ///
 /// If it is no well-formed XML, or no export of Logix Designer. Entities of the file's own are not read.
 pub(crate) fn read(text: &str) -> Result<Project, ReadError> {
-    let options = ParsingOptions {
-        allow_dtd: false,
-        nodes_limit: MOST_NODES,
-        ..ParsingOptions::default()
-    };
-    let body = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let before = text.len() - body.len();
-    let document = Document::parse_with_options(body, options).map_err(|error| broken(text, &error))?;
-    let root = document.root_element();
+    let xml = Xml::parse(text)?;
+    let root = xml.document.root_element();
     if root.tag_name().name() != ROOT {
         return Err(ReadError::whole(format!(
             "it is XML, but no export of Logix Designer: those begin with <{ROOT}>"
         )));
     }
     let mut reader = Reader {
-        text: body,
-        before,
+        text,
         project: Project::default(),
         read: HashSet::new(),
     };
@@ -49,31 +40,8 @@ pub(crate) fn read(text: &str) -> Result<Project, ReadError> {
     Ok(reader.project)
 }
 
-fn broken(text: &str, error: &roxmltree::Error) -> ReadError {
-    let why = match error {
-        roxmltree::Error::DtdDetected => {
-            "the file declares a document type or entities; exports have none, and they are not read"
-                .to_owned()
-        }
-        roxmltree::Error::NodesLimitReached => {
-            format!("the file has more than {MOST_NODES} elements and texts")
-        }
-        other => format!("the file is no well-formed XML: {other}"),
-    };
-    let at = error.pos();
-    let place = ladder_notation::LineColumn {
-        line: at.row,
-        column: at.col,
-    };
-    // The place is brought back into the text.
-    let lines = Lines::of(text);
-    ReadError::at(lines.place(text, lines.offset(text, place)), why)
-}
-
 struct Reader<'t> {
     text: &'t str,
-    /// How many bytes of the file are before the text: a byte order mark.
-    before: usize,
     project: Project,
     /// Where the rungs are that were read.
     read: HashSet<usize>,
@@ -131,7 +99,7 @@ fn dimensions(node: Node<'_, '_>, name: &str) -> Vec<u32> {
 
 impl Reader<'_> {
     fn at(&self, node: Node<'_, '_>) -> usize {
-        node.range().start + self.before
+        node.range().start
     }
 
     fn refuse(&mut self, node: Node<'_, '_>, what: String, why: &str) {
@@ -379,7 +347,7 @@ impl Reader<'_> {
             let content = content.trim();
             let range = text.range();
             let start = self.text[range.clone()].find(content).unwrap_or(0);
-            rung.at = range.start + start + self.before;
+            rung.at = range.start + start;
             content.clone_into(&mut rung.text);
         }
         rung

@@ -2,6 +2,7 @@
 
 use crate::l5x::ROOT;
 use crate::model::{Aoi, DataType, Program, Project, Raw, Routine, Rung, Tag, Usage};
+use ladder_notation::xml::{escape, section};
 
 /// The version of Logix Designer whose names of instructions are written.
 const REVISION: &str = "33.01";
@@ -60,7 +61,9 @@ impl Out {
         self.0.push('<');
         self.0.push_str(name);
         for (attribute, value) in attributes {
-            self.0.push_str(&format!(" {attribute}=\"{}\"", escaped(value)));
+            self.0.push_str(&format!(" {attribute}=\""));
+            escape(&mut self.0, value);
+            self.0.push('"');
         }
     }
 
@@ -80,10 +83,9 @@ impl Out {
 
     /// Text that must be there as a section, even an empty one.
     fn text(&mut self, name: &str, text: &str) {
-        let inside = text.replace(|c: char| c.is_control() && !matches!(c, '\n' | '\t'), " ");
-        let inside = inside.replace("]]>", "]]]]><![CDATA[>");
-        self.0
-            .push_str(&format!("<{name}>\n<![CDATA[{inside}]]>\n</{name}>\n"));
+        self.0.push_str(&format!("<{name}>\n"));
+        section(&mut self.0, text);
+        self.0.push_str(&format!("\n</{name}>\n"));
     }
 
     fn described(&mut self, comment: Option<&String>) {
@@ -243,8 +245,9 @@ impl Out {
                             let attributes =
                                 [("Name", "DATA"), ("DataType", text.as_str()), ("Radix", "ASCII")];
                             self.start("DataValueMember", &attributes);
-                            self.0
-                                .push_str(&format!(">\n<![CDATA['{characters}']]>\n</DataValueMember>\n"));
+                            self.0.push_str(">\n");
+                            section(&mut self.0, &format!("'{characters}'"));
+                            self.0.push_str("\n</DataValueMember>\n");
                         }
                         value => self.value(value, Some(own)),
                     }
@@ -361,19 +364,4 @@ fn radix(ty: &str) -> Option<&'static str> {
         "BOOL" | "BIT" | "SINT" | "INT" | "DINT" | "LINT" | "USINT" | "UINT" | "UDINT" | "ULINT" => "Decimal",
         _ => return None,
     })
-}
-
-fn escaped(value: &str) -> String {
-    let mut out = String::with_capacity(value.len());
-    for c in value.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            c if c.is_control() => out.push(' '),
-            c => out.push(c),
-        }
-    }
-    out
 }

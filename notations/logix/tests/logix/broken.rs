@@ -139,14 +139,14 @@ fn hostile_xml_is_refused_with_a_message() {
     let message = |text: &str| read(&L5x, text).expect_err("it is refused").to_string();
     assert_eq!(
         message(bomb),
-        "1:1: the file declares a document type or entities; exports have none, and they are not read"
+        "1:1: the file has a document type (`<!DOCTYPE`), which no project needs: take it out"
     );
     assert!(
-        message(&deep).contains("no well-formed XML"),
+        message(&deep).contains("not XML as it must be"),
         "{}",
         message(&deep)
     );
-    assert!(message("<RSLogix5000Content><Controller>").contains("no well-formed XML"));
+    assert!(message("<RSLogix5000Content><Controller>").contains("not XML as it must be"));
     assert_eq!(
         message("<plist/>"),
         "it is XML, but no export of Logix Designer: those begin with <RSLogix5000Content>"

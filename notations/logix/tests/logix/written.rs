@@ -312,3 +312,14 @@ fn rungs_of_a_tag_that_cannot_be_declared_are_refused_with_it() {
             3:1 network: Refused("`[MOV]( n, rows[1, 2] )`: `rows` cannot be declared: an array of arrays has no counterpart there")"#]],
     );
 }
+
+/// What XML cannot hold is a blank, in comments as in names and texts.
+#[test]
+fn what_xml_cannot_hold() {
+    let text = "VAR\n    s : STRING := 'a]]>\u{fffe}b';  # \u{ffff} ]]> #\nEND_VAR\n\n# \u{fffe}\u{1} ]]> #\n+--[ ]( x )--( )( y )--+\n";
+    let (xml, _) = written(text);
+    let held = |c: char| !matches!(c, '\u{fffe}' | '\u{ffff}' | '\u{1}');
+    assert!(xml.chars().all(held), "{xml}");
+    let read = L5x.read(&ladder_notation::Source::alone("test", xml.as_bytes()));
+    assert!(read.is_ok(), "{xml}");
+}

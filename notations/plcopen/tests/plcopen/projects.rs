@@ -319,8 +319,8 @@ fn what_is_no_project() {
         "</a>".repeat(100_000)
     );
     expect!["1:1: nothing is in the project: no program, no type, no variable"].assert_eq(&text(&deep));
-    let wide = format!("<project>{}</project>", "<a/>".repeat(1_100_000));
-    expect!["1:1: the file has more than 1000000 elements; projects do not"].assert_eq(&text(&wide));
+    let wide = format!("<project>{}</project>", "<a/>".repeat(2_100_000));
+    expect!["1:1: the file has more than 2000000 elements; projects do not"].assert_eq(&text(&wide));
 }
 
 #[test]
