@@ -188,6 +188,7 @@ fn blocks_of_the_library_are_written_along() {
     check_files(
         &[("plant.clad", "+--[ ]( on )--[$Blink]( T#1s )--( )( lamp )--+\n")],
         expect![[r#"
+            FUNCTION_BLOCK Interval_block
             FUNCTION_BLOCK Blink
             VAR_INPUT
                 on_tag : BOOL;  (* called on *)

@@ -4,10 +4,14 @@
 //! analysis --unit--> types, variables, bodies --rung, element--> graphs --emit--> XML
 //! ```
 
+mod boxes;
 mod declare;
+mod edge;
 mod element;
+mod faces;
 mod functions;
 mod names;
+mod networks;
 mod rung;
 mod text;
 mod touched;
@@ -16,6 +20,7 @@ mod unit;
 use super::emit;
 use super::model::{Project, Task, TypeDeclaration, UnitKind};
 use declare::Source;
+use faces::{Broken, Face, Faces, Parameter};
 use ladder_analysis::context::Body;
 use ladder_analysis::networks::network::Meaning;
 use ladder_analysis::program::Program;
@@ -29,7 +34,7 @@ use ladder_syntax::{Name, TextSize};
 use names::{Names, identifier};
 use std::collections::HashMap;
 use std::sync::Arc;
-use unit::{Broken, Face, Faces, Parameter, Project as Shared, Unit};
+use unit::{Project as Shared, Unit};
 
 /// How long a scan is where the program says nothing.
 const CYCLE: i64 = 10_000_000;

@@ -200,7 +200,8 @@ fn holds(notation: &dyn Notation, text: &str) {
             }
             _ => false,
         };
-        if inside.clone().any(is_text) {
+        // A line of a network that came to stand above the block begins none.
+        if inside.clone().any(is_text) || of("FUNCTION_BLOCK") > 0 {
             continue;
         }
         let told = inside.clone().count() - of("network");

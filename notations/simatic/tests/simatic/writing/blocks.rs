@@ -1,112 +1,8 @@
-//! What is written.
+//! Blocks of one's own, of the library, and structures.
 
-use super::write;
-use expect_test::{Expect, expect};
-
-#[track_caller]
-fn check(text: &str, expected: Expect) {
-    let writing = write(text).unwrap_or_else(|error| panic!("{error}"));
-    let mut out = String::from_utf8_lossy(&writing.bytes).replace('\r', "");
-    for companion in &writing.companions {
-        out.push_str(&format!(
-            "== {}\n{}",
-            companion.name,
-            String::from_utf8_lossy(&companion.bytes).replace('\r', "")
-        ));
-    }
-    for entry in writing.report.remarks() {
-        out.push_str(&format!(
-            "{} {}: {:?}\n",
-            entry.place, entry.element, entry.outcome
-        ));
-    }
-    expected.assert_eq(out.trim_start_matches('\u{feff}'));
-}
-
-#[test]
-fn a_program_is_a_function_block() {
-    check(
-        "# Warm up #\n# and wait #\n\nVAR_INPUT\n    start, stop : BOOL;  # keys #\nEND_VAR\nVAR RETAIN\n    total : DINT := 7;\nEND_VAR\nVAR\n    warm : TON;\nEND_VAR\n\n\
-         # Seal-in #\n+--\\--[ ]( start )--\\--[/]( stop )--[TON]( warm, 5s )--( )( run )--+\n|  /--[ ]( run )----/\n\n\
-         +--[P]( run )--[ADD]( total, total, 1 )--+\n\n+--[GT]( warm.ACC, T#1.5s )--(S)( late )--+\n",
-        expect![[r#"
-            {
-                S7_BlockComment := "MLC_4";
-                S7_BlockTitle := "MLC_5";
-                S7_Optimized := "TRUE";
-                S7_PreferredLanguage := "LAD";
-                S7_Version := "0.1"
-            }
-            FUNCTION_BLOCK "test"
-                VAR_INPUT
-                    { S7_MLC := "MLC_1" } "start" : Bool;
-                    { S7_MLC := "MLC_2" } "stop" : Bool;
-                END_VAR
-                VAR_OUTPUT
-                    "late" : Bool;
-                END_VAR
-                VAR
-                    "warm" : TON_TIME;
-                    "run" : Bool;
-                    "edge_1" : Bool;
-                END_VAR
-                VAR RETAIN
-                    "total" : DInt := 7;
-                END_VAR
-
-                {
-                    S7_Language := "LAD";
-                    S7_NetworkTitle := "MLC_3"
-                }
-                NETWORK
-                    RUNG wire#powerrail
-                        Contact( #"start" )
-                        wire#w1
-                        I_Contact( #"stop" )
-                        { S7_Templates := "time_type := Time" }
-                        #"warm".TON( pt := T#5s, et => )
-                        Coil( #"run" )
-                    END_RUNG
-                    RUNG wire#powerrail
-                        Contact( #"run" )
-                    END_RUNG wire#w1
-                END_NETWORK
-                {
-                    S7_Language := "LAD"
-                }
-                NETWORK
-                    RUNG wire#powerrail
-                        P_Contact( operand := #"run", bit := #"edge_1" )
-                        { S7_Templates := "SrcType := DInt" }
-                        Add( in1 := #"total", in2 := 1, out => #"total" )
-                    END_RUNG
-                END_NETWORK
-                {
-                    S7_Language := "LAD"
-                }
-                NETWORK
-                    RUNG wire#powerrail
-                        { S7_Templates := "SrcType := Time" }
-                        GT_Contact( in1 := #"warm".ET, in2 := T#1500ms )
-                        S_Coil( #"late" )
-                    END_RUNG
-                END_NETWORK
-            END_FUNCTION_BLOCK
-            == test.s7res
-            ﻿MultiLingualTexts:
-              - id: MLC_1
-                en-US: "keys"
-              - id: MLC_2
-                en-US: "keys"
-              - id: MLC_3
-                en-US: "Seal-in"
-              - id: MLC_4
-                en-US: "and wait"
-              - id: MLC_5
-                en-US: "Warm up"
-        "#]],
-    );
-}
+use super::check;
+use crate::write;
+use expect_test::expect;
 
 #[test]
 fn blocks_and_structures_are_documents_of_their_own() {
@@ -181,91 +77,6 @@ fn blocks_and_structures_are_documents_of_their_own() {
 }
 
 #[test]
-fn what_has_no_form_is_refused_with_its_place() {
-    check(
-        "VAR\n    a, b, y : BOOL;\n    c : CTC;\n    k : SR;\n    s : STRING[9];\nEND_VAR\n\n+--[ ]( a )--(S)( y )--( )( b )--+\n\n+--[NOT]--( )( y )--+\n\n+--[ ]( a )--<END>--+\n\n+--[ ]( a )--[CTC]( c, 4 )--( )( y )--+\n\n\
-         +--[ ]( a )--\\--( )( b )--+\n|            /--<JMP>( on )--+\n\n+--<LBL>( on )--[ ]( b )--( )( y )--+\n\n+--[ ]( a )--[LEN]( y2, s )--+\n",
-        expect![[r#"
-            {
-                S7_Optimized := "TRUE";
-                S7_PreferredLanguage := "LAD";
-                S7_Version := "0.1"
-            }
-            FUNCTION_BLOCK "test"
-                VAR
-                    "a" : Bool;
-                    "b" : Bool;
-                    "y" : Bool;
-                    "s" : String[9];
-                    "y2" : DInt;
-                END_VAR
-
-                {
-                    S7_Language := "LAD"
-                }
-                NETWORK
-                    // +--[ ]( a )--(S)( y )--( )( b )--+
-                END_NETWORK
-                {
-                    S7_Language := "LAD"
-                }
-                NETWORK
-                    // +--[NOT]--( )( y )--+
-                END_NETWORK
-                {
-                    S7_Language := "LAD"
-                }
-                NETWORK
-                    // +--[ ]( a )--<END>--+
-                END_NETWORK
-                {
-                    S7_Language := "LAD"
-                }
-                NETWORK
-                    // +--[ ]( a )--[CTC]( c, 4 )--( )( y )--+
-                END_NETWORK
-                {
-                    S7_Language := "LAD"
-                }
-                NETWORK
-                    RUNG wire#powerrail
-                        Contact( #"a" )
-                        wire#w1
-                        Coil( #"b" )
-                    END_RUNG
-                    RUNG wire#w1
-                        JumpCoil( "on" )
-                    END_RUNG
-                END_NETWORK
-                {
-                    S7_Language := "LAD"
-                }
-                NETWORK
-                    Label( "on" )
-                    RUNG wire#powerrail
-                        Contact( #"b" )
-                        Coil( #"y" )
-                    END_RUNG
-                END_NETWORK
-                {
-                    S7_Language := "LAD"
-                }
-                NETWORK
-                    // +--[ ]( a )--[LEN]( y2, s )--+
-                END_NETWORK
-            END_FUNCTION_BLOCK
-            3:1 tag `c`: Refused("`c` cannot be declared: `CTC` has no form there")
-            4:1 tag `k`: Refused("`k` cannot be declared: `SR` has no form there")
-            8:1 network: Refused("after a set coil power goes on as it came there, and here it is the tag")
-            10:1 network: Refused("a Not stands after a contact there")
-            12:1 network: Refused("`<END>`: `[END]` has no counterpart")
-            14:1 network: Refused("`[CTC]( c, 4 )`: `[CTC]` has no counterpart")
-            21:1 network: Refused("`[LEN]( y2, s )`: `[LEN]` has no counterpart")
-        "#]],
-    );
-}
-
-#[test]
 fn a_block_that_runs_without_power_is_called_without_a_condition() {
     check(
         "FUNCTION_BLOCK [$Count]\nVAR_OUTPUT\n    n : INT;\nEND_VAR\n+--[ADD]( n, n, 1 )--+\nEND_FUNCTION_BLOCK\n\nVAR\n    a : BOOL;\n    x : INT;\nEND_VAR\n\
@@ -334,12 +145,6 @@ fn a_block_that_runs_without_power_is_called_without_a_condition() {
             END_FUNCTION_BLOCK
         "#]],
     );
-}
-
-#[test]
-fn other_arithmetic_is_refused() {
-    let why = write("# ladder: profile click #\n+--[ ]( X1 )--( )( Y1 )--+\n").err();
-    expect!["the program counts and times as another controller does (`# ladder: profile .. #`), and a SIMATIC block does not: take the profile out, and see whether it still does what it should"].assert_eq(&why.unwrap_or_default());
 }
 
 #[test]
@@ -548,56 +353,4 @@ fn blocks_of_the_library_are_function_blocks() {
         $Toggle: true
         $Total: true
     "#]].assert_eq(&out);
-}
-
-#[test]
-fn an_array_of_arrays_is_one_of_several_dimensions() {
-    check(
-        "TYPE\n    Row : ARRAY[0..2] OF INT;\n    Begun : ARRAY[0..2] OF INT := [1, 2, 3];\n    Other : Item;\n    Item : STRUCT\n        n : INT;\n    END_STRUCT;\nEND_TYPE\n\
-         VAR\n    rows : ARRAY[0..1] OF Row;\n    begun : ARRAY[0..1] OF Begun;\n    deep : ARRAY[0..1, 0..1, 0..1] OF Row;\n    one : Begun;\n    f : Other;\n    k : INT;\nEND_VAR\n\
-         +--[MOV]( rows[1][k], f.n )--+\n+--[MOV]( f.n, rows[0, one[1]] )--+\n",
-        expect![[r#"
-            {
-                S7_Optimized := "TRUE";
-                S7_PreferredLanguage := "LAD";
-                S7_Version := "0.1"
-            }
-            FUNCTION_BLOCK "test"
-                VAR
-                    "rows" : Array[0..1, 0..2] of Int;
-                    "one" : Array[0..2] of Int := [1, 2, 3];
-                    "f" : "Item";
-                    "k" : Int;
-                END_VAR
-
-                {
-                    S7_Language := "LAD"
-                }
-                NETWORK
-                    RUNG wire#powerrail
-                        Move( in := #"f"."n", out1 => #"rows"[1, #"k"] )
-                    END_RUNG
-                END_NETWORK
-                {
-                    S7_Language := "LAD"
-                }
-                NETWORK
-                    RUNG wire#powerrail
-                        Move( in := #"rows"[0, #"one"[1]], out1 => #"f"."n" )
-                    END_RUNG
-                END_NETWORK
-            END_FUNCTION_BLOCK
-            == Item.s7dcl
-            ﻿{
-                S7_Version := "0.1"
-            }
-            TYPE "Item"
-                STRUCT
-                    "n" : Int;
-                END_STRUCT;
-            END_TYPE
-            11:1 tag `begun`: Refused("`begun` cannot be declared: the first values that its type takes from another have no form there")
-            12:1 tag `deep`: Refused("`deep` cannot be declared: an array of more than 3 dimensions, those of the arrays in it included, has no form here")
-        "#]],
-    );
 }

@@ -1,0 +1,224 @@
+//! The networks of a unit as one drawing, with comments between them.
+
+use super::element::Writer;
+use super::names::Names;
+use super::rung::Rung;
+use super::unit::{Project, Unit};
+use crate::graph::{Graph, Kind, Node};
+use crate::model::Variable;
+use ladder_analysis::context::Body as OwnBody;
+use ladder_analysis::networks::NetworkAt;
+use ladder_analysis::program::{Network, Program};
+use ladder_instructions::Op;
+use ladder_notation::{LineColumn, Report, comments};
+use ladder_syntax::{Item, TextSize};
+use std::collections::HashMap;
+
+/// The networks of a unit on their way.
+pub(super) struct Networks<'n, 'u> {
+    pub(super) unit: &'n Unit<'u>,
+    pub(super) project: &'n Project<'n>,
+    pub(super) program: &'n Program,
+    pub(super) graph: Graph,
+    pub(super) report: &'n mut Report,
+    pub(super) names: &'n mut Names,
+    pub(super) made: Vec<Variable>,
+    pub(super) retentive: Vec<String>,
+}
+
+/// What is not run as it stands, from one network on.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Under {
+    Nothing,
+    Loop,
+    MasterControl,
+}
+
+impl Networks<'_, '_> {
+    /// What a block's ENO begins with: its EN.
+    pub(super) fn power(&mut self, enters: &str, leaves: &str) {
+        use super::rung::pin;
+        use crate::graph::{End, Modifier, Storage};
+        let none = Modifier::default();
+        let at = self.unit.place(TextSize::default());
+        let from = |node| vec![pin("", vec![End { node, output: 0 }])];
+        for (kind, inputs) in [
+            (Kind::LeftRail, Vec::new()),
+            (Kind::Contact(enters.to_owned(), none), from(0)),
+            (Kind::Coil(leaves.to_owned(), none, Storage::None), from(1)),
+        ] {
+            self.graph.nodes.push(Node::new(at, kind, inputs));
+        }
+    }
+
+    /// Whether the first network of a block does that anyway.
+    pub(super) fn begins_with_power(&self, block: Option<usize>) -> bool {
+        let Some(block) = block else { return true };
+        let context = self.unit.context();
+        let mut networks = context.networks.iter();
+        let first = networks.find(|network| context.bodies[network.index] == OwnBody::Block(block));
+        let Some(first) = first else { return false };
+        let said: Vec<String> = first
+            .blocks()
+            .map(|block| {
+                self.unit.text[block.range()]
+                    .replace(' ', "")
+                    .to_ascii_uppercase()
+            })
+            .collect();
+        said == ["[](EN)", "()(ENO)"]
+    }
+
+    /// All networks; comes back what is said of the unit as a whole.
+    pub(super) fn draw(&mut self, block: Option<usize>) -> Option<String> {
+        let context = self.unit.context();
+        let parse = &context.parse;
+        let structure = parse.structure();
+        let by_start: HashMap<TextSize, &Network> = self
+            .program
+            .networks
+            .iter()
+            .filter(|network| network.location.file == 0)
+            .map(|network| (network.location.range.start(), network))
+            .collect();
+        let mut current = None;
+        let mut above: Vec<String> = Vec::new();
+        let mut of_unit: Vec<String> = Vec::new();
+        let mut under = Under::Nothing;
+        let mut is_guard = block.is_some_and(|block| self.unit.is_guarded(block));
+        for item in &structure.items {
+            let lines = match *item {
+                Item::BlockHeader(number) => {
+                    if Some(number) == block {
+                        of_unit.append(&mut above);
+                    }
+                    above.clear();
+                    current = Some(number);
+                    continue;
+                }
+                Item::BlockEnd(_) => {
+                    if current == block {
+                        self.leave_comments(&mut above);
+                    }
+                    above.clear();
+                    current = None;
+                    continue;
+                }
+                Item::Decoration(line) => line..line + 1,
+                Item::Network(number) => structure.networks[number].lines.clone(),
+                Item::Section(_) => {
+                    if current == block {
+                        of_unit.append(&mut above);
+                    }
+                    continue;
+                }
+                Item::Stray(_) => continue,
+            };
+            for comment in lines.flat_map(|line| comments::on_line(parse, line)) {
+                let said: Vec<&str> = comments::said(&comment).collect();
+                if !said.is_empty() {
+                    above.push(said.join("\n"));
+                }
+            }
+            let Item::Network(number) = *item else { continue };
+            if current != block {
+                above.clear();
+                continue;
+            }
+            let facts = context.networks.at(number);
+            self.leave_comments(&mut above);
+            if std::mem::take(&mut is_guard) {
+                continue;
+            }
+            let network = by_start.get(&facts.range.start()).copied();
+            self.network(facts, network, &mut under);
+        }
+        if current == block {
+            self.leave_comments(&mut above);
+        }
+        (!of_unit.is_empty()).then(|| of_unit.join("\n"))
+    }
+
+    fn leave_comments(&mut self, above: &mut Vec<String>) {
+        for said in above.drain(..) {
+            self.comment(said);
+        }
+    }
+
+    fn comment(&mut self, said: String) {
+        let at = self.unit.place(TextSize::default());
+        self.graph
+            .nodes
+            .push(Node::new(at, Kind::Comment(said), Vec::new()));
+    }
+
+    fn network(&mut self, facts: NetworkAt<'_>, network: Option<&Network>, under: &mut Under) {
+        let has = |op: Op| facts.blocks().any(|block| block.op() == Some(op));
+        let at = self.unit.place(facts.range.start());
+        if *under != Under::MasterControl && has(Op::Mcr) {
+            *under = Under::MasterControl;
+        } else if *under == Under::Nothing && has(Op::For) {
+            *under = Under::Loop;
+        }
+        let drawn = match (*under, self.unit.context().bodies[facts.index]) {
+            (Under::Loop, _) => Err("the standard has no loops of networks".to_owned()),
+            (Under::MasterControl, _) => {
+                Err("the standard has no <MCR>, which this is or stands after".to_owned())
+            }
+            (_, OwnBody::Function(_)) => Err("the standard has no functions without parameters".to_owned()),
+            _ => self.rung(at, facts, network),
+        };
+        if *under == Under::Loop && has(Op::Next) {
+            *under = Under::Nothing;
+        }
+        match drawn {
+            Ok(rung) => {
+                self.report.translated(at, "network");
+                for (element, why) in rung.remarks {
+                    self.report.approximated(at, element, why);
+                }
+                self.graph.nodes.extend(rung.nodes);
+                self.made.extend(rung.made);
+                self.retentive.extend(rung.retentive);
+                *self.names = rung.names;
+            }
+            Err(why) => {
+                for label in facts.blocks().filter(|block| block.op() == Some(Op::Lbl)) {
+                    let operand = label.facts.operands.first();
+                    let name = operand.map_or("", |it| &self.unit.text[label.absolute(it.value.range)]);
+                    let kind = Kind::Label(super::names::identifier(name));
+                    self.graph.nodes.push(Node::new(at, kind, Vec::new()));
+                }
+                let text = self.unit.text[facts.range].trim_end();
+                self.comment(format!("Not written, because {why}:\n{text}"));
+                self.report.refused(at, "network", why);
+            }
+        }
+    }
+
+    fn rung(&self, at: LineColumn, facts: NetworkAt<'_>, network: Option<&Network>) -> Result<Rung, String> {
+        let network = network.ok_or("nothing uses the block that it is in")?;
+        let by_start: HashMap<TextSize, usize> = facts
+            .blocks()
+            .enumerate()
+            .map(|(number, block)| (block.range().start(), number))
+            .collect();
+        let element = |rung: &mut Rung, block: usize, power| {
+            let block = &network.blocks[block];
+            let number = by_start.get(&block.location.range.start());
+            let writer = Writer {
+                unit: self.unit,
+                program: self.program,
+                faces: self.project.faces,
+                block,
+                facts: facts.block(*number.ok_or("a block of it is not known")?),
+            };
+            writer.write(rung, power)
+        };
+        let rung = Rung::of(at, self.graph.nodes.len(), self.names, network, &element)?;
+        if rung.goes_on_after_jump() {
+            return Err("something is done after a jump in it, whose order is not settled there".to_owned());
+        }
+        Ok(rung)
+    }
+}

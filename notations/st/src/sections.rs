@@ -1,0 +1,193 @@
+//! Variables in their sections, and the configuration that runs the program.
+
+use crate::comment;
+use crate::names;
+use crate::project::declare::{self, Variable};
+use crate::project::{Project, UnitKind};
+use crate::unit::Local;
+use ladder_analysis::program::{ParameterKind, Role};
+use std::collections::BTreeMap;
+
+/// A unit that is written, but for its declarations.
+pub(crate) struct Body {
+    pub(crate) kind: UnitKind,
+    pub(crate) lines: Vec<String>,
+    pub(crate) variables: BTreeMap<String, String>,
+    pub(crate) externals: BTreeMap<String, String>,
+    /// Of the program: the tags that others use, too.
+    pub(crate) shared: BTreeMap<String, String>,
+    pub(crate) instances: Vec<Local>,
+    pub(crate) temporaries: Vec<Local>,
+}
+
+pub(crate) fn section(head: &str, variables: &[Local], out: &mut String) {
+    if variables.is_empty() {
+        return;
+    }
+    out.push_str(head);
+    out.push('\n');
+    for Local { name, ty } in variables {
+        out.push_str(&format!("    {name} : {ty};\n"));
+    }
+    out.push_str("END_VAR\n");
+}
+
+pub(crate) fn own_variables(body: &Body, out: &mut String) {
+    section("VAR", &body.instances, out);
+    section("VAR", &body.temporaries, out);
+}
+
+/// A declaration with what it starts with, its address and its comment.
+fn declaration(project: &Project<'_>, variable: &Variable<'_>, name: &str, with_address: bool) -> String {
+    let mut line = format!("    {name}");
+    if let Some(address) = variable.tag.address.as_ref().filter(|_| with_address) {
+        line.push_str(&format!(" AT {address}"));
+    }
+    line.push_str(&format!(" : {}", project.type_name(variable.ty)));
+    if let Some(value) = project.initial(variable) {
+        line.push_str(&format!(" := {value}"));
+    }
+    line.push(';');
+    let mut said = Vec::new();
+    if !name.eq_ignore_ascii_case(variable.root) {
+        said.push(format!("called {}", variable.root));
+    }
+    if variable.tag.location.file == 0 {
+        said.extend(comment::of_declaration(project.text, variable.tag.location.range));
+    }
+    if !said.is_empty() {
+        line.push_str(&format!("  {}", comment::comment(&said.join("; "))));
+    }
+    line.push('\n');
+    line
+}
+
+pub(crate) fn program_variables(
+    project: &Project<'_>,
+    body: &Body,
+    shared: &BTreeMap<&String, &String>,
+    out: &mut String,
+) {
+    let mut sections: BTreeMap<(u8, &str), String> = BTreeMap::new();
+    for variable in declare::variables(project.program, None) {
+        let Some(name) = body.variables.get(variable.root) else {
+            continue;
+        };
+        if shared.contains_key(name) && project.is_shared(variable.root) {
+            continue;
+        }
+        let head = head(&variable);
+        sections
+            .entry(head)
+            .or_default()
+            .push_str(&declaration(project, &variable, name, true));
+    }
+    for ((_, head), text) in sections {
+        out.push_str(&format!("{head}\n{text}END_VAR\n"));
+    }
+}
+
+/// The section that a tag of the program belongs to. One at an address is neither input nor output: the address says it.
+fn head(variable: &Variable<'_>) -> (u8, &'static str) {
+    let tag = variable.tag;
+    match (tag.role, tag.retain, tag.constant) {
+        (_, _, true) => (6, "VAR CONSTANT"),
+        (Role::Input, false, _) if tag.address.is_none() => (0, "VAR_INPUT"),
+        (Role::Output, false, _) if tag.address.is_none() => (1, "VAR_OUTPUT"),
+        (Role::Input, true, _) if tag.address.is_none() => (2, "VAR_INPUT RETAIN"),
+        (Role::Output, true, _) if tag.address.is_none() => (3, "VAR_OUTPUT RETAIN"),
+        (_, true, _) => (5, "VAR RETAIN"),
+        _ => (4, "VAR"),
+    }
+}
+
+pub(crate) fn block_variables(project: &Project<'_>, block: usize, body: &Body, out: &mut String) {
+    let program = project.program;
+    let user = &program.blocks[block];
+    let variables = declare::variables(program, Some(block));
+    let of = |kind: ParameterKind| {
+        let mut text = String::new();
+        for (tag, own) in &user.parameters {
+            let root = crate::project::root(&program.tags[tag.0 as usize]);
+            if *own == kind
+                && let Some(variable) = variables.iter().find(|variable| variable.root == root)
+            {
+                text.push_str(&declaration(project, variable, &names::member(root), false));
+            }
+        }
+        text
+    };
+    out.push_str(&format!(
+        "VAR_INPUT\n    power_in : BOOL;\n{}END_VAR\n",
+        of(ParameterKind::Input)
+    ));
+    out.push_str(&format!(
+        "VAR_OUTPUT\n    power_out : BOOL;\n{}END_VAR\n",
+        of(ParameterKind::Output)
+    ));
+    let in_outs = of(ParameterKind::InOut);
+    if !in_outs.is_empty() {
+        out.push_str(&format!("VAR_IN_OUT\n{in_outs}END_VAR\n"));
+    }
+    let mut sections: BTreeMap<&str, String> = BTreeMap::new();
+    for variable in &variables {
+        let Some(name) = body.variables.get(variable.root) else {
+            continue;
+        };
+        let head = match (variable.tag.constant, variable.tag.retain) {
+            (true, _) => "VAR CONSTANT",
+            (_, true) => "VAR RETAIN",
+            _ => "VAR",
+        };
+        sections
+            .entry(head)
+            .or_default()
+            .push_str(&declaration(project, variable, name, false));
+    }
+    for (head, text) in sections {
+        out.push_str(&format!("{head}\n{text}END_VAR\n"));
+    }
+}
+
+/// What units share, and the program that runs.
+pub(crate) fn configuration(
+    project: &Project<'_>,
+    program: &str,
+    shared: &BTreeMap<&String, &String>,
+    out: &mut String,
+) {
+    let mut sections: BTreeMap<&str, String> = BTreeMap::new();
+    let variables = declare::variables(project.program, None);
+    for (name, ty) in shared {
+        let root = project
+            .shared_names
+            .iter()
+            .find(|(_, own)| own == name)
+            .map(|(root, _)| root);
+        let variable = root.and_then(|root| variables.iter().find(|variable| variable.root == root));
+        match variable {
+            Some(variable) => {
+                let head = match (variable.tag.constant, variable.tag.retain) {
+                    (true, _) => "VAR_GLOBAL CONSTANT",
+                    (_, true) => "VAR_GLOBAL RETAIN",
+                    _ => "VAR_GLOBAL",
+                };
+                sections
+                    .entry(head)
+                    .or_default()
+                    .push_str(&declaration(project, variable, name, true));
+            }
+            None => sections
+                .entry("VAR_GLOBAL")
+                .or_default()
+                .push_str(&format!("    {name} : {ty};\n")),
+        }
+    }
+    out.push_str("\nCONFIGURATION config\n");
+    for (head, text) in sections {
+        out.push_str(&format!("{head}\n{text}END_VAR\n"));
+    }
+    out.push_str(&format!(
+        "RESOURCE plc ON PLC\n    PROGRAM main_program : {program};\nEND_RESOURCE\nEND_CONFIGURATION\n"
+    ));
+}
