@@ -395,7 +395,7 @@ impl Type {
     }
 
     /// The user-defined blocks whose states are in it.
-    pub(crate) fn blocks(self) -> Vec<SmolStr> {
+    pub fn blocks(self) -> Vec<SmolStr> {
         if !self.keeps_state() {
             return Vec::new();
         }

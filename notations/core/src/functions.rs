@@ -30,13 +30,20 @@ pub fn with_functions_as_blocks(
     let mut writing = write(&blocks)?;
     for entry in &mut writing.report.entries {
         let line = entry.place.line;
-        if let Some(part) = moved.iter().find(|part| part.lines.contains(&line)) {
+        let after = moved.partition_point(|part| part.lines.start <= line);
+        let part = after.checked_sub(1).map(|part| &moved[part]);
+        if let Some(part) = part.filter(|part| part.lines.contains(&line)) {
             entry.place.line = part.from + (line - part.lines.start).min(part.most);
         }
     }
     writing.report.entries.sort_by_key(|entry| entry.place);
     Ok(writing)
 }
+
+/// Functions call each other no deeper: see the language.
+const DEEPEST: usize = 64;
+/// All calls together are handed no more.
+const MOST_OPERANDS: usize = 200_000;
 
 /// Lines of a block, from 1.
 struct Moved {
@@ -95,6 +102,10 @@ fn as_blocks(analysis: &Analysis) -> Option<(Analysis, Vec<Moved>)> {
         }
     }
     hand_on(&mut functions)?;
+    let handed = calls.iter().filter_map(|call| functions.get(&call.function));
+    if handed.map(|function| function.operands.len()).sum::<usize>() > MOST_OPERANDS {
+        return None;
+    }
     enter_lines(context, &mut functions);
     let (text, moved) = text(context, &functions, &calls);
     let blocks = analyze_in(&parse(&text).into(), &context.name, &context.others);
@@ -158,7 +169,7 @@ fn named(context: &Context, calls: &[Call<'_>]) -> Functions {
     for call in calls {
         functions.entry(call.function).or_insert_with(|| {
             let facts = &context.functions[call.function];
-            let plain: String = facts.name.chars().filter(|c| c.is_ascii_alphanumeric()).collect();
+            let plain: String = facts.name.chars().filter(char::is_ascii_alphanumeric).collect();
             let plain = plain.trim_start_matches(|c: char| c.is_ascii_digit());
             let plain = if plain.is_empty() { "Function" } else { plain };
             let plain = fresh(plain.to_owned());
@@ -204,16 +215,20 @@ fn enter_operands(context: &Context, functions: &mut Functions) -> Option<()> {
     Some(())
 }
 
-/// Hands on what is used by the functions that a function calls, and their states. None: one calls itself.
+/// Hands on what is used by the functions that a function calls, and their states. None: one calls itself, or that is too much.
 fn hand_on(functions: &mut Functions) -> Option<()> {
-    loop {
-        let mut changes = false;
+    for _ in 0..DEEPEST {
+        let (mut changes, mut handed) = (false, 0);
         for function in functions.keys().copied().collect::<Vec<_>>() {
             let own = functions.get(&function)?;
             let mut operands = own.operands.clone();
             let mut calls = own.calls.clone();
             for called in &own.calls {
                 let called = functions.get(called)?;
+                handed += called.operands.len() + called.calls.len();
+                if handed > MOST_OPERANDS {
+                    return None;
+                }
                 calls.extend(&called.calls);
                 let state = Operand {
                     ty: called.block.clone(),
@@ -239,6 +254,7 @@ fn hand_on(functions: &mut Functions) -> Option<()> {
             return Some(());
         }
     }
+    None
 }
 
 /// Enters the lines of the functions: their networks, and the comments above and between these.
@@ -258,9 +274,10 @@ fn enter_lines(context: &Context, functions: &mut Functions) {
                 if let Some(own) = functions.get_mut(&function) {
                     let is_first = current.replace(function) != Some(function);
                     let is_comment = |line: &&usize| parse.lines()[**line].kind == LineKind::Comment;
-                    let from = match is_first {
-                        true => above.len() - above.iter().rev().take_while(is_comment).count(),
-                        false => 0,
+                    let from = if is_first {
+                        above.len() - above.iter().rev().take_while(is_comment).count()
+                    } else {
+                        0
                     };
                     own.lines.extend(&above[from..]);
                     own.lines.extend(structure.networks[number].lines.clone());
@@ -280,7 +297,9 @@ fn text(context: &Context, functions: &Functions, calls: &[Call<'_>]) -> (String
         let own = parse.lines()[line].text();
         let mut text = own.to_owned();
         let range = TextRange::at(start, (own.len() as u32).into());
-        for (at, with) in edits.iter().rev().filter(|(at, _)| range.contains_range(*at)) {
+        let from = edits.partition_point(|(at, _)| at.start() < range.start());
+        let own = edits[from..].iter().take_while(|(at, _)| at.end() <= range.end());
+        for (at, with) in own.collect::<Vec<_>>().into_iter().rev() {
             text.replace_range(std::ops::Range::<usize>::from(*at - start), with);
         }
         text
@@ -291,9 +310,10 @@ fn text(context: &Context, functions: &Functions, calls: &[Call<'_>]) -> (String
         .collect();
     let mut text = String::new();
     for line in 0..parse.lines().len() {
-        match moved.contains(&line) {
-            true => text.extend(parse.lines()[line].text().chars().filter(|c| *c == '\n')),
-            false => text.push_str(&line_text(line)),
+        if moved.contains(&line) {
+            text.extend(parse.lines()[line].text().chars().filter(|c| *c == '\n'));
+        } else {
+            text.push_str(&line_text(line));
         }
     }
     if !text.ends_with('\n') {

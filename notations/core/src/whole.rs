@@ -5,7 +5,6 @@ use ladder_analysis::context::{Body, Context};
 use ladder_analysis::names::named_types::NamedType;
 use ladder_analysis::networks::NetworkAt;
 use ladder_analysis::networks::network::Meaning;
-use ladder_analysis::values::compound::Compound;
 use ladder_analysis::values::types::Type;
 use ladder_analysis::{Analysis, analyze_in, library, link_files};
 use ladder_syntax::{Item, LineKind, Name, Parse, parse};
@@ -63,14 +62,20 @@ pub(crate) fn whole(analysis: &Analysis) -> Result<Option<(Analysis, Vec<Added>)
         return Ok(None);
     }
     let context = &analysis.context;
+    let by_name = files.iter().enumerate();
     let mut search = Search {
         own: context,
         files,
+        by_name: by_name
+            .map(|(number, file)| (&*file.context.name, number))
+            .collect(),
+        uses: HashMap::new(),
         found: Vec::new(),
         seen: HashSet::new(),
     };
     search.of_program();
-    let found = search.found;
+    // What is used by others comes first.
+    let found: Vec<_> = search.found.into_iter().rev().collect();
     agree(context, files, &found)?;
     let mut text = context.parse.to_string();
     let end = text.split_off(end_of_networks(&context.parse, text.len()));
@@ -90,13 +95,11 @@ pub(crate) fn whole(analysis: &Analysis) -> Result<Option<(Analysis, Vec<Added>)
             used,
         });
     }
-    let mut types: Vec<(Name, String)> = Vec::new();
+    let (mut types, mut known) = (String::new(), HashSet::new());
     loop {
         let mut whole = text.clone();
         if !types.is_empty() {
-            whole.push_str("\nTYPE\n");
-            types.iter().for_each(|(_, said)| whole.push_str(said));
-            whole.push_str("END_TYPE\n");
+            whole.push_str(&format!("\nTYPE\n{types}END_TYPE\n"));
         }
         whole.push_str(&end);
         let whole = analyze_in(&parse(&whole).into(), &context.name, &context.others);
@@ -107,14 +110,13 @@ pub(crate) fn whole(analysis: &Analysis) -> Result<Option<(Analysis, Vec<Added>)
             );
             return Err(WriteError::new(message));
         }
-        let known = types.len();
+        let before = types.len();
         for ty in whole.context.types.of_others() {
-            let key = &ty.declaration.key;
-            if types.iter().all(|(known, _)| known != key) {
-                types.extend(declaration(files, ty).map(|said| (key.clone(), said)));
+            if known.insert(ty.declaration.key.clone()) {
+                types.extend(declaration(files, ty));
             }
         }
-        if types.len() == known {
+        if types.len() == before {
             return Ok(Some((whole, added)));
         }
     }
@@ -124,7 +126,9 @@ pub(crate) fn whole(analysis: &Analysis) -> Result<Option<(Analysis, Vec<Added>)
 struct Search<'a> {
     own: &'a Context,
     files: &'a [Arc<Analysis>],
-    /// What is used by others comes first.
+    by_name: HashMap<&'a str, usize>,
+    /// For each file that was asked the blocks that each of its own uses, by their numbers in its list.
+    uses: HashMap<usize, HashMap<usize, Vec<usize>>>,
     found: Vec<(Needed, LineColumn)>,
     seen: HashSet<Needed>,
 }
@@ -150,48 +154,53 @@ impl Search<'_> {
         }
     }
 
-    /// A block of the list of a file; `from`: one of the others.
+    /// A block of the list of a file, and all that it uses; `from`: one of the others.
     fn used(&mut self, context: &Context, from: Option<usize>, user: usize, at: LineColumn) {
-        let needed = match (&context.user_blocks[user].import, from) {
-            (Some(import), _) => {
-                let file = self
-                    .files
-                    .iter()
-                    .position(|file| file.context.name == import.file);
-                file.map(|file| (file, import.item))
+        let mut waiting: Vec<Needed> = self.needed(context, from, user).into_iter().collect();
+        while let Some((file, block)) = waiting.pop() {
+            if !self.seen.insert((file, block)) {
+                continue;
             }
-            (None, from) => from.map(|from| (from, user)),
-        };
-        let Some(needed) = needed else { return };
-        if !self.seen.insert(needed) {
-            return;
+            self.found.push(((file, block), at));
+            let other = Arc::clone(&self.files[file].context);
+            let uses = self.uses.entry(file).or_insert_with(|| uses(&other));
+            let used = uses.remove(&block).unwrap_or_default();
+            waiting.extend(
+                used.into_iter()
+                    .filter_map(|user| self.needed(&other, Some(file), user)),
+            );
         }
-        let (file, block) = needed;
-        let other = Arc::clone(&self.files[file].context);
-        let networks = other.networks.iter();
-        let calls = networks
-            .filter(|network| other.bodies[network.index] == Body::Block(block))
-            .flat_map(NetworkAt::blocks);
-        let called = calls.filter_map(|call| match call.meaning {
-            Meaning::User(user) => Some(user),
-            _ => None,
-        });
-        let tags = other.scopes[block + 1].tags.iter();
-        let declared = tags.filter_map(|tag| match tag.ty {
-            Some(Type::Compound(id)) => match id.get() {
-                Compound::Block(name) => {
-                    let mut blocks = other.user_blocks.iter();
-                    blocks.position(|block| block.name.eq_ignore_ascii_case(&name))
-                }
-                _ => None,
-            },
-            _ => None,
-        });
-        for user in called.chain(declared) {
-            self.used(&other, Some(file), user, at);
-        }
-        self.found.push((needed, at));
     }
+
+    fn needed(&self, context: &Context, from: Option<usize>, user: usize) -> Option<Needed> {
+        match &context.user_blocks[user].import {
+            Some(import) => Some((*self.by_name.get(&*import.file)?, import.item)),
+            None => from.map(|from| (from, user)),
+        }
+    }
+}
+
+/// The blocks that each block of a file calls, or has a tag of.
+fn uses(context: &Context) -> HashMap<usize, Vec<usize>> {
+    let mut uses: HashMap<usize, Vec<usize>> = HashMap::new();
+    for network in &context.networks {
+        if let Body::Block(block) = context.bodies[network.index] {
+            let called = network.blocks().filter_map(|call| match call.meaning {
+                Meaning::User(user) => Some(user),
+                _ => None,
+            });
+            uses.entry(block).or_default().extend(called);
+        }
+    }
+    let blocks = context.user_blocks.iter().enumerate();
+    let by_name: HashMap<&Name, usize> = blocks.map(|(number, block)| (&block.key, number)).collect();
+    for scope in &context.scopes {
+        let Some(block) = scope.block else { continue };
+        let names = scope.tags.iter().filter_map(|tag| tag.ty).flat_map(Type::blocks);
+        let used = names.filter_map(|name| by_name.get(&Name::new(&name)).copied());
+        uses.entry(block).or_default().extend(used);
+    }
+    uses
 }
 
 /// Says so if what is needed cannot stand in one text with the program.
@@ -204,13 +213,14 @@ fn agree(own: &Context, files: &[Arc<Analysis>], found: &[(Needed, LineColumn)])
     );
     let mut types: HashMap<&Name, &NamedType> = HashMap::new();
     types.extend(own.types.own().iter().map(|ty| (&ty.declaration.key, ty)));
+    let mut known = HashSet::new();
     for ((from, block), at) in found {
         let other = &files[*from].context;
         let block = &other.user_blocks[*block];
         if other.profile != own.profile {
-            let says = |file: &Context| match file.profile == Default::default() {
-                true => "IEC 61131-3",
-                false => file.profile.name(),
+            let says = |file: &Context| match file.profile.name() {
+                "iec" => "IEC 61131-3",
+                other => other,
             };
             return Err(WriteError::new(format!(
                 "{at}: `{}` of {} counts and times as {} says, and this program as {} does: draw what it does on rungs of the program",
@@ -227,6 +237,9 @@ fn agree(own: &Context, files: &[Arc<Analysis>], found: &[(Needed, LineColumn)])
                 file(first),
                 file(&other.name)
             )));
+        }
+        if !known.insert(from) {
+            continue;
         }
         for ty in other.types.own().iter().chain(other.types.of_others()) {
             let first = types.entry(&ty.declaration.key).or_insert(ty);

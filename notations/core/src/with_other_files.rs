@@ -7,6 +7,9 @@ use ladder_analysis::Analysis;
 use ladder_syntax::Name;
 use std::collections::{HashMap, HashSet};
 
+/// Blocks of which one has no form are used by others no deeper.
+const DEEPEST: usize = 50;
+
 /// The blocks of other files that a system cannot say whole, with why. They are not to be written, and neither is a call.
 pub type Unwritable = HashMap<Name, String>;
 
@@ -26,18 +29,11 @@ pub fn with_other_files(
         return write(analysis, &Unwritable::new());
     };
     let mut unwritable = Unwritable::new();
-    loop {
+    for _ in 0..DEEPEST {
         let mut writing = write(&whole, &unwritable)?;
         let known = unwritable.len();
-        for block in &added {
-            let first = writing.report.entries.iter().find_map(|entry| {
-                let is_in = block.lines.contains(&entry.place.line);
-                match &entry.outcome {
-                    Outcome::Refused(why) if is_in => Some(why),
-                    _ => None,
-                }
-            });
-            if let Some(why) = first {
+        for entry in &writing.report.entries {
+            if let (Outcome::Refused(why), Some(block)) = (&entry.outcome, at(&added, entry)) {
                 let why = format!("`{}` of {} has no form there: {why}", block.name, block.file());
                 unwritable.entry(Name::new(&block.name)).or_insert(why);
             }
@@ -48,16 +44,26 @@ pub fn with_other_files(
             return Ok(writing);
         }
     }
+    Err(WriteError::new(
+        "the blocks of other files use each other too deep",
+    ))
+}
+
+/// The block of another file that an entry is about.
+fn at<'b>(added: &'b [Added], entry: &Entry) -> Option<&'b Added> {
+    let line = entry.place.line;
+    let after = added.partition_point(|block| block.lines.start <= line);
+    let block = &added[after.checked_sub(1)?];
+    block.lines.contains(&line).then_some(block)
 }
 
 /// Says of each block at its first call what became of it, instead of each line of it at a place that the file does not have.
 fn tell(report: &mut Report, added: &[Added], unwritable: &Unwritable) {
     let mut said = HashSet::new();
-    let mut written = HashSet::new();
+    let (mut written, mut remarked) = (HashSet::new(), HashSet::new());
     let mut entries = Vec::new();
     for entry in std::mem::take(&mut report.entries) {
-        let block = added.iter().find(|block| block.lines.contains(&entry.place.line));
-        let Some(block) = block else {
+        let Some(block) = at(added, &entry) else {
             entries.push(entry);
             continue;
         };
@@ -66,13 +72,14 @@ fn tell(report: &mut Report, added: &[Added], unwritable: &Unwritable) {
             && !unwritable.contains_key(&Name::new(&block.name))
             && said.insert((&block.name, why.clone()))
         {
+            remarked.insert(&block.name);
             entries.push(block.entry(Outcome::Approximated(why)));
         }
     }
     for block in added {
         match unwritable.get(&Name::new(&block.name)) {
             Some(why) => entries.push(block.entry(Outcome::Refused(why.clone()))),
-            None if written.contains(&block.name) && said.iter().all(|(name, _)| **name != block.name) => {
+            None if written.contains(&block.name) && !remarked.contains(&block.name) => {
                 entries.push(block.entry(Outcome::Translated));
             }
             _ => {}

@@ -132,8 +132,8 @@ pub fn section(out: &mut String, text: &str) {
 /// A character, or a blank for one that XML cannot hold.
 fn held(c: char) -> char {
     let is_blank = matches!(c, '\n' | '\t');
-    match (c.is_control() && !is_blank) || matches!(c, '\u{fffe}' | '\u{ffff}') {
-        true => ' ',
-        false => c,
+    if (c.is_control() && !is_blank) || matches!(c, '\u{fffe}' | '\u{ffff}') {
+        return ' ';
     }
+    c
 }

@@ -47,6 +47,10 @@ struct Reader<'t> {
     read: HashSet<usize>,
 }
 
+fn at(node: Node<'_, '_>) -> usize {
+    node.range().start
+}
+
 fn child<'a, 'd>(node: Node<'a, 'd>, name: &str) -> Option<Node<'a, 'd>> {
     node.children().find(|child| child.has_tag_name(name))
 }
@@ -98,19 +102,15 @@ fn dimensions(node: Node<'_, '_>, name: &str) -> Vec<u32> {
 }
 
 impl Reader<'_> {
-    fn at(&self, node: Node<'_, '_>) -> usize {
-        node.range().start
-    }
-
     fn refuse(&mut self, node: Node<'_, '_>, what: String, why: &str) {
-        let at = self.at(node);
+        let at = at(node);
         self.project.refused.push((at, what, why.to_owned()));
     }
 
     fn controller(&mut self, controller: Node<'_, '_>) {
         self.project.name = attribute(controller, "Name");
         for node in all(controller, "DataTypes", "DataType") {
-            let read = self.data_type(node);
+            let read = Self::data_type(node);
             self.project.types.push(read);
         }
         for node in all(controller, "Modules", "Module") {
@@ -127,7 +127,7 @@ impl Reader<'_> {
             self.encoded(node);
         }
         for node in all(controller, "Tags", "Tag") {
-            let read = self.tag(node);
+            let read = Self::tag(node);
             self.project.tags.push(read);
         }
         for node in all(controller, "Programs", "Program") {
@@ -178,7 +178,7 @@ impl Reader<'_> {
         self.refuse(node, what, why);
     }
 
-    fn data_type(&self, node: Node<'_, '_>) -> DataType {
+    fn data_type(node: Node<'_, '_>) -> DataType {
         let members = all(node, "Members", "Member").map(|member| Member {
             name: attribute(member, "Name"),
             ty: attribute(member, "DataType"),
@@ -191,7 +191,7 @@ impl Reader<'_> {
             comment: described(member),
         });
         DataType {
-            at: self.at(node),
+            at: at(node),
             name: attribute(node, "Name"),
             is_string: node.attribute("Family") == Some("StringFamily"),
             members: members.collect(),
@@ -216,7 +216,7 @@ impl Reader<'_> {
                 let value = Self::value(node);
                 if let Some(Raw::Structure(ty, _)) = &value {
                     let tag = Tag {
-                        at: self.at(node),
+                        at: at(node),
                         name: format!("{name}:{letter}"),
                         ty: ty.clone(),
                         value,
@@ -231,12 +231,12 @@ impl Reader<'_> {
     fn aoi(&mut self, node: Node<'_, '_>) -> Aoi {
         let name = attribute(node, "Name");
         Aoi {
-            at: self.at(node),
+            at: at(node),
             parameters: all(node, "Parameters", "Parameter")
-                .map(|tag| self.tag(tag))
+                .map(|tag| Self::tag(tag))
                 .collect(),
             locals: all(node, "LocalTags", "LocalTag")
-                .map(|tag| self.tag(tag))
+                .map(|tag| Self::tag(tag))
                 .collect(),
             routines: self.routines(node, &format!("Add-On Instruction {name}")),
             comment: described(node),
@@ -244,9 +244,9 @@ impl Reader<'_> {
         }
     }
 
-    fn tag(&self, node: Node<'_, '_>) -> Tag {
+    fn tag(node: Node<'_, '_>) -> Tag {
         Tag {
-            at: self.at(node),
+            at: at(node),
             name: attribute(node, "Name"),
             ty: attribute(node, "DataType"),
             dimensions: dimensions(node, "Dimensions"),
@@ -286,9 +286,9 @@ impl Reader<'_> {
     fn program(&mut self, node: Node<'_, '_>) -> Program {
         let name = attribute(node, "Name");
         Program {
-            at: self.at(node),
+            at: at(node),
             main: node.attribute("MainRoutineName").map(str::to_owned),
-            tags: all(node, "Tags", "Tag").map(|tag| self.tag(tag)).collect(),
+            tags: all(node, "Tags", "Tag").map(|tag| Self::tag(tag)).collect(),
             routines: self.routines(node, &format!("program {name}")),
             comment: described(node),
             name,
@@ -324,7 +324,7 @@ impl Reader<'_> {
                 .filter(|child| child.has_tag_name("RLLContent"))
                 .flat_map(|content| content.children().filter(|child| child.has_tag_name("Rung")));
             routines.push(Routine {
-                at: self.at(node),
+                at: at(node),
                 rungs: rungs.map(|rung| self.rung(rung)).collect(),
                 comment: described(node),
                 name,
@@ -337,7 +337,7 @@ impl Reader<'_> {
         self.read.insert(node.range().start);
         let edit = node.attribute("Type").filter(|kind| !matches!(*kind, "N" | "IR"));
         let mut rung = Rung {
-            at: self.at(node),
+            at: at(node),
             comment: child(node, "Comment").and_then(text_of),
             edit: edit.map(str::to_owned),
             ..Rung::default()

@@ -415,8 +415,8 @@ fn divides_after(formula: &Expr) -> bool {
 
 /// What moves a value; nothing where it is.
 fn put(value: &str, to: &str) -> Series {
-    match value.eq_ignore_ascii_case(to) {
-        true => Vec::new(),
-        false => vec![it("MOV", &[value, to])],
+    if value.eq_ignore_ascii_case(to) {
+        return Vec::new();
     }
+    vec![it("MOV", &[value, to])]
 }
