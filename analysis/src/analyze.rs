@@ -8,7 +8,6 @@ use crate::findings::diagnostic::Diagnostic;
 use crate::findings::rule::Severity;
 use crate::findings::rule_settings::RuleSettings;
 use crate::names::join::context_after;
-use crate::other_files::link::Linked;
 use crate::other_files::others::Others;
 use crate::program::Program;
 use crate::resolve::{self, Resolved, numbers::Unit};
@@ -94,12 +93,11 @@ impl Analysis {
         self.program.get_or_init(program).as_ref()
     }
 
-    /// The same file with the program that [`link_files`](crate::link_files) made of it and of what it uses.
-    #[must_use]
-    pub fn with_others(&self, linked: Linked) -> Analysis {
+    /// The same file with a program of several files, and the others of these.
+    pub(crate) fn with_files(&self, program: Arc<Program>, others: Vec<Arc<Analysis>>) -> Analysis {
         Analysis {
-            program: OnceLock::from(Some(linked.program)),
-            others: Some(linked.others.into()),
+            program: OnceLock::from(Some(program)),
+            others: Some(others.into()),
             ..self.clone()
         }
     }

@@ -32,6 +32,14 @@ pub struct Linked {
     pub others: Vec<Arc<Analysis>>,
 }
 
+impl Analysis {
+    /// The same file with the program that [`link_files`] made of it and of what it uses.
+    #[must_use]
+    pub fn with_others(&self, linked: Linked) -> Analysis {
+        self.with_files(linked.program, linked.others)
+    }
+}
+
 /// The bodies that are reached in each file, by its name.
 struct Reached {
     /// The files in the order in which they are reached, the program's own first.
